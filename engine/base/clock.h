@@ -1,0 +1,30 @@
+#pragma once
+// Time as a dependency: the engine asks a Clock, a simulation or a test turns it by hand.
+
+namespace bask {
+
+/// Monotonic time in seconds since an arbitrary start.
+class Clock {
+public:
+    virtual ~Clock() = default;
+    virtual double now_s() const = 0;
+};
+
+/// The computer's monotonic clock.
+class SteadyClock final : public Clock {
+public:
+    double now_s() const override;
+};
+
+/// A clock that stands still until it is advanced.
+class ManualClock final : public Clock {
+public:
+    double now_s() const override { return m_now_s; }
+    /// Throws std::logic_error when dt_s is negative.
+    void advance(double dt_s);
+
+private:
+    double m_now_s = 0.0;
+};
+
+} // namespace bask

@@ -1,0 +1,153 @@
+#include "engine/base/message.h"
+
+#include "engine/base/result.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+// Marks a sentence for lupdate without needing Qt here.
+#define QT_TRANSLATE_NOOP(context, text) text
+
+namespace bask {
+namespace {
+
+struct Entry {
+    MessageCode code;
+    const char* name;
+    const char* text;
+};
+
+#define BASK_MESSAGE(code, text) {MessageCode::code, #code, text}
+
+// clang-format off
+constexpr std::array kMessages{
+    Entry BASK_MESSAGE(None, ""),
+    Entry BASK_MESSAGE(FileNotFound, QT_TRANSLATE_NOOP("Message", "there is no such file; check the path")),
+    Entry BASK_MESSAGE(FileUnreadable, QT_TRANSLATE_NOOP("Message", "the file cannot be read: %1")),
+    Entry BASK_MESSAGE(FileUnwritable, QT_TRANSLATE_NOOP("Message", "the file cannot be written: %1")),
+    Entry BASK_MESSAGE(FileEmpty, QT_TRANSLATE_NOOP("Message", "the file is empty")),
+    Entry BASK_MESSAGE(FileTooLarge, QT_TRANSLATE_NOOP("Message", "the file has %1, more than the %2 that are read")),
+    Entry BASK_MESSAGE(JsonSyntax, QT_TRANSLATE_NOOP("Message", "not valid JSON: %1")),
+    Entry BASK_MESSAGE(JsonUnknownKey, QT_TRANSLATE_NOOP("Message", "unknown key \"%1\"; known here: %2")),
+    Entry BASK_MESSAGE(JsonMissingKey, QT_TRANSLATE_NOOP("Message", "the key \"%1\" is missing")),
+    Entry BASK_MESSAGE(JsonWrongType, QT_TRANSLATE_NOOP("Message", "%1 expected, %2 found")),
+    Entry BASK_MESSAGE(JsonDuplicateKey, QT_TRANSLATE_NOOP("Message", "the key \"%1\" is given twice")),
+    Entry BASK_MESSAGE(JsonTooDeep, QT_TRANSLATE_NOOP("Message", "nested more than %1 levels deep")),
+    Entry BASK_MESSAGE(JsonTwoSpellings, QT_TRANSLATE_NOOP("Message", "\"%1\" and \"%2\" say the same thing; give one of them")),
+    Entry BASK_MESSAGE(ValueOutOfRange, QT_TRANSLATE_NOOP("Message", "%1 is out of range; allowed: %2 to %3 %4")),
+    Entry BASK_MESSAGE(ValueNotPositive, QT_TRANSLATE_NOOP("Message", "%1 is not allowed; it must be greater than zero")),
+    Entry BASK_MESSAGE(ValueUnknown, QT_TRANSLATE_NOOP("Message", "\"%1\" is not known; known: %2")),
+    Entry BASK_MESSAGE(VersionTooNew, QT_TRANSLATE_NOOP("Message", "made by a newer version of Bask (format %1, this one knows up to %2); update Bask to open it")),
+    Entry BASK_MESSAGE(TooManyObjects, QT_TRANSLATE_NOOP("Message", "%1 objects, but the robot has only %2 free degrees of freedom; remove objects or free more axes")),
+    Entry BASK_MESSAGE(NoObjects, QT_TRANSLATE_NOOP("Message", "there is no object; add at least one")),
+    Entry BASK_MESSAGE(DuplicateName, QT_TRANSLATE_NOOP("Message", "the name \"%1\" is used twice; give each object its own")),
+    Entry BASK_MESSAGE(NameEmpty, QT_TRANSLATE_NOOP("Message", "an object needs a name")),
+    Entry BASK_MESSAGE(TargetCountWrong, QT_TRANSLATE_NOOP("Message", "%1 targets given for %2 objects")),
+    Entry BASK_MESSAGE(StartOutsideWorkspace, QT_TRANSLATE_NOOP("Message", "the start's %1 is %2, outside the workspace of %3 to %4")),
+    Entry BASK_MESSAGE(StartTooClose, QT_TRANSLATE_NOOP("Message", "at the start \"%1\" is %2 mm from the source plane; at least %3 mm are needed")),
+    Entry BASK_MESSAGE(LimitsReversed, QT_TRANSLATE_NOOP("Message", "the lower limit %1 must be less than the upper limit %2")),
+    Entry BASK_MESSAGE(NoFreeAxis, QT_TRANSLATE_NOOP("Message", "no axis of the robot is free; free at least one")),
+    Entry BASK_MESSAGE(SourceTooWeak, QT_TRANSLATE_NOOP("Message", "this source cannot heat: its net power is %1 W/m2; raise its temperature or emittance, or use the gray source model")),
+    Entry BASK_MESSAGE(ContourTooFewPoints, QT_TRANSLATE_NOOP("Message", "only %1 points; an outline needs at least %2")),
+    Entry BASK_MESSAGE(ContourNotFinite, QT_TRANSLATE_NOOP("Message", "%1 has a coordinate that is not a finite number")),
+    Entry BASK_MESSAGE(ContourNotANumber, QT_TRANSLATE_NOOP("Message", "\"%1\" in line %2 is not a number")),
+    Entry BASK_MESSAGE(ContourColumnMissing, QT_TRANSLATE_NOOP("Message", "line %1 has %2 column(s); an x and a y are needed")),
+    Entry BASK_MESSAGE(ContourOpen, QT_TRANSLATE_NOOP("Message", "the outline is open: its ends are %1 mm apart (at most %2 mm)")),
+    Entry BASK_MESSAGE(ContourCrossing, QT_TRANSLATE_NOOP("Message", "the outline crosses itself: edges %1 and %2 meet near (%3, %4) mm")),
+    Entry BASK_MESSAGE(ContourZeroArea, QT_TRANSLATE_NOOP("Message", "the outline encloses no area")),
+    Entry BASK_MESSAGE(ContourUnitMissing, QT_TRANSLATE_NOOP("Message", "the unit of length is not known; give it (mm, cm, m or in)")),
+    Entry BASK_MESSAGE(NoSilhouette, QT_TRANSLATE_NOOP("Message", "no silhouette found; the picture needs one dark object on a light ground or the reverse")),
+    Entry BASK_MESSAGE(SilhouetteAtBorder, QT_TRANSLATE_NOOP("Message", "the silhouette touches the picture's border; take the picture with a margin all round")),
+    Entry BASK_MESSAGE(ImageUnreadable, QT_TRANSLATE_NOOP("Message", "not a picture that can be read, or a damaged one")),
+    Entry BASK_MESSAGE(ScaleNotPositive, QT_TRANSLATE_NOOP("Message", "the scale is %1 pixels per mm; it must be greater than zero")),
+    Entry BASK_MESSAGE(ScaleMissing, QT_TRANSLATE_NOOP("Message", "the scale of the picture is not known; give it in pixels per mm")),
+    Entry BASK_MESSAGE(HarmonicsOutOfRange, QT_TRANSLATE_NOOP("Message", "%1 harmonics; between %2 and %3 can be used")),
+    Entry BASK_MESSAGE(FormatUnknown, QT_TRANSLATE_NOOP("Message", "files of type \"%1\" are not read; known: %2")),
+    Entry BASK_MESSAGE(SourceKindUnsupported, QT_TRANSLATE_NOOP("Message", "a source of type \"%1\" is not supported; use a disk")),
+    Entry BASK_MESSAGE(ShapeKindUnsupported, QT_TRANSLATE_NOOP("Message", "an object of type \"%1\" is not supported here")),
+    Entry BASK_MESSAGE(NotASession, QT_TRANSLATE_NOOP("Message", "not a Bask session file")),
+    Entry BASK_MESSAGE(SessionDamaged, QT_TRANSLATE_NOOP("Message", "the session file is damaged: %1")),
+    Entry BASK_MESSAGE(SessionBusy, QT_TRANSLATE_NOOP("Message", "the session file is in use: %1")),
+    Entry BASK_MESSAGE(SessionNoRun, QT_TRANSLATE_NOOP("Message", "the session has no recorded samples")),
+    Entry BASK_MESSAGE(ReasonNoExperiment, QT_TRANSLATE_NOOP("Message", "No experiment is loaded. Open one or make a new one.")),
+    Entry BASK_MESSAGE(ReasonEstimatorFilling, QT_TRANSLATE_NOOP("Message", "The rate estimator has %1 of %2 samples. Wait a moment.")),
+    Entry BASK_MESSAGE(ReasonNotZeroed, QT_TRANSLATE_NOOP("Message", "The sensors are not zeroed against each other. Arming does it.")),
+    Entry BASK_MESSAGE(ReasonNotAtAmbient, QT_TRANSLATE_NOOP("Message", "The objects are not at rest at the room's temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment's temperature.")),
+    Entry BASK_MESSAGE(ReasonHeldByOperator, QT_TRANSLATE_NOOP("Message", "Held by the operator. Resume or stop.")),
+    Entry BASK_MESSAGE(ReasonZeroing, QT_TRANSLATE_NOOP("Message", "Zeroing the sensors at ambient: %1 of %2 samples.")),
+    Entry BASK_MESSAGE(ReasonTargetInfeasible, QT_TRANSLATE_NOOP("Message", "The target of \"%1\" cannot be reached. Change it on the Targets page.")),
+    Entry BASK_MESSAGE(ReasonSensorStale, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given nothing new for %2 s. Check its cable, then resume.")),
+    Entry BASK_MESSAGE(ReasonSensorInvalid, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" gives no plausible value. Check it, then resume.")),
+    Entry BASK_MESSAGE(ReasonRobotLost, QT_TRANSLATE_NOOP("Message", "The robot does not answer: %1. Check its link, then reset.")),
+    Entry BASK_MESSAGE(ReasonSourceLost, QT_TRANSLATE_NOOP("Message", "The heat source does not answer: %1. Check its link, then reset.")),
+    Entry BASK_MESSAGE(ReasonOverTemperature, QT_TRANSLATE_NOOP("Message", "\"%1\" is over its temperature limit.")),
+    Entry BASK_MESSAGE(ReasonEmergencyStop, QT_TRANSLATE_NOOP("Message", "STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.")),
+    Entry BASK_MESSAGE(ReasonRecorderFailed, QT_TRANSLATE_NOOP("Message", "The recording failed: %1. Free disk space or choose another folder, then reset.")),
+    Entry BASK_MESSAGE(ReasonInternalFault, QT_TRANSLATE_NOOP("Message", "The engine met an internal fault: %1. Reset, and report it if it comes again.")),
+    Entry BASK_MESSAGE(ReasonSourceNotWarm, QT_TRANSLATE_NOOP("Message", "The source is not at its temperature yet. Wait until it is warm.")),
+    Entry BASK_MESSAGE(EventArmed, QT_TRANSLATE_NOOP("Message", "Armed")),
+    Entry BASK_MESSAGE(EventStarted, QT_TRANSLATE_NOOP("Message", "Started")),
+    Entry BASK_MESSAGE(EventHeld, QT_TRANSLATE_NOOP("Message", "Held")),
+    Entry BASK_MESSAGE(EventResumed, QT_TRANSLATE_NOOP("Message", "Resumed")),
+    Entry BASK_MESSAGE(EventStopped, QT_TRANSLATE_NOOP("Message", "Stopped")),
+    Entry BASK_MESSAGE(EventEmergencyStop, QT_TRANSLATE_NOOP("Message", "STOP pressed")),
+    Entry BASK_MESSAGE(EventReset, QT_TRANSLATE_NOOP("Message", "Reset")),
+    Entry BASK_MESSAGE(EventSettled, QT_TRANSLATE_NOOP("Message", "All objects settled")),
+    Entry BASK_MESSAGE(EventNotSettled, QT_TRANSLATE_NOOP("Message", "Not settled: %1")),
+    Entry BASK_MESSAGE(EventTargetsChanged, QT_TRANSLATE_NOOP("Message", "Targets changed")),
+    Entry BASK_MESSAGE(EventGainsChanged, QT_TRANSLATE_NOOP("Message", "Controller or gains changed")),
+    Entry BASK_MESSAGE(EventZeroed, QT_TRANSLATE_NOOP("Message", "Sensors zeroed at ambient")),
+    Entry BASK_MESSAGE(EventFault, QT_TRANSLATE_NOOP("Message", "Fault: %1")),
+    Entry BASK_MESSAGE(EventCompromise, QT_TRANSLATE_NOOP("Message", "No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets")),
+    Entry BASK_MESSAGE(EventLimitReached, QT_TRANSLATE_NOOP("Message", "A limit of the robot is active")),
+    Entry BASK_MESSAGE(EventInterrupted, QT_TRANSLATE_NOOP("Message", "The recording was interrupted")),
+    Entry BASK_MESSAGE(EventSensorBack, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is back")),
+    Entry BASK_MESSAGE(CommandNotNow, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be done in the state \"%2\"")),
+    Entry BASK_MESSAGE(SessionAlreadyRunning, QT_TRANSLATE_NOOP("Message", "A run is on; stop it first")),
+};
+// clang-format on
+
+const Entry& entry(MessageCode code) {
+    const auto it = std::ranges::find(kMessages, code, &Entry::code);
+    return it == kMessages.end() ? kMessages.front() : *it;
+}
+
+} // namespace
+
+const char* messageTemplate(MessageCode code) { return entry(code).text; }
+
+const char* messageName(MessageCode code) { return entry(code).name; }
+
+MessageCode messageCodeFromName(const std::string& name) {
+    const auto it = std::ranges::find_if(kMessages, [&](const Entry& e) { return name == e.name; });
+    return it == kMessages.end() ? MessageCode::None : it->code;
+}
+
+std::string describe(const Message& message) {
+    std::string out;
+    for (const char* p = messageTemplate(message.code); *p != '\0'; ++p) {
+        if (*p == '%' && p[1] >= '1' && p[1] <= '9') {
+            const auto index = static_cast<std::size_t>(p[1] - '1');
+            if (index < message.args.size())
+                out += message.args[index];
+            ++p;
+        } else {
+            out += *p;
+        }
+    }
+    out.erase(out.find_last_not_of(' ') + 1); // a unit may be empty
+    return out;
+}
+
+std::string describe(const Error& error) {
+    return error.where.empty() ? describe(error.message) : error.where + ": " + describe(error.message);
+}
+
+std::string formatNumber(double value, int digits) {
+    std::array<char, 40> buffer{};
+    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
+    return buffer.data();
+}
+
+} // namespace bask
