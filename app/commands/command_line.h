@@ -1,0 +1,27 @@
+#pragma once
+// Headless subcommands of the one binary: figures on standard output, progress and messages on standard error.
+
+#include <QStringList>
+
+#include <span>
+
+namespace bask {
+
+/// Exit codes of every subcommand.
+enum ExitCode { kExitDone = 0, kExitFault = 1, kExitBadInput = 2, kExitNegative = 3 };
+
+/// A subcommand; `run` gets the arguments after its name and returns an ExitCode.
+struct Subcommand {
+    const char* name;
+    const char* summary;
+    int (*run)(const QStringList& arguments);
+};
+
+std::span<const Subcommand> subcommands();
+
+int runExperimentCommand(const QStringList& arguments);
+int fitContourCommand(const QStringList& arguments);
+int viewFactorCommand(const QStringList& arguments);
+int exportCommand(const QStringList& arguments);
+
+} // namespace bask

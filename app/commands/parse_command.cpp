@@ -1,0 +1,33 @@
+#include "app/commands/parse_command.h"
+
+#include "app/commands/command_line.h"
+
+#include <cstdio>
+
+namespace bask {
+
+std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
+                                int positionals) {
+    const QString program = QStringLiteral("bask ") + name;
+    if (!parser.parse(QStringList(program) + arguments)) {
+        std::fprintf(stderr, "bask %s: %s (see bask %s --help)\n", name, qPrintable(parser.errorText()), name);
+        return kExitBadInput;
+    }
+    if (parser.isSet("help")) {
+        // QCommandLineParser prints argv[0] of the process; ours is "bask SUBCOMMAND".
+        const QString text = parser.helpText();
+        const auto firstLineEnd = text.indexOf(u'\n');
+        QString usage = QStringLiteral("Usage: bask %1 [options]").arg(name);
+        usage += text.left(firstLineEnd).section(QStringLiteral("[options]"), 1);
+        std::fputs(qPrintable(usage + text.mid(firstLineEnd)), stdout);
+        return kExitDone;
+    }
+    if (parser.positionalArguments().size() != positionals) {
+        std::fprintf(stderr, "bask %s: %d argument%s expected, %d given (see bask %s --help)\n", name, positionals,
+                     positionals == 1 ? "" : "s", static_cast<int>(parser.positionalArguments().size()), name);
+        return kExitBadInput;
+    }
+    return std::nullopt;
+}
+
+} // namespace bask

@@ -1,0 +1,14 @@
+#pragma once
+// The part of the command line that all subcommands share: --help, complaints about usage, the exit code.
+
+#include <QCommandLineParser>
+
+#include <optional>
+
+namespace bask {
+
+/// Parses a subcommand's arguments. An exit code means: done (help was printed) or refused (said on standard error).
+std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
+                                int positionals);
+
+} // namespace bask

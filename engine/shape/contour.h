@@ -1,0 +1,34 @@
+#pragma once
+// A planar outline as a checked polygon: closed, simple, counter-clockwise, in metres.
+
+#include "engine/base/result.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace bask {
+
+/// Closed polygon; the first point is not repeated. Made by makeContour, which checks it.
+struct Contour {
+    std::vector<Eigen::Vector2d> points_m;
+
+    bool operator==(const Contour&) const = default;
+};
+
+double contourArea(const Contour& contour);              ///< m2, positive
+double contourPerimeter(const Contour& contour);         ///< m
+Eigen::Vector2d contourCentroid(const Contour& contour); ///< m, area centroid
+
+/// Checks points (m) and makes a contour of them: drops a repeated last point and repeated neighbours,
+/// reverses clockwise input, refuses too few points, non-finite numbers, zero area and crossing edges. O(n
+/// log n) or so in ordinary outlines. `where` goes into the error.
+Result<Contour> makeContour(std::vector<Eigen::Vector2d> points_m, const std::string& where = {});
+
+/// The same outline with its area centroid at the origin.
+Contour centred(const Contour& contour);
+
+/// The outline with points left out that lie within `tolerance_m` of it (Douglas-Peucker on the closed ring).
+Contour simplified(const Contour& contour, double tolerance_m);
+
+} // namespace bask

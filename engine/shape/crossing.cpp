@@ -1,0 +1,162 @@
+#include "engine/shape/crossing.h"
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace bask {
+namespace {
+
+using Eigen::Vector2d;
+
+bool before(const Vector2d& a, const Vector2d& b) {
+    return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
+}
+
+// Twice the signed area of a, b, c, in extended precision since its sign decides.
+long double orientation(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+    using Real = long double;
+    const Real bx = Real(b.x()) - Real(a.x()), by = Real(b.y()) - Real(a.y());
+    const Real cx = Real(c.x()) - Real(a.x()), cy = Real(c.y()) - Real(a.y());
+    return bx * cy - by * cx;
+}
+
+int sign(long double value) {
+    return (value > 0) - (value < 0);
+}
+
+bool inBox(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
+    return (a.cwiseMin(b).array() <= p.array()).all() && (p.array() <= a.cwiseMax(b).array()).all();
+}
+
+std::optional<Vector2d> meeting(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
+    if ((a.cwiseMax(b).array() < c.cwiseMin(d).array()).any() ||
+        (c.cwiseMax(d).array() < a.cwiseMin(b).array()).any())
+        return std::nullopt;
+    const long double oc = orientation(a, b, c), od = orientation(a, b, d);
+    const long double oa = orientation(c, d, a), ob = orientation(c, d, b);
+    if (sign(oc) * sign(od) < 0 && sign(oa) * sign(ob) < 0)
+        return Vector2d(a + static_cast<double>(oa / (oa - ob)) * (b - a));
+    if (oc == 0 && inBox(c, a, b))
+        return c;
+    if (od == 0 && inBox(d, a, b))
+        return d;
+    if (oa == 0 && inBox(a, c, d))
+        return a;
+    if (ob == 0 && inBox(b, c, d))
+        return b;
+    return std::nullopt;
+}
+
+class Sweep {
+public:
+    explicit Sweep(const std::vector<Vector2d>& points) : m_points(points), m_places(points.size()) {}
+
+    std::optional<Crossing> run() {
+        std::vector<std::size_t> order(m_points.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        std::ranges::sort(order,
+                          [&](std::size_t a, std::size_t b) { return before(m_points[a], m_points[b]); });
+        // Vertices that coincide are reported here, so that below every vertex has a place of its own.
+        for (std::size_t k = 0; k + 1 < order.size(); ++k)
+            if (m_points[order[k]] == m_points[order[k + 1]])
+                return crossing(order[k], order[k + 1], m_points[order[k]]);
+        for (std::size_t v : order)
+            if (auto found = visit(v))
+                return found;
+        return std::nullopt;
+    }
+
+private:
+    struct Below {
+        const Sweep* sweep;
+        bool operator()(std::size_t a, std::size_t b) const { return sweep->below(a, b); }
+    };
+    using Active = std::set<std::size_t, Below>;
+
+    std::size_t next(std::size_t k) const { return k + 1 == m_points.size() ? 0 : k + 1; }
+    std::size_t previous(std::size_t k) const { return k == 0 ? m_points.size() - 1 : k - 1; }
+    const Vector2d& left(std::size_t e) const {
+        return before(m_points[e], m_points[next(e)]) ? m_points[e] : m_points[next(e)];
+    }
+    const Vector2d& right(std::size_t e) const {
+        return before(m_points[e], m_points[next(e)]) ? m_points[next(e)] : m_points[e];
+    }
+
+    // Order along the sweep line of two edges that are both cut by it.
+    bool below(std::size_t a, std::size_t b) const {
+        if (a == b)
+            return false;
+        if (before(left(b), left(a)))
+            return side(b, a) < 0;
+        return side(a, b) > 0;
+    }
+
+    // On which side of `older` does `newer`, which starts later, lie? Index order when on it.
+    int side(std::size_t older, std::size_t newer) const {
+        if (const int s = sign(orientation(left(older), right(older), left(newer))))
+            return s;
+        if (const int s = sign(orientation(left(older), right(older), right(newer))))
+            return s;
+        return older < newer ? 1 : -1;
+    }
+
+    static Crossing crossing(std::size_t a, std::size_t b, const Vector2d& point) {
+        return {std::min(a, b), std::max(a, b), point};
+    }
+
+    std::optional<Crossing> check(std::size_t a, std::size_t b) const {
+        if (next(a) == b || next(b) == a)
+            return std::nullopt;
+        if (const auto point = meeting(m_points[a], m_points[next(a)], m_points[b], m_points[next(b)]))
+            return crossing(a, b, *point);
+        return std::nullopt;
+    }
+
+    std::optional<Crossing> visit(std::size_t v) {
+        const Vector2d& p = m_points[v];
+        const Vector2d in = p - m_points[previous(v)], out = m_points[next(v)] - p;
+        if (orientation(m_points[previous(v)], p, m_points[next(v)]) == 0 && in.dot(out) < 0)
+            return crossing(previous(v), v, p);
+        for (std::size_t e : {previous(v), v})
+            if (right(e) == p)
+                if (auto found = remove(e))
+                    return found;
+        for (std::size_t e : {previous(v), v})
+            if (left(e) == p)
+                if (auto found = insert(e))
+                    return found;
+        return std::nullopt;
+    }
+
+    std::optional<Crossing> insert(std::size_t e) {
+        const auto it = m_active.insert(e).first;
+        m_places[e] = it;
+        if (it != m_active.begin())
+            if (auto found = check(*std::prev(it), e))
+                return found;
+        if (std::next(it) != m_active.end())
+            if (auto found = check(*std::next(it), e))
+                return found;
+        return std::nullopt;
+    }
+
+    std::optional<Crossing> remove(std::size_t e) {
+        const auto after = m_active.erase(m_places[e]);
+        if (after == m_active.begin() || after == m_active.end())
+            return std::nullopt;
+        return check(*std::prev(after), *after);
+    }
+
+    const std::vector<Vector2d>& m_points;
+    Active m_active{Below{this}};
+    std::vector<Active::iterator> m_places;
+};
+
+} // namespace
+
+std::optional<Crossing> findCrossing(const std::vector<Eigen::Vector2d>& points) {
+    return Sweep(points).run();
+}
+
+} // namespace bask

@@ -1,0 +1,194 @@
+#include "engine/shape/fourier_contour.h"
+
+#include "engine/shape/crossing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace bask {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+Complex complexOf(const Eigen::Vector2d& p) {
+    return {p.x(), p.y()};
+}
+Eigen::Vector2d vectorOf(const Complex& z) {
+    return {z.real(), z.imag()};
+}
+
+double sinc(double x) {
+    return std::abs(x) < 1e-4 ? 1.0 - x * x / 6.0 : std::sin(x) / x;
+}
+
+// Arc length from point 0 to every point, and once round at the end.
+std::vector<double> arcLengths(const std::vector<Eigen::Vector2d>& points) {
+    std::vector<double> s(points.size() + 1, 0.0);
+    for (std::size_t k = 0; k < points.size(); ++k)
+        s[k + 1] = s[k] + (points[(k + 1) % points.size()] - points[k]).norm();
+    return s;
+}
+
+// c_j = (1/L) int z(s) exp(-2 pi i j s/L) ds, exact on every straight edge. For j != 0 it is integrated by
+// parts over the closed ring: an edge D of length l about s_mid gives L/(2 pi i j) D exp(-i w s_mid) sinc(w
+// l/2) / L.
+std::vector<Complex> project(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& s,
+                             int harmonics) {
+    const double length = s.back();
+    std::vector<Complex> c(static_cast<std::size_t>(2 * harmonics + 1));
+    const auto at = [&](int j) -> Complex& { return c[static_cast<std::size_t>(j + harmonics)]; };
+    const Complex start = complexOf(points[0]);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const Complex a = complexOf(points[k]), b = complexOf(points[(k + 1) % points.size()]);
+        const double edge = s[k + 1] - s[k];
+        at(0) += edge * (0.5 * (a + b) - start);
+        const double half = std::numbers::pi * edge / length;
+        const Complex turn = std::polar(1.0, -kTwoPi * 0.5 * (s[k] + s[k + 1]) / length);
+        Complex power = 1.0;
+        for (int j = 1; j <= harmonics; ++j) {
+            power *= turn;
+            const Complex share = (b - a) * sinc(half * j);
+            at(j) += share * power;
+            at(-j) += share * std::conj(power);
+        }
+    }
+    at(0) = start + at(0) / length;
+    for (int j = 1; j <= harmonics; ++j) {
+        at(j) /= Complex(0.0, kTwoPi * j);
+        at(-j) /= Complex(0.0, -kTwoPi * j);
+    }
+    return c;
+}
+
+// Distances at equal arc length: rms over even samples, the largest over these and the outline's corners.
+void measureResidual(const std::vector<Eigen::Vector2d>& points, const std::vector<double>& s,
+                     FourierFit& fit) {
+    const std::size_t n = points.size();
+    const std::size_t samples = std::clamp<std::size_t>(16 * n, 32768, 262144);
+    double sum = 0.0, most = 0.0;
+    std::size_t edge = 0;
+    for (std::size_t k = 0; k < samples; ++k) {
+        const double at = s.back() * (static_cast<double>(k) + 0.5) / static_cast<double>(samples);
+        while (edge + 1 < n && s[edge + 1] < at)
+            ++edge;
+        const double t = (at - s[edge]) / (s[edge + 1] - s[edge]);
+        const Eigen::Vector2d p = points[edge] + t * (points[(edge + 1) % n] - points[edge]);
+        const double d2 = std::norm(fit.contour.point(at / s.back()) - complexOf(p));
+        sum += d2;
+        most = std::max(most, d2);
+    }
+    for (std::size_t k = 0; k < n; ++k)
+        most = std::max(most, std::norm(fit.contour.point(s[k] / s.back()) - complexOf(points[k])));
+    fit.rms_m = std::sqrt(sum / static_cast<double>(samples));
+    fit.max_m = std::sqrt(most);
+}
+
+bool crosses(const FourierContour& contour) {
+    if (!(contour.area() > 0.0))
+        return true;
+    const int n = std::max(1024, 64 * contour.harmonics());
+    std::vector<Eigen::Vector2d> points;
+    points.reserve(static_cast<std::size_t>(n));
+    for (int k = 0; k < n; ++k) {
+        const Eigen::Vector2d p = vectorOf(contour.point(static_cast<double>(k) / n));
+        if (points.empty() || p != points.back())
+            points.push_back(p);
+    }
+    return points.size() < 3 || findCrossing(points).has_value();
+}
+
+} // namespace
+
+FourierContour::FourierContour(std::vector<Complex> coefficients) : m_coefficients(std::move(coefficients)) {
+    if (m_coefficients.size() % 2 == 0)
+        throw std::invalid_argument("FourierContour: the number of coefficients must be odd, 2H + 1");
+}
+
+Complex FourierContour::coefficient(int j) const {
+    if (std::abs(j) > harmonics() || m_coefficients.empty())
+        throw std::out_of_range("FourierContour: no coefficient " + std::to_string(j));
+    return m_coefficients[static_cast<std::size_t>(j + harmonics())];
+}
+
+Complex FourierContour::point(double phi) const {
+    const Complex turn = std::polar(1.0, kTwoPi * phi);
+    Complex sum = 0.0;
+    for (std::size_t k = m_coefficients.size(); k-- > 0;)
+        sum = sum * turn + m_coefficients[k];
+    return sum * std::polar(1.0, -kTwoPi * phi * harmonics());
+}
+
+Complex FourierContour::derivative(double phi) const {
+    const Complex turn = std::polar(1.0, kTwoPi * phi);
+    Complex sum = 0.0;
+    for (std::size_t k = m_coefficients.size(); k-- > 0;)
+        sum = sum * turn + m_coefficients[k] * static_cast<double>(static_cast<int>(k) - harmonics());
+    return Complex(0.0, kTwoPi) * sum * std::polar(1.0, -kTwoPi * phi * harmonics());
+}
+
+double FourierContour::area() const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < m_coefficients.size(); ++k)
+        sum += (static_cast<int>(k) - harmonics()) * std::norm(m_coefficients[k]);
+    return std::numbers::pi * sum;
+}
+
+double FourierContour::perimeter() const {
+    const auto sumAt = [&](int n, double offset) {
+        double sum = 0.0;
+        for (int k = 0; k < n; ++k)
+            sum += std::abs(derivative((k + offset) / n));
+        return sum / n;
+    };
+    int n = 64;
+    double value = sumAt(n, 0.0);
+    while (n < 1 << 14) {
+        const double finer = 0.5 * (value + sumAt(n, 0.5)); // the even points are those already summed
+        n *= 2;
+        const bool converged = n > 4 * harmonics() && std::abs(finer - value) <= 1e-9 * finer;
+        value = finer;
+        if (converged)
+            break;
+    }
+    return value;
+}
+
+Complex FourierContour::centroid() const {
+    if (m_coefficients.empty())
+        return 0.0;
+    // Integral of z over the area = 1/(2i) oint |z|^2 dz; the trapezoid is exact above 3H points.
+    const Complex middle = coefficient(0);
+    const int n = 4 * harmonics() + 4;
+    Complex sum = 0.0;
+    for (int k = 0; k < n; ++k) {
+        const double phi = static_cast<double>(k) / n;
+        sum += std::norm(point(phi) - middle) * derivative(phi);
+    }
+    const double a = area();
+    return a == 0.0 ? middle : middle + sum / Complex(0.0, 2.0 * n * a);
+}
+
+Result<FourierFit> fitFourier(const Contour& outline, int harmonics) {
+    if (harmonics < 1 || harmonics > kMaxHarmonics)
+        return Error{MessageCode::HarmonicsOutOfRange,
+                     {},
+                     {std::to_string(harmonics), "1", std::to_string(kMaxHarmonics)}};
+    if (outline.points_m.size() < 3)
+        return Error{MessageCode::ContourTooFewPoints, {}, {std::to_string(outline.points_m.size()), "3"}};
+    const std::vector<double> s = arcLengths(outline.points_m);
+    std::vector<Complex> c = project(outline.points_m, s, harmonics);
+    FourierFit fit;
+    fit.contour = FourierContour(c);
+    measureResidual(outline.points_m, s, fit);
+    c[static_cast<std::size_t>(harmonics)] -= fit.contour.centroid();
+    fit.contour = FourierContour(std::move(c));
+    fit.crossesItself = crosses(fit.contour);
+    return fit;
+}
+
+} // namespace bask

@@ -1,0 +1,51 @@
+#pragma once
+// Truncated Fourier contour x + iy = sum_{j=-H..H} c_j exp(2 pi i j phi) and its least-squares fit by arc
+// length.
+
+#include "engine/shape/contour.h"
+
+#include <complex>
+#include <vector>
+
+namespace bask {
+
+inline constexpr int kMaxHarmonics = 40; ///< most that a fit is offered
+
+/// Descriptor series, counter-clockwise; coefficient(j) for |j| <= harmonics(), metres.
+class FourierContour {
+public:
+    FourierContour() = default;
+    /// `coefficients` has 2H+1 entries for j = -H..H; throws std::invalid_argument otherwise.
+    explicit FourierContour(std::vector<std::complex<double>> coefficients);
+
+    int harmonics() const { return (static_cast<int>(m_coefficients.size()) - 1) / 2; }
+    std::complex<double> coefficient(int j) const;
+    const std::vector<std::complex<double>>& coefficients() const { return m_coefficients; }
+
+    std::complex<double> point(double phi) const;      ///< m, phi in [0,1)
+    std::complex<double> derivative(double phi) const; ///< m per unit phi
+
+    double area() const;                   ///< m2, exact: pi sum j |c_j|^2
+    double perimeter() const;              ///< m, trapezoid, converged to 1e-9 of its value or to 2^14 points
+    std::complex<double> centroid() const; ///< m, area centroid
+
+    bool operator==(const FourierContour&) const = default;
+
+private:
+    std::vector<std::complex<double>> m_coefficients;
+};
+
+/// A fit and what it leaves: distances (m) between points of the outline and of the series at equal arc
+/// length.
+struct FourierFit {
+    FourierContour contour;
+    double rms_m = 0.0;
+    double max_m = 0.0;
+    bool crossesItself = false; ///< the truncated curve is not simple
+};
+
+/// Least-squares series of `harmonics` harmonics in the arc length of the outline (exact projection, edge by
+/// edge). The centroid of the **series** is moved to the origin. Refuses harmonics outside 1..kMaxHarmonics.
+Result<FourierFit> fitFourier(const Contour& outline, int harmonics);
+
+} // namespace bask
