@@ -1,0 +1,217 @@
+#include "app/commands/shape_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+
+constexpr double kMostLength_m = 1e6;
+constexpr double kLeastRadius_m = 1e-9;
+constexpr double kMostAngle_rad = 1e6;
+constexpr std::size_t kMostPoints = 100000;
+
+std::string placeOf(const std::string& where, const std::string& key) {
+    return where.empty() ? key : where + '.' + key;
+}
+
+Result<double> number(const json& j, double most, const char* unit, const std::string& where) {
+    if (!j.is_number())
+        return Error{MessageCode::JsonWrongType, where, {"a number", jsonTypeWords(j)}};
+    const double value = j.get<double>();
+    if (!(std::abs(value) <= most))
+        return Error{MessageCode::ValueOutOfRange,
+                     where,
+                     {formatNumber(value), formatNumber(-most), formatNumber(most), unit}};
+    return value;
+}
+
+// An array of exactly `count` numbers (0: any count).
+Result<const json*> arrayMember(const json& object, const std::string& key, std::size_t count,
+                                const std::string& where) {
+    const auto member = memberOf(object, key, where);
+    if (!member)
+        return member;
+    const json& array = **member;
+    const std::string wanted = count == 0 ? "a list" : "a list of " + std::to_string(count) + " numbers";
+    if (!array.is_array())
+        return Error{MessageCode::JsonWrongType, placeOf(where, key), {wanted, jsonTypeWords(array)}};
+    if (count != 0 && array.size() != count)
+        return Error{MessageCode::JsonWrongType, placeOf(where, key), {wanted, std::to_string(array.size())}};
+    return &array;
+}
+
+Result<Eigen::Vector3d> vectorMember(const json& object, const std::string& key, double most,
+                                     const char* unit, const std::string& where) {
+    const auto array = arrayMember(object, key, 3, where);
+    if (!array)
+        return array.error();
+    Eigen::Vector3d result;
+    for (int i = 0; i < 3; ++i) {
+        const auto value = number((**array)[static_cast<std::size_t>(i)], most, unit,
+                                  placeOf(where, key) + '[' + std::to_string(i) + ']');
+        if (!value)
+            return value.error();
+        result[i] = *value;
+    }
+    return result;
+}
+
+Result<Shape> diskFromJson(const json& object, const std::string& where) {
+    const auto member = memberOf(object, "radius_m", where);
+    if (!member)
+        return member.error();
+    const std::string place = placeOf(where, "radius_m");
+    const auto radius = number(**member, kMostLength_m, "m", place);
+    if (!radius)
+        return radius.error();
+    if (*radius <= 0.0)
+        return Error{MessageCode::ValueNotPositive, place, {formatNumber(*radius)}};
+    if (*radius < kLeastRadius_m)
+        return Error{MessageCode::ValueOutOfRange,
+                     place,
+                     {formatNumber(*radius), formatNumber(kLeastRadius_m), formatNumber(kMostLength_m), "m"}};
+    return Shape{Disk{*radius}};
+}
+
+// Rows of `columns` numbers; the first may be a whole number (the order of a coefficient).
+Result<std::vector<std::vector<double>>> rows(const json& object, const std::string& key, std::size_t columns,
+                                              const std::string& where) {
+    const auto array = arrayMember(object, key, 0, where);
+    if (!array)
+        return array.error();
+    if ((*array)->size() > kMostPoints)
+        return Error{MessageCode::ValueOutOfRange,
+                     placeOf(where, key),
+                     {std::to_string((*array)->size()), "1", std::to_string(kMostPoints), "entries"}};
+    std::vector<std::vector<double>> result;
+    result.reserve((*array)->size());
+    for (std::size_t i = 0; i < (*array)->size(); ++i) {
+        const json& row = (**array)[i];
+        const std::string place = placeOf(where, key) + '[' + std::to_string(i) + ']';
+        if (!row.is_array() || row.size() != columns)
+            return Error{MessageCode::JsonWrongType,
+                         place,
+                         {"a list of " + std::to_string(columns) + " numbers", jsonTypeWords(row)}};
+        std::vector<double> values;
+        for (const json& entry : row) {
+            const auto value = number(entry, kMostLength_m, "m", place);
+            if (!value)
+                return value.error();
+            values.push_back(*value);
+        }
+        result.push_back(std::move(values));
+    }
+    return result;
+}
+
+Result<Shape> fourierFromJson(const json& object, const std::string& where) {
+    const auto entries = rows(object, "coefficients", 3, where);
+    if (!entries)
+        return entries.error();
+    const std::string place = placeOf(where, "coefficients");
+    int harmonics = 0;
+    std::set<int> seen;
+    for (const auto& entry : *entries) {
+        if (entry[0] != std::round(entry[0]))
+            return Error{MessageCode::JsonWrongType, place, {"a whole number", formatNumber(entry[0])}};
+        if (std::abs(entry[0]) > kMaxHarmonics)
+            return Error{MessageCode::HarmonicsOutOfRange,
+                         place,
+                         {formatNumber(std::abs(entry[0]), 7), "1", std::to_string(kMaxHarmonics)}};
+        const int order = static_cast<int>(entry[0]);
+        if (!seen.insert(order).second)
+            return Error{MessageCode::JsonDuplicateKey, place, {std::to_string(order)}};
+        harmonics = std::max(harmonics, std::abs(order));
+    }
+    if (harmonics < 1)
+        return Error{MessageCode::HarmonicsOutOfRange, place, {"0", "1", std::to_string(kMaxHarmonics)}};
+    std::vector<std::complex<double>> coefficients(static_cast<std::size_t>(2 * harmonics + 1));
+    for (const auto& entry : *entries)
+        coefficients[static_cast<std::size_t>(static_cast<int>(entry[0]) + harmonics)] = {entry[1], entry[2]};
+    FourierContour contour(coefficients);
+    if (contour.area() < 0.0) {
+        std::ranges::reverse(coefficients);
+        contour = FourierContour(coefficients);
+    }
+    // Checked as a polygon fine enough for the highest harmonic; this also finds what has no area.
+    const auto outline = makeContour(shapeOutline(contour, std::max(512, 32 * harmonics)), where);
+    if (!outline)
+        return outline.error();
+    return Shape{contour};
+}
+
+Result<Shape> polygonFromJson(const json& object, const std::string& where) {
+    const auto entries = rows(object, "points_m", 2, where);
+    if (!entries)
+        return entries.error();
+    std::vector<Eigen::Vector2d> points;
+    for (const auto& entry : *entries)
+        points.emplace_back(entry[0], entry[1]);
+    const auto contour = makeContour(std::move(points), placeOf(where, "points_m"));
+    if (!contour)
+        return contour.error();
+    return Shape{*contour};
+}
+
+} // namespace
+
+const char* jsonTypeWords(const json& j) {
+    if (j.is_number())
+        return j.is_number_float() ? "a number" : "a whole number";
+    if (j.is_string())
+        return "text";
+    if (j.is_array())
+        return "a list";
+    if (j.is_object())
+        return "an object";
+    return j.is_boolean() ? "true or false" : "null";
+}
+
+Result<const json*> memberOf(const json& object, const std::string& key, const std::string& where) {
+    if (!object.is_object())
+        return Error{MessageCode::JsonWrongType, where, {"an object", jsonTypeWords(object)}};
+    const auto found = object.find(key);
+    if (found == object.end())
+        return Error{MessageCode::JsonMissingKey, where, {key}};
+    return &*found;
+}
+
+Result<std::string> shapeTypeOf(const json& object, const std::string& where) {
+    const auto type = memberOf(object, "type", where);
+    if (!type)
+        return type.error();
+    if (!(*type)->is_string())
+        return Error{MessageCode::JsonWrongType, placeOf(where, "type"), {"text", jsonTypeWords(**type)}};
+    return (*type)->get<std::string>();
+}
+
+Result<Shape> shapeFromJson(const json& object, const std::string& where) {
+    const auto type = shapeTypeOf(object, where);
+    if (!type)
+        return type.error();
+    if (*type == "disk")
+        return diskFromJson(object, where);
+    if (*type == "fourier")
+        return fourierFromJson(object, where);
+    if (*type == "polygon")
+        return polygonFromJson(object, where);
+    return Error{MessageCode::ValueUnknown, placeOf(where, "type"), {*type, "disk, fourier, polygon"}};
+}
+
+Result<Pose> poseFromJson(const json& object, const std::string& where) {
+    const auto translation = vectorMember(object, "translation_m", kMostLength_m, "m", where);
+    if (!translation)
+        return translation.error();
+    const auto rotation = vectorMember(object, "rotation_vector_rad", kMostAngle_rad, "rad", where);
+    if (!rotation)
+        return rotation.error();
+    return poseFromRotationVector(*translation, *rotation);
+}
+
+} // namespace bask

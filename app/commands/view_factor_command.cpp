@@ -1,0 +1,203 @@
+// bask view-factor: reads cases (source, object, pose) from a JSON file and answers each with F21 and its
+// gradient.
+
+#include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
+#include "app/commands/shape_json.h"
+#include "engine/radiation/view_factor.h"
+
+#include <QCommandLineParser>
+#include <QFile>
+#include <QSaveFile>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+constexpr qint64 kMostBytes = qint64{256} << 20;
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "bask view-factor: %s\n", describe(error).c_str());
+    return kExitBadInput;
+}
+
+// Bare words such as NaN and numbers too large for a double are no JSON, yet they spoil one case, not the
+// file: they are put in quotes, and the case that they stand in is then refused with the place and the word.
+std::string withOddNumbersQuoted(const std::string& text) {
+    std::string result;
+    result.reserve(text.size());
+    const auto isWord = [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
+    };
+    for (std::size_t i = 0; i < text.size();) {
+        std::size_t end = i + 1;
+        bool quote = false;
+        if (text[i] == '"') {
+            while (end < text.size() && text[end] != '"')
+                end += text[end] == '\\' ? 2 : 1;
+            end = std::min(end + 1, text.size());
+        } else if (isWord(text[i])) {
+            while (end < text.size() && isWord(text[end]))
+                ++end;
+            const std::string word = text.substr(i, end - i);
+            char* rest = nullptr;
+            const double value = std::strtod(word.c_str(), &rest);
+            quote = *rest == '\0' && !std::isfinite(value);
+        }
+        if (quote)
+            result += '"';
+        result.append(text, i, end - i);
+        if (quote)
+            result += '"';
+        i = end;
+    }
+    return result;
+}
+
+// The parser's words on one line of plain characters, without the library's number of the error.
+std::string plainWords(const std::string& words) {
+    const std::size_t number = words.find("] ");
+    std::string text = number == std::string::npos ? words : words.substr(number + 2);
+    std::replace_if(
+        text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
+    return text.substr(0, 300);
+}
+
+Result<json> readCases(const std::string& path) {
+    QFile file(QString::fromStdString(path));
+    if (!file.exists())
+        return Error{MessageCode::FileNotFound, path};
+    if (!file.open(QIODevice::ReadOnly))
+        return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
+    const QByteArray bytes = file.read(kMostBytes + 1);
+    if (file.error() != QFile::NoError)
+        return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
+    if (bytes.size() > kMostBytes)
+        return Error{MessageCode::FileTooLarge, path, {"more than 256 MiB", "256 MiB"}};
+    if (bytes.trimmed().isEmpty())
+        return Error{MessageCode::FileEmpty, path};
+    try {
+        json document = json::parse(withOddNumbersQuoted(bytes.toStdString()));
+        const auto cases = memberOf(document, "cases", path);
+        if (!cases)
+            return cases.error();
+        if (!(*cases)->is_array())
+            return Error{MessageCode::JsonWrongType, path + ": cases", {"a list", jsonTypeWords(**cases)}};
+        return json(**cases);
+    } catch (const json::exception& failure) {
+        return Error{MessageCode::JsonSyntax, path, {plainWords(failure.what())}};
+    }
+}
+
+Result<ViewFactor> evaluate(const json& one) {
+    const auto id = memberOf(one, "id", "");
+    if (!id)
+        return id.error();
+    if (!(*id)->is_string() && !(*id)->is_number_integer())
+        return Error{MessageCode::JsonWrongType, "id", {"text", jsonTypeWords(**id)}};
+    const auto sourceJson = memberOf(one, "source", "");
+    if (!sourceJson)
+        return sourceJson.error();
+    const auto objectJson = memberOf(one, "object", "");
+    if (!objectJson)
+        return objectJson.error();
+    const auto poseJson = memberOf(one, "pose", "");
+    if (!poseJson)
+        return poseJson.error();
+    const auto type = shapeTypeOf(**sourceJson, "source");
+    if (!type)
+        return type.error();
+    if (*type == "fourier" || *type == "polygon")
+        return Error{MessageCode::SourceKindUnsupported, "source", {*type}};
+    const auto source = shapeFromJson(**sourceJson, "source");
+    if (!source)
+        return source.error();
+    const auto object = shapeFromJson(**objectJson, "object");
+    if (!object)
+        return object.error();
+    const auto pose = poseFromJson(**poseJson, "pose");
+    if (!pose)
+        return pose.error();
+    return viewFactor(std::get<Disk>(*source), RadiatingContour(*object), *pose);
+}
+
+ordered_json answer(const json& one) {
+    ordered_json result;
+    result["id"] = one.is_object() && one.contains("id") ? ordered_json(one["id"]) : ordered_json(nullptr);
+    try {
+        const auto factor = evaluate(one);
+        if (!factor) {
+            result["error"] = describe(factor.error());
+            return result;
+        }
+        result["view_factor"] = factor->value;
+        result["gradient"] = ordered_json::array();
+        for (double component : factor->gradient)
+            result["gradient"].push_back(component + 0.0); // no minus zero
+        result["visibility"] = visibilityName(factor->visibility);
+        result["error_estimate"] = factor->errorEstimate;
+    } catch (const std::invalid_argument& refused) {
+        result["error"] = refused.what();
+    }
+    return result;
+}
+
+// One result a line; the library writes each number with as many digits as it takes to read it back
+// unchanged.
+std::string resultsText(const json& cases) {
+    std::string text = "{\"results\": [";
+    const char* separator = "\n";
+    for (const json& one : cases) {
+        text += separator + answer(one).dump(-1, ' ', false, json::error_handler_t::replace);
+        separator = ",\n";
+    }
+    return text + "\n]}\n";
+}
+
+Result<void> writeText(const std::string& text, const QString& path) {
+    if (path.isEmpty()) {
+        std::fwrite(text.data(), 1, text.size(), stdout);
+        return std::fflush(stdout) == 0 ? Result<void>()
+                                        : Error{MessageCode::FileUnwritable, "standard output", {""}};
+    }
+    QSaveFile file(path);
+    const QByteArray bytes = QByteArray::fromStdString(text);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return Error{MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()}};
+    return {};
+}
+
+} // namespace
+
+int viewFactorCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        "Answers each case of CASES.json with the view factor F21 of the object over the disk source, its\n"
+        "six derivatives (1/m and 1/rad, source axes, about the object's origin), what is visible and an\n"
+        "estimate of the error. A case that cannot be answered gets an \"error\" in words.");
+    parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addOption(
+        {{"o", "output"}, "Writes the results there instead of to standard output.", "RESULTS.json"});
+    parser.addPositionalArgument(
+        "CASES.json", "{\"cases\": [{\"id\", \"source\", \"object\", \"pose\": {\"translation_m\", "
+                      "\"rotation_vector_rad\"}}]}; lengths in metres.");
+    if (const auto code = parseCommand(parser, "view-factor", arguments, 1))
+        return *code;
+    const auto cases = readCases(parser.positionalArguments().front().toStdString());
+    if (!cases)
+        return refuse(cases.error());
+    const auto written = writeText(resultsText(*cases), parser.value("output"));
+    return written ? kExitDone : refuse(written.error());
+}
+
+} // namespace bask

@@ -1,0 +1,70 @@
+#pragma once
+// View factor F21 from a planar object to a disk source with its exact gradient (circulation form).
+
+#include "engine/base/pose.h"
+#include "engine/base/result.h"
+#include "engine/shape/shape.h"
+
+#include <memory>
+
+namespace bask {
+
+/// Which part of the two faces sees the other: all, some (either cut bites), none (F = 0).
+enum class Visibility { Full, Partial, Hidden };
+const char* visibilityName(Visibility visibility); ///< "full", "partial", "hidden"
+
+/// A view factor with what it took.
+struct ViewFactor {
+    double value = 0.0; ///< F21, in [0, 1]
+    /// dF/d(position) 1/m and dF/d(rotation) 1/rad, S axes, about O's origin.
+    Vector6d gradient = Vector6d::Zero();
+    Visibility visibility = Visibility::Hidden;
+    double errorEstimate = 0.0; ///< of `value`, absolute
+};
+
+struct ViewFactorOptions {
+    /// Absolute, of the value; the number of points is doubled until the estimate is below.
+    double tolerance = 1e-9;
+    int maxPoints = 4096; ///< per smooth piece; beyond it the estimate tells what was reached
+};
+
+/// An object's outline prepared for many evaluations: area and tabulated points, shared by copies. Immutable.
+class RadiatingContour {
+public:
+    /// Any counter-clockwise shape, taken where it is. Throws std::invalid_argument when the area is not
+    /// positive.
+    explicit RadiatingContour(const Shape& shape);
+    ~RadiatingContour();
+    RadiatingContour(const RadiatingContour&);
+    RadiatingContour& operator=(const RadiatingContour&);
+
+    double area_m2() const;
+    const Shape& shape() const;
+
+    struct Impl;
+    const Impl& impl() const { return *m_impl; }
+
+private:
+    std::shared_ptr<const Impl> m_impl;
+};
+
+/// F21 of the object at X_SO over the disk, with gradient, visibility and error estimate. Heated face along
+/// -z of O. Method: F21 is the circulation of the source's vector potential along the visible part of the
+/// outline; the gradient is the force and torque on a current loop in its curl. Two half-space cuts decide
+/// what is visible. Thread-safe; allocates only where the outline dips below the source plane or nearly
+/// touches the source's rim. Throws std::invalid_argument on a radius that is not positive or a pose that is
+/// not finite.
+ViewFactor viewFactor(const Disk& source, const RadiatingContour& object, const Pose& X_SO,
+                      const ViewFactorOptions& options = {});
+
+/// Value only with a fixed number of points per smooth piece (no error estimate): for tables of many thousand
+/// poses. `points` is rounded up to 16, 32, 64, 128 or 256 on an uncut smooth outline. Throws as viewFactor
+/// does.
+double viewFactorFast(const Disk& source, const RadiatingContour& object, const Pose& X_SO, int points = 32);
+
+/// Radiation from the whole object to the source, the reference point moved from O's origin to E's origin:
+/// gradient about p_SE, so that it is the row of the interaction matrix for the end-effector's twist in S
+/// axes.
+Vector6d gradientAbout(const Vector6d& gradient, const Eigen::Vector3d& p_SO, const Eigen::Vector3d& p_SE);
+
+} // namespace bask

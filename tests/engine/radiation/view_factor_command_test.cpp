@@ -1,0 +1,160 @@
+#include "app/commands/command_line.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <sstream>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+
+/// Runs the command on a file with `text`.
+class ViewFactorCommand : public testing::Test {
+protected:
+    int run(const std::string& text) {
+        std::ofstream(path("cases.json").toStdString()) << text;
+        return viewFactorCommand({path("cases.json"), "-o", path("results.json")});
+    }
+    json results() {
+        std::ifstream file(path("results.json").toStdString());
+        return json::parse(file)["results"];
+    }
+    QString path(const char* name) const { return m_folder.filePath(name); }
+
+    /// One good case as text with `from` replaced by `to`.
+    static std::string caseWith(const std::string& from = {}, const std::string& to = {}) {
+        std::string text = R"({"id":"one","source":{"type":"disk","radius_m":0.15},)"
+                           R"("object":{"type":"disk","radius_m":0.015},"pose":{"translation_m":[0,0,0.05],)"
+                           R"("rotation_vector_rad":[0,0,0]}})";
+        if (!from.empty()) {
+            EXPECT_NE(text.find(from), std::string::npos) << from;
+            text.replace(text.find(from), from.size(), to);
+        }
+        return text;
+    }
+    static std::string withObject(const std::string& object) {
+        return caseWith(R"({"type":"disk","radius_m":0.015})", object);
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+// Catches: digits lost between the solver and the file, results out of order, expected values refused as
+// unknown keys.
+TEST_F(ViewFactorCommand, answersTheReferenceFileInOrder) {
+    std::ifstream file(BASK_TEST_DATA "/view_factors.json");
+    std::stringstream text;
+    text << file.rdbuf();
+    ASSERT_EQ(run(text.str()), kExitDone);
+    const json cases = json::parse(text.str())["cases"];
+    const json answers = results();
+    ASSERT_EQ(answers.size(), cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        EXPECT_EQ(answers[i]["id"], cases[i]["id"]);
+        if (cases[i]["source"]["type"] == "disk") {
+            EXPECT_NEAR(answers[i]["view_factor"].get<double>(), cases[i]["view_factor"].get<double>(),
+                        1e-13);
+            EXPECT_EQ(answers[i]["visibility"], cases[i]["visibility"]);
+            EXPECT_EQ(answers[i]["gradient"].size(), 6u);
+            EXPECT_TRUE(answers[i]["error_estimate"].is_number());
+        } else {
+            EXPECT_NE(answers[i]["error"].get<std::string>().find("not supported"), std::string::npos);
+        }
+    }
+}
+
+// Catches: one bad case that takes the others down with it, or is answered as if it were good.
+TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
+    const std::pair<std::string, std::string> bad[] = {
+        {caseWith("0.15", "-0.15"), "source.radius_m"},
+        {caseWith("0.15", "0"), "source.radius_m"},
+        {caseWith("0.15", "NaN"), "source.radius_m"},
+        {caseWith("0.015", "1e999"), "object.radius_m"},
+        {caseWith("0.015", "1e300"), "object.radius_m"},
+        {caseWith("0.015", "\"big\""), "object.radius_m"},
+        {caseWith("0.05]", "-Infinity]"), "pose.translation_m[2]"},
+        {caseWith("[0,0,0.05]", "[0,0]"), "pose.translation_m"},
+        {caseWith("[0,0,0.05]", "{}"), "pose.translation_m"},
+        {caseWith("[0,0,0]", "[0,null,0]"), "pose.rotation_vector_rad[1]"},
+        {caseWith(R"("rotation_vector_rad")", R"("turn")"), "rotation_vector_rad"},
+        {caseWith(R"("pose")", R"("place")"), "pose"},
+        {caseWith(R"("source")", R"("heater")"), "source"},
+        {caseWith(R"("id":"one",)", ""), "id"},
+        {caseWith(R"("id":"one")", R"("id":null)"), "id"},
+        {"[]", "object"},
+        {"17", "object"},
+        {withObject(R"({"type":"square"})"), "square"},
+        {withObject(R"({"radius_m":1})"), "type"},
+        {withObject(R"({"type":"polygon","points_m":[[0,0],[1,1]]})"), "points"},
+        {withObject(R"({"type":"polygon","points_m":[[0,0],[0.1,0.1],[0.1,0],[0,0.1]]})"), "crosses"},
+        {withObject(R"({"type":"polygon","points_m":[[0,0],[0.1,0],[0.2,0]]})"), "object.points_m"},
+        {withObject(R"({"type":"polygon","points_m":[[0,0],[0.1],[0.2,0]]})"), "object.points_m[1]"},
+        {withObject(R"({"type":"polygon","points_m":7})"), "object.points_m"},
+        {withObject(R"({"type":"fourier","coefficients":[]})"), "object.coefficients"},
+        {withObject(R"({"type":"fourier","coefficients":[[1,0,0]]})"), "object"},
+        {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[1,0.01,0]]})"), "object.coefficients"},
+        {withObject(R"({"type":"fourier","coefficients":[[1.5,0.01,0]]})"), "object.coefficients"},
+        {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[500,0.001,0]]})"), "harmonics"},
+        {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[2,0.02,0]]})"), "crosses"},
+        {withObject(R"({"type":"fourier","coefficients":[[1,0.01]]})"), "object.coefficients[0]"},
+        {caseWith(R"("type":"disk","radius_m":0.15)", R"("type":"polygon","points_m":[[0,0],[1,0],[0,1]])"),
+         "polygon"},
+        {caseWith(R"("type":"disk","radius_m":0.15)", R"("type":"fourier","coefficients":[[1,1,0]])"),
+         "fourier"},
+    };
+    std::string text = R"({"note":"NaN and 1e999 in text stay","cases":[)" + caseWith();
+    for (const auto& [one, words] : bad)
+        text += ',' + one;
+    ASSERT_EQ(run(text + "]}"), kExitDone);
+    const json answers = results();
+    ASSERT_EQ(answers.size(), std::size(bad) + 1);
+    EXPECT_NEAR(answers[0]["view_factor"].get<double>(), 0.89918413173929207, 1e-13);
+    for (std::size_t i = 0; i < std::size(bad); ++i) {
+        const json& answer = answers[i + 1];
+        ASSERT_TRUE(answer.contains("error") && !answer.contains("view_factor")) << bad[i].first;
+        EXPECT_NE(answer["error"].get<std::string>().find(bad[i].second), std::string::npos) << answer;
+    }
+}
+
+// Catches: a clockwise outline taken as an area with the wrong sign; an outline moved to its centroid.
+TEST_F(ViewFactorCommand, reversesClockwiseOutlinesAndLeavesThemWhereTheyAre) {
+    const std::string clockwisePolygon = R"([[0.02,0.05],[0.05,0.02],[0.02,0.02]])";
+    const std::string polygon = R"([[0.02,0.02],[0.05,0.02],[0.02,0.05]])";
+    const std::string moved = caseWith("[0,0,0.05]", "[0.03,0.02,0.05]");
+    ASSERT_EQ(run(R"({"cases":[)" + withObject(R"({"type":"polygon","points_m":)" + polygon + "}") + ',' +
+                  withObject(R"({"type":"polygon","points_m":)" + clockwisePolygon + "}") + ',' + moved +
+                  ',' + withObject(R"({"type":"fourier","coefficients":[[0,0.03,0.02],[1,0.015,0]]})") + ',' +
+                  withObject(R"({"type":"fourier","coefficients":[[0,0.03,0.02],[-1,0.015,0]]})") + "]}"),
+              kExitDone);
+    const json answers = results();
+    const auto value = [&](std::size_t i) { return answers[i]["view_factor"].get<double>(); };
+    EXPECT_NEAR(value(0), value(1), 1e-14);
+    EXPECT_NEAR(value(2), value(3), 1e-12);
+    EXPECT_NEAR(value(2), value(4), 1e-12);
+}
+
+// Catches: success reported, or a crash, for a file that holds no cases; a result file left behind by it.
+TEST_F(ViewFactorCommand, refusesFilesWithoutCases) {
+    for (const char* text : {"", "   ", "not json", "{\"cases\":[", "[]", "{}", "{\"cases\":{}}",
+                             "{\"cases\":5}", "\xff\xfe", "{\"cases\":[\"\xff\"]}"}) {
+        EXPECT_EQ(run(text), kExitBadInput) << text;
+        EXPECT_FALSE(QFile::exists(path("results.json"))) << text;
+    }
+    EXPECT_EQ(viewFactorCommand({path("absent.json")}), kExitBadInput);
+    EXPECT_EQ(viewFactorCommand({}), kExitBadInput);
+    EXPECT_EQ(viewFactorCommand({"--wrong"}), kExitBadInput);
+    EXPECT_EQ(viewFactorCommand({"--help"}), kExitDone);
+    EXPECT_EQ(run("{\"cases\":[]}"), kExitDone);
+    EXPECT_EQ(results().size(), 0u);
+    EXPECT_EQ(viewFactorCommand({path("cases.json"), "-o", path("no/such/folder.json")}), kExitBadInput);
+}
+
+} // namespace
+} // namespace bask
