@@ -1,0 +1,67 @@
+#include "engine/control/adaptive.h"
+
+#include "engine/control/velocity_solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace bask {
+
+AdaptiveController::AdaptiveController(const ControllerSettings& settings, ControlModel model)
+    : m_settings(settings), m_model(std::move(model)) {
+    for (const HeatRates& rates : m_model.believed) {
+        const double a1 = 1.0 / rates.lambda1;
+        const double a2 = rates.lambda2 / rates.lambda1;
+        m_estimates.push_back({a1, a2, a1, a2});
+    }
+}
+
+void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double T_K, double dt_s) const {
+    if (std::abs(zeta_K_s) < kZetaDeadZone_K_s)
+        return;
+    const AdaptiveGains& gains = m_settings.adaptive;
+    const auto within = [](double value, double start) {
+        return std::clamp(value, start / kEstimateRange, start * kEstimateRange);
+    };
+    estimate.a1 = within(estimate.a1 + dt_s * gains.gamma1 * gains.mu * v_K_s * zeta_K_s, estimate.start1);
+    estimate.a2 = within(estimate.a2 - dt_s * 4.0 * gains.gamma2 * v_K_s * zeta_K_s * std::pow(T_K, 3), estimate.start2);
+}
+
+ControlOutput AdaptiveController::step(const Observation& observation, double dt_s) {
+    const auto N = m_estimates.size();
+    if (observation.objects.size() != N)
+        throw std::invalid_argument("AdaptiveController: wrong number of objects");
+    const AdaptiveGains& gains = m_settings.adaptive;
+    VelocityProblem problem;
+    problem.rows = m_model.geometry->viewFactors(observation.coordinates).dF * observation.sourceStrength;
+    problem.wanted.resize(static_cast<Eigen::Index>(N));
+    std::vector<double> zeta(N);
+    for (std::size_t i = 0; i < N; ++i) {
+        const auto [T, v] = observation.objects[i];
+        const Estimate& estimate = m_estimates[i];
+        zeta[i] = v + gains.mu * (T - m_model.targets_K[i]);
+        problem.wanted[static_cast<Eigen::Index>(i)] =
+            -gains.mu * estimate.a1 * v - gains.K * zeta[i] + 4.0 * std::pow(T, 3) * estimate.a2 * v;
+    }
+    problem.coordinates = observation.coordinates;
+    problem.dt_s = dt_s;
+    problem.rotationLength_m = m_settings.rotationLength_m;
+    problem.damping = m_settings.damping;
+    const VelocitySolution solution = solveVelocity(*m_model.geometry, problem);
+
+    ControlOutput out{solution.rates, solution.smallestSingularValue, solution.limited, {}, {}};
+    for (std::size_t i = 0; i < N; ++i) {
+        const auto [T, v] = observation.objects[i];
+        if (!solution.limited)
+            adapt(m_estimates[i], v, zeta[i], T, dt_s);
+        HeatRates rates;
+        rates.lambda1 = 1.0 / m_estimates[i].a1;
+        rates.lambda2 = m_estimates[i].a2 * rates.lambda1;
+        rates.lambda3 = rates.lambda2 * m_model.believed[i].lambda3 / m_model.believed[i].lambda2;
+        out.belief.push_back(rates);
+    }
+    return out;
+}
+
+} // namespace bask

@@ -1,0 +1,130 @@
+#include "engine/control/pose_lookup.h"
+
+#include "engine/control/bounded_least_squares.h"
+#include "engine/control/velocity_solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace bask {
+namespace {
+
+/// Samples per free coordinate: x and y get the most, heights more where F changes faster, angles the fewest.
+std::vector<int> samplesPerCoordinate(const std::vector<int>& free, int samples) {
+    constexpr std::array<double, 6> kShare{1.6, 1.6, 1.0, 0.55, 0.55, 0.55};
+    double product = 1.0;
+    for (const int k : free)
+        product *= kShare[static_cast<std::size_t>(k)];
+    const double unit = std::pow(samples / product, 1.0 / static_cast<double>(std::max<std::size_t>(free.size(), 1)));
+    std::vector<int> counts;
+    for (const int k : free)
+        counts.push_back(std::clamp(static_cast<int>(std::lround(unit * kShare[static_cast<std::size_t>(k)])), 3, 401));
+    return counts;
+}
+
+/// Heights crowd towards the source, where the view factor changes fastest.
+double coordinateAt(int coordinate, double fraction, double lower, double upper) {
+    const double bent = coordinate == kZ ? std::pow(fraction, 1.5) : fraction;
+    return lower + bent * (upper - lower);
+}
+
+} // namespace
+
+PoseLookup::PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector6d& rest, int samples)
+    : m_geometry(std::move(geometry)) {
+    const RobotLimits& limits = m_geometry->limits();
+    const auto& free = m_geometry->freeCoordinates();
+    const std::vector<int> counts = samplesPerCoordinate(free, samples);
+    const int total = std::accumulate(counts.begin(), counts.end(), 1, std::multiplies<>());
+    for (std::size_t k = 0; k < free.size(); ++k)
+        m_cell[free[k]] = (limits.upper[free[k]] - limits.lower[free[k]]) / (counts[k] - 1);
+    for (int index = 0; index < total; ++index) {
+        Vector6d q = rest;
+        int remainder = index;
+        for (std::size_t k = 0; k < free.size(); ++k) {
+            const int c = free[k];
+            q[c] = coordinateAt(c, static_cast<double>(remainder % counts[k]) / (counts[k] - 1), limits.lower[c],
+                                limits.upper[c]);
+            remainder /= counts[k];
+        }
+        if (m_geometry->allowed(q))
+            m_poses.push_back(q);
+    }
+    m_F.resize(m_geometry->objects(), static_cast<Eigen::Index>(m_poses.size()));
+    for (std::size_t k = 0; k < m_poses.size(); ++k)
+        m_F.col(static_cast<Eigen::Index>(k)) = m_geometry->viewFactorsFast(m_poses[k]);
+}
+
+double poseCost(const RobotLimits& limits, const PoseQuery& query, const Eigen::VectorXd& F, const Vector6d& q) {
+    return query.weights.dot((F - query.wanted).cwiseAbs2()) + query.travelPrice * travelTime_s(limits, query.from, q);
+}
+
+std::vector<Vector6d> PoseLookup::best(const PoseQuery& query, int count) const {
+    std::vector<double> cost(m_poses.size());
+    for (std::size_t k = 0; k < m_poses.size(); ++k)
+        cost[k] = poseCost(m_geometry->limits(), query, m_F.col(static_cast<Eigen::Index>(k)), m_poses[k]);
+    std::vector<std::size_t> order(m_poses.size());
+    std::iota(order.begin(), order.end(), 0U);
+    const auto some = std::min<std::size_t>(order.size(), 64);
+    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(some), order.end(),
+                      [&](std::size_t a, std::size_t b) { return cost[a] < cost[b]; });
+    std::vector<Vector6d> out;
+    for (std::size_t i = 0; i < some && static_cast<int>(out.size()) < count; ++i) {
+        const Vector6d& q = m_poses[order[i]];
+        const bool apart = std::ranges::all_of(out, [&](const Vector6d& other) {
+            return ((q - other).cwiseAbs() - 1.5 * m_cell).maxCoeff() > 0.0;
+        });
+        if (apart)
+            out.push_back(q);
+    }
+    return out;
+}
+
+Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start, int iterations) {
+    const auto& free = geometry.freeCoordinates();
+    const auto n = static_cast<Eigen::Index>(free.size());
+    constexpr double kRotationLength_m = 0.1;
+    Vector6d q = start;
+    ViewFactors now = geometry.viewFactors(q);
+    double cost = poseCost(geometry.limits(), query, now.F, q);
+    double damping = 1e-3;
+    for (int i = 0; i < iterations; ++i) {
+        Eigen::MatrixXd J(geometry.objects(), n);
+        for (Eigen::Index k = 0; k < n; ++k)
+            J.col(k) = now.dF.col(free[static_cast<std::size_t>(k)]);
+        Eigen::MatrixXd H = J.transpose() * query.weights.asDiagonal() * J;
+        const double size = std::max(H.trace(), 1e-9);
+        for (Eigen::Index k = 0; k < n; ++k) {
+            const double length = free[static_cast<std::size_t>(k)] < 3 ? 1.0 : kRotationLength_m;
+            H(k, k) += damping * size * length * length;
+        }
+        Eigen::MatrixXd G;
+        Eigen::VectorXd h;
+        stepLimits(geometry, q, G, h);
+        const Eigen::VectorXd f = J.transpose() * query.weights.cwiseProduct(query.wanted - now.F);
+        const Eigen::VectorXd y = solveBounded(H, f, G, h).y;
+        Vector6d next = q;
+        for (Eigen::Index k = 0; k < n; ++k)
+            next[free[static_cast<std::size_t>(k)]] += y[k];
+        if ((next - q).cwiseAbs().maxCoeff() < 1e-7)
+            break;
+        bool better = false;
+        if (geometry.allowed(next)) {
+            ViewFactors there = geometry.viewFactors(next);
+            const double nextCost = poseCost(geometry.limits(), query, there.F, next);
+            if (nextCost < cost) {
+                better = true;
+                q = next;
+                now = std::move(there);
+                cost = nextCost;
+            }
+        }
+        damping = better ? std::max(1e-9, damping * 0.2) : damping * 8.0;
+        if (damping > 1e6)
+            break;
+    }
+    return q;
+}
+
+} // namespace bask

@@ -1,0 +1,45 @@
+#pragma once
+// The workspace sampled once: which pose gives wanted view factors. Global, so without local minima; refined elsewhere.
+
+#include "engine/control/rig_geometry.h"
+
+#include <memory>
+#include <vector>
+
+namespace bask {
+
+/// What the inner step of the level servo looks for.
+struct PoseQuery {
+    Eigen::VectorXd wanted;  ///< N view factors
+    Eigen::VectorXd weights; ///< N, of the squared errors of F
+    Vector6d from = Vector6d::Zero(); ///< present pose; fixed coordinates are taken from it
+    double travelPrice = 0.0;         ///< cost a second of travel at the robot's limits
+};
+
+/// Table of about `samples` allowed poses over the free coordinates (fixed ones as in `rest`) with all objects' view factors.
+class PoseLookup {
+public:
+    PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector6d& rest, int samples = 40000);
+
+    std::size_t size() const { return m_poses.size(); }
+    const Vector6d& pose(std::size_t k) const { return m_poses[k]; }
+    /// N x size()
+    const Eigen::MatrixXd& table() const { return m_F; }
+
+    /// The `count` cheapest poses, cheapest first, no two of them in neighbouring cells.
+    std::vector<Vector6d> best(const PoseQuery& query, int count) const;
+
+private:
+    std::shared_ptr<const RigGeometry> m_geometry;
+    std::vector<Vector6d> m_poses;
+    Eigen::MatrixXd m_F;
+    Vector6d m_cell = Vector6d::Zero(); ///< spacing, m and rad
+};
+
+/// Cost of a pose in a query: weighted squared errors plus the price of travelling there.
+double poseCost(const RobotLimits& limits, const PoseQuery& query, const Eigen::VectorXd& F, const Vector6d& q);
+
+/// Gauss-Newton from `start` with the exact gradient inside workspace and clearance, damped; never returns a dearer pose.
+Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start, int iterations);
+
+} // namespace bask

@@ -1,0 +1,62 @@
+#include "engine/control/rate_identification.h"
+
+#include "engine/control/bounded_least_squares.h"
+
+#include <Eigen/LU>
+
+#include <cmath>
+
+namespace bask {
+
+RateIdentification::RateIdentification(const HeatRates& start) : m_start(start), m_information(Eigen::Matrix2d::Identity() / (kPrior * kPrior)) {}
+
+void RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength) {
+    const double heating = F * sourceStrength;
+    const double rest = m_start.lambda3 / m_start.lambda2;
+    const double cooling = std::pow(temperature_K, 4) - rest;
+    Sample sample{time_s, temperature_K, 0.0, 0.0};
+    if (!m_samples.empty()) {
+        const Sample& last = m_samples.back();
+        const double dt_s = time_s - last.time_s;
+        if (!(dt_s > 0.0))
+            return;
+        const double lastCooling = std::pow(last.temperature_K, 4) - rest;
+        sample.heating = last.heating + 0.5 * dt_s * (m_lastF + heating);
+        sample.cooling = last.cooling + 0.5 * dt_s * (lastCooling + cooling);
+    }
+    m_lastF = heating;
+    m_samples.push_back(sample);
+    while (m_samples.size() > 2 && time_s - m_samples[1].time_s >= kWindow_s)
+        m_samples.pop_front();
+    if (m_samples.size() >= 3)
+        update(m_samples.front(), m_samples.back());
+}
+
+void RateIdentification::update(const Sample& from, const Sample& to) {
+    const Eigen::Vector2d phi(m_start.lambda1 * (to.heating - from.heating),
+                              -m_start.lambda2 * (to.cooling - from.cooling));
+    const double surprise = to.temperature_K - from.temperature_K - phi.sum();
+    const Eigen::Matrix2d prior = Eigen::Matrix2d::Identity() / (kPrior * kPrior);
+    m_information = prior + kForgetting * (m_information - prior) + phi * phi.transpose() / (kNoise_K * kNoise_K);
+    m_vector = kForgetting * m_vector + phi * surprise / (kNoise_K * kNoise_K);
+    Eigen::MatrixXd G(4, 2);
+    G << 1.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, -1.0;
+    const Eigen::Vector4d h(1.0 / kRange - 1.0, 1.0 / kRange - 1.0, 1.0 - kRange, 1.0 - kRange);
+    m_relative = Eigen::Vector2d::Ones() + solveBounded(m_information, m_vector, G, h).y;
+}
+
+HeatRates RateIdentification::rates() const {
+    HeatRates rates;
+    rates.lambda1 = m_start.lambda1 * m_relative[0];
+    rates.lambda2 = m_start.lambda2 * m_relative[1];
+    rates.lambda3 = rates.lambda2 * m_start.lambda3 / m_start.lambda2;
+    return rates;
+}
+
+double RateIdentification::steadyViewFactorDeviation(double T_K) const {
+    const double F = rates().steadyViewFactor(T_K);
+    const Eigen::Vector2d slope(-F / m_relative[0], F / m_relative[1]); // F ~ lambda2 / lambda1
+    return std::sqrt(slope.dot(m_information.inverse() * slope));
+}
+
+} // namespace bask

@@ -1,0 +1,50 @@
+#pragma once
+// Recursive least squares for lambda1 and lambda2 of one object while a run is on.
+
+#include "engine/thermal/heat_balance.h"
+
+#include <Eigen/Core>
+
+#include <deque>
+
+namespace bask {
+
+/// Fits  T(t) - T(t-w) = lambda1 * integral(s F) - lambda2 * integral(T^4 - T0^4)  with T0^4 = lambda3 / lambda2 over a short window w: the integral form of the heat
+/// balance, which needs no differentiated temperature. What was learnt is forgotten exponentially, back to a wide prior about the start values,
+/// so that long rests at a steady state neither wind the estimate up nor freeze it. Estimates are the minimum within bounds, not clipped.
+class RateIdentification {
+public:
+    static constexpr double kRange = 10.0;         ///< estimates stay within start / kRange .. start * kRange
+    static constexpr double kForgetting = 0.998;   ///< a sample
+    static constexpr double kWindow_s = 6.0;       ///< of the integral
+    static constexpr double kNoise_K = 0.05;       ///< of a difference of two readings
+    static constexpr double kPrior = 2.0;          ///< standard deviation of lambda / start - 1
+
+    explicit RateIdentification(const HeatRates& start);
+
+    /// A sample: measured temperature, view factor and source strength at time_s (growing).
+    void add(double time_s, double temperature_K, double F, double sourceStrength);
+    /// Present estimate; lambda3 / lambda2 is kept.
+    HeatRates rates() const;
+    /// Standard deviation of the steady view factor for temperature T_K, from the fit's covariance.
+    double steadyViewFactorDeviation(double T_K) const;
+
+private:
+    struct Sample {
+        double time_s;
+        double temperature_K;
+        double heating;  ///< integral of s F since the start, s
+        double cooling;  ///< integral of T^4 - T0^4 since the start, K4 s
+    };
+    void update(const Sample& from, const Sample& to);
+
+    HeatRates m_start;
+    double m_lastF = 0.0;
+    std::deque<Sample> m_samples;
+    // In units of the start values, about them: minimise x'Ax/2 - b'x, x = lambda / start - 1.
+    Eigen::Matrix2d m_information;
+    Eigen::Vector2d m_vector = Eigen::Vector2d::Zero();
+    Eigen::Vector2d m_relative = Eigen::Vector2d::Ones(); ///< lambda / start
+};
+
+} // namespace bask

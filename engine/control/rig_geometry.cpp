@@ -1,0 +1,85 @@
+#include "engine/control/rig_geometry.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+
+namespace bask {
+
+RigGeometry::RigGeometry(const Disk& source, const std::vector<Shape>& shapes,
+                         const std::vector<Vector6d>& mountings, const RobotLimits& limits)
+    : m_source(source), m_limits(limits) {
+    if (shapes.size() != mountings.size())
+        throw std::invalid_argument("RigGeometry: one mounting a shape");
+    for (int k = 0; k < 6; ++k)
+        if (limits.free[static_cast<std::size_t>(k)])
+            m_free.push_back(k);
+    constexpr int kOutlinePoints = 72;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        m_contours.emplace_back(shapes[i]);
+        m_X_EO.push_back(poseFromCoordinates(mountings[i]));
+        std::vector<Eigen::Vector3d> outline;
+        for (const Eigen::Vector2d& p : shapeOutline(shapes[i], kOutlinePoints))
+            outline.push_back(m_X_EO.back() * Eigen::Vector3d(p.x(), p.y(), 0.0));
+        m_outlines_E.push_back(std::move(outline));
+    }
+}
+
+ViewFactors RigGeometry::viewFactors(const Vector6d& q) const {
+    const Pose X_SE = poseFromCoordinates(q);
+    ViewFactors out;
+    out.F.resize(objects());
+    out.dF.resize(objects(), 6);
+    for (int i = 0; i < objects(); ++i) {
+        const Pose X_SO = X_SE * m_X_EO[static_cast<std::size_t>(i)];
+        const ViewFactor result = viewFactor(m_source, m_contours[static_cast<std::size_t>(i)], X_SO);
+        out.F[i] = result.value;
+        out.dF.row(i) =
+            coordinateGradient(q, gradientAbout(result.gradient, X_SO.translation(), X_SE.translation())).transpose();
+    }
+    return out;
+}
+
+Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
+    const Pose X_SE = poseFromCoordinates(q);
+    Eigen::VectorXd F(objects());
+    for (int i = 0; i < objects(); ++i)
+        F[i] = viewFactorFast(m_source, m_contours[static_cast<std::size_t>(i)],
+                              X_SE * m_X_EO[static_cast<std::size_t>(i)]);
+    return F;
+}
+
+std::vector<Clearance> RigGeometry::clearances(const Vector6d& q) const {
+    const Pose X_SE = poseFromCoordinates(q);
+    const Eigen::RowVector3d down = X_SE.linear().row(2);
+    std::vector<Clearance> out;
+    for (const auto& outline : m_outlines_E) {
+        const auto lowest = std::ranges::min_element(
+            outline, {}, [&](const Eigen::Vector3d& p_E) { return down.dot(p_E.transpose()); });
+        const Eigen::Vector3d arm = X_SE.linear() * *lowest;
+        Vector6d byTwist = Vector6d::Zero();
+        byTwist[kZ] = 1.0;
+        byTwist.tail<3>() = arm.cross(Eigen::Vector3d::UnitZ()); // dz = (w x arm).z = w . (arm x ez)
+        out.push_back({q[kZ] + arm.z(), coordinateGradient(q, byTwist)});
+    }
+    return out;
+}
+
+double RigGeometry::lowestPoint_m(const Vector6d& q) const {
+    const Eigen::RowVector3d down = poseFromCoordinates(q).linear().row(2);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const auto& outline : m_outlines_E)
+        for (const Eigen::Vector3d& p_E : outline)
+            lowest = std::min(lowest, down.dot(p_E.transpose()));
+    return q[kZ] + lowest;
+}
+
+bool RigGeometry::allowed(const Vector6d& q) const {
+    constexpr double kSlack = 1e-9;
+    for (const int k : m_free)
+        if (q[k] < m_limits.lower[k] - kSlack || q[k] > m_limits.upper[k] + kSlack)
+            return false;
+    return m_contours.empty() || lowestPoint_m(q) >= m_limits.clearance_m - kSlack;
+}
+
+} // namespace bask

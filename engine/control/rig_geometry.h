@@ -1,0 +1,55 @@
+#pragma once
+// Source, objects on the end-effector and the robot's limits as one geometry: view factors and clearances at a pose.
+
+#include "engine/control/robot_limits.h"
+#include "engine/radiation/view_factor.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace bask {
+
+/// View factors of all objects and their derivatives by the six pose coordinates (1/m, 1/rad).
+struct ViewFactors {
+    Eigen::VectorXd F;                        ///< N
+    Eigen::Matrix<double, Eigen::Dynamic, 6> dF; ///< N x 6
+};
+
+/// Height of an object's lowest contour point over the source plane, with its derivative by the pose coordinates.
+struct Clearance {
+    double height_m = 0.0;
+    Vector6d gradient = Vector6d::Zero();
+};
+
+/// Immutable; calls are thread-safe. All poses are the end-effector's coordinates in S.
+class RigGeometry {
+public:
+    /// `mountings` are X_EO as pose coordinates, one a shape. Throws std::invalid_argument on different lengths.
+    RigGeometry(const Disk& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
+                const RobotLimits& limits);
+
+    int objects() const { return static_cast<int>(m_contours.size()); }
+    const RobotLimits& limits() const { return m_limits; }
+    const std::vector<int>& freeCoordinates() const { return m_free; }
+
+    ViewFactors viewFactors(const Vector6d& q) const;
+    /// Values only, by a fixed small number of points (about 1e-6): for tables and for the plant.
+    Eigen::VectorXd viewFactorsFast(const Vector6d& q) const;
+    /// Lowest point of each object.
+    std::vector<Clearance> clearances(const Vector6d& q) const;
+    /// Least clearance of all objects, m.
+    double lowestPoint_m(const Vector6d& q) const;
+    /// Inside the workspace and at least the clearance from the source plane, within 1e-9.
+    bool allowed(const Vector6d& q) const;
+
+private:
+    Disk m_source;
+    RobotLimits m_limits;
+    std::vector<int> m_free;
+    std::vector<RadiatingContour> m_contours;
+    std::vector<Pose> m_X_EO;
+    std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E
+};
+
+} // namespace bask

@@ -1,0 +1,36 @@
+#include "engine/thermal/heat_balance.h"
+
+#include "engine/base/units.h"
+
+#include <cmath>
+
+namespace bask {
+
+double netSourcePower_W_m2(SourceModel model, double sourceTemperature_K, double sourceEmittance,
+                           double environment_K) {
+    const double source = std::pow(sourceTemperature_K, 4);
+    const double environment = std::pow(environment_K, 4);
+    return model == SourceModel::Gray ? kStefanBoltzmann * sourceEmittance * (source - environment)
+                                      : kStefanBoltzmann * (sourceEmittance * source - environment);
+}
+
+double HeatRates::rate_K_s(double F, double T_K) const {
+    return lambda1 * F - lambda2 * std::pow(T_K, 4) + lambda3;
+}
+
+double HeatRates::steadyTemperature_K(double F) const { return std::pow((lambda1 * F + lambda3) / lambda2, 0.25); }
+
+double HeatRates::steadyViewFactor(double T_K) const { return (lambda2 * std::pow(T_K, 4) - lambda3) / lambda1; }
+
+double HeatRates::timeConstant_s(double T_K) const { return 1.0 / (4.0 * lambda2 * std::pow(T_K, 3)); }
+
+HeatRates heatRates(const Material& material, double netSourcePower, double environment_K) {
+    const double capacity = material.arealHeatCapacity_J_m2K();
+    HeatRates rates;
+    rates.lambda1 = material.absorptance * netSourcePower / capacity;
+    rates.lambda2 = material.emittance * kStefanBoltzmann / capacity;
+    rates.lambda3 = material.absorptance * kStefanBoltzmann * std::pow(environment_K, 4) / capacity;
+    return rates;
+}
+
+} // namespace bask
