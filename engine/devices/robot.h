@@ -1,0 +1,27 @@
+#pragma once
+// A robot that carries the objects: where it is, and a velocity that expires by itself.
+
+#include "engine/base/pose.h"
+#include "engine/base/result.h"
+
+namespace bask {
+
+/// State at one moment.
+struct RobotState {
+    double time_s = 0.0;                     ///< of the reading, on the engine's clock
+    Vector6d coordinates = Vector6d::Zero(); ///< end-effector in S, m and rad
+    bool moving = false;
+};
+
+/// Used on the engine thread only. A call that finds the link down answers an Error and leaves the robot standing.
+class Robot {
+public:
+    virtual ~Robot() = default;
+    virtual Result<RobotState> state() = 0;
+    /// End-effector twist [v; w], R axes, m/s and rad/s. It ends by itself after validFor_s: an engine that dies stops the robot.
+    virtual Result<void> setTwist(const Vector6d& twist, double validFor_s) = 0;
+    /// Zero velocity now.
+    virtual Result<void> halt() = 0;
+};
+
+} // namespace bask

@@ -1,0 +1,64 @@
+#include "engine/simulation/simulated_rig.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
+    std::vector<PlantObject> objects;
+    for (const SimulatedObject& object : config.objects)
+        objects.push_back({object.material, config.environment_K});
+    return objects;
+}
+
+} // namespace
+
+SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
+    : m_config(config), m_plant(plantObjects(config), config.environment_K, config.convection_W_m2K),
+      m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
+      m_source(config.sourceTemperature_K, config.environment_K, m_clock),
+      m_computedAt(Vector6d::Constant(std::numeric_limits<double>::quiet_NaN())) {
+    for (const SimulatedObject& object : config.objects) {
+        m_contours.emplace_back(object.shape);
+        m_X_EO.push_back(poseFromCoordinates(object.mounting));
+    }
+    m_F.assign(m_contours.size(), 0.0);
+    m_thermometer.observe(trueTemperatures_K());
+}
+
+std::vector<double> SimulatedRig::trueTemperatures_K() const {
+    std::vector<double> out;
+    for (std::size_t i = 0; i < m_plant.size(); ++i)
+        out.push_back(m_plant.temperature_K(i));
+    return out;
+}
+
+void SimulatedRig::advance(double dt_s) {
+    const int steps = std::max(1, static_cast<int>(std::ceil(dt_s / kStep_s - 1e-9)));
+    for (int i = 0; i < steps; ++i)
+        step(dt_s / steps);
+}
+
+void SimulatedRig::step(double dt_s) {
+    m_robot.advance(dt_s);
+    const Vector6d q = m_robot.coordinates();
+    if (q != m_computedAt) {
+        const Pose X_SE = poseFromCoordinates(q);
+        for (std::size_t i = 0; i < m_contours.size(); ++i)
+            m_F[i] = viewFactorFast(m_config.source, m_contours[i], X_SE * m_X_EO[i]);
+        m_computedAt = q;
+    }
+    const bool open = m_source.heating();
+    const double J = open ? netSourcePower_W_m2(m_config.sourceModel, m_source.temperature_K(), m_config.sourceEmittance,
+                                                m_config.environment_K)
+                          : 0.0;
+    m_plant.advance(dt_s, m_F, J);
+    m_source.advance(dt_s);
+    m_clock.advance(dt_s);
+    m_thermometer.observe(trueTemperatures_K());
+}
+
+} // namespace bask

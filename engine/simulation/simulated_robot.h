@@ -1,0 +1,46 @@
+#pragma once
+// A position-stepping robot: moves in steps of its resolution, keeps its own limits, forgets a velocity that is not renewed.
+
+#include "engine/base/clock.h"
+#include "engine/devices/robot.h"
+
+#include <array>
+
+namespace bask {
+
+/// Its mechanics.
+struct SimulatedRobotConfig {
+    std::array<bool, 6> free{};
+    Vector6d lower = Vector6d::Zero();
+    Vector6d upper = Vector6d::Zero();
+    double maxSpeed_m_s = 0.02;
+    double maxRotation_rad_s = 0.1;
+    double step_m = 0.0;   ///< 0: continuous
+    double step_rad = 0.0;
+    Vector6d start = Vector6d::Zero();
+};
+
+class SimulatedRobot final : public Robot {
+public:
+    SimulatedRobot(const SimulatedRobotConfig& config, const Clock& clock);
+
+    Result<RobotState> state() override;
+    Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
+    Result<void> halt() override;
+
+    /// Moves for dt_s of the clock's time.
+    void advance(double dt_s);
+    /// Where it stands: the steps that its motors have made.
+    Vector6d coordinates() const;
+    void setLinkLost(bool lost) { m_linkLost = lost; }
+
+private:
+    SimulatedRobotConfig m_config;
+    const Clock& m_clock;
+    Vector6d m_exact;              ///< continuous position that the steps follow
+    Vector6d m_rates = Vector6d::Zero();
+    double m_expires_s = 0.0;
+    bool m_linkLost = false;
+};
+
+} // namespace bask

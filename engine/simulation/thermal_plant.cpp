@@ -1,0 +1,27 @@
+#include "engine/simulation/thermal_plant.h"
+
+#include <stdexcept>
+
+namespace bask {
+
+ThermalPlant::ThermalPlant(std::vector<PlantObject> objects, double environment_K, double convection_W_m2K)
+    : m_objects(std::move(objects)), m_environment_K(environment_K), m_convection_W_m2K(convection_W_m2K) {}
+
+void ThermalPlant::advance(double dt_s, const std::vector<double>& F, double netSourcePower_W_m2) {
+    if (F.size() != m_objects.size())
+        throw std::invalid_argument("ThermalPlant: one view factor an object");
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        PlantObject& object = m_objects[i];
+        const HeatRates rates = heatRates(object.material, netSourcePower_W_m2, m_environment_K);
+        const double loss = m_convection_W_m2K / object.material.arealHeatCapacity_J_m2K();
+        const auto rate = [&](double T_K) { return rates.rate_K_s(F[i], T_K) - loss * (T_K - m_environment_K); };
+        const double T = object.temperature_K;
+        const double k1 = rate(T);
+        const double k2 = rate(T + 0.5 * dt_s * k1);
+        const double k3 = rate(T + 0.5 * dt_s * k2);
+        const double k4 = rate(T + dt_s * k3);
+        object.temperature_K = T + dt_s * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
+    }
+}
+
+} // namespace bask
