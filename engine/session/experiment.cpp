@@ -1,0 +1,284 @@
+#include "engine/session/experiment.h"
+
+#include "engine/base/units.h"
+#include "engine/session/edge_units.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <set>
+
+namespace bask {
+namespace {
+
+using std::to_string;
+
+constexpr int kOutlineSamples = 256;
+constexpr std::size_t kMaxNameLength = 64;
+constexpr std::size_t kMaxTitleLength = 1000;
+constexpr std::size_t kMaxOutlinePoints = 200'000;
+
+/// Collects the first complaint; later checks are skipped.
+class Checker {
+public:
+    bool failed() const { return m_error.has_value(); }
+    const std::optional<Error>& error() const { return m_error; }
+
+    void fail(MessageCode code, const std::string& where, std::vector<std::string> args = {}) {
+        if (!m_error)
+            m_error = Error(code, where, std::move(args));
+    }
+
+    /// Refuses what is not within [least, most]; NaN is never within.
+    void range(const std::string& where, double value, double least, double most,
+               std::string_view unit = {}) {
+        if (!(value >= least && value <= most))
+            fail(MessageCode::ValueOutOfRange, where,
+                 {formatNumber(value, 10), formatNumber(least), formatNumber(most), std::string(unit)});
+    }
+
+    /// (0, most]
+    void positive(const std::string& where, double value, double most, std::string_view unit = {}) {
+        if (value <= 0.0)
+            fail(MessageCode::ValueNotPositive, where, {formatNumber(value, 10)});
+        else
+            range(where, value, 0.0, most, unit);
+    }
+
+    /// A quantity given in SI, checked and reported as people write it.
+    void quantity(const std::string& path, std::string_view name, EdgeUnit unit, double si, double least,
+                  double most) {
+        range(path + readableKey(name, unit), fromSi(si, unit).value, least, most, readableUnit(unit));
+    }
+    void positiveQuantity(const std::string& path, std::string_view name, EdgeUnit unit, double si,
+                          double most) {
+        positive(path + readableKey(name, unit), fromSi(si, unit).value, most, readableUnit(unit));
+    }
+
+private:
+    std::optional<Error> m_error;
+};
+
+void checkSource(Checker& check, const Experiment& e) {
+    check.positive("source.contour.radius_m", e.source.disk.radius_m, 10.0, "m");
+    check.quantity("source.", "temperature", EdgeUnit::Temperature, e.source.temperature_K, -50.0, 2000.0);
+    check.positive("source.emittance", e.source.emittance, 1.0);
+    check.quantity("environment.", "temperature", EdgeUnit::Temperature, e.environment_K, -50.0, 500.0);
+    if (check.failed())
+        return;
+    const double J =
+        netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K);
+    if (!(J > 0.0))
+        check.fail(MessageCode::SourceTooWeak, "source", {formatNumber(J)});
+}
+
+void checkPoints(Checker& check, const std::string& where, const std::vector<Eigen::Vector2d>& points) {
+    if (points.size() > kMaxOutlinePoints)
+        check.range(where, static_cast<double>(points.size()), 3.0, static_cast<double>(kMaxOutlinePoints),
+                    "points");
+    for (std::size_t i = 0; i < points.size() && !check.failed(); ++i) {
+        if (!points[i].allFinite())
+            check.fail(MessageCode::ContourNotFinite, where, {"point " + to_string(i + 1)});
+    }
+}
+
+void checkCoefficients(Checker& check, const std::string& where, const FourierContour& contour) {
+    const int harmonics = contour.harmonics();
+    if (contour.coefficients().empty() || harmonics < 1 || harmonics > kMaxHarmonics)
+        return check.fail(MessageCode::HarmonicsOutOfRange, where,
+                          {to_string(std::max(harmonics, 0)), "1", to_string(kMaxHarmonics)});
+    for (const auto& c : contour.coefficients()) {
+        if (!std::isfinite(c.real()) || !std::isfinite(c.imag()))
+            return check.fail(MessageCode::ContourNotFinite, where, {"a coefficient"});
+    }
+}
+
+void checkShape(Checker& check, const std::string& path, const ObjectSpec& object) {
+    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
+        check.positive(path + ".radius_m", disk->radius_m, 1.0, "m");
+    } else if (const auto* fourier = std::get_if<FourierContour>(&object.shape)) {
+        checkCoefficients(check, path + ".coefficients", *fourier);
+    } else {
+        const auto& points = std::get<Contour>(object.shape).points_m;
+        if (points.size() < 3)
+            check.fail(MessageCode::ContourTooFewPoints, path + ".points_m", {to_string(points.size()), "3"});
+        checkPoints(check, path + ".points_m", points);
+    }
+    checkPoints(check, path + ".outline_m", object.origin.outline.points_m);
+    check.range(path + ".harmonics", object.origin.harmonics, 0.0, kMaxHarmonics);
+    if (check.failed())
+        return;
+    if (!(shapeArea(object.shape) > 0.0))
+        return check.fail(MessageCode::ContourZeroArea, path);
+    const double radius_m = shapeRadius(object.shape);
+    if (!(radius_m <= 1.0))
+        check.fail(MessageCode::ValueOutOfRange, path,
+                   {"a radius of " + formatNumber(radius_m), "0", "1", "m"});
+}
+
+void checkMaterial(Checker& check, const std::string& path, const Material& material) {
+    check.positive(path + ".emittance", material.emittance, 1.0);
+    check.positive(path + ".absorptance", material.absorptance, 1.0);
+    check.positive(path + ".specific_heat_J_kgK", material.specificHeat_J_kgK, 1e5, "J/(kg K)");
+    check.positive(path + ".density_kg_m3", material.density_kg_m3, 3e4, "kg/m3");
+    check.positiveQuantity(path + ".", "thickness", EdgeUnit::LengthMm, material.thickness_m, 100.0);
+    check.positive(path + ".infill", material.infill, 1.0);
+}
+
+void checkObject(Checker& check, const std::string& path, const ObjectSpec& object,
+                 std::set<std::string>& names) {
+    const bool blank = object.name.find_first_not_of(" \t\r\n") == std::string::npos;
+    if (blank)
+        check.fail(MessageCode::NameEmpty, path + ".name");
+    else if (object.name.size() > kMaxNameLength)
+        check.range(path + ".name", static_cast<double>(object.name.size()), 1.0, kMaxNameLength,
+                    "characters");
+    else if (!names.insert(object.name).second)
+        check.fail(MessageCode::DuplicateName, path + ".name", {object.name});
+    checkShape(check, path + ".contour", object);
+    checkMaterial(check, path + ".material", object.material);
+    for (int k = 0; k < 6; ++k) {
+        const EdgeUnit unit = coordinateUnit(k);
+        const double most = k < 3 ? 100.0 : 180.0;
+        check.quantity(path + ".mounting.", kCoordinateNames[static_cast<std::size_t>(k)], unit,
+                       object.mounting[k], -most, most);
+    }
+    check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, -50.0, 2000.0);
+}
+
+void checkObjects(Checker& check, const Experiment& e) {
+    if (e.objects.empty())
+        return check.fail(MessageCode::NoObjects, "objects");
+    const int freedom = e.robot.degreesOfFreedom();
+    if (freedom == 0)
+        return check.fail(MessageCode::NoFreeAxis, "robot.free");
+    if (std::cmp_greater(e.objects.size(), freedom))
+        return check.fail(MessageCode::TooManyObjects, "objects",
+                          {to_string(e.objects.size()), to_string(freedom)});
+    std::set<std::string> names;
+    for (std::size_t i = 0; i < e.objects.size() && !check.failed(); ++i)
+        checkObject(check, "objects[" + to_string(i) + "]", e.objects[i], names);
+}
+
+void checkRobot(Checker& check, const Experiment& e) {
+    const RobotLimits& robot = e.robot;
+    check.positiveQuantity("robot.", "max_speed", EdgeUnit::SpeedCm, robot.maxSpeed_m_s, 100.0);
+    check.positive("robot.max_rotation_rad_s", robot.maxRotation_rad_s, 10.0, "rad/s");
+    check.quantity("robot.", "clearance", EdgeUnit::LengthCm, robot.clearance_m, 0.0, 100.0);
+    for (int k = 0; k < 6 && !check.failed(); ++k) {
+        const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
+        const EdgeUnit unit = coordinateUnit(k);
+        // theta_y ends at 90 degrees, where the three angles are no longer unique.
+        const double most = k < 3 ? 500.0 : (k == kThetaY ? 90.0 : 180.0);
+        check.quantity("robot.lower.", name, unit, robot.lower[k], -most, most);
+        check.quantity("robot.upper.", name, unit, robot.upper[k], -most, most);
+        const bool free = robot.free[static_cast<std::size_t>(k)];
+        if (robot.lower[k] > robot.upper[k] || (free && robot.lower[k] == robot.upper[k]))
+            check.fail(MessageCode::LimitsReversed, "robot.lower." + readableKey(name, unit),
+                       {formatNumber(fromSi(robot.lower[k], unit).value),
+                        formatNumber(fromSi(robot.upper[k], unit).value)});
+    }
+}
+
+/// Least height (m) over the source plane of any point of an object's outline.
+double leastHeight_m(const ObjectSpec& object, const Pose& X_SE) {
+    const Pose X_SO = X_SE * poseFromCoordinates(object.mounting);
+    const Eigen::RowVector2d slope = X_SO.linear().block<1, 2>(2, 0);
+    const double origin_m = X_SO.translation().z();
+    if (const auto* disk = std::get_if<Disk>(&object.shape))
+        return origin_m - disk->radius_m * slope.norm();
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const Eigen::Vector2d& p : shapeOutline(object.shape, kOutlineSamples))
+        least_m = std::min(least_m, origin_m + slope.dot(p));
+    return least_m;
+}
+
+void checkStart(Checker& check, const Experiment& e) {
+    for (int k = 0; k < 6 && !check.failed(); ++k) {
+        const double value = e.start[k];
+        if (value >= e.robot.lower[k] && value <= e.robot.upper[k])
+            continue;
+        const EdgeUnit unit = coordinateUnit(k);
+        const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
+        const auto text = [unit](double si) {
+            return formatNumber(fromSi(si, unit).value, 6) + ' ' + std::string(readableUnit(unit));
+        };
+        check.fail(MessageCode::StartOutsideWorkspace, "robot.start." + readableKey(name, unit),
+                   {name, text(value), text(e.robot.lower[k]), text(e.robot.upper[k])});
+    }
+    if (check.failed())
+        return;
+    const Pose X_SE = poseFromCoordinates(e.start);
+    for (const ObjectSpec& object : e.objects) {
+        const double height_m = leastHeight_m(object, X_SE);
+        if (height_m < e.robot.clearance_m - 1e-9)
+            check.fail(MessageCode::StartTooClose, "robot.start",
+                       {object.name, formatNumber(height_m * 1e3), formatNumber(e.robot.clearance_m * 1e3)});
+    }
+}
+
+void checkController(Checker& check, const ControllerSettings& c) {
+    check.positive("controller.level_servo.time_constant_s", c.levelServo.timeConstant_s, 1e5, "s");
+    check.positive("controller.level_servo.integral_time_s", c.levelServo.integralTime_s, 1e6, "s");
+    check.range("controller.model_based.D_1_s", c.modelBased.D, 0.0, 100.0, "1/s");
+    check.positive("controller.model_based.K_1_s2", c.modelBased.K, 100.0, "1/s2");
+    check.positive("controller.adaptive.mu_1_s", c.adaptive.mu, 100.0, "1/s");
+    check.positive("controller.adaptive.K_1_K", c.adaptive.K, 1e3, "1/K");
+    check.range("controller.adaptive.gamma1_s3_K3", c.adaptive.gamma1, 0.0, 1e6, "s3/K3");
+    check.range("controller.adaptive.gamma2_s_K9", c.adaptive.gamma2, 0.0, 1.0, "s/K9");
+    check.positiveQuantity("controller.", "rotation_length", EdgeUnit::LengthCm, c.rotationLength_m, 1000.0);
+    check.range("controller.damping", c.damping, 0.0, 1.0);
+    check.range("controller.believed_rate_error_factor", c.believedRateErrorFactor, 1.0, 100.0);
+}
+
+void checkSampling(Checker& check, const SamplingSpec& s) {
+    check.range("sampling.period_s", s.period_s, 0.01, 60.0, "s");
+    check.range("sampling.order", s.order, 1, 5);
+    check.range("sampling.window", s.window, s.order + 1, 1000, "samples");
+}
+
+void checkSimulation(Checker& check, const SimulationSpec& s) {
+    check.range("simulation.sensor_noise_K", s.sensorNoise_K, 0.0, 10.0, "K");
+    check.range("simulation.sensor_resolution_K", s.sensorResolution_K, 0.0, 10.0, "K");
+    check.range("simulation.sensor_delay_s", s.sensorDelay_s, 0.0, 60.0, "s");
+    check.range("simulation.sensor_offset_K", s.sensorOffset_K, 0.0, 10.0, "K");
+    check.range("simulation.convection_W_m2K", s.convection_W_m2K, 0.0, 1000.0, "W/(m2 K)");
+    check.quantity("simulation.", "robot_step", EdgeUnit::LengthMm, s.robotStep_m, 0.0, 10.0);
+    check.range("simulation.robot_step_rad", s.robotStep_rad, 0.0, 0.1, "rad");
+    check.positive("simulation.duration_limit_s", s.durationLimit_s, 1e7, "s");
+}
+
+} // namespace
+
+Result<void> validate(const Experiment& e) {
+    Checker check;
+    if (e.title.size() > kMaxTitleLength)
+        check.range("title", static_cast<double>(e.title.size()), 0.0, kMaxTitleLength, "characters");
+    checkSource(check, e);
+    checkObjects(check, e);
+    checkRobot(check, e);
+    checkController(check, e.controller);
+    checkSampling(check, e.sampling);
+    checkSimulation(check, e.simulation);
+    if (!check.failed())
+        checkStart(check, e);
+    if (check.failed())
+        return *check.error();
+    return {};
+}
+
+Result<void> setTargets(Experiment& experiment, const std::vector<double>& targets_K) {
+    if (targets_K.size() != experiment.objects.size())
+        return Error(MessageCode::TargetCountWrong, "targets",
+                     {to_string(targets_K.size()), to_string(experiment.objects.size())});
+    Experiment changed = experiment;
+    for (std::size_t i = 0; i < targets_K.size(); ++i)
+        changed.objects[i].target_K = targets_K[i];
+    if (auto valid = validate(changed); !valid)
+        return valid.error();
+    experiment = std::move(changed);
+    return {};
+}
+
+} // namespace bask

@@ -1,0 +1,102 @@
+#pragma once
+// The experiment as one value: source, environment, objects, robot, controller, sampling, simulation, seed.
+
+#include "engine/base/result.h"
+#include "engine/control/controller_settings.h"
+#include "engine/control/robot_limits.h"
+#include "engine/shape/contour_import.h"
+#include "engine/shape/shape.h"
+#include "engine/thermal/heat_balance.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// Heat source: a disk at S's origin, emitting along +z.
+struct SourceSpec {
+    Disk disk{0.10};
+    double temperature_K = 473.15; ///< set point; control uses the measured one
+    double emittance = 0.25;
+    SourceModel model = SourceModel::Gray;
+    bool operator==(const SourceSpec&) const = default;
+};
+
+/// Where an object's shape came from, kept so that it can be fitted again with other harmonics.
+struct ContourOrigin {
+    std::string file;  ///< as given; informative once the outline is embedded
+    Contour outline;   ///< raw outline, centred as imported; empty for a disk or plain coefficients
+    int harmonics = 0; ///< of the fit in use; 0: none
+    bool operator==(const ContourOrigin&) const = default;
+};
+
+struct ObjectSpec {
+    std::string name;
+    Shape shape;
+    ContourOrigin origin;
+    Material material;
+    Vector6d mounting =
+        Vector6d::Zero(); ///< coordinates of O in E (m, rad): X_EO = poseFromCoordinates(mounting)
+    double target_K = 313.15;
+    bool operator==(const ObjectSpec&) const = default;
+};
+
+struct SamplingSpec {
+    double period_s = 1.0;
+    int window = 10; ///< samples of the rate estimator
+    int order = 3;   ///< of its polynomial
+    bool operator==(const SamplingSpec&) const = default;
+};
+
+/// The simulated rig and the run's length.
+struct SimulationSpec {
+    std::uint64_t seed = 1;
+    double sensorNoise_K = 0.02;
+    double sensorResolution_K = 0.1;
+    double sensorDelay_s = 0.0;
+    double sensorOffset_K = 0.0; ///< each sensor's constant error is drawn from +- this
+    double convection_W_m2K = 0.0;
+    double robotStep_m = 0.0001; ///< position resolution; 0: none
+    double robotStep_rad = 0.0005;
+    double durationLimit_s = 1800.0; ///< a run without --duration ends here at the latest
+    bool operator==(const SimulationSpec&) const = default;
+};
+
+struct Experiment {
+    std::string title;
+    SourceSpec source;
+    double environment_K = 298.15;
+    std::vector<ObjectSpec> objects;
+    RobotLimits robot;
+    Vector6d start{0.0, 0.0, 0.15, 0.0, 0.0, 0.0}; ///< end-effector's coordinates at the start
+    ControllerSettings controller;
+    SamplingSpec sampling;
+    SimulationSpec simulation;
+
+    bool operator==(const Experiment&) const = default;
+};
+
+inline constexpr int kExperimentFormat = 1; ///< version written to and accepted from JSON
+
+/// Checks every range and the relations between parts: N <= free coordinates, unique names, start inside the
+/// workspace and clear of the source, a source that can heat. The error's `where` is a JSON path such as
+/// "objects[1].target_degC".
+Result<void> validate(const Experiment& experiment);
+
+/// Reads an experiment file, resolving contours given as files relative to it; refuses unknown keys and wrong
+/// types.
+Result<Experiment> readExperiment(const std::string& path);
+/// Same from text; `where` names it in errors, `folder` is where relative contour files are looked for.
+Result<Experiment> experimentFromJson(const std::string& text, const std::string& where,
+                                      const std::string& folder);
+/// Self-contained, indented JSON: raw outlines and coefficients are embedded.
+std::string experimentToJson(const Experiment& experiment);
+/// Writes it, whole or not at all.
+Result<void> writeExperiment(const Experiment& experiment, const std::string& path);
+
+/// One number a reader of the file can type: replaces all targets. Refuses a wrong count.
+Result<void> setTargets(Experiment& experiment, const std::vector<double>& targets_K);
+
+} // namespace bask

@@ -1,0 +1,580 @@
+#include "engine/session/edge_units.h"
+#include "engine/session/experiment.h"
+#include "engine/session/json_text.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::uintmax_t kMaxFileSize = 32u << 20; // bytes
+constexpr double kCentredTolerance_m = 1e-9;
+
+const char* typeName(const json& j) {
+    switch (j.type()) {
+    case json::value_t::null:
+        return "null";
+    case json::value_t::object:
+        return "an object";
+    case json::value_t::array:
+        return "an array";
+    case json::value_t::string:
+        return "text";
+    case json::value_t::boolean:
+        return "true or false";
+    case json::value_t::number_float:
+        return "a number";
+    default:
+        return "a whole number";
+    }
+}
+
+/// The first failure met; everything after it is skipped.
+using Failure = std::optional<Error>;
+
+/// One JSON object while it is read: typed access by key; close() refuses keys that nobody asked for.
+class Fields {
+public:
+    Fields(const json& j, std::string path, Failure& failure) : m_path(std::move(path)), m_failure(failure) {
+        if (j.is_object())
+            m_json = &j;
+        else
+            fail(MessageCode::JsonWrongType, m_path, {"an object", typeName(j)});
+    }
+
+    std::string pathOf(const std::string& key) const { return m_path.empty() ? key : m_path + '.' + key; }
+    Failure& failure() const { return m_failure; }
+
+    /// The value of a key, or null after noting that a required one is missing.
+    const json* find(const std::string& key, bool required = false) {
+        m_asked.insert(key);
+        if (m_json != nullptr) {
+            if (const auto it = m_json->find(key); it != m_json->end())
+                return &*it;
+        }
+        if (required && m_missing.empty())
+            m_missing = key;
+        return nullptr;
+    }
+
+    void read(const std::string& key, double& out, bool required = false) {
+        if (const json* j = find(key, required))
+            number(*j, key, out);
+    }
+
+    void read(const std::string& key, int& out, bool required = false) {
+        const json* j = find(key, required);
+        if (j == nullptr)
+            return;
+        constexpr int kMost = std::numeric_limits<int>::max();
+        if (!j->is_number_integer())
+            return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
+        const auto value = j->get<double>();
+        if (std::abs(value) > kMost)
+            return fail(MessageCode::ValueOutOfRange, pathOf(key),
+                        {j->dump(), "0", std::to_string(kMost), ""});
+        out = static_cast<int>(value);
+    }
+
+    void read(const std::string& key, std::uint64_t& out) {
+        const json* j = find(key);
+        if (j == nullptr)
+            return;
+        if (j->is_number_integer() && !j->is_number_unsigned())
+            return fail(MessageCode::ValueOutOfRange, pathOf(key),
+                        {j->dump(), "0", "18446744073709551615", ""});
+        if (!j->is_number_unsigned())
+            return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
+        out = j->get<std::uint64_t>();
+    }
+
+    void read(const std::string& key, std::string& out, bool required = false) {
+        const json* j = find(key, required);
+        if (j == nullptr)
+            return;
+        if (!j->is_string())
+            return fail(MessageCode::JsonWrongType, pathOf(key), {"text", typeName(*j)});
+        out = j->get<std::string>();
+    }
+
+    /// A quantity in either of its two spellings, into SI.
+    void read(const std::string& name, EdgeUnit unit, double& out, bool required = false) {
+        const std::string readable = readableKey(name, unit);
+        const std::string si = siKey(name, unit);
+        const json* inSi = find(si);
+        const json* inReadable = find(readable, required && inSi == nullptr);
+        if (inReadable != nullptr && inSi != nullptr)
+            return fail(MessageCode::JsonTwoSpellings, m_path, {readable, si});
+        double value = 0.0;
+        if (inSi != nullptr)
+            number(*inSi, si, out);
+        else if (inReadable != nullptr && number(*inReadable, readable, value))
+            out = toSi(value, unit);
+    }
+
+    /// A word out of a table; `table` maps what is written to what is meant.
+    template <class T> void readWord(const std::string& key, const std::map<std::string, T>& table, T& out) {
+        std::string word;
+        read(key, word);
+        if (find(key) == nullptr || m_failure)
+            return;
+        if (const auto it = table.find(word); it != table.end())
+            out = it->second;
+        else
+            fail(MessageCode::ValueUnknown, pathOf(key), {plainWords(word), joined(table)});
+    }
+
+    /// Ends the reading of this object: unknown keys first, since a misspelt key is also a missing one.
+    void close() {
+        if (m_json == nullptr || m_failure)
+            return;
+        for (const auto& item : m_json->items()) {
+            if (m_asked.contains(item.key()))
+                continue;
+            std::map<std::string, int> known;
+            for (const std::string& key : m_asked)
+                known[key] = 0;
+            return fail(MessageCode::JsonUnknownKey, m_path, {plainWords(item.key()), joined(known)});
+        }
+        if (!m_missing.empty())
+            fail(MessageCode::JsonMissingKey, m_path, {m_missing});
+    }
+
+    void fail(MessageCode code, const std::string& path, std::vector<std::string> args = {}) const {
+        if (!m_failure)
+            m_failure = Error(code, path, std::move(args));
+    }
+
+    template <class T> static std::string joined(const std::map<std::string, T>& table) {
+        std::string out;
+        for (const auto& [word, unused] : table)
+            out += (out.empty() ? "" : ", ") + word;
+        return out;
+    }
+
+private:
+    bool number(const json& j, const std::string& key, double& out) {
+        if (!j.is_number()) {
+            fail(MessageCode::JsonWrongType, pathOf(key), {"a number", typeName(j)});
+            return false;
+        }
+        out = j.get<double>();
+        return true;
+    }
+
+    const json* m_json = nullptr;
+    std::string m_path;
+    Failure& m_failure;
+    std::set<std::string> m_asked;
+    std::string m_missing;
+};
+
+/// Array of rows of `width` numbers each.
+std::vector<std::array<double, 3>> readRows(const Fields& fields, const json& j, const std::string& key,
+                                            std::size_t width) {
+    std::vector<std::array<double, 3>> rows;
+    const std::string path = fields.pathOf(key);
+    if (!j.is_array())
+        fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(j)});
+    for (std::size_t i = 0; j.is_array() && i < j.size() && !fields.failure(); ++i) {
+        const json& row = j[i];
+        const bool numbers = row.is_array() && row.size() == width &&
+                             std::ranges::all_of(row, [](const json& v) { return v.is_number(); });
+        if (!numbers) {
+            fields.fail(MessageCode::JsonWrongType, path + '[' + std::to_string(i) + ']',
+                        {"an array of " + std::to_string(width) + " numbers", typeName(row)});
+            break;
+        }
+        rows.push_back({});
+        for (std::size_t k = 0; k < width; ++k)
+            rows.back()[k] = row[k].get<double>();
+    }
+    return rows;
+}
+
+Contour readPoints(Fields& fields, const std::string& key, bool required) {
+    const json* j = fields.find(key, required);
+    if (j == nullptr)
+        return {};
+    std::vector<Eigen::Vector2d> points;
+    for (const auto& row : readRows(fields, *j, key, 2))
+        points.emplace_back(row[0], row[1]);
+    if (fields.failure())
+        return {};
+    Result<Contour> contour = makeContour(std::move(points), fields.pathOf(key));
+    if (contour)
+        return *contour;
+    fields.failure() = contour.error();
+    return {};
+}
+
+/// Coefficients of a counter-clockwise series about its centroid; the input may be clockwise or off centre.
+FourierContour normalised(std::vector<std::complex<double>> coefficients) {
+    FourierContour contour(coefficients);
+    if (contour.area() < 0.0) {
+        std::ranges::reverse(coefficients);
+        contour = FourierContour(coefficients);
+    }
+    const std::complex<double> centroid = contour.area() > 0.0 ? contour.centroid() : 0.0;
+    if (std::abs(centroid) <= kCentredTolerance_m)
+        return contour;
+    coefficients[static_cast<std::size_t>(contour.harmonics())] -= centroid;
+    return FourierContour(std::move(coefficients));
+}
+
+FourierContour readCoefficients(Fields& fields) {
+    const std::string key = "coefficients";
+    const json* j = fields.find(key, true);
+    if (j == nullptr)
+        return {};
+    std::map<int, std::complex<double>> given;
+    int harmonics = 1;
+    for (const auto& [order, re, im] : readRows(fields, *j, key, 3)) {
+        if (order != std::floor(order) || std::abs(order) > kMaxHarmonics)
+            fields.fail(MessageCode::HarmonicsOutOfRange, fields.pathOf(key),
+                        {formatNumber(order), std::to_string(-kMaxHarmonics), std::to_string(kMaxHarmonics)});
+        else if (!given.emplace(static_cast<int>(order), std::complex(re, im)).second)
+            fields.fail(MessageCode::JsonDuplicateKey, fields.pathOf(key), {formatNumber(order)});
+        else
+            harmonics = std::max(harmonics, std::abs(static_cast<int>(order)));
+    }
+    if (fields.failure())
+        return {};
+    std::vector<std::complex<double>> coefficients(static_cast<std::size_t>(2 * harmonics + 1));
+    for (const auto& [order, value] : given)
+        coefficients[static_cast<std::size_t>(order + harmonics)] = value;
+    return normalised(std::move(coefficients));
+}
+
+/// An outline in a file beside the experiment, read and fitted now.
+void readImport(Fields& fields, const std::string& folder, ObjectSpec& object) {
+    ContourImportOptions options;
+    fields.read("file", object.origin.file, true);
+    fields.read("harmonics", object.origin.harmonics);
+    if (fields.find("scale_px_per_mm") != nullptr)
+        fields.read("scale_px_per_mm", options.scale_px_per_mm.emplace());
+    if (fields.find("unit") != nullptr)
+        fields.readWord("unit",
+                        {{"m", LengthUnit::Metre},
+                         {"cm", LengthUnit::Centimetre},
+                         {"mm", LengthUnit::Millimetre},
+                         {"in", LengthUnit::Inch}},
+                        options.unit.emplace());
+    fields.close();
+    if (fields.failure())
+        return;
+    const std::filesystem::path file = std::filesystem::path(folder) / object.origin.file;
+    const Result<Contour> outline = readContour(file.string(), options);
+    if (!outline) {
+        fields.failure() = outline.error();
+        fields.failure()->where = fields.pathOf("file") + ": " + outline.error().where;
+        return;
+    }
+    object.origin.outline = centred(*outline);
+    object.shape = object.origin.outline;
+    if (object.origin.harmonics == 0)
+        return;
+    const Result<FourierFit> fit = fitFourier(object.origin.outline, object.origin.harmonics);
+    if (fit)
+        object.shape = fit->contour;
+    else
+        fields.fail(fit.error().code(), fields.pathOf("harmonics"), fit.error().message.args);
+}
+
+void readContourForm(const json& j, const std::string& path, const std::string& folder, Failure& failure,
+                     ObjectSpec& object) {
+    enum class Form { Disk, Fourier, Polygon, Import };
+    Fields fields(j, path, failure);
+    Form form = Form::Disk;
+    fields.find("type", true);
+    fields.readWord("type",
+                    {{"disk", Form::Disk},
+                     {"fourier", Form::Fourier},
+                     {"polygon", Form::Polygon},
+                     {"import", Form::Import}},
+                    form);
+    if (failure)
+        return;
+    if (form == Form::Import)
+        return readImport(fields, folder, object);
+    if (form == Form::Disk) {
+        Disk disk;
+        fields.read("radius_m", disk.radius_m, true);
+        object.shape = disk;
+    } else if (form == Form::Fourier) {
+        object.shape = readCoefficients(fields);
+    } else {
+        Contour polygon = readPoints(fields, "points_m", true);
+        if (!polygon.points_m.empty() && contourCentroid(polygon).norm() > kCentredTolerance_m)
+            polygon = centred(polygon);
+        object.shape = std::move(polygon);
+    }
+    fields.read("file", object.origin.file);
+    fields.read("harmonics", object.origin.harmonics);
+    object.origin.outline = readPoints(fields, "outline_m", false);
+    fields.close();
+}
+
+/// Calls read(json, path) with the object under `key`, if there is one.
+template <class Read> void readPart(Fields& parent, const std::string& key, bool required, Read read) {
+    if (const json* j = parent.find(key, required); j != nullptr && !parent.failure())
+        read(*j, parent.pathOf(key));
+}
+
+void readCoordinates(const json& j, const std::string& path, Failure& failure, Vector6d& out) {
+    Fields fields(j, path, failure);
+    for (int k = 0; k < 6; ++k)
+        fields.read(kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), out[k]);
+    fields.close();
+}
+
+void readMaterial(const json& j, const std::string& path, Failure& failure, Material& out) {
+    Fields fields(j, path, failure);
+    fields.read("name", out.name);
+    fields.read("emittance", out.emittance, true);
+    fields.read("absorptance", out.absorptance, true);
+    fields.read("specific_heat_J_kgK", out.specificHeat_J_kgK, true);
+    fields.read("density_kg_m3", out.density_kg_m3, true);
+    fields.read("thickness", EdgeUnit::LengthMm, out.thickness_m, true);
+    fields.read("infill", out.infill);
+    fields.close();
+}
+
+ObjectSpec readObject(const json& j, const std::string& path, const std::string& folder, Failure& failure) {
+    ObjectSpec object;
+    Fields fields(j, path, failure);
+    fields.read("name", object.name, true);
+    fields.read("target", EdgeUnit::Temperature, object.target_K, true);
+    readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
+        readContourForm(part, where, folder, failure, object);
+    });
+    readPart(fields, "material", true, [&](const json& part, const std::string& where) {
+        readMaterial(part, where, failure, object.material);
+    });
+    readPart(fields, "mounting", true, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, object.mounting);
+    });
+    fields.close();
+    return object;
+}
+
+void readSource(const json& j, const std::string& path, Failure& failure, SourceSpec& out) {
+    Fields fields(j, path, failure);
+    readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
+        Fields contour(part, where, failure);
+        std::string type;
+        contour.read("type", type, true);
+        if (!type.empty() && type != "disk")
+            return contour.fail(MessageCode::SourceKindUnsupported, contour.pathOf("type"),
+                                {plainWords(type)});
+        contour.read("radius_m", out.disk.radius_m, true);
+        contour.close();
+    });
+    fields.read("temperature", EdgeUnit::Temperature, out.temperature_K, true);
+    fields.read("emittance", out.emittance, true);
+    fields.readWord("source_model", {{"gray", SourceModel::Gray}, {"paper", SourceModel::Paper}}, out.model);
+    fields.close();
+}
+
+void readFree(Fields& fields, RobotLimits& out) {
+    const json* j = fields.find("free");
+    if (j == nullptr)
+        return;
+    const std::string path = fields.pathOf("free");
+    if (!j->is_array())
+        return fields.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
+    out.free.fill(false);
+    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i) {
+        const json& axis = (*j)[i];
+        const std::string where = path + '[' + std::to_string(i) + ']';
+        if (!axis.is_string())
+            return fields.fail(MessageCode::JsonWrongType, where, {"text", typeName(axis)});
+        const auto name = axis.get<std::string>();
+        const auto it = std::ranges::find_if(kCoordinateNames, [&](const char* n) { return name == n; });
+        if (it == kCoordinateNames.end())
+            return fields.fail(MessageCode::ValueUnknown, where,
+                               {plainWords(name), "x, y, z, theta_x, theta_y, theta_z"});
+        bool& free = out.free[static_cast<std::size_t>(it - kCoordinateNames.begin())];
+        if (free)
+            return fields.fail(MessageCode::DuplicateName, where, {name});
+        free = true;
+    }
+}
+
+void readRobot(const json& j, const std::string& path, Failure& failure, Experiment& out) {
+    Fields fields(j, path, failure);
+    readFree(fields, out.robot);
+    fields.read("max_speed", EdgeUnit::SpeedCm, out.robot.maxSpeed_m_s);
+    fields.read("max_rotation_rad_s", out.robot.maxRotation_rad_s);
+    fields.read("clearance", EdgeUnit::LengthCm, out.robot.clearance_m);
+    const auto coordinates = [&](const std::string& key, Vector6d& q) {
+        readPart(fields, key, false, [&](const json& part, const std::string& where) {
+            readCoordinates(part, where, failure, q);
+        });
+    };
+    coordinates("lower", out.robot.lower);
+    coordinates("upper", out.robot.upper);
+    coordinates("start", out.start);
+    fields.close();
+}
+
+void readController(const json& j, const std::string& path, Failure& failure, ControllerSettings& out) {
+    Fields fields(j, path, failure);
+    std::map<std::string, ControllerKind> kinds;
+    for (const auto kind : {ControllerKind::LevelServo, ControllerKind::ModelBased, ControllerKind::Adaptive})
+        kinds[controllerKindName(kind)] = kind;
+    fields.readWord("kind", kinds, out.kind);
+    const auto gains = [&](const std::string& key, std::vector<std::pair<const char*, double*>> values) {
+        readPart(fields, key, false, [&](const json& part, const std::string& where) {
+            Fields group(part, where, failure);
+            for (const auto& [name, value] : values)
+                group.read(name, *value);
+            group.close();
+        });
+    };
+    gains("level_servo", {{"time_constant_s", &out.levelServo.timeConstant_s},
+                          {"integral_time_s", &out.levelServo.integralTime_s}});
+    gains("model_based", {{"D_1_s", &out.modelBased.D}, {"K_1_s2", &out.modelBased.K}});
+    gains("adaptive", {{"mu_1_s", &out.adaptive.mu},
+                       {"K_1_K", &out.adaptive.K},
+                       {"gamma1_s3_K3", &out.adaptive.gamma1},
+                       {"gamma2_s_K9", &out.adaptive.gamma2}});
+    fields.read("rotation_length", EdgeUnit::LengthCm, out.rotationLength_m);
+    fields.read("damping", out.damping);
+    fields.read("believed_rate_error_factor", out.believedRateErrorFactor);
+    fields.close();
+}
+
+void readSampling(const json& j, const std::string& path, Failure& failure, SamplingSpec& out) {
+    Fields fields(j, path, failure);
+    fields.read("period_s", out.period_s);
+    fields.read("window", out.window);
+    fields.read("order", out.order);
+    fields.close();
+}
+
+void readSimulation(const json& j, const std::string& path, Failure& failure, SimulationSpec& out) {
+    Fields fields(j, path, failure);
+    fields.read("seed", out.seed);
+    fields.read("sensor_noise_K", out.sensorNoise_K);
+    fields.read("sensor_resolution_K", out.sensorResolution_K);
+    fields.read("sensor_delay_s", out.sensorDelay_s);
+    fields.read("sensor_offset_K", out.sensorOffset_K);
+    fields.read("convection_W_m2K", out.convection_W_m2K);
+    fields.read("robot_step", EdgeUnit::LengthMm, out.robotStep_m);
+    fields.read("robot_step_rad", out.robotStep_rad);
+    fields.read("duration_limit_s", out.durationLimit_s);
+    fields.close();
+}
+
+/// Format and version come first: a file from a newer version is said to be that, whatever else is in it.
+void readHeader(Fields& root) {
+    std::string format;
+    int version = 0;
+    root.read("format", format, true);
+    root.read("version", version, true);
+    if (!format.empty() && format != "bask-experiment")
+        root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-experiment"});
+    else if (version > kExperimentFormat)
+        root.fail(MessageCode::VersionTooNew, "version",
+                  {std::to_string(version), std::to_string(kExperimentFormat)});
+    else if (root.find("version") != nullptr && version < 1)
+        root.fail(MessageCode::ValueOutOfRange, "version",
+                  {std::to_string(version), "1", std::to_string(kExperimentFormat), ""});
+}
+
+Experiment readRoot(const json& j, const std::string& folder, Failure& failure) {
+    Experiment e;
+    Fields root(j, "", failure);
+    readHeader(root);
+    root.read("title", e.title);
+    const auto part = [&](const std::string& key, bool required, auto read, auto& out) {
+        readPart(root, key, required,
+                 [&](const json& value, const std::string& where) { read(value, where, failure, out); });
+    };
+    part("source", true, readSource, e.source);
+    readPart(root, "environment", true, [&](const json& value, const std::string& where) {
+        Fields fields(value, where, failure);
+        fields.read("temperature", EdgeUnit::Temperature, e.environment_K, true);
+        fields.close();
+    });
+    part("robot", false, readRobot, e);
+    part("controller", false, readController, e.controller);
+    part("sampling", false, readSampling, e.sampling);
+    part("simulation", false, readSimulation, e.simulation);
+    const json* objects = root.find("objects", true);
+    // Keys first: an import is only worth its time in a file that is otherwise right.
+    root.close();
+    if (objects != nullptr && !objects->is_array())
+        root.fail(MessageCode::JsonWrongType, "objects", {"an array", typeName(*objects)});
+    else if (objects != nullptr && objects->size() > 6)
+        root.fail(MessageCode::TooManyObjects, "objects",
+                  {std::to_string(objects->size()), std::to_string(e.robot.degreesOfFreedom())});
+    for (std::size_t i = 0; objects != nullptr && i < objects->size() && !failure; ++i)
+        e.objects.push_back(readObject((*objects)[i], "objects[" + std::to_string(i) + "]", folder, failure));
+    return e;
+}
+
+Error located(Error error, const std::string& where) {
+    if (!where.empty())
+        error.where = error.where.empty() ? where : where + ": " + error.where;
+    return error;
+}
+
+} // namespace
+
+Result<Experiment> experimentFromJson(const std::string& text, const std::string& where,
+                                      const std::string& folder) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        return Error(MessageCode::FileEmpty, where);
+    if (text.size() > kMaxFileSize)
+        return Error(MessageCode::FileTooLarge, where,
+                     {std::to_string(text.size() >> 20) + " MiB", "32 MiB"});
+    try {
+        if (const auto trouble = checkJsonText(text))
+            return Error(trouble->code, where, trouble->args);
+        Failure failure;
+        Experiment experiment = readRoot(json::parse(text), folder, failure);
+        if (failure)
+            return located(*failure, where);
+        if (auto valid = validate(experiment); !valid)
+            return located(valid.error(), where);
+        return experiment;
+    } catch (const json::exception& e) {
+        return Error(MessageCode::JsonSyntax, where, {plainWords(e.what())});
+    } catch (const std::bad_alloc&) {
+        return Error(MessageCode::FileUnreadable, where, {"not enough memory"});
+    }
+}
+
+Result<Experiment> readExperiment(const std::string& path) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (!fs::exists(status))
+        return Error(MessageCode::FileNotFound, path);
+    if (!fs::is_regular_file(status))
+        return Error(MessageCode::FileUnreadable, path, {"not a file"});
+    const std::uintmax_t size = fs::file_size(path, code);
+    if (!code && size > kMaxFileSize)
+        return Error(MessageCode::FileTooLarge, path, {std::to_string(size >> 20) + " MiB", "32 MiB"});
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return Error(MessageCode::FileUnreadable, path, {"access refused"});
+    std::string text(static_cast<std::size_t>(size), '\0');
+    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+        return Error(MessageCode::FileUnreadable, path, {"it ended early"});
+    return experimentFromJson(text, path, fs::path(path).parent_path().string());
+}
+
+} // namespace bask

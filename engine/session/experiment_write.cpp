@@ -1,0 +1,228 @@
+#include "engine/session/edge_units.h"
+#include "engine/session/experiment.h"
+
+#include <QSaveFile>
+#include <QString>
+
+#include <nlohmann/json.hpp>
+
+namespace bask {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kLineWidth = 110;
+
+void putQuantity(Json& j, std::string_view name, EdgeUnit unit, double si) {
+    const ReadableValue readable = fromSi(si, unit);
+    if (readable.exact)
+        j[readableKey(name, unit)] = readable.value;
+    else
+        j[siKey(name, unit)] = si; // no readable number gives back the same double
+}
+
+Json pointsJson(const std::vector<Eigen::Vector2d>& points) {
+    Json j = Json::array();
+    for (const Eigen::Vector2d& p : points)
+        j.push_back({p.x(), p.y()});
+    return j;
+}
+
+Json contourJson(const ObjectSpec& object) {
+    Json j;
+    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
+        j["type"] = "disk";
+        j["radius_m"] = disk->radius_m;
+    } else if (const auto* fourier = std::get_if<FourierContour>(&object.shape)) {
+        j["type"] = "fourier";
+        j["coefficients"] = Json::array();
+        for (int k = -fourier->harmonics(); k <= fourier->harmonics(); ++k)
+            j["coefficients"].push_back({k, fourier->coefficient(k).real(), fourier->coefficient(k).imag()});
+    } else {
+        j["type"] = "polygon";
+        j["points_m"] = pointsJson(std::get<Contour>(object.shape).points_m);
+    }
+    if (!object.origin.file.empty())
+        j["file"] = object.origin.file;
+    if (object.origin.harmonics != 0)
+        j["harmonics"] = object.origin.harmonics;
+    if (!object.origin.outline.points_m.empty())
+        j["outline_m"] = pointsJson(object.origin.outline.points_m);
+    return j;
+}
+
+Json coordinatesJson(const Vector6d& q) {
+    Json j = Json::object();
+    for (int k = 0; k < 6; ++k)
+        putQuantity(j, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k]);
+    return j;
+}
+
+Json materialJson(const Material& material) {
+    Json j;
+    if (!material.name.empty())
+        j["name"] = material.name;
+    j["emittance"] = material.emittance;
+    j["absorptance"] = material.absorptance;
+    j["specific_heat_J_kgK"] = material.specificHeat_J_kgK;
+    j["density_kg_m3"] = material.density_kg_m3;
+    putQuantity(j, "thickness", EdgeUnit::LengthMm, material.thickness_m);
+    j["infill"] = material.infill;
+    return j;
+}
+
+Json objectJson(const ObjectSpec& object) {
+    Json j;
+    j["name"] = object.name;
+    putQuantity(j, "target", EdgeUnit::Temperature, object.target_K);
+    j["contour"] = contourJson(object);
+    j["material"] = materialJson(object.material);
+    j["mounting"] = coordinatesJson(object.mounting);
+    return j;
+}
+
+Json sourceJson(const SourceSpec& source) {
+    Json j;
+    j["contour"] = {{"type", "disk"}, {"radius_m", source.disk.radius_m}};
+    putQuantity(j, "temperature", EdgeUnit::Temperature, source.temperature_K);
+    j["emittance"] = source.emittance;
+    j["source_model"] = source.model == SourceModel::Paper ? "paper" : "gray";
+    return j;
+}
+
+Json robotJson(const Experiment& e) {
+    Json j;
+    j["free"] = Json::array();
+    for (std::size_t k = 0; k < 6; ++k) {
+        if (e.robot.free[k])
+            j["free"].push_back(kCoordinateNames[k]);
+    }
+    putQuantity(j, "max_speed", EdgeUnit::SpeedCm, e.robot.maxSpeed_m_s);
+    j["max_rotation_rad_s"] = e.robot.maxRotation_rad_s;
+    putQuantity(j, "clearance", EdgeUnit::LengthCm, e.robot.clearance_m);
+    j["lower"] = coordinatesJson(e.robot.lower);
+    j["upper"] = coordinatesJson(e.robot.upper);
+    j["start"] = coordinatesJson(e.start);
+    return j;
+}
+
+Json controllerJson(const ControllerSettings& c) {
+    Json j;
+    j["kind"] = controllerKindName(c.kind);
+    j["level_servo"] = {{"time_constant_s", c.levelServo.timeConstant_s},
+                        {"integral_time_s", c.levelServo.integralTime_s}};
+    j["model_based"] = {{"D_1_s", c.modelBased.D}, {"K_1_s2", c.modelBased.K}};
+    j["adaptive"] = {{"mu_1_s", c.adaptive.mu},
+                     {"K_1_K", c.adaptive.K},
+                     {"gamma1_s3_K3", c.adaptive.gamma1},
+                     {"gamma2_s_K9", c.adaptive.gamma2}};
+    putQuantity(j, "rotation_length", EdgeUnit::LengthCm, c.rotationLength_m);
+    j["damping"] = c.damping;
+    j["believed_rate_error_factor"] = c.believedRateErrorFactor;
+    return j;
+}
+
+Json simulationJson(const SimulationSpec& s) {
+    Json j;
+    j["seed"] = s.seed;
+    j["sensor_noise_K"] = s.sensorNoise_K;
+    j["sensor_resolution_K"] = s.sensorResolution_K;
+    j["sensor_delay_s"] = s.sensorDelay_s;
+    j["sensor_offset_K"] = s.sensorOffset_K;
+    j["convection_W_m2K"] = s.convection_W_m2K;
+    putQuantity(j, "robot_step", EdgeUnit::LengthMm, s.robotStep_m);
+    j["robot_step_rad"] = s.robotStep_rad;
+    j["duration_limit_s"] = s.durationLimit_s;
+    return j;
+}
+
+Json experimentJson(const Experiment& e) {
+    Json j;
+    j["format"] = "bask-experiment";
+    j["version"] = kExperimentFormat;
+    j["title"] = e.title;
+    j["source"] = sourceJson(e.source);
+    putQuantity(j["environment"], "temperature", EdgeUnit::Temperature, e.environment_K);
+    j["objects"] = Json::array();
+    for (const ObjectSpec& object : e.objects)
+        j["objects"].push_back(objectJson(object));
+    j["robot"] = robotJson(e);
+    j["controller"] = controllerJson(e.controller);
+    j["sampling"] = {
+        {"period_s", e.sampling.period_s}, {"window", e.sampling.window}, {"order", e.sampling.order}};
+    j["simulation"] = simulationJson(e.simulation);
+    return j;
+}
+
+/// Text that is not UTF-8 is written with replacement characters instead of being refused.
+std::string scalar(const Json& j) {
+    return j.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+void print(const Json& j, std::size_t indent, std::string& out);
+
+/// Items in as few lines as fit.
+void printPacked(const Json& j, std::size_t indent, std::string& out) {
+    std::string line;
+    std::string block;
+    for (std::size_t i = 0; i < j.size(); ++i) {
+        const std::string item = scalar(j[i]) + (i + 1 < j.size() ? "," : "");
+        if (!line.empty() && indent + 2 + line.size() + 1 + item.size() > kLineWidth) {
+            block += std::string(indent + 2, ' ') + line + '\n';
+            line.clear();
+        }
+        line += (line.empty() ? "" : " ") + item;
+    }
+    if (block.empty() && indent + line.size() + 2 <= kLineWidth)
+        out += '[' + line + ']';
+    else
+        out += "[\n" + block + std::string(indent + 2, ' ') + line + '\n' + std::string(indent, ' ') + ']';
+}
+
+void printItems(const Json& j, std::size_t indent, std::string& out) {
+    const bool isObject = j.is_object();
+    const std::string margin(indent + 2, ' ');
+    out += isObject ? "{" : "[";
+    const char* separator = "\n";
+    for (const auto& item : j.items()) {
+        out += separator + margin;
+        if (isObject)
+            out += scalar(item.key()) + ": ";
+        print(item.value(), indent + 2, out);
+        separator = ",\n";
+    }
+    out += '\n' + std::string(indent, ' ') + (isObject ? '}' : ']');
+}
+
+void print(const Json& j, std::size_t indent, std::string& out) {
+    if (j.empty() || !j.is_structured())
+        out += scalar(j);
+    else if (j.is_array() && !j.front().is_object())
+        printPacked(j, indent, out);
+    else
+        printItems(j, indent, out);
+}
+
+} // namespace
+
+std::string experimentToJson(const Experiment& experiment) {
+    std::string out;
+    print(experimentJson(experiment), 0, out);
+    return out + '\n';
+}
+
+Result<void> writeExperiment(const Experiment& experiment, const std::string& path) {
+    if (auto valid = validate(experiment); !valid)
+        return valid.error();
+    const std::string text = experimentToJson(experiment);
+    QSaveFile file(QString::fromStdString(path));
+    const bool written =
+        file.open(QIODevice::WriteOnly) &&
+        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
+        file.commit();
+    if (!written)
+        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
+    return {};
+}
+
+} // namespace bask

@@ -1,0 +1,19 @@
+#pragma once
+// A look at a JSON text before a tree is built of it, and its bad parts in printable words.
+
+#include "engine/base/message.h"
+
+#include <optional>
+#include <string>
+
+namespace bask {
+
+/// What is wrong with a text as JSON: syntax, numbers out of reach, repeated keys, nesting deeper than 32.
+/// Empty: nothing.
+std::optional<Message> checkJsonText(const std::string& text);
+
+/// Words from a parser or a file, fit for a sentence: one line of plain characters, not too long, without the
+/// JSON library's error id.
+std::string plainWords(const std::string& words);
+
+} // namespace bask

@@ -1,0 +1,271 @@
+#include "engine/base/units.h"
+#include "engine/session/edge_units.h"
+#include "engine/session/experiment.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <ctime>
+#include <filesystem>
+#include <random>
+
+namespace bask {
+namespace {
+
+const std::string kExamples = BASK_EXAMPLES;
+
+Experiment example(const std::string& name) {
+    auto read = readExperiment(kExamples + '/' + name);
+    if (!read) {
+        ADD_FAILURE() << describe(read.error());
+        return {};
+    }
+    return *read;
+}
+
+std::vector<std::string> exampleNames() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(kExamples)) {
+        if (entry.path().extension() == ".json")
+            names.push_back(entry.path().filename().string());
+    }
+    return names;
+}
+
+TEST(Examples, AllAreReadAndValid) {
+    EXPECT_EQ(exampleNames().size(), 6u);
+    for (const std::string& name : exampleNames()) {
+        const Experiment e = example(name);
+        EXPECT_FALSE(e.objects.empty()) << name;
+        EXPECT_TRUE(validate(e)) << name;
+    }
+}
+
+TEST(Examples, ThreeObjectsAreTheCommonScenario) {
+    const Experiment e = example("three-objects.json");
+    ASSERT_EQ(e.objects.size(), 3u);
+    EXPECT_EQ(e.source, (SourceSpec{Disk{0.1}, 473.15, 0.25, SourceModel::Gray}));
+    EXPECT_EQ(e.environment_K, 298.15);
+    EXPECT_EQ(e.robot, RobotLimits{});
+    EXPECT_EQ(e.start, (Experiment{}.start));
+    EXPECT_EQ(e.controller.kind, ControllerKind::LevelServo);
+    EXPECT_EQ(e.controller.believedRateErrorFactor, 4.0);
+    EXPECT_EQ(e.simulation.sensorOffset_K, 0.3);
+    const std::array<const char*, 3> names{"circle", "bunny", "hand"};
+    const std::array capacities{2440.0, 670.0, 1116.0};
+    const std::array areas_mm2{M_PI * 225.0, 2851.1, 1981.5}; // of the fits with 5 harmonics
+    for (std::size_t i = 0; i < 3; ++i) {
+        const ObjectSpec& object = e.objects[i];
+        EXPECT_EQ(object.name, names[i]);
+        EXPECT_EQ(object.target_K, 313.15);
+        EXPECT_NEAR(object.material.arealHeatCapacity_J_m2K(), capacities[i], 1.0);
+        EXPECT_NEAR(shapeArea(object.shape) * 1e6, areas_mm2[i], 0.005 * areas_mm2[i]) << object.name;
+        EXPECT_NEAR(object.mounting.head<2>().norm(), 0.05, 2e-4);
+    }
+    EXPECT_TRUE(std::holds_alternative<Disk>(e.objects[0].shape));
+    EXPECT_EQ(std::get<FourierContour>(e.objects[1].shape).harmonics(), 5);
+    EXPECT_EQ(e.objects[2].origin.file, "contours/hand_1200.png");
+    EXPECT_NEAR(contourArea(e.objects[2].origin.outline) * 1e6, 2327.0, 3.0);
+}
+
+TEST(Examples, AreReadInAFractionOfASecond) {
+    const std::clock_t before = std::clock(); // of this process: other work on the machine does not count
+    example("three-objects.json");
+    EXPECT_LT(static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC, 2.0);
+}
+
+TEST(RoundTrip, EveryExampleIsTheSameAndSelfContained) {
+    for (const std::string& name : exampleNames()) {
+        const Experiment e = example(name);
+        const auto again = experimentFromJson(experimentToJson(e), name, "/nowhere");
+        ASSERT_TRUE(again) << describe(again.error());
+        EXPECT_TRUE(*again == e) << name;
+        EXPECT_EQ(experimentToJson(*again), experimentToJson(e)) << name;
+    }
+}
+
+class RandomExperiment {
+public:
+    explicit RandomExperiment(unsigned seed) : m_random(seed) {}
+
+    Experiment make() {
+        Experiment e;
+        e.title = "Caf\u00e9 \"quoted\"\n\u5f00\u59cb";
+        e.source = {Disk{real(0.05, 0.2)}, real(400, 700), real(0.5, 1), SourceModel::Gray};
+        e.environment_K = real(250, 310);
+        e.robot.maxSpeed_m_s = real(0.001, 0.1);
+        e.robot.maxRotation_rad_s = real(0.01, 1);
+        e.robot.clearance_m = real(0, 0.02);
+        for (int k = 0; k < 6; ++k) {
+            e.start[k] = k == kZ ? real(0.2, 0.3) : real(-0.3, 0.3);
+            e.robot.lower[k] = e.start[k] - real(0.01, 0.5);
+            e.robot.upper[k] = e.start[k] + real(0.01, 0.5);
+            e.robot.free[static_cast<std::size_t>(k)] = k < 3 || real(0, 1) < 0.5;
+        }
+        for (const char* name : {"a", "b", "c"})
+            e.objects.push_back(object(name, static_cast<int>(e.objects.size())));
+        e.controller.kind = ControllerKind::Adaptive;
+        e.controller.levelServo = {real(1, 20), real(10, 100)};
+        e.controller.modelBased = {real(0, 1), real(0.001, 1)};
+        e.controller.adaptive = {real(0.01, 1), real(0.01, 1), real(0, 0.1), real(0, 1e-20)};
+        e.controller.rotationLength_m = real(0.01, 1);
+        e.controller.damping = real(0, 1);
+        e.controller.believedRateErrorFactor = real(1, 10);
+        e.sampling = {real(0.01, 2), 12, 2};
+        e.simulation = {m_random(),  real(0, 1),     real(0, 1),    real(0, 1),  real(0, 1),
+                        real(0, 10), real(0, 0.001), real(0, 0.01), real(1, 1e5)};
+        return e;
+    }
+
+private:
+    double real(double least, double most) { return std::uniform_real_distribution(least, most)(m_random); }
+
+    ObjectSpec object(const char* name, int kind) {
+        ObjectSpec o;
+        o.name = name;
+        if (kind == 0) {
+            o.shape = Disk{real(0.001, 0.05)};
+        } else if (kind == 1) {
+            std::vector<std::complex<double>> c{
+                {real(-1, 1), real(-1, 1)}, {0, 0}, {30.0 + real(0, 1), real(0, 1)}};
+            for (auto& value : c)
+                value *= 1e-3;
+            o.shape = FourierContour(c);
+            o.origin = {"dir/file \\ name.csv", polygon(), 1};
+        } else {
+            o.shape = polygon();
+        }
+        o.material = {"stuff",        real(0.01, 1),    real(0.01, 1), real(100, 5000),
+                      real(10, 9000), real(1e-5, 0.01), real(0.01, 1)};
+        for (int k = 0; k < 6; ++k)
+            o.mounting[k] = k < 3 ? real(-0.05, 0.05) : real(-0.5, 0.5);
+        o.target_K = real(290, 400);
+        return o;
+    }
+
+    Contour polygon() {
+        std::vector<Eigen::Vector2d> points;
+        for (int k = 0; k < 40; ++k) {
+            const double angle = 2.0 * M_PI * k / 40.0;
+            const double radius = real(0.01, 0.03);
+            points.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+        }
+        return centred(*makeContour(points));
+    }
+
+    std::mt19937_64 m_random;
+};
+
+TEST(RoundTrip, RandomExperimentsAreExact) {
+    for (unsigned seed = 0; seed < 300; ++seed) {
+        const Experiment e = RandomExperiment(seed).make();
+        const auto again = experimentFromJson(experimentToJson(e), "", "");
+        ASSERT_TRUE(again) << "seed " << seed << ": " << describe(again.error());
+        ASSERT_TRUE(*again == e) << "seed " << seed;
+    }
+}
+
+TEST(RoundTrip, ThroughAFile) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("e.json").toStdString();
+    const Experiment e = RandomExperiment(7).make();
+    ASSERT_TRUE(writeExperiment(e, path));
+    ASSERT_TRUE(writeExperiment(e, path)) << "over an older file";
+    EXPECT_TRUE(*readExperiment(path) == e);
+}
+
+TEST(RoundTrip, ACoordinateInRadiansOrMetresIsReadToo) {
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    j["objects"][0]["mounting"] = {{"y_m", 0.04}, {"theta_z_rad", 0.5}};
+    j["objects"][0]["target_K"] = 320.0;
+    j["objects"][0].erase("target_degC");
+    const auto read = experimentFromJson(j.dump(), "", "");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->objects[0].mounting[kY], 0.04);
+    EXPECT_EQ(read->objects[0].mounting[kThetaZ], 0.5);
+    EXPECT_EQ(read->objects[0].target_K, 320.0);
+}
+
+TEST(WrittenForm, UsesTheNumbersThatPeopleWrite) {
+    const std::string text = experimentToJson(example("three-objects.json"));
+    for (const char* part : {"\"target_degC\": 40.0", "\"temperature_degC\": 25.0", "\"x_cm\": -4.35",
+                             "\"theta_x_deg\": -35.0", "\"thickness_mm\": 1.0", "\"seed\": 1"})
+        EXPECT_NE(text.find(part), std::string::npos) << part;
+    EXPECT_EQ(text.find("_rad\": 0.61"), std::string::npos);
+}
+
+TEST(Reading, LeavesOutWhatHasDefaults) {
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    for (const char* key : {"title", "robot", "controller", "sampling", "simulation"})
+        j.erase(key);
+    const auto read = experimentFromJson("\xEF\xBB\xBF" + j.dump(), "", "");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->robot, RobotLimits{});
+    EXPECT_EQ(read->controller, ControllerSettings{});
+    EXPECT_EQ(read->simulation, SimulationSpec{});
+}
+
+TEST(Reading, PutsClockwiseAndOffCentreOutlinesRight) {
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    j["objects"][0]["contour"] = {{"type", "polygon"},
+                                  {"points_m", {{0.01, 0.01}, {0.01, 0.03}, {0.03, 0.03}, {0.03, 0.01}}}};
+    j["objects"][1]["contour"] = {{"type", "fourier"}, {"coefficients", {{0, 0.5, 0.5}, {-1, 0.02, 0.0}}}};
+    const auto read = experimentFromJson(j.dump(), "", "");
+    ASSERT_TRUE(read) << describe(read.error());
+    const auto& square = std::get<Contour>(read->objects[0].shape);
+    EXPECT_NEAR(contourArea(square), 4e-4, 1e-12);
+    EXPECT_LT(contourCentroid(square).norm(), 1e-12);
+    EXPECT_EQ(std::get<FourierContour>(read->objects[1].shape).coefficient(1), 0.02);
+    EXPECT_LT(std::abs(std::get<FourierContour>(read->objects[1].shape).coefficient(0)), 1e-12);
+}
+
+TEST(Reading, ImportsACsvAsAnExactPolygon) {
+    const QTemporaryDir folder;
+    QFile csv(folder.filePath("square.csv"));
+    ASSERT_TRUE(csv.open(QIODevice::WriteOnly));
+    csv.write("x,y\n0,0\n20,0\n20,20\n0,20\n");
+    csv.close();
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    j["objects"][0]["contour"] = {{"type", "import"}, {"file", "square.csv"}, {"unit", "mm"}};
+    const auto read = experimentFromJson(j.dump(), "", folder.path().toStdString());
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(std::get<Contour>(read->objects[0].shape).points_m.size(), 4u);
+    EXPECT_NEAR(shapeArea(read->objects[0].shape), 4e-4, 1e-12);
+    EXPECT_EQ(read->objects[0].origin.outline, std::get<Contour>(read->objects[0].shape));
+}
+
+TEST(EdgeUnits, PreferShortNumbersAndSayWhenNoneIsExact) {
+    EXPECT_EQ(fromSi(313.15, EdgeUnit::Temperature).value, 40.0);
+    EXPECT_EQ(fromSi(radFromDeg(35.0), EdgeUnit::Angle).value, 35.0);
+    EXPECT_EQ(fromSi(0.0435, EdgeUnit::LengthCm).value, 4.35);
+    std::mt19937_64 random(1);
+    for (const EdgeUnit unit :
+         {EdgeUnit::Temperature, EdgeUnit::LengthCm, EdgeUnit::LengthMm, EdgeUnit::Angle}) {
+        for (int k = 0; k < 2000; ++k) {
+            const double si = std::uniform_real_distribution(-3.0, 600.0)(random);
+            if (const ReadableValue readable = fromSi(si, unit); readable.exact) {
+                ASSERT_EQ(toSi(readable.value, unit), si);
+            }
+        }
+    }
+}
+
+TEST(SetTargets, ReplacesAllOrNothing) {
+    Experiment e = example("three-objects.json");
+    ASSERT_TRUE(setTargets(e, {320, 310, 305}));
+    EXPECT_EQ(e.objects[2].target_K, 305);
+    const Experiment before = e;
+    EXPECT_EQ(setTargets(e, {320, 310}).error().code(), MessageCode::TargetCountWrong);
+    const auto tooHot = setTargets(e, {320, 310, 1e6});
+    ASSERT_FALSE(tooHot);
+    EXPECT_EQ(tooHot.error().where, "objects[2].target_degC");
+    EXPECT_FALSE(setTargets(e, {NAN, 310, 300}));
+    EXPECT_TRUE(e == before);
+}
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,67 @@
+#include "app/commands/command_line.h"
+#include "tests/engine/session/recording.h"
+
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+
+namespace bask {
+namespace {
+
+struct Outcome {
+    int code = 0;
+    std::string out;
+    std::string err;
+};
+
+Outcome run(const QStringList& arguments) {
+    ::testing::internal::CaptureStdout();
+    ::testing::internal::CaptureStderr();
+    Outcome outcome;
+    outcome.code = exportCommand(arguments);
+    outcome.out = ::testing::internal::GetCapturedStdout();
+    outcome.err = ::testing::internal::GetCapturedStderr();
+    return outcome;
+}
+
+TEST(ExportCommand, WritesTheTablesAndNamesThem) {
+    const QTemporaryDir folder;
+    const QString session = folder.filePath("run.bask");
+    {
+        auto writer = SessionWriter::create(session.toStdString(), testing::twoDisks(), true);
+        ASSERT_TRUE((*writer)->add(testing::madeUpSample(testing::twoDisks(), 0)));
+    }
+    const Outcome outcome = run({session, "--csv", folder.filePath("csv")});
+    EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
+    EXPECT_NE(outcome.out.find(folder.filePath("csv/sample.csv\n").toStdString()), std::string::npos);
+    EXPECT_TRUE(QFile::exists(folder.filePath("csv/pose.csv")));
+    EXPECT_EQ(outcome.err, "");
+
+    QFile blocked(folder.filePath("blocked"));
+    ASSERT_TRUE(blocked.open(QIODevice::WriteOnly));
+    EXPECT_EQ(run({session, "--csv", blocked.fileName()}).code, kExitFault);
+}
+
+TEST(ExportCommand, RefusesBadInputOnStandardError) {
+    for (const QStringList& arguments :
+         {QStringList{}, QStringList{"a.bask"}, QStringList{"--csv", "dir"},
+          QStringList{"none.bask", "--csv", "dir"}, QStringList{"a.bask", "b.bask", "--csv", "dir"},
+          QStringList{"a.bask", "--csv", "dir", "--frobnicate"}}) {
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.code, kExitBadInput) << arguments.join(' ').toStdString();
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_NE(outcome.err, "");
+    }
+    EXPECT_NE(run({"none.bask", "--csv", "dir"}).err.find("none.bask: there is no such file"),
+              std::string::npos);
+}
+
+TEST(ExportCommand, HelpsOnStandardOutput) {
+    const Outcome outcome = run({"--help"});
+    EXPECT_EQ(outcome.code, kExitDone);
+    EXPECT_NE(outcome.out.find("--csv <DIR>"), std::string::npos) << outcome.out;
+}
+
+} // namespace
+} // namespace bask
