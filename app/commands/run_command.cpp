@@ -1,0 +1,183 @@
+#include "app/commands/command_line.h"
+
+#include "app/commands/parse_command.h"
+#include "engine/base/units.h"
+#include "engine/runtime/rig_setup.h"
+#include "engine/runtime/simulated_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QCommandLineParser>
+#include <QElapsedTimer>
+#include <QSaveFile>
+
+#include <cmath>
+#include <cstdio>
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+/// Everything asked for on the command line, checked.
+struct Request {
+    Experiment experiment;
+    SimulatedRunOptions options;
+    std::string summaryPath;
+};
+
+Error badValue(const QString& option, const QString& value, const char* expected) {
+    return Error(MessageCode::JsonWrongType, "--" + option.toStdString(), {expected, "\"" + value.toStdString() + "\""});
+}
+
+Result<std::vector<double>> parseTargets(const QString& text) {
+    std::vector<double> out;
+    for (const QString& part : text.split(u',')) {
+        bool ok = false;
+        const double t_degC = part.trimmed().toDouble(&ok);
+        if (!ok || !std::isfinite(t_degC))
+            return badValue("targets", text, "temperatures in degC with commas between");
+        out.push_back(kelvinFromCelsius(t_degC));
+    }
+    return out;
+}
+
+Result<Request> readRequest(const QCommandLineParser& parser) {
+    auto experiment = readExperiment(parser.positionalArguments().first().toStdString());
+    if (!experiment)
+        return experiment.error();
+    Request request;
+    request.experiment = std::move(*experiment);
+    bool ok = true;
+    if (parser.isSet("seed")) {
+        request.experiment.simulation.seed = parser.value("seed").toULongLong(&ok);
+        if (!ok)
+            return badValue("seed", parser.value("seed"), "a whole number from 0");
+    }
+    if (parser.isSet("targets")) {
+        const auto targets = parseTargets(parser.value("targets"));
+        if (!targets)
+            return targets.error();
+        if (const auto set = setTargets(request.experiment, *targets); !set)
+            return set.error();
+    }
+    if (parser.isSet("duration")) {
+        const double duration_s = parser.value("duration").toDouble(&ok);
+        if (!ok || !(duration_s >= request.experiment.sampling.period_s) || duration_s > 1e7)
+            return badValue("duration", parser.value("duration"), "seconds, at least one sampling period and at most 1e7,");
+        request.options.duration_s = duration_s;
+    }
+    if (const auto valid = validate(request.experiment); !valid)
+        return valid.error();
+    request.options.sessionPath = parser.value("o").toStdString();
+    request.summaryPath = parser.value("summary").toStdString();
+    return request;
+}
+
+std::string summaryJson(const RunOutcome& outcome, double wall_s) {
+    nlohmann::ordered_json summary;
+    summary["objects"] = nlohmann::ordered_json::array();
+    for (const ObjectOutcome& object : outcome.objects) {
+        nlohmann::ordered_json row;
+        row["name"] = object.name;
+        row["target_C"] = celsiusFromKelvin(object.target_K);
+        row["final_C"] = celsiusFromKelvin(object.final_K);
+        row["error_K"] = object.final_K - object.target_K;
+        row["settling_time_s"] = object.settlingTime_s ? nlohmann::ordered_json(*object.settlingTime_s) : nullptr;
+        summary["objects"].push_back(std::move(row));
+    }
+    summary["settled"] = outcome.settled;
+    summary["simulated_s"] = outcome.simulated_s;
+    summary["wall_s"] = wall_s;
+    return summary.dump(2) + "\n";
+}
+
+void printOutcome(const RunOutcome& outcome, double wall_s) {
+    std::printf("%-16s %10s %10s %9s %12s\n", "object", "target_C", "final_C", "error_K", "settled_at_s");
+    for (const ObjectOutcome& object : outcome.objects) {
+        const std::string settled = object.settlingTime_s ? formatNumber(*object.settlingTime_s, 6) : "never";
+        std::printf("%-16s %10.2f %10.2f %+9.2f %12s\n", object.name.c_str(), celsiusFromKelvin(object.target_K),
+                    celsiusFromKelvin(object.final_K), object.final_K - object.target_K, settled.c_str());
+    }
+    std::printf("%s after %.0f s simulated, %.2f s of wall time\n",
+                outcome.fault     ? "fault"
+                : outcome.settled ? "settled"
+                                  : "not settled",
+                outcome.simulated_s, wall_s);
+}
+
+void warnOfTargets(const Experiment& experiment) {
+    const std::vector<TargetVerdict> verdicts = targetVerdicts(experiment);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        const TargetVerdict& v = verdicts[i];
+        if (v.verdict != FeasibilityVerdict::Reachable)
+            std::fprintf(stderr,
+                         "bask run: \"%s\" cannot be held at %.1f degC: it needs F = %.3f, within the workspace it has "
+                         "%.3f to %.3f (%.1f to %.1f degC)\n",
+                         experiment.objects[i].name.c_str(), celsiusFromKelvin(v.target_K), v.neededViewFactor,
+                         v.reachableMin_F, v.reachableMax_F, celsiusFromKelvin(v.reachableMin_K),
+                         celsiusFromKelvin(v.reachableMax_K));
+    }
+}
+
+void printProgress(double time_s, const TraceSample& sample) {
+    if (std::fmod(time_s, 10.0) > 0.5)
+        return;
+    std::fprintf(stderr, "\r%7.0f s ", time_s);
+    for (const ObjectSample& object : sample.objects)
+        std::fprintf(stderr, " %7.2f", celsiusFromKelvin(object.true_K));
+    std::fprintf(stderr, " degC ");
+}
+
+bool writeFile(const std::string& path, const std::string& text) {
+    QSaveFile file(QString::fromStdString(path));
+    if (file.open(QIODevice::WriteOnly) && file.write(text.data(), static_cast<qint64>(text.size())) >= 0 && file.commit())
+        return true;
+    std::fprintf(stderr, "bask run: %s\n",
+                 describe(Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()})).c_str());
+    return false;
+}
+
+} // namespace
+
+int runExperimentCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Runs an experiment on the simulated rig, as fast as the machine goes.\n"
+                                     "Exit code: 0 settled, 1 fault, 2 bad input, 3 not settled.");
+    parser.addHelpOption();
+    parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");
+    parser.addOptions({{"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
+                       {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.", "SECONDS"},
+                       {"seed", "Seed of noise, sensor offsets and wrong beliefs.", "N"},
+                       {"o", "Record the run into this session file.", "SESSION.bask"},
+                       {"summary", "Write the outcome as JSON.", "SUMMARY.json"}});
+    if (const auto code = parseCommand(parser, "run", arguments, 1))
+        return *code;
+    auto request = readRequest(parser);
+    if (!request) {
+        std::fprintf(stderr, "bask run: %s\n", describe(request.error()).c_str());
+        return kExitBadInput;
+    }
+    warnOfTargets(request->experiment);
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    if (terminal)
+        request->options.progress = printProgress;
+    QElapsedTimer timer;
+    timer.start();
+    const auto outcome = runSimulated(request->experiment, request->options);
+    if (terminal)
+        std::fputc('\n', stderr);
+    if (!outcome) {
+        std::fprintf(stderr, "bask run: %s\n", describe(outcome.error()).c_str());
+        return kExitBadInput;
+    }
+    const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+    for (const TraceEvent& event : outcome->events)
+        if (event.message.code == MessageCode::EventCompromise || event.message.code == MessageCode::EventFault)
+            std::fprintf(stderr, "bask run: at %.0f s: %s\n", event.time_s, describe(event.message).c_str());
+    printOutcome(*outcome, wall_s);
+    if (!request->summaryPath.empty() && !writeFile(request->summaryPath, summaryJson(*outcome, wall_s)))
+        return kExitBadInput;
+    return outcome->fault ? kExitFault : outcome->settled ? kExitDone : kExitNegative;
+}
+
+} // namespace bask

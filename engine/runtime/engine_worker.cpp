@@ -1,0 +1,252 @@
+#include "engine/runtime/engine_worker.h"
+
+#include "engine/runtime/rig_setup.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace bask {
+namespace {
+
+constexpr int kTimer_ms = 20;
+constexpr double kPublish_s = 0.05;
+constexpr double kLongestGap_s = 1.0; ///< of wall time that is made up for, after a suspended or stalled computer
+constexpr double kMaxSpeed = 20.0;
+
+template <class... Ts> struct Overloaded : Ts... {
+    using Ts::operator()...;
+};
+template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
+
+} // namespace
+
+struct EngineWorker::Session {
+    explicit Session(const Experiment& experiment)
+        : rig(simulatedRigConfig(experiment)),
+          loop(experiment,
+               {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); }},
+               rig.clock()) {}
+    SimulatedRig rig;
+    ServoLoop loop;
+};
+
+EngineWorker::EngineWorker() {
+    qRegisterMetaType<bask::Command>();
+    qRegisterMetaType<bask::Snapshot>();
+}
+
+EngineWorker::~EngineWorker() = default;
+
+void EngineWorker::start() {
+    m_timer = new QTimer(this);
+    m_timer->setTimerType(Qt::PreciseTimer);
+    connect(m_timer, &QTimer::timeout, this, &EngineWorker::onTimer);
+    m_wall.start();
+    m_timer->start(kTimer_ms);
+    publish();
+}
+
+void EngineWorker::shutdown() {
+    if (m_timer)
+        m_timer->stop();
+    if (m_session) {
+        if (m_session->loop.running())
+            m_session->loop.emergencyStop();
+        record();
+    }
+    closeRecording();
+    m_session.reset();
+}
+
+void EngineWorker::post(const bask::Command& command) {
+    Result<void> result;
+    try {
+        result = apply(command);
+    } catch (const std::exception& exception) {
+        const Message reason{MessageCode::ReasonInternalFault, {exception.what()}};
+        if (m_session)
+            m_session->loop.fault(reason);
+        result = Error(reason.code, {}, reason.args);
+    }
+    m_pending.refusal = result ? Message{} : result.error().message;
+    record();
+    publish();
+}
+
+Result<void> EngineWorker::load(const Experiment& experiment) {
+    if (m_session && (m_session->loop.running() || m_session->loop.state() == RunState::Armed))
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    if (const auto valid = validate(experiment); !valid)
+        return valid;
+    closeRecording();
+    m_session = std::make_unique<Session>(experiment);
+    m_untilTick_s = experiment.sampling.period_s;
+    return {};
+}
+
+Result<void> EngineWorker::armWith(const std::string& recordingPath) {
+    ServoLoop& loop = m_session->loop;
+    if (const auto armed = loop.arm(); !armed)
+        return armed;
+    closeRecording();
+    ++m_runId;
+    if (recordingPath.empty())
+        return {};
+    auto writer = SessionWriter::create(recordingPath, loop.experiment(), true);
+    if (!writer) {
+        (void)loop.disarm();
+        return writer.error();
+    }
+    m_writer = std::move(*writer);
+    return {};
+}
+
+Result<void> EngineWorker::apply(const Command& command) {
+    if (const auto* experiment = std::get_if<LoadExperiment>(&command))
+        return load(experiment->experiment);
+    if (const auto* speed = std::get_if<SetSimulationSpeed>(&command)) {
+        m_speed = std::clamp(speed->factor, 1.0, kMaxSpeed);
+        return {};
+    }
+    if (!m_session)
+        return Error(MessageCode::ReasonNoExperiment, {});
+    ServoLoop& loop = m_session->loop;
+    return std::visit(
+        Overloaded{
+            [](const LoadExperiment&) { return Result<void>(); },
+            [](const SetSimulationSpeed&) { return Result<void>(); },
+            [&](const Arm& arm) { return armWith(arm.recordingPath); },
+            [&](const Disarm&) { return loop.disarm(); },
+            [&](const Start& start) { return loop.start(start.acceptInfeasible); },
+            [&](const Hold&) { return loop.hold(); },
+            [&](const Resume&) { return loop.resume(); },
+            [&](const Stop&) { return loop.stop(); },
+            [&](const EmergencyStop&) { return loop.emergencyStop(), Result<void>(); },
+            [&](const Reset&) { return loop.reset(); },
+            [&](const SetTargets& set) { return loop.setTargets(set.targets_K); },
+            [&](const SetController& set) { return loop.setController(set.settings); },
+            [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
+            [&](const SimulateFault& fault) { return applyFault(fault), Result<void>(); },
+        },
+        command);
+}
+
+void EngineWorker::applyFault(const SimulateFault& fault) {
+    SimulatedRig& rig = m_session->rig;
+    for (std::size_t i = 0; i < m_session->loop.experiment().objects.size(); ++i)
+        rig.simulatedThermometer().setLost(i, fault.fault == SimulatedFault::SensorLost && i == fault.object);
+    rig.simulatedRobot().setLinkLost(fault.fault == SimulatedFault::RobotLost);
+    rig.simulatedHeatSource().setLinkLost(fault.fault == SimulatedFault::SourceLost);
+}
+
+void EngineWorker::onTimer() {
+    const double wall_s = std::min(kLongestGap_s, static_cast<double>(m_wall.nsecsElapsed()) * 1e-9);
+    m_wall.restart();
+    if (m_session) {
+        const double period_s = m_session->loop.experiment().sampling.period_s;
+        if (wall_s * m_speed > m_untilTick_s + 0.5 * period_s && wall_s > 3e-3 * kTimer_ms)
+            ++m_lateSteps;
+        advanceRig(wall_s * m_speed);
+    }
+    m_rateWindow_s += wall_s;
+    if (m_rateWindow_s >= 2.0) {
+        m_loopRate_Hz = m_ticksSinceRate / m_rateWindow_s;
+        m_ticksSinceRate = 0;
+        m_rateWindow_s = 0.0;
+    }
+    m_sincePublished_s += wall_s;
+    const bool changed = m_session && m_session->loop.state() != m_publishedState;
+    if (changed || m_sincePublished_s >= kPublish_s)
+        publish();
+}
+
+void EngineWorker::advanceRig(double dt_s) {
+    while (dt_s > 0.0) {
+        const double step_s = std::min(dt_s, m_untilTick_s);
+        m_session->rig.advance(step_s);
+        dt_s -= step_s;
+        m_untilTick_s -= step_s;
+        if (m_untilTick_s <= 1e-9) {
+            m_session->loop.tick();
+            ++m_ticksSinceRate;
+            m_untilTick_s = m_session->loop.experiment().sampling.period_s;
+            finishTick();
+        }
+    }
+}
+
+void EngineWorker::finishTick() {
+    record();
+    const RunState state = m_session->loop.state();
+    const bool over = state == RunState::Stopped || state == RunState::Fault;
+    if (over)
+        closeRecording();
+}
+
+void EngineWorker::record() {
+    if (!m_session)
+        return;
+    LoopRecord rows = m_session->loop.takeRecord();
+    if (m_writer) {
+        Result<void> result;
+        const auto addAll = [&](const auto& list) {
+            for (const auto& row : list)
+                if (result.ok())
+                    result = m_writer->add(row);
+        };
+        addAll(rows.samples);
+        addAll(rows.events);
+        addAll(rows.notes);
+        addAll(rows.commands);
+        if (!result) {
+            m_writer.reset();
+            m_session->loop.fault({MessageCode::ReasonRecorderFailed, {describe(result.error())}});
+        }
+    }
+    std::ranges::move(rows.samples, std::back_inserter(m_pending.newSamples));
+    std::ranges::move(rows.events, std::back_inserter(m_pending.newEvents));
+    std::ranges::move(rows.notes, std::back_inserter(m_pending.newNotes));
+}
+
+void EngineWorker::closeRecording() {
+    if (!m_writer)
+        return;
+    const std::string outcome = m_session ? m_session->loop.outcome() : std::string();
+    if (const auto finished = m_writer->finish(outcome.empty() ? "stopped" : outcome); !finished && m_session)
+        m_session->loop.fault({MessageCode::ReasonRecorderFailed, {describe(finished.error())}});
+    m_writer.reset();
+}
+
+void EngineWorker::publish() {
+    Snapshot snapshot = std::exchange(m_pending, Snapshot());
+    snapshot.sequence = ++m_sequence;
+    snapshot.runId = m_runId;
+    snapshot.simulationSpeed = m_speed;
+    snapshot.loopRate_Hz = m_loopRate_Hz;
+    snapshot.lateSteps = m_lateSteps;
+    if (m_session) {
+        const ServoLoop& loop = m_session->loop;
+        snapshot.state = loop.state();
+        snapshot.reasons = loop.reasons();
+        snapshot.runTime_s = loop.runTime_s();
+        snapshot.latest = loop.latest();
+        snapshot.latest.coordinates = m_session->rig.simulatedRobot().coordinates();
+        snapshot.sampleAge_s = m_session->rig.clock().now_s() - loop.sampleTime_s();
+        snapshot.heatOn = loop.heatOn();
+        snapshot.controller = loop.experiment().controller;
+        for (const ObjectSpec& object : loop.experiment().objects)
+            snapshot.targets_K.push_back(object.target_K);
+    } else {
+        snapshot.state = RunState::NotReady;
+        snapshot.reasons.push_back({MessageCode::ReasonNoExperiment, {}});
+    }
+    if (m_writer) {
+        snapshot.recordingPath = m_writer->path();
+        snapshot.recordedRows = m_writer->rows();
+    }
+    m_publishedState = snapshot.state;
+    m_sincePublished_s = 0.0;
+    emit published(snapshot);
+}
+
+} // namespace bask

@@ -1,0 +1,68 @@
+#pragma once
+// The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session, publishes snapshots.
+
+#include "engine/runtime/command.h"
+#include "engine/runtime/servo_loop.h"
+#include "engine/runtime/snapshot.h"
+#include "engine/simulation/simulated_rig.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <memory>
+
+Q_DECLARE_METATYPE(bask::Command)
+Q_DECLARE_METATYPE(bask::Snapshot)
+
+namespace bask {
+
+/// Lives on a QThread; every slot is called through queued connections. Rig, loop and session writer are made, used and deleted there.
+class EngineWorker : public QObject {
+    Q_OBJECT
+public:
+    EngineWorker();
+    ~EngineWorker() override;
+
+public slots:
+    void start();
+    void post(const bask::Command& command);
+    /// Safe state, recording closed, timer stopped. Call it blocking before the thread quits.
+    void shutdown();
+
+signals:
+    void published(const bask::Snapshot& snapshot);
+
+private:
+    /// The rig with its loop; made anew with each experiment.
+    struct Session;
+
+    void onTimer();
+    void advanceRig(double dt_s);
+    void finishTick();
+    void record();
+    void closeRecording();
+    void publish();
+    Result<void> apply(const Command& command);
+    Result<void> load(const Experiment& experiment);
+    Result<void> armWith(const std::string& recordingPath);
+    void applyFault(const SimulateFault& fault);
+
+    std::unique_ptr<Session> m_session;
+    std::unique_ptr<SessionWriter> m_writer;
+    QTimer* m_timer = nullptr;
+    QElapsedTimer m_wall;
+    double m_speed = 1.0;
+    double m_untilTick_s = 0.0;
+    std::uint64_t m_lateSteps = 0;
+    std::uint64_t m_runId = 0;
+    int m_ticksSinceRate = 0;
+    double m_rateWindow_s = 0.0;
+    double m_loopRate_Hz = 0.0;
+    double m_sincePublished_s = 0.0;
+    RunState m_publishedState = RunState::Idle;
+    Snapshot m_pending; ///< samples, events and notes since the last snapshot
+    std::uint64_t m_sequence = 0;
+};
+
+} // namespace bask

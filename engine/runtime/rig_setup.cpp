@@ -1,0 +1,74 @@
+#include "engine/runtime/rig_setup.h"
+
+#include <cmath>
+#include <random>
+
+namespace bask {
+
+std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
+    std::vector<Shape> shapes;
+    std::vector<Vector6d> mountings;
+    for (const ObjectSpec& object : experiment.objects) {
+        shapes.push_back(object.shape);
+        mountings.push_back(object.mounting);
+    }
+    return std::make_shared<RigGeometry>(experiment.source.disk, shapes, mountings, experiment.robot);
+}
+
+std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K) {
+    const double J = netSourcePower_W_m2(experiment.source.model, experiment.source.temperature_K,
+                                         experiment.source.emittance, environment_K);
+    std::vector<HeatRates> rates;
+    for (const ObjectSpec& object : experiment.objects)
+        rates.push_back(heatRates(object.material, J, environment_K));
+    return rates;
+}
+
+std::vector<HeatRates> believedRates(const Experiment& experiment, double environment_K) {
+    std::vector<HeatRates> rates = nominalRates(experiment, environment_K);
+    const double range = std::log(experiment.controller.believedRateErrorFactor);
+    std::mt19937_64 random(experiment.simulation.seed ^ 0x9e3779b97f4a7c15ULL);
+    std::uniform_real_distribution<double> factor(-1.0, 1.0);
+    for (HeatRates& rate : rates) {
+        const double heating = std::exp(range * factor(random));
+        const double cooling = std::exp(range * factor(random));
+        rate.lambda1 *= heating;
+        rate.lambda2 *= cooling;
+        rate.lambda3 *= cooling;
+    }
+    return rates;
+}
+
+std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment) {
+    std::vector<double> targets_K;
+    for (const ObjectSpec& object : experiment.objects)
+        targets_K.push_back(object.target_K);
+    return targetVerdicts(rigGeometry(experiment), experiment.start, nominalRates(experiment, experiment.environment_K),
+                          targets_K);
+}
+
+SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
+    const SimulationSpec& simulation = experiment.simulation;
+    SimulatedRigConfig config;
+    config.source = experiment.source.disk;
+    config.sourceModel = experiment.source.model;
+    config.sourceEmittance = experiment.source.emittance;
+    config.sourceTemperature_K = experiment.source.temperature_K;
+    config.environment_K = experiment.environment_K;
+    config.convection_W_m2K = simulation.convection_W_m2K;
+    for (const ObjectSpec& object : experiment.objects)
+        config.objects.push_back({object.shape, object.mounting, object.material});
+    config.robot = {experiment.robot.free,          experiment.robot.lower,
+                    experiment.robot.upper,         experiment.robot.maxSpeed_m_s,
+                    experiment.robot.maxRotation_rad_s, simulation.robotStep_m,
+                    simulation.robotStep_rad,       experiment.start};
+    config.thermometer = {static_cast<int>(experiment.objects.size()),
+                          simulation.sensorNoise_K,
+                          simulation.sensorResolution_K,
+                          simulation.sensorOffset_K,
+                          simulation.sensorDelay_s,
+                          simulation.seed};
+    return config;
+}
+
+} // namespace bask

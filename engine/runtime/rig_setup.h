@@ -1,0 +1,27 @@
+#pragma once
+// From an experiment to what runs it: geometry, believed rates, the simulated rig, verdicts on the targets.
+
+#include "engine/control/controller.h"
+#include "engine/control/feasibility.h"
+#include "engine/session/experiment.h"
+#include "engine/simulation/simulated_rig.h"
+
+#include <memory>
+#include <vector>
+
+namespace bask {
+
+std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);
+
+/// Rates of the objects' materials at the source's set temperature and the given environment.
+std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K);
+
+/// The same, wrong by the experiment's random factors (seeded): where a controller starts.
+std::vector<HeatRates> believedRates(const Experiment& experiment, double environment_K);
+
+/// First feasibility condition for the experiment's targets. Takes some 0.1 s: run it as a job.
+std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment);
+
+SimulatedRigConfig simulatedRigConfig(const Experiment& experiment);
+
+} // namespace bask

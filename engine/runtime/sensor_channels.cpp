@@ -1,0 +1,99 @@
+#include "engine/runtime/sensor_channels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+constexpr double kLeastPlausible_K = 173.15; ///< -100 degC: an open or shorted sensor reads beyond these
+constexpr double kMostPlausible_K = 1273.15;
+constexpr double kStalePeriods = 3.0;
+constexpr double kAmbientSpread_K = 2.0;     ///< PT100 class B and noise
+constexpr double kAmbientDistance_K = 5.0;   ///< of the mean from the experiment's environment
+
+bool plausible(const Reading& reading) {
+    return reading.valid && std::isfinite(reading.value_K) && reading.value_K > kLeastPlausible_K &&
+           reading.value_K < kMostPlausible_K;
+}
+
+double mean(const std::vector<Reading>& window) {
+    double sum = 0.0;
+    for (const Reading& reading : window)
+        sum += reading.value_K;
+    return sum / static_cast<double>(window.size());
+}
+
+} // namespace
+
+SensorChannels::SensorChannels(std::size_t channels, const SamplingSpec& sampling) : m_sampling(sampling) {
+    for (std::size_t i = 0; i < channels; ++i)
+        m_channels.push_back({RateEstimator(sampling.window, sampling.order), {}, 0.0, false});
+}
+
+void SensorChannels::add(const std::vector<Reading>& readings) {
+    if (readings.size() != m_channels.size())
+        throw std::invalid_argument("SensorChannels: one reading a channel");
+    for (std::size_t i = 0; i < readings.size(); ++i) {
+        Channel& channel = m_channels[i];
+        channel.lastInvalid = !plausible(readings[i]);
+        if (channel.lastInvalid || !channel.estimator.add(readings[i].time_s, readings[i].value_K + channel.offset_K))
+            continue;
+        channel.window.push_back(readings[i]);
+        if (channel.window.size() > static_cast<std::size_t>(m_sampling.window))
+            channel.window.erase(channel.window.begin());
+    }
+}
+
+double SensorChannels::age_s(std::size_t i, double now_s) const {
+    const auto& window = m_channels[i].window;
+    return window.empty() ? std::numeric_limits<double>::infinity() : now_s - window.back().time_s;
+}
+
+bool SensorChannels::fresh(std::size_t i, double now_s) const {
+    return !m_channels[i].lastInvalid && age_s(i, now_s) <= kStalePeriods * m_sampling.period_s;
+}
+
+double SensorChannels::measured_K(std::size_t i) const {
+    const Channel& channel = m_channels[i];
+    return channel.window.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                  : channel.window.back().value_K + channel.offset_K;
+}
+
+bool SensorChannels::full() const {
+    return std::ranges::all_of(m_channels, [](const Channel& channel) { return channel.estimator.full(); });
+}
+
+int SensorChannels::leastCount() const {
+    int least = m_sampling.window;
+    for (const Channel& channel : m_channels)
+        least = std::min(least, channel.estimator.count());
+    return least;
+}
+
+bool SensorChannels::zero(double expectedEnvironment_K) {
+    if (!full())
+        return false;
+    double total = 0.0;
+    for (const Channel& channel : m_channels)
+        total += mean(channel.window);
+    const double common = total / static_cast<double>(m_channels.size());
+    if (std::abs(common - expectedEnvironment_K) > kAmbientDistance_K)
+        return false;
+    for (const Channel& channel : m_channels)
+        for (const Reading& reading : channel.window)
+            if (std::abs(reading.value_K - common) > kAmbientSpread_K)
+                return false;
+    for (Channel& channel : m_channels) {
+        channel.offset_K = common - mean(channel.window);
+        channel.estimator.reset();
+        for (const Reading& reading : channel.window)
+            channel.estimator.add(reading.time_s, reading.value_K + channel.offset_K);
+    }
+    m_environment_K = common;
+    return true;
+}
+
+} // namespace bask

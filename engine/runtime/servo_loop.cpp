@@ -1,0 +1,296 @@
+#include "engine/runtime/servo_loop.h"
+
+#include "engine/base/units.h"
+#include "engine/runtime/rig_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+const char* runStateName(RunState state) {
+    switch (state) {
+    case RunState::Idle:
+        return "Idle";
+    case RunState::NotReady:
+        return "Not ready";
+    case RunState::Ready:
+        return "Ready";
+    case RunState::Armed:
+        return "Armed";
+    case RunState::Running:
+        return "Running";
+    case RunState::Holding:
+        return "Holding";
+    case RunState::Settled:
+        return "Settled";
+    case RunState::Stopping:
+        return "Stopping";
+    case RunState::Stopped:
+        return "Stopped";
+    case RunState::Fault:
+        return "Fault";
+    }
+    return "";
+}
+
+ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock)
+    : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock), m_geometry(rigGeometry(experiment)),
+      m_sensors(experiment.objects.size(), experiment.sampling) {
+    m_coordinates = experiment.start;
+}
+
+ServoLoop::~ServoLoop() { makeSafe(); }
+
+bool ServoLoop::running() const {
+    return m_state == RunState::Running || m_state == RunState::Holding || m_state == RunState::Settled ||
+           m_state == RunState::Stopping;
+}
+
+double ServoLoop::runTime_s() const { return running() ? m_clock.now_s() - m_startTime_s : m_latest.time_s; }
+
+Error ServoLoop::refusal(const char* verb) const {
+    return Error(MessageCode::CommandNotNow, {}, {verb, runStateName(m_state)});
+}
+
+void ServoLoop::event(MessageCode code, std::vector<std::string> args) {
+    m_record.events.push_back({runTime_s(), {code, std::move(args)}});
+}
+
+void ServoLoop::command(const std::string& name, const std::string& value) {
+    m_record.commands.push_back({runTime_s(), name, value});
+}
+
+LoopRecord ServoLoop::takeRecord() { return std::exchange(m_record, {}); }
+
+void ServoLoop::makeSafe() {
+    // Failures of a dead link are known already; the device's own expiry acts then.
+    (void)m_devices.robot.halt();
+    (void)m_devices.source.heatOff();
+    m_latest.twist.setZero();
+}
+
+void ServoLoop::endRun(const std::string& outcome) {
+    m_outcome = outcome;
+    makeSafe();
+    m_controller.reset();
+}
+
+void ServoLoop::fault(Message reason) {
+    if (std::ranges::find(m_faults, reason) == m_faults.end()) {
+        event(MessageCode::EventFault, {describe(reason)});
+        m_faults.push_back(std::move(reason));
+    }
+    if (m_state != RunState::Fault)
+        endRun("fault");
+    m_state = RunState::Fault;
+}
+
+Result<void> ServoLoop::arm() {
+    if (m_state != RunState::Ready && m_state != RunState::Stopped)
+        return refusal("Arm");
+    if (!m_sensors.zeroed()) {
+        if (!m_sensors.zero(m_experiment.environment_K))
+            return Error(MessageCode::ReasonNotAtAmbient, {}, {formatNumber(celsiusFromKelvin(m_experiment.environment_K))});
+        event(MessageCode::EventZeroed);
+    }
+    m_latest.time_s = 0.0;
+    m_state = RunState::Armed;
+    command("arm");
+    event(MessageCode::EventArmed);
+    return {};
+}
+
+Result<void> ServoLoop::disarm() {
+    if (m_state != RunState::Armed)
+        return refusal("Disarm");
+    m_state = RunState::Ready;
+    command("disarm");
+    return {};
+}
+
+Result<void> ServoLoop::start(bool acceptInfeasible) {
+    if (m_state != RunState::Armed)
+        return refusal("Start");
+    if (!acceptInfeasible) {
+        const std::vector<TargetVerdict> verdicts = targetVerdicts(m_experiment);
+        for (std::size_t i = 0; i < verdicts.size(); ++i)
+            if (verdicts[i].verdict != FeasibilityVerdict::Reachable)
+                return Error(MessageCode::ReasonTargetInfeasible, {}, {m_experiment.objects[i].name});
+    }
+    m_startTime_s = m_clock.now_s();
+    m_withinBandSince_s = m_startTime_s;
+    m_compromise.clear();
+    m_compromiseTold = false;
+    m_outcome.clear();
+    ControlModel model;
+    model.geometry = m_geometry;
+    model.believed = believedRates(m_experiment, m_sensors.environment_K().value_or(m_experiment.environment_K));
+    for (const ObjectSpec& object : m_experiment.objects)
+        model.targets_K.push_back(object.target_K);
+    m_controller = makeController(m_experiment.controller, std::move(model));
+    m_state = RunState::Running;
+    command("start", acceptInfeasible ? R"({"accept_infeasible":true})" : "{}");
+    event(MessageCode::EventStarted);
+    // The first step is taken at once, on the readings just made.
+    control();
+    trace();
+    return {};
+}
+
+Result<void> ServoLoop::hold() {
+    if (m_state != RunState::Running && m_state != RunState::Settled)
+        return refusal("Hold");
+    m_state = RunState::Holding;
+    m_heldBySensor = false;
+    (void)m_devices.robot.halt();
+    m_latest.twist.setZero();
+    command("hold");
+    event(MessageCode::EventHeld);
+    return {};
+}
+
+Result<void> ServoLoop::resume() {
+    if (m_state != RunState::Holding)
+        return refusal("Resume");
+    for (std::size_t i = 0; i < m_sensors.size(); ++i)
+        if (!m_sensors.fresh(i, m_clock.now_s()))
+            return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
+    m_state = RunState::Running;
+    m_heldBySensor = false;
+    m_withinBandSince_s = m_clock.now_s();
+    command("resume");
+    event(MessageCode::EventResumed);
+    return {};
+}
+
+Result<void> ServoLoop::stop() {
+    if (m_state == RunState::Armed)
+        return disarm();
+    if (m_state != RunState::Running && m_state != RunState::Holding && m_state != RunState::Settled)
+        return refusal("Stop");
+    m_outcome = allWithinBand() ? "settled" : "stopped";
+    if (!allWithinBand())
+        event(MessageCode::EventNotSettled, {objectsOffTarget()});
+    m_state = RunState::Stopping;
+    (void)m_devices.source.heatOff();
+    command("stop");
+    event(MessageCode::EventStopped);
+    retreat(); // at once: the last velocity must not go on sideways
+    return {};
+}
+
+void ServoLoop::emergencyStop() {
+    command("emergency-stop");
+    event(MessageCode::EventEmergencyStop);
+    endRun("emergency-stop");
+    const Message reason{MessageCode::ReasonEmergencyStop, {}};
+    if (std::ranges::find(m_faults, reason) == m_faults.end())
+        m_faults.push_back(reason);
+    m_state = RunState::Fault;
+}
+
+Result<void> ServoLoop::reset() {
+    if (m_state != RunState::Fault)
+        return refusal("Reset");
+    m_faults.clear();
+    m_state = RunState::NotReady;
+    command("reset");
+    event(MessageCode::EventReset);
+    updateReadiness();
+    return {};
+}
+
+Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
+    Experiment changed = m_experiment;
+    if (const auto result = bask::setTargets(changed, targets_K); !result)
+        return result;
+    if (const auto result = validate(changed); !result)
+        return result;
+    m_experiment = std::move(changed);
+    if (m_controller)
+        m_controller->setTargets(targets_K);
+    m_withinBandSince_s = m_clock.now_s();
+    m_compromise.clear();
+    m_compromiseTold = false;
+    std::string value;
+    for (const double target_K : targets_K)
+        value += (value.empty() ? "" : ",") + formatNumber(target_K, 10);
+    command("targets", "{\"targets_K\":[" + value + "]}");
+    event(MessageCode::EventTargetsChanged);
+    return {};
+}
+
+Result<void> ServoLoop::setController(const ControllerSettings& settings) {
+    Experiment changed = m_experiment;
+    changed.controller = settings;
+    if (const auto result = validate(changed); !result)
+        return result;
+    const bool sameKind = settings.kind == m_experiment.controller.kind;
+    m_experiment = std::move(changed);
+    if (m_controller && sameKind) {
+        m_controller->setGains(settings);
+    } else if (m_controller) {
+        // Another kind takes over from what the last one had learnt.
+        ControlModel model;
+        model.geometry = m_geometry;
+        model.believed = m_belief;
+        for (const ObjectSpec& object : m_experiment.objects)
+            model.targets_K.push_back(object.target_K);
+        m_controller = makeController(settings, std::move(model));
+    }
+    command("controller", std::string("{\"kind\":\"") + controllerKindName(settings.kind) + "\"}");
+    event(MessageCode::EventGainsChanged);
+    return {};
+}
+
+void ServoLoop::addNote(const std::string& text) { m_record.notes.push_back({runTime_s(), text}); }
+
+std::vector<Message> ServoLoop::reasons() const {
+    if (m_state == RunState::Fault)
+        return m_faults;
+    std::vector<Message> out;
+    const double now_s = m_clock.now_s();
+    for (std::size_t i = 0; i < m_sensors.size(); ++i) {
+        const std::string& name = m_experiment.objects[i].name;
+        if (m_sensors.lastInvalid(i))
+            out.push_back({MessageCode::ReasonSensorInvalid, {name}});
+        else if (m_sensors.leastCount() > 0 && !m_sensors.fresh(i, now_s))
+            out.push_back({MessageCode::ReasonSensorStale, {name, formatNumber(m_sensors.age_s(i, now_s), 2)}});
+    }
+    if (m_state == RunState::NotReady && !m_sensors.full())
+        out.push_back({MessageCode::ReasonEstimatorFilling,
+                       {std::to_string(m_sensors.leastCount()), std::to_string(m_experiment.sampling.window)}});
+    if (m_state == RunState::Holding && !m_heldBySensor && out.empty())
+        out.push_back({MessageCode::ReasonHeldByOperator, {}});
+    if (!m_compromise.empty() && running())
+        out.push_back({MessageCode::EventCompromise, {m_compromise}});
+    return out;
+}
+
+bool ServoLoop::allWithinBand() const {
+    return !m_latest.objects.empty() && std::ranges::all_of(m_latest.objects, [](const ObjectSample& object) {
+        return std::abs(object.estimated_K - object.target_K) <= kSettledBand_K; // false when not a number
+    });
+}
+
+std::string ServoLoop::objectsOffTarget() const {
+    std::string words;
+    for (std::size_t i = 0; i < m_latest.objects.size(); ++i) {
+        const double error_K = m_latest.objects[i].estimated_K - m_latest.objects[i].target_K;
+        if (!(std::abs(error_K) <= kSettledBand_K))
+            words += (words.empty() ? "" : ", ") + m_experiment.objects[i].name + (error_K > 0.0 ? " +" : " ") +
+                     formatNumber(error_K, 2) + " K";
+    }
+    return words;
+}
+
+void ServoLoop::updateReadiness() {
+    if (m_state != RunState::NotReady && m_state != RunState::Ready)
+        return;
+    bool ready = m_sensors.full();
+    for (std::size_t i = 0; i < m_sensors.size(); ++i)
+        ready = ready && m_sensors.fresh(i, m_clock.now_s());
+    m_state = ready ? RunState::Ready : RunState::NotReady;
+}
+
+} // namespace bask

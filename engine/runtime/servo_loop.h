@@ -1,0 +1,118 @@
+#pragma once
+// The run's state machine and its loop: sensors in, controller, robot and heat out, every way out through one safe state.
+
+#include "engine/base/clock.h"
+#include "engine/control/controller.h"
+#include "engine/devices/heat_source.h"
+#include "engine/devices/robot.h"
+#include "engine/devices/thermometer.h"
+#include "engine/runtime/sensor_channels.h"
+#include "engine/runtime/snapshot.h"
+#include "engine/session/experiment.h"
+#include "engine/session/session_file.h"
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bask {
+
+/// The devices of a rig, borrowed for the loop's life.
+struct RigDevices {
+    Robot& robot;
+    Thermometer& thermometer;
+    HeatSource& source;
+    /// The plant's own temperatures, K, where the rig is simulated; empty function otherwise.
+    std::function<std::vector<double>()> truth;
+};
+
+/// What happened since it was last taken; nothing is dropped.
+struct LoopRecord {
+    std::vector<TraceSample> samples;
+    std::vector<TraceEvent> events;
+    std::vector<TraceNote> notes;
+    std::vector<CommandRow> commands;
+};
+
+/// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal in words when they do not fit the
+/// state. No exception leaves tick(): it becomes a fault with the heat off and the robot standing. One thread.
+class ServoLoop {
+public:
+    ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock);
+    ~ServoLoop();
+
+    void tick();
+
+    Result<void> arm();
+    Result<void> disarm();
+    Result<void> start(bool acceptInfeasible);
+    Result<void> hold();
+    Result<void> resume();
+    Result<void> stop();
+    void emergencyStop();
+    Result<void> reset();
+    Result<void> setTargets(const std::vector<double>& targets_K);
+    Result<void> setController(const ControllerSettings& settings);
+    void addNote(const std::string& text);
+    /// Safe state, latched: for failures that the loop does not see itself (the recorder).
+    void fault(Message reason);
+
+    RunState state() const { return m_state; }
+    std::vector<Message> reasons() const;
+    /// A run is on: from Start until it has stopped.
+    bool running() const;
+    double runTime_s() const;
+    const Experiment& experiment() const { return m_experiment; }
+    const TraceSample& latest() const { return m_latest; }
+    double sampleTime_s() const { return m_sampleTime_s; }
+    bool heatOn() const { return m_devices.source.heating(); }
+    bool allWithinBand() const;
+    /// "settled", "stopped", "emergency-stop" or "fault": of the last run.
+    const std::string& outcome() const { return m_outcome; }
+
+    LoopRecord takeRecord();
+
+private:
+    void readSensors();
+    void readRobotAndSource();
+    void watchSensors();
+    void control();
+    void keepHeating();
+    void retreat();
+    void noteSettling();
+    void noteCompromise(const ControlOutput& output);
+    void makeSafe();
+    void endRun(const std::string& outcome);
+    void updateReadiness();
+    void trace();
+    void event(MessageCode code, std::vector<std::string> args = {});
+    void command(const std::string& name, const std::string& value = {});
+    Error refusal(const char* verb) const;
+    std::string objectsOffTarget() const; ///< "circle +1.2 K, hand -0.8 K"
+
+    Experiment m_experiment;
+    RigDevices m_devices;
+    const Clock& m_clock;
+    std::shared_ptr<const RigGeometry> m_geometry;
+    SensorChannels m_sensors;
+    std::unique_ptr<Controller> m_controller;
+
+    RunState m_state = RunState::NotReady;
+    std::vector<Message> m_faults;     ///< latched
+    bool m_heldBySensor = false;
+    double m_heldSince_s = 0.0;
+    double m_withinBandSince_s = 0.0;
+    std::string m_compromise;          ///< predicted errors of the compromise aimed at; empty: none
+    bool m_compromiseTold = false;
+    double m_startTime_s = 0.0;
+    double m_sourceStrength = 1.0;
+    Vector6d m_coordinates = Vector6d::Zero();
+    TraceSample m_latest;
+    double m_sampleTime_s = 0.0;
+    std::vector<HeatRates> m_belief;   ///< of the controller, after its last step
+    std::string m_outcome;
+    LoopRecord m_record;
+};
+
+} // namespace bask

@@ -1,0 +1,194 @@
+// One sampling period of the servo loop: read, watch, control, record.
+
+#include "engine/control/velocity_solve.h"
+#include "engine/runtime/servo_loop.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr double kHeldLimit_s = 15.0;    ///< a lost sensor holds this long, then the run ends with a retreat
+constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
+constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after this many periods
+constexpr double kHeatPeriods = 3.0;     ///< heat goes off by itself after this many periods
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+} // namespace
+
+void ServoLoop::tick() {
+    try {
+        readSensors();
+        readRobotAndSource();
+        if (running())
+            watchSensors();
+        if (m_state == RunState::Running || m_state == RunState::Settled)
+            control();
+        else if (m_state == RunState::Stopping)
+            retreat();
+        else if (m_state == RunState::Fault)
+            makeSafe();
+        if (m_state == RunState::Holding)
+            keepHeating();
+        trace();
+        updateReadiness();
+    } catch (const std::exception& exception) {
+        fault({MessageCode::ReasonInternalFault, {exception.what()}});
+    }
+}
+
+void ServoLoop::readSensors() {
+    const auto readings = m_devices.thermometer.read();
+    if (readings)
+        m_sensors.add(*readings);
+    m_sampleTime_s = m_clock.now_s();
+    const double now_s = m_clock.now_s();
+    m_latest.objects.resize(m_sensors.size());
+    const std::vector<double> truth = m_devices.truth ? m_devices.truth() : std::vector<double>();
+    for (std::size_t i = 0; i < m_sensors.size(); ++i) {
+        ObjectSample& object = m_latest.objects[i];
+        object.valid = m_sensors.fresh(i, now_s);
+        object.measured_K = object.valid ? m_sensors.measured_K(i) : kNaN;
+        const auto estimate = object.valid ? m_sensors.estimate(i) : std::nullopt;
+        object.estimated_K = estimate ? estimate->temperature_K : kNaN;
+        object.rate_K_s = estimate ? estimate->rate_K_s : kNaN;
+        object.target_K = m_experiment.objects[i].target_K;
+        object.true_K = i < truth.size() ? truth[i] : kNaN;
+        object.lambda1 = i < m_belief.size() ? m_belief[i].lambda1 : kNaN;
+        object.lambda2 = i < m_belief.size() ? m_belief[i].lambda2 : kNaN;
+    }
+}
+
+void ServoLoop::readRobotAndSource() {
+    const auto robot = m_devices.robot.state();
+    if (robot) {
+        m_coordinates = robot->coordinates;
+        m_latest.coordinates = m_coordinates;
+        const Eigen::VectorXd F = m_geometry->viewFactorsFast(m_coordinates);
+        for (std::size_t i = 0; i < m_latest.objects.size(); ++i)
+            m_latest.objects[i].viewFactor = F[static_cast<Eigen::Index>(i)];
+    } else {
+        fault(robot.error().message);
+    }
+    const auto source = m_devices.source.read();
+    if (!source) {
+        fault(source.error().message);
+    } else if (source->valid) {
+        m_latest.source_K = source->value_K;
+        const SourceSpec& spec = m_experiment.source;
+        const double T3 = m_sensors.environment_K().value_or(m_experiment.environment_K);
+        m_sourceStrength = netSourcePower_W_m2(spec.model, source->value_K, spec.emittance, T3) /
+                           netSourcePower_W_m2(spec.model, spec.temperature_K, spec.emittance, T3);
+    }
+}
+
+void ServoLoop::watchSensors() {
+    if (m_state == RunState::Stopping)
+        return;
+    bool lost = false;
+    for (std::size_t i = 0; i < m_sensors.size(); ++i)
+        lost = lost || !m_sensors.fresh(i, m_clock.now_s());
+    if (lost && m_state != RunState::Holding) {
+        (void)hold();
+        m_heldBySensor = true;
+        m_heldSince_s = m_clock.now_s();
+    } else if (lost && m_heldBySensor && m_clock.now_s() - m_heldSince_s > kHeldLimit_s) {
+        (void)stop();
+    }
+}
+
+void ServoLoop::keepHeating() {
+    if (const auto result = m_devices.source.keepHeating(m_experiment.source.temperature_K,
+                                                         kHeatPeriods * m_experiment.sampling.period_s);
+        !result)
+        fault(result.error().message);
+}
+
+void ServoLoop::control() {
+    keepHeating();
+    if (m_state == RunState::Fault || !m_sensors.full() || !(m_sourceStrength > 0.0))
+        return;
+    Observation observation;
+    observation.time_s = m_clock.now_s() - m_startTime_s;
+    observation.coordinates = m_coordinates;
+    observation.sourceStrength = m_sourceStrength;
+    for (const ObjectSample& object : m_latest.objects)
+        observation.objects.push_back({object.estimated_K, object.rate_K_s});
+    const double period_s = m_experiment.sampling.period_s;
+    const ControlOutput output = m_controller->step(observation, period_s);
+
+    m_belief = output.belief;
+    m_latest.smallestSingularValue = output.smallestSingularValue;
+    m_latest.limited = output.limited;
+    m_latest.twist.head<3>() = output.rates.head<3>();
+    m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * output.rates.tail<3>();
+    if (const auto result = m_devices.robot.setTwist(m_latest.twist, kVelocityPeriods * period_s); !result)
+        fault(result.error().message);
+    noteSettling();
+    noteCompromise(output);
+}
+
+void ServoLoop::noteSettling() {
+    const double now_s = m_clock.now_s();
+    if (!allWithinBand()) {
+        m_withinBandSince_s = now_s;
+        if (m_state == RunState::Settled)
+            m_state = RunState::Running;
+    } else if (m_state == RunState::Running && now_s - m_withinBandSince_s >= kSettledAfter_s) {
+        m_state = RunState::Settled;
+        event(MessageCode::EventSettled);
+    }
+}
+
+void ServoLoop::noteCompromise(const ControlOutput& output) {
+    m_compromise.clear();
+    for (std::size_t i = 0; i < output.compromise_K.size(); ++i) {
+        const double error_K = output.compromise_K[i] - m_experiment.objects[i].target_K;
+        m_compromise += (i == 0 ? "" : ", ") + m_experiment.objects[i].name + (error_K > 0.0 ? " +" : " ") +
+                        formatNumber(error_K, 2) + " K";
+    }
+    if (!m_compromise.empty() && !m_compromiseTold) {
+        event(MessageCode::EventCompromise, {m_compromise});
+        m_compromiseTold = true;
+    }
+}
+
+void ServoLoop::retreat() {
+    // Up first, then level: never sideways near the source.
+    const RobotLimits& limits = m_experiment.robot;
+    constexpr double kThere = 1e-3;
+    Vector6d goal = m_coordinates;
+    if (limits.free[kZ] && limits.upper[kZ] - m_coordinates[kZ] > kThere) {
+        goal[kZ] = limits.upper[kZ];
+    } else {
+        for (int k = kThetaX; k <= kThetaZ; ++k)
+            if (limits.free[static_cast<std::size_t>(k)])
+                goal[k] = std::clamp(0.0, limits.lower[k], limits.upper[k]);
+    }
+    const double period_s = m_experiment.sampling.period_s;
+    if ((goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere) {
+        const std::string outcome = m_outcome;
+        trace();
+        endRun(outcome);
+        m_latest.time_s = m_clock.now_s() - m_startTime_s;
+        m_state = RunState::Stopped;
+        return;
+    }
+    const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, goal, period_s).rates;
+    m_latest.twist.head<3>() = rates.head<3>();
+    m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * rates.tail<3>();
+    if (const auto result = m_devices.robot.setTwist(m_latest.twist, kVelocityPeriods * period_s); !result)
+        fault(result.error().message);
+}
+
+void ServoLoop::trace() {
+    if (!running())
+        return;
+    m_latest.time_s = m_clock.now_s() - m_startTime_s;
+    m_record.samples.push_back(m_latest);
+}
+
+} // namespace bask

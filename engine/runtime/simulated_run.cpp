@@ -1,0 +1,132 @@
+#include "engine/runtime/simulated_run.h"
+
+#include "engine/runtime/rig_setup.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+/// Keeps, sample by sample, since when each object's true temperature has been within the band.
+class SettlingWatch {
+public:
+    explicit SettlingWatch(std::size_t objects) : m_since_s(objects) {}
+
+    void add(const TraceSample& sample) {
+        for (std::size_t i = 0; i < m_since_s.size(); ++i) {
+            const ObjectSample& object = sample.objects[i];
+            if (std::abs(object.true_K - object.target_K) > kSettledBand_K)
+                m_since_s[i].reset();
+            else if (!m_since_s[i])
+                m_since_s[i] = sample.time_s;
+        }
+    }
+    std::optional<double> since_s(std::size_t i) const { return m_since_s[i]; }
+    bool allFor(double duration_s, double now_s) const {
+        return std::ranges::all_of(m_since_s,
+                                   [&](const auto& since) { return since && now_s - *since >= duration_s; });
+    }
+
+private:
+    std::vector<std::optional<double>> m_since_s;
+};
+
+Result<void> record(SessionWriter* writer, const LoopRecord& rows) {
+    if (!writer)
+        return {};
+    Result<void> result;
+    const auto addAll = [&](const auto& list) {
+        for (const auto& row : list)
+            if (result.ok())
+                result = writer->add(row);
+    };
+    addAll(rows.samples);
+    addAll(rows.events);
+    addAll(rows.notes);
+    addAll(rows.commands);
+    return result;
+}
+
+/// Advances rig and loop together by whole periods.
+class Drive {
+public:
+    Drive(const Experiment& experiment, SimulatedRig& rig)
+        : m_period_s(experiment.sampling.period_s), m_rig(rig),
+          m_loop(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), [&rig] { return rig.trueTemperatures_K(); }},
+                 rig.clock()) {}
+
+    ServoLoop& loop() { return m_loop; }
+    void period() {
+        m_rig.advance(m_period_s);
+        m_loop.tick();
+    }
+
+private:
+    double m_period_s;
+    SimulatedRig& m_rig;
+    ServoLoop m_loop;
+};
+
+} // namespace
+
+Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options) {
+    if (const auto valid = validate(experiment); !valid)
+        return valid.error();
+    std::unique_ptr<SessionWriter> writer;
+    if (!options.sessionPath.empty()) {
+        auto created = SessionWriter::create(options.sessionPath, experiment, true);
+        if (!created)
+            return created.error();
+        writer = std::move(*created);
+    }
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    Drive drive(experiment, rig);
+    ServoLoop& loop = drive.loop();
+    for (int i = 0; i < experiment.sampling.window && loop.state() != RunState::Ready; ++i)
+        drive.period();
+    if (const auto armed = loop.arm(); !armed)
+        return armed.error();
+    if (const auto started = loop.start(true); !started)
+        return started.error();
+
+    RunOutcome outcome;
+    SettlingWatch watch(experiment.objects.size());
+    const double limit_s = options.duration_s.value_or(experiment.simulation.durationLimit_s);
+    const double end_s = limit_s - 0.5 * experiment.sampling.period_s;
+    TraceSample last;
+    while (true) {
+        LoopRecord rows = loop.takeRecord();
+        if (const auto written = record(writer.get(), rows); !written)
+            return written.error();
+        for (const TraceSample& sample : rows.samples) {
+            watch.add(sample);
+            last = sample;
+            if (options.progress)
+                options.progress(sample.time_s, sample);
+        }
+        std::ranges::move(rows.events, std::back_inserter(outcome.events));
+        const bool settledLongEnough = !options.duration_s && watch.allFor(kSettledFor_s, last.time_s);
+        if (loop.state() == RunState::Fault || last.time_s >= end_s || settledLongEnough)
+            break;
+        drive.period();
+    }
+
+    outcome.fault = loop.state() == RunState::Fault;
+    outcome.simulated_s = last.time_s;
+    outcome.settled = !outcome.fault;
+    const double heldFor_s = std::min(kHeldFor_s, last.time_s);
+    for (std::size_t i = 0; i < last.objects.size(); ++i) {
+        const ObjectSample& object = last.objects[i];
+        outcome.objects.push_back({experiment.objects[i].name, object.target_K, object.true_K, watch.since_s(i)});
+        outcome.settled = outcome.settled && watch.since_s(i) && last.time_s - *watch.since_s(i) >= heldFor_s;
+    }
+    if (writer) {
+        const char* words = outcome.fault ? "fault" : outcome.settled ? "settled" : "not-settled";
+        if (const auto finished = writer->finish(words); !finished)
+            return finished.error();
+    }
+    return outcome;
+}
+
+} // namespace bask

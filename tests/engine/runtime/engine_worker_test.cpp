@@ -1,0 +1,148 @@
+// The worker on a thread of its own, as the GUI uses it.
+
+#include "engine/base/units.h"
+#include "engine/runtime/engine_worker.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QThread>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+Experiment oneDisk() {
+    Experiment experiment;
+    experiment.title = "one disk";
+    ObjectSpec object;
+    object.name = "disk";
+    object.shape = Disk{0.015};
+    object.material = {"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
+    object.target_K = kelvinFromCelsius(35.0);
+    experiment.objects.push_back(object);
+    experiment.sampling.period_s = 0.5;
+    return experiment;
+}
+
+/// Worker on its thread, with everything it published.
+class Rig : public QObject {
+public:
+    Rig() {
+        m_worker.moveToThread(&m_thread);
+        connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
+        connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
+            last = snapshot;
+            if (snapshot.refusal.code != MessageCode::None)
+                refusal = snapshot.refusal;
+            samples += snapshot.newSamples.size();
+            inOrder = inOrder && snapshot.sequence == m_sequence + 1;
+            m_sequence = snapshot.sequence;
+        });
+        m_thread.start();
+    }
+    ~Rig() override {
+        QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
+        m_thread.quit();
+        m_thread.wait();
+    }
+    void send(const Command& command) {
+        QMetaObject::invokeMethod(&m_worker, [this, command] { m_worker.post(command); });
+    }
+    template <class Condition> bool waitFor(Condition condition, int limit_ms = 20000) {
+        QElapsedTimer timer;
+        timer.start();
+        while (!condition() && timer.elapsed() < limit_ms)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+        return condition();
+    }
+    bool reaches(RunState state) {
+        return waitFor([&] { return last.state == state; });
+    }
+
+    Snapshot last;
+    Message refusal;
+    std::size_t samples = 0;
+    bool inOrder = true;
+
+private:
+    QThread m_thread;
+    EngineWorker m_worker;
+    std::uint64_t m_sequence = 0;
+};
+
+} // namespace
+
+TEST(EngineWorker, RunsRecordsAndDropsNoSample) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("run.bask").toStdString();
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{path});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(AddNote{"hello"});
+    ASSERT_TRUE(rig.reaches(RunState::Settled));
+    rig.send(Stop{});
+    ASSERT_TRUE(rig.reaches(RunState::Stopped));
+    EXPECT_TRUE(rig.inOrder);
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    EXPECT_EQ(session->samples.size(), rig.samples);
+    EXPECT_EQ(session->outcome, "settled");
+    ASSERT_EQ(session->notes.size(), 1U);
+    EXPECT_EQ(session->notes[0].text, "hello");
+    EXPECT_TRUE(session->simulated);
+}
+
+TEST(EngineWorker, RefusesABadExperimentAndKeepsTheOneThatRuns) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    Experiment bad = oneDisk();
+    bad.objects[0].material.emittance = 3.0;
+    rig.send(LoadExperiment{bad});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::ValueOutOfRange; }));
+    EXPECT_EQ(rig.last.state, RunState::Ready);
+    rig.send(Arm{});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::SessionAlreadyRunning; }));
+    EXPECT_EQ(rig.last.state, RunState::Running);
+}
+
+TEST(EngineWorker, AnUnwritableRecordingIsRefusedBeforeTheRun) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{"/nowhere/at/all/run.bask"});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code != MessageCode::None; }));
+    EXPECT_TRUE(rig.reaches(RunState::Ready));
+}
+
+TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(SimulateFault{SimulatedFault::SourceLost});
+    ASSERT_TRUE(rig.reaches(RunState::Fault));
+    ASSERT_FALSE(rig.last.reasons.empty());
+    EXPECT_FALSE(rig.last.heatOn);
+    rig.send(SimulateFault{SimulatedFault::None});
+    rig.send(Reset{});
+    EXPECT_TRUE(rig.reaches(RunState::Ready));
+}
+
+} // namespace bask

@@ -1,0 +1,63 @@
+#include "engine/runtime/sensor_channels.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace bask {
+namespace {
+
+SensorChannels filled(std::vector<double> values_K) {
+    SensorChannels channels(values_K.size(), SamplingSpec());
+    for (int t = 0; t < 10; ++t) {
+        std::vector<Reading> readings;
+        for (const double value_K : values_K)
+            readings.push_back({static_cast<double>(t), value_K, true});
+        channels.add(readings);
+    }
+    return channels;
+}
+
+} // namespace
+
+TEST(SensorChannels, ZeroingMakesAllAgreeAtTheirMean) {
+    SensorChannels channels = filled({298.0, 298.4, 298.5});
+    ASSERT_TRUE(channels.zero(298.15));
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_NEAR(channels.measured_K(i), 298.3, 1e-9);
+        EXPECT_NEAR(channels.estimate(i)->temperature_K, 298.3, 1e-9);
+    }
+    EXPECT_NEAR(*channels.environment_K(), 298.3, 1e-9);
+}
+
+TEST(SensorChannels, DoesNotZeroOnWarmObjectsOrABadSensor) {
+    EXPECT_FALSE(filled({312.0, 312.0}).zero(298.15));  // still warm from the last run
+    EXPECT_FALSE(filled({298.0, 304.0}).zero(298.15));  // one is not at ambient
+    SensorChannels half(1, SamplingSpec());
+    half.add({{0.0, 298.0, true}});
+    EXPECT_FALSE(half.zero(298.15));
+}
+
+TEST(SensorChannels, BadReadingsNeverEnterAndAreTold) {
+    SensorChannels channels = filled({300.0});
+    for (const Reading& bad : {Reading{10.0, 300.0, false}, Reading{10.0, std::numeric_limits<double>::quiet_NaN(), true},
+                               Reading{10.0, 26.0, true} /* -247 degC: a dead interface */, Reading{10.0, 1300.0, true}}) {
+        channels.add({bad});
+        EXPECT_TRUE(channels.lastInvalid(0));
+        EXPECT_FALSE(channels.fresh(0, 10.0));
+        EXPECT_EQ(channels.measured_K(0), 300.0);
+    }
+    channels.add({{11.0, 300.5, true}});
+    EXPECT_TRUE(channels.fresh(0, 11.0));
+}
+
+TEST(SensorChannels, ARepeatedReadingGrowsStaleAfterThreePeriods) {
+    SensorChannels channels = filled({300.0});
+    for (double now_s = 10.0; now_s < 14.0; now_s += 1.0)
+        channels.add({{9.0, 300.0, true}}); // the device repeats its last answer
+    EXPECT_TRUE(channels.fresh(0, 12.0));
+    EXPECT_FALSE(channels.fresh(0, 12.5));
+    EXPECT_NEAR(channels.age_s(0, 12.5), 3.5, 1e-9);
+}
+
+} // namespace bask

@@ -1,0 +1,225 @@
+// The state machine and its safe state, on the simulated rig with its manual clock.
+
+#include "engine/base/units.h"
+#include "engine/runtime/rig_setup.h"
+#include "engine/runtime/servo_loop.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+Experiment twoDisks() {
+    Experiment experiment;
+    experiment.title = "two disks";
+    for (const double y : {-0.04, 0.04}) {
+        ObjectSpec object;
+        object.name = y < 0.0 ? "left" : "right";
+        object.shape = Disk{0.015};
+        object.material = {"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
+        object.mounting[kY] = y;
+        object.target_K = kelvinFromCelsius(35.0);
+        experiment.objects.push_back(object);
+    }
+    return experiment;
+}
+
+class ServoLoopTest : public ::testing::Test {
+protected:
+    Experiment experiment = twoDisks();
+    SimulatedRig rig{simulatedRigConfig(experiment)};
+    ServoLoop loop{experiment,
+                   {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); }},
+                   rig.clock()};
+
+    void periods(int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    }
+    void startRun() {
+        periods(10);
+        ASSERT_TRUE(loop.arm());
+        ASSERT_TRUE(loop.start(false));
+    }
+    bool reasonGiven(MessageCode code) const {
+        return std::ranges::any_of(loop.reasons(), [&](const Message& reason) { return reason.code == code; });
+    }
+    bool eventSeen(MessageCode code) {
+        const LoopRecord rows = loop.takeRecord();
+        return std::ranges::any_of(rows.events, [&](const TraceEvent& event) { return event.message.code == code; });
+    }
+};
+
+} // namespace
+
+TEST_F(ServoLoopTest, IsNotReadyUntilTheEstimatorsAreFull) {
+    periods(9);
+    EXPECT_EQ(loop.state(), RunState::NotReady);
+    EXPECT_TRUE(reasonGiven(MessageCode::ReasonEstimatorFilling));
+    EXPECT_FALSE(loop.arm());
+    periods(1);
+    EXPECT_EQ(loop.state(), RunState::Ready);
+    EXPECT_TRUE(loop.arm());
+}
+
+TEST_F(ServoLoopTest, NothingMovesOrHeatsBeforeStart) {
+    periods(10);
+    ASSERT_TRUE(loop.arm());
+    periods(20);
+    EXPECT_EQ(rig.simulatedRobot().coordinates(), experiment.start);
+    EXPECT_FALSE(loop.heatOn());
+    EXPECT_NEAR(rig.trueTemperatures_K()[0], experiment.environment_K, 1e-6);
+}
+
+TEST_F(ServoLoopTest, VerbsThatDoNotFitTheStateAreRefusedInWords) {
+    const auto refused = loop.start(false);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(describe(refused.error()), "\"Start\" cannot be done in the state \"Not ready\"");
+    EXPECT_FALSE(loop.hold());
+    EXPECT_FALSE(loop.resume());
+    EXPECT_FALSE(loop.stop());
+    EXPECT_FALSE(loop.reset());
+}
+
+TEST_F(ServoLoopTest, RunsSettlesAndStopsWithARetreat) {
+    startRun();
+    periods(150);
+    EXPECT_EQ(loop.state(), RunState::Settled);
+    EXPECT_TRUE(eventSeen(MessageCode::EventSettled));
+    ASSERT_TRUE(loop.stop());
+    EXPECT_EQ(loop.state(), RunState::Stopping);
+    EXPECT_FALSE(loop.heatOn());
+    const Vector6d at = rig.simulatedRobot().coordinates();
+    periods(2);
+    const Vector6d later = rig.simulatedRobot().coordinates();
+    EXPECT_GT(later[kZ], at[kZ]);              // up first ...
+    EXPECT_NEAR(later[kX], at[kX], 1e-9);      // ... never sideways
+    periods(40);
+    EXPECT_EQ(loop.state(), RunState::Stopped);
+    EXPECT_EQ(loop.outcome(), "settled");
+    EXPECT_NEAR(rig.simulatedRobot().coordinates()[kZ], experiment.robot.upper[kZ], 2e-3);
+    EXPECT_NEAR(rig.simulatedRobot().coordinates()[kThetaX], 0.0, 2e-3);
+}
+
+TEST_F(ServoLoopTest, HoldStandsStillAndResumeGoesOn) {
+    startRun();
+    periods(3);
+    ASSERT_TRUE(loop.hold());
+    const Vector6d at = rig.simulatedRobot().coordinates();
+    periods(5);
+    EXPECT_EQ(rig.simulatedRobot().coordinates(), at);
+    EXPECT_TRUE(loop.heatOn());
+    ASSERT_TRUE(loop.resume());
+    periods(3);
+    EXPECT_NE(rig.simulatedRobot().coordinates(), at);
+}
+
+TEST_F(ServoLoopTest, ALostSensorHoldsAndThenEndsTheRunWithARetreat) {
+    startRun();
+    periods(5);
+    rig.simulatedThermometer().setLost(1, true);
+    periods(1);
+    EXPECT_EQ(loop.state(), RunState::Holding);
+    EXPECT_TRUE(reasonGiven(MessageCode::ReasonSensorInvalid));
+    EXPECT_TRUE(std::isnan(loop.latest().objects[1].measured_K)); // shown as invalid, never as 0
+    EXPECT_FALSE(loop.resume());
+    periods(16);
+    EXPECT_EQ(loop.state(), RunState::Stopping);
+    EXPECT_FALSE(loop.heatOn());
+}
+
+TEST_F(ServoLoopTest, ASensorThatComesBackAllowsResume) {
+    startRun();
+    periods(5);
+    rig.simulatedThermometer().setLost(0, true);
+    periods(3);
+    rig.simulatedThermometer().setLost(0, false);
+    periods(2);
+    EXPECT_EQ(loop.state(), RunState::Holding); // never by itself
+    EXPECT_TRUE(loop.resume());
+}
+
+TEST_F(ServoLoopTest, ALostRobotIsAFaultWithTheHeatOff) {
+    startRun();
+    periods(5);
+    rig.simulatedRobot().setLinkLost(true);
+    periods(1);
+    EXPECT_EQ(loop.state(), RunState::Fault);
+    EXPECT_FALSE(loop.heatOn());
+    EXPECT_TRUE(reasonGiven(MessageCode::ReasonRobotLost));
+    rig.simulatedRobot().setLinkLost(false);
+    periods(5);
+    EXPECT_EQ(loop.state(), RunState::Fault); // latched
+    ASSERT_TRUE(loop.reset());
+    periods(2);
+    EXPECT_EQ(loop.state(), RunState::Ready); // never restarts
+}
+
+TEST_F(ServoLoopTest, EmergencyStopActsAtOnceAndLatches) {
+    startRun();
+    periods(5);
+    loop.emergencyStop();
+    const Vector6d at = rig.simulatedRobot().coordinates();
+    EXPECT_FALSE(loop.heatOn());
+    periods(10);
+    EXPECT_EQ(rig.simulatedRobot().coordinates(), at);
+    EXPECT_EQ(loop.state(), RunState::Fault);
+    EXPECT_EQ(loop.outcome(), "emergency-stop");
+    EXPECT_FALSE(loop.arm());
+}
+
+TEST_F(ServoLoopTest, AnEngineThatDiesLeavesRobotAndHeatToExpire) {
+    startRun();
+    periods(4);
+    rig.advance(10.0); // no tick: the engine is dead
+    const Vector6d at = rig.simulatedRobot().coordinates();
+    EXPECT_FALSE(rig.heatSource().heating());
+    rig.advance(10.0);
+    EXPECT_EQ(rig.simulatedRobot().coordinates(), at);
+}
+
+TEST_F(ServoLoopTest, AnUnreachableTargetNeedsAnExplicitYes) {
+    periods(10);
+    ASSERT_TRUE(loop.setTargets({kelvinFromCelsius(35.0), kelvinFromCelsius(120.0)}));
+    ASSERT_TRUE(loop.arm());
+    const auto refused = loop.start(false);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::ReasonTargetInfeasible);
+    EXPECT_TRUE(loop.start(true));
+}
+
+TEST_F(ServoLoopTest, TargetsAndControllerChangeDuringARun) {
+    startRun();
+    periods(60);
+    ASSERT_TRUE(loop.setTargets({kelvinFromCelsius(38.0), kelvinFromCelsius(33.0)}));
+    EXPECT_FALSE(loop.setTargets({300.0}));
+    ControllerSettings settings = experiment.controller;
+    settings.levelServo.timeConstant_s = 12.0;
+    ASSERT_TRUE(loop.setController(settings));
+    periods(400);
+    EXPECT_NEAR(rig.trueTemperatures_K()[0], kelvinFromCelsius(38.0), 0.5);
+    EXPECT_NEAR(rig.trueTemperatures_K()[1], kelvinFromCelsius(33.0), 0.5);
+    settings.kind = ControllerKind::Adaptive;
+    ASSERT_TRUE(loop.setController(settings));
+    periods(20);
+    EXPECT_NE(loop.state(), RunState::Fault);
+    settings.levelServo.timeConstant_s = -1.0;
+    EXPECT_FALSE(loop.setController(settings));
+}
+
+TEST_F(ServoLoopTest, SamplesAreRecordedOncePerPeriodFromStart) {
+    startRun();
+    periods(20);
+    const LoopRecord rows = loop.takeRecord();
+    ASSERT_EQ(rows.samples.size(), 21U);
+    for (std::size_t k = 0; k < rows.samples.size(); ++k)
+        EXPECT_NEAR(rows.samples[k].time_s, static_cast<double>(k), 1e-9);
+    EXPECT_TRUE(loop.takeRecord().samples.empty());
+}
+
+} // namespace bask
