@@ -1,5 +1,6 @@
 #pragma once
-// Headless subcommands of the one binary: figures on standard output, progress and messages on standard error.
+// Headless subcommands of the one binary: figures on standard output, progress and messages on standard
+// error.
 
 #include <QStringList>
 

@@ -10,7 +10,8 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
                                 int positionals) {
     const QString program = QStringLiteral("bask ") + name;
     if (!parser.parse(QStringList(program) + arguments)) {
-        std::fprintf(stderr, "bask %s: %s (see bask %s --help)\n", name, qPrintable(parser.errorText()), name);
+        std::fprintf(stderr, "bask %s: %s (see bask %s --help)\n", name, qPrintable(parser.errorText()),
+                     name);
         return kExitBadInput;
     }
     if (parser.isSet("help")) {
@@ -23,8 +24,9 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
         return kExitDone;
     }
     if (parser.positionalArguments().size() != positionals) {
-        std::fprintf(stderr, "bask %s: %d argument%s expected, %d given (see bask %s --help)\n", name, positionals,
-                     positionals == 1 ? "" : "s", static_cast<int>(parser.positionalArguments().size()), name);
+        std::fprintf(stderr, "bask %s: %d argument%s expected, %d given (see bask %s --help)\n", name,
+                     positionals, positionals == 1 ? "" : "s",
+                     static_cast<int>(parser.positionalArguments().size()), name);
         return kExitBadInput;
     }
     return std::nullopt;

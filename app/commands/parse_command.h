@@ -7,7 +7,8 @@
 
 namespace bask {
 
-/// Parses a subcommand's arguments. An exit code means: done (help was printed) or refused (said on standard error).
+/// Parses a subcommand's arguments. An exit code means: done (help was printed) or refused (said on standard
+/// error).
 std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
                                 int positionals);
 

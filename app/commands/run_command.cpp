@@ -26,7 +26,8 @@ struct Request {
 };
 
 Error badValue(const QString& option, const QString& value, const char* expected) {
-    return Error(MessageCode::JsonWrongType, "--" + option.toStdString(), {expected, "\"" + value.toStdString() + "\""});
+    return Error(MessageCode::JsonWrongType, "--" + option.toStdString(),
+                 {expected, "\"" + value.toStdString() + "\""});
 }
 
 Result<std::vector<double>> parseTargets(const QString& text) {
@@ -63,7 +64,8 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     if (parser.isSet("duration")) {
         const double duration_s = parser.value("duration").toDouble(&ok);
         if (!ok || !(duration_s >= request.experiment.sampling.period_s) || duration_s > 1e7)
-            return badValue("duration", parser.value("duration"), "seconds, at least one sampling period and at most 1e7,");
+            return badValue("duration", parser.value("duration"),
+                            "seconds, at least one sampling period and at most 1e7,");
         request.options.duration_s = duration_s;
     }
     if (const auto valid = validate(request.experiment); !valid)
@@ -82,7 +84,8 @@ std::string summaryJson(const RunOutcome& outcome, double wall_s) {
         row["target_C"] = celsiusFromKelvin(object.target_K);
         row["final_C"] = celsiusFromKelvin(object.final_K);
         row["error_K"] = object.final_K - object.target_K;
-        row["settling_time_s"] = object.settlingTime_s ? nlohmann::ordered_json(*object.settlingTime_s) : nullptr;
+        row["settling_time_s"] =
+            object.settlingTime_s ? nlohmann::ordered_json(*object.settlingTime_s) : nullptr;
         summary["objects"].push_back(std::move(row));
     }
     summary["settled"] = outcome.settled;
@@ -95,8 +98,9 @@ void printOutcome(const RunOutcome& outcome, double wall_s) {
     std::printf("%-16s %10s %10s %9s %12s\n", "object", "target_C", "final_C", "error_K", "settled_at_s");
     for (const ObjectOutcome& object : outcome.objects) {
         const std::string settled = object.settlingTime_s ? formatNumber(*object.settlingTime_s, 6) : "never";
-        std::printf("%-16s %10.2f %10.2f %+9.2f %12s\n", object.name.c_str(), celsiusFromKelvin(object.target_K),
-                    celsiusFromKelvin(object.final_K), object.final_K - object.target_K, settled.c_str());
+        std::printf("%-16s %10.2f %10.2f %+9.2f %12s\n", object.name.c_str(),
+                    celsiusFromKelvin(object.target_K), celsiusFromKelvin(object.final_K),
+                    object.final_K - object.target_K, settled.c_str());
     }
     std::printf("%s after %.0f s simulated, %.2f s of wall time\n",
                 outcome.fault     ? "fault"
@@ -111,11 +115,12 @@ void warnOfTargets(const Experiment& experiment) {
         const TargetVerdict& v = verdicts[i];
         if (v.verdict != FeasibilityVerdict::Reachable)
             std::fprintf(stderr,
-                         "bask run: \"%s\" cannot be held at %.1f degC: it needs F = %.3f, within the workspace it has "
+                         "bask run: \"%s\" cannot be held at %.1f degC: it needs F = %.3f, within the "
+                         "workspace it has "
                          "%.3f to %.3f (%.1f to %.1f degC)\n",
-                         experiment.objects[i].name.c_str(), celsiusFromKelvin(v.target_K), v.neededViewFactor,
-                         v.reachableMin_F, v.reachableMax_F, celsiusFromKelvin(v.reachableMin_K),
-                         celsiusFromKelvin(v.reachableMax_K));
+                         experiment.objects[i].name.c_str(), celsiusFromKelvin(v.target_K),
+                         v.neededViewFactor, v.reachableMin_F, v.reachableMax_F,
+                         celsiusFromKelvin(v.reachableMin_K), celsiusFromKelvin(v.reachableMax_K));
     }
 }
 
@@ -130,10 +135,12 @@ void printProgress(double time_s, const TraceSample& sample) {
 
 bool writeFile(const std::string& path, const std::string& text) {
     QSaveFile file(QString::fromStdString(path));
-    if (file.open(QIODevice::WriteOnly) && file.write(text.data(), static_cast<qint64>(text.size())) >= 0 && file.commit())
+    if (file.open(QIODevice::WriteOnly) && file.write(text.data(), static_cast<qint64>(text.size())) >= 0 &&
+        file.commit())
         return true;
-    std::fprintf(stderr, "bask run: %s\n",
-                 describe(Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()})).c_str());
+    std::fprintf(
+        stderr, "bask run: %s\n",
+        describe(Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()})).c_str());
     return false;
 }
 
@@ -143,13 +150,15 @@ int runExperimentCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription("Runs an experiment on the simulated rig, as fast as the machine goes.\n"
                                      "Exit code: 0 settled, 1 fault, 2 bad input, 3 not settled.");
-    parser.addHelpOption();
+    parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");
-    parser.addOptions({{"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
-                       {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.", "SECONDS"},
-                       {"seed", "Seed of noise, sensor offsets and wrong beliefs.", "N"},
-                       {"o", "Record the run into this session file.", "SESSION.bask"},
-                       {"summary", "Write the outcome as JSON.", "SUMMARY.json"}});
+    parser.addOptions(
+        {{"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
+         {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.",
+          "SECONDS"},
+         {"seed", "Seed of noise, sensor offsets and wrong beliefs.", "N"},
+         {"o", "Record the run into this session file.", "SESSION.bask"},
+         {"summary", "Write the outcome as JSON.", "SUMMARY.json"}});
     if (const auto code = parseCommand(parser, "run", arguments, 1))
         return *code;
     auto request = readRequest(parser);
@@ -172,7 +181,8 @@ int runExperimentCommand(const QStringList& arguments) {
     }
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     for (const TraceEvent& event : outcome->events)
-        if (event.message.code == MessageCode::EventCompromise || event.message.code == MessageCode::EventFault)
+        if (event.message.code == MessageCode::EventCompromise ||
+            event.message.code == MessageCode::EventFault)
             std::fprintf(stderr, "bask run: at %.0f s: %s\n", event.time_s, describe(event.message).c_str());
     printOutcome(*outcome, wall_s);
     if (!request->summaryPath.empty() && !writeFile(request->summaryPath, summaryJson(*outcome, wall_s)))

@@ -10,10 +10,10 @@ double SteadyClock::now_s() const {
     return duration<double>(steady_clock::now().time_since_epoch()).count();
 }
 
-void ManualClock::advance(double dt_s) {
-    if (!(dt_s >= 0.0))
+void ManualClock::advanceTo(double time_s) {
+    if (!(time_s >= m_now_s))
         throw std::logic_error("ManualClock: time runs forward only");
-    m_now_s += dt_s;
+    m_now_s = time_s;
 }
 
 } // namespace bask

@@ -21,7 +21,9 @@ class ManualClock final : public Clock {
 public:
     double now_s() const override { return m_now_s; }
     /// Throws std::logic_error when dt_s is negative.
-    void advance(double dt_s);
+    void advance(double dt_s) { advanceTo(m_now_s + dt_s); }
+    /// Throws std::logic_error when time_s has passed.
+    void advanceTo(double time_s);
 
 private:
     double m_now_s = 0.0;

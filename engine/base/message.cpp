@@ -18,7 +18,8 @@ struct Entry {
     const char* text;
 };
 
-#define BASK_MESSAGE(code, text) {MessageCode::code, #code, text}
+#define BASK_MESSAGE(code, text)                                                                             \
+    { MessageCode::code, #code, text }
 
 // clang-format off
 constexpr std::array kMessages{
@@ -115,9 +116,13 @@ const Entry& entry(MessageCode code) {
 
 } // namespace
 
-const char* messageTemplate(MessageCode code) { return entry(code).text; }
+const char* messageTemplate(MessageCode code) {
+    return entry(code).text;
+}
 
-const char* messageName(MessageCode code) { return entry(code).name; }
+const char* messageName(MessageCode code) {
+    return entry(code).name;
+}
 
 MessageCode messageCodeFromName(const std::string& name) {
     const auto it = std::ranges::find_if(kMessages, [&](const Entry& e) { return name == e.name; });

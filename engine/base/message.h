@@ -1,5 +1,6 @@
 #pragma once
-// Everything Bask says in words, as a code and its arguments: one English sentence a code in message.cpp, translated in app/.
+// Everything Bask says in words, as a code and its arguments: one English sentence a code in message.cpp,
+// translated in app/.
 
 #include <string>
 #include <vector>
@@ -10,22 +11,22 @@ namespace bask {
 enum class MessageCode {
     None,
     // Files and JSON
-    FileNotFound,          ///< no args
-    FileUnreadable,        ///< %1 reason
-    FileUnwritable,        ///< %1 reason
-    FileEmpty,             ///< no args
-    FileTooLarge,          ///< %1 size, %2 limit
-    JsonSyntax,            ///< %1 parser's words
-    JsonUnknownKey,        ///< %1 key, %2 known keys
-    JsonMissingKey,        ///< %1 key
-    JsonWrongType,         ///< %1 expected, %2 found
-    JsonDuplicateKey,      ///< %1 key
-    JsonTooDeep,           ///< %1 levels allowed
-    JsonTwoSpellings,      ///< %1, %2 keys
-    ValueOutOfRange,       ///< %1 value, %2 least, %3 most, %4 unit
-    ValueNotPositive,      ///< %1 value
-    ValueUnknown,          ///< %1 value, %2 known values
-    VersionTooNew,         ///< %1 found, %2 newest known
+    FileNotFound,     ///< no args
+    FileUnreadable,   ///< %1 reason
+    FileUnwritable,   ///< %1 reason
+    FileEmpty,        ///< no args
+    FileTooLarge,     ///< %1 size, %2 limit
+    JsonSyntax,       ///< %1 parser's words
+    JsonUnknownKey,   ///< %1 key, %2 known keys
+    JsonMissingKey,   ///< %1 key
+    JsonWrongType,    ///< %1 expected, %2 found
+    JsonDuplicateKey, ///< %1 key
+    JsonTooDeep,      ///< %1 levels allowed
+    JsonTwoSpellings, ///< %1, %2 keys
+    ValueOutOfRange,  ///< %1 value, %2 least, %3 most, %4 unit
+    ValueNotPositive, ///< %1 value
+    ValueUnknown,     ///< %1 value, %2 known values
+    VersionTooNew,    ///< %1 found, %2 newest known
     // Experiment
     TooManyObjects,        ///< %1 objects, %2 degrees of freedom
     NoObjects,             ///< no args
@@ -38,46 +39,46 @@ enum class MessageCode {
     NoFreeAxis,            ///< no args
     SourceTooWeak,         ///< %1 net emissive power W/m2
     // Contours
-    ContourTooFewPoints,   ///< %1 points, %2 least
-    ContourNotFinite,      ///< %1 line or point
-    ContourNotANumber,     ///< %1 text, in line %2
-    ContourColumnMissing,  ///< %1 line, %2 columns found
-    ContourOpen,           ///< %1 gap mm, %2 allowed mm
-    ContourCrossing,       ///< %1, %2 edge numbers, %3 x mm, %4 y mm
-    ContourZeroArea,       ///< no args
-    ContourUnitMissing,    ///< no args
-    NoSilhouette,          ///< no args
-    SilhouetteAtBorder,    ///< no args
-    ImageUnreadable,       ///< no args
-    ScaleNotPositive,      ///< %1 value
-    ScaleMissing,          ///< no args
-    HarmonicsOutOfRange,   ///< %1 value, %2 least, %3 most
-    FormatUnknown,         ///< %1 extension, %2 known
+    ContourTooFewPoints,  ///< %1 points, %2 least
+    ContourNotFinite,     ///< %1 line or point
+    ContourNotANumber,    ///< %1 text, in line %2
+    ContourColumnMissing, ///< %1 line, %2 columns found
+    ContourOpen,          ///< %1 gap mm, %2 allowed mm
+    ContourCrossing,      ///< %1, %2 edge numbers, %3 x mm, %4 y mm
+    ContourZeroArea,      ///< no args
+    ContourUnitMissing,   ///< no args
+    NoSilhouette,         ///< no args
+    SilhouetteAtBorder,   ///< no args
+    ImageUnreadable,      ///< no args
+    ScaleNotPositive,     ///< %1 value
+    ScaleMissing,         ///< no args
+    HarmonicsOutOfRange,  ///< %1 value, %2 least, %3 most
+    FormatUnknown,        ///< %1 extension, %2 known
     // View factor
     SourceKindUnsupported, ///< %1 kind
     ShapeKindUnsupported,  ///< %1 kind
     // Session file
-    NotASession,           ///< no args
-    SessionDamaged,        ///< %1 database's words
-    SessionBusy,           ///< %1 words
-    SessionNoRun,          ///< no args
+    NotASession,    ///< no args
+    SessionDamaged, ///< %1 database's words
+    SessionBusy,    ///< %1 words
+    SessionNoRun,   ///< no args
     // Rig: reasons for not being ready, faults
-    ReasonNoExperiment,        ///< no args
-    ReasonEstimatorFilling,    ///< %1 samples so far, %2 needed
-    ReasonNotZeroed,           ///< no args
-    ReasonNotAtAmbient,        ///< %1 degC expected
+    ReasonNoExperiment,     ///< no args
+    ReasonEstimatorFilling, ///< %1 samples so far, %2 needed
+    ReasonNotZeroed,        ///< no args
+    ReasonNotAtAmbient,     ///< %1 degC expected
     ReasonHeldByOperator,
-    ReasonZeroing,             ///< %1 samples so far, %2 needed
-    ReasonTargetInfeasible,    ///< %1 object
-    ReasonSensorStale,         ///< %1 object, %2 age s
-    ReasonSensorInvalid,       ///< %1 object
-    ReasonRobotLost,           ///< %1 words
-    ReasonSourceLost,          ///< %1 words
-    ReasonOverTemperature,     ///< %1 object
-    ReasonEmergencyStop,       ///< no args
-    ReasonRecorderFailed,      ///< %1 words
-    ReasonInternalFault,       ///< %1 words
-    ReasonSourceNotWarm,       ///< no args
+    ReasonZeroing,          ///< %1 samples so far, %2 needed
+    ReasonTargetInfeasible, ///< %1 object
+    ReasonSensorStale,      ///< %1 object, %2 age s
+    ReasonSensorInvalid,    ///< %1 object
+    ReasonRobotLost,        ///< %1 words
+    ReasonSourceLost,       ///< %1 words
+    ReasonOverTemperature,  ///< %1 object
+    ReasonEmergencyStop,    ///< no args
+    ReasonRecorderFailed,   ///< %1 words
+    ReasonInternalFault,    ///< %1 words
+    ReasonSourceNotWarm,    ///< no args
     // Events of a run
     EventArmed,
     EventStarted,
@@ -87,17 +88,17 @@ enum class MessageCode {
     EventEmergencyStop,
     EventReset,
     EventSettled,
-    EventNotSettled,           ///< %1 objects' names
+    EventNotSettled, ///< %1 objects' names
     EventTargetsChanged,
     EventGainsChanged,
     EventZeroed,
-    EventFault,                ///< %1 words
-    EventCompromise,           ///< %1 words: objects with residuals
+    EventFault,      ///< %1 words
+    EventCompromise, ///< %1 words: objects with residuals
     EventLimitReached,
     EventInterrupted,
-    EventSensorBack,           ///< %1 object
+    EventSensorBack, ///< %1 object
     // Commands refused
-    CommandNotNow,             ///< %1 command, %2 state
+    CommandNotNow, ///< %1 command, %2 state
     SessionAlreadyRunning,
 };
 

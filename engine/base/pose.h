@@ -26,7 +26,8 @@ Vector6d coordinatesFromPose(const Pose& X);
 /// 3 x 3 matrix whose column k is the axis (parent frame) about which theta_k turns: w = axes * d(theta)/dt.
 Eigen::Matrix3d rotationAxes(const Vector6d& q);
 
-/// Gradient with respect to the six coordinates from a gradient by position and by rotation about parent axes.
+/// Gradient with respect to the six coordinates from a gradient by position and by rotation about parent
+/// axes.
 Vector6d coordinateGradient(const Vector6d& q, const Vector6d& gradient);
 
 } // namespace bask

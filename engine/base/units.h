@@ -10,10 +10,18 @@ namespace bask {
 inline constexpr double kStefanBoltzmann = 5.670374419e-8; ///< W/(m2 K4), CODATA 2018
 inline constexpr double kZeroCelsius_K = 273.15;
 
-constexpr double kelvinFromCelsius(double t_degC) { return t_degC + kZeroCelsius_K; }
-constexpr double celsiusFromKelvin(double t_K) { return t_K - kZeroCelsius_K; }
-constexpr double radFromDeg(double a_deg) { return a_deg * std::numbers::pi / 180.0; }
-constexpr double degFromRad(double a_rad) { return a_rad * 180.0 / std::numbers::pi; }
+constexpr double kelvinFromCelsius(double t_degC) {
+    return t_degC + kZeroCelsius_K;
+}
+constexpr double celsiusFromKelvin(double t_K) {
+    return t_K - kZeroCelsius_K;
+}
+constexpr double radFromDeg(double a_deg) {
+    return a_deg * std::numbers::pi / 180.0;
+}
+constexpr double degFromRad(double a_rad) {
+    return a_rad * 180.0 / std::numbers::pi;
+}
 
 /// Unit in which a temperature is shown and typed. Differences scale without the offset.
 enum class TemperatureUnit { Celsius, Kelvin, Fahrenheit };

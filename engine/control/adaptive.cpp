@@ -17,7 +17,8 @@ AdaptiveController::AdaptiveController(const ControllerSettings& settings, Contr
     }
 }
 
-void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double T_K, double dt_s) const {
+void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s, double T_K,
+                               double dt_s) const {
     if (std::abs(zeta_K_s) < kZetaDeadZone_K_s)
         return;
     const AdaptiveGains& gains = m_settings.adaptive;
@@ -25,7 +26,8 @@ void AdaptiveController::adapt(Estimate& estimate, double v_K_s, double zeta_K_s
         return std::clamp(value, start / kEstimateRange, start * kEstimateRange);
     };
     estimate.a1 = within(estimate.a1 + dt_s * gains.gamma1 * gains.mu * v_K_s * zeta_K_s, estimate.start1);
-    estimate.a2 = within(estimate.a2 - dt_s * 4.0 * gains.gamma2 * v_K_s * zeta_K_s * std::pow(T_K, 3), estimate.start2);
+    estimate.a2 = within(estimate.a2 - dt_s * 4.0 * gains.gamma2 * v_K_s * zeta_K_s * std::pow(T_K, 3),
+                         estimate.start2);
 }
 
 ControlOutput AdaptiveController::step(const Observation& observation, double dt_s) {

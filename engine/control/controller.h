@@ -20,7 +20,7 @@ struct ObjectObservation {
 struct Observation {
     double time_s = 0.0;                     ///< since the run's start
     Vector6d coordinates = Vector6d::Zero(); ///< of the end-effector, measured
-    double sourceStrength = 1.0;             ///< net source power now over the one the believed lambda1 stand for
+    double sourceStrength = 1.0; ///< net source power now over the one the believed lambda1 stand for
     std::vector<ObjectObservation> objects;
 };
 
@@ -29,8 +29,9 @@ struct ControlOutput {
     Vector6d rates = Vector6d::Zero();  ///< of the pose coordinates, m/s and rad/s
     double smallestSingularValue = 0.0; ///< of the interaction matrix dF/dx, rotation scaled, 1/m
     bool limited = false;               ///< a limit of the robot is active
-    std::vector<double> compromise_K;   ///< the temperatures aimed at where the targets cannot be had together; else empty
-    std::vector<HeatRates> belief;      ///< N, as the controller believes them now
+    std::vector<double>
+        compromise_K; ///< the temperatures aimed at where the targets cannot be had together; else empty
+    std::vector<HeatRates> belief; ///< N, as the controller believes them now
 };
 
 /// What a controller knows before it starts.

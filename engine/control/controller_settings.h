@@ -8,7 +8,7 @@ const char* controllerKindName(ControllerKind kind); ///< "level-servo", "model-
 
 /// Outer loop of Bask's own level servo.
 struct LevelServoGains {
-    double timeConstant_s = 8.0; ///< tau_c: wanted rate = error / tau_c
+    double timeConstant_s = 8.0;  ///< tau_c: wanted rate = error / tau_c
     double integralTime_s = 60.0; ///< of the slow integral action near the target
     bool operator==(const LevelServoGains&) const = default;
 };
@@ -35,9 +35,10 @@ struct ControllerSettings {
     LevelServoGains levelServo;
     ModelBasedGains modelBased;
     AdaptiveGains adaptive;
-    double rotationLength_m = 0.10;          ///< makes radians and metres compare
-    double damping = 1e-3;                   ///< of the damped least squares, relative to the largest singular value
-    double believedRateErrorFactor = 1.0;    ///< >= 1: believed rates start wrong by seeded random factors in [1/f, f]
+    double rotationLength_m = 0.10; ///< makes radians and metres compare
+    double damping = 1e-3;          ///< of the damped least squares, relative to the largest singular value
+    double believedRateErrorFactor =
+        1.0; ///< >= 1: believed rates start wrong by seeded random factors in [1/f, f]
     bool operator==(const ControllerSettings&) const = default;
 };
 

@@ -23,22 +23,25 @@ double extremeViewFactor(const RigGeometry& geometry, const PoseLookup& lookup, 
 
 } // namespace
 
-std::vector<TargetVerdict> targetVerdicts(const std::shared_ptr<const RigGeometry>& geometry, const Vector6d& rest,
-                                          const std::vector<HeatRates>& rates, const std::vector<double>& targets_K) {
+std::vector<TargetVerdict> targetVerdicts(const std::shared_ptr<const RigGeometry>& geometry,
+                                          const Vector6d& rest, const std::vector<HeatRates>& rates,
+                                          const std::vector<double>& targets_K) {
     const auto N = static_cast<std::size_t>(geometry->objects());
     if (rates.size() != N || targets_K.size() != N)
         throw std::invalid_argument("targetVerdicts: one rate and one target an object");
     constexpr int kSamples = 12000;
     const PoseLookup lookup(geometry, rest, kSamples);
     std::vector<TargetVerdict> out(N);
-    if (lookup.size() == 0)
-        return out;
     for (std::size_t i = 0; i < N; ++i) {
         TargetVerdict& verdict = out[i];
         verdict.target_K = targets_K[i];
         verdict.lowest_K = rates[i].steadyTemperature_K(0.0);
         verdict.highest_K = rates[i].steadyTemperature_K(1.0);
         verdict.neededViewFactor = rates[i].steadyViewFactor(targets_K[i]);
+        if (lookup.size() == 0) {
+            verdict.verdict = FeasibilityVerdict::TooHot; // no pose of the workspace keeps the clearance
+            continue;
+        }
         verdict.reachableMin_F = extremeViewFactor(*geometry, lookup, static_cast<int>(i), 0.0);
         verdict.reachableMax_F = extremeViewFactor(*geometry, lookup, static_cast<int>(i), 1.0);
         verdict.reachableMin_K = rates[i].steadyTemperature_K(verdict.reachableMin_F);

@@ -12,15 +12,21 @@
 namespace bask {
 namespace {
 
-constexpr double kIntegralBand_K = 2.0;    ///< integral action works within this of the target
-constexpr double kTravelPrice = 5e-5;      ///< cost a second of travel, beside weighted squared errors of F
-constexpr int kCandidates = 4;             ///< look-up poses that are refined
+constexpr double kIntegralBand_K = 2.0; ///< integral action works within this of the target
+constexpr double kHorizon_s = 30.0;     ///< over which a move must pay
+constexpr double kHorizonGrowth =
+    4.0; ///< by which it grows for every second in which nothing near gives the wanted F
+constexpr double kMetResidual = 1e-5; ///< residual cost below which the wanted F are met
+constexpr int kPathSamples = 6;       ///< of the way to a candidate
+constexpr double kLargestGain_1_K =
+    1.0; ///< a kelvin of error asks for the whole range of F at most, or noise would throw slow objects about
+constexpr int kCandidates = 4; ///< look-up poses that are refined
 constexpr int kRefinements = 12;
 constexpr double kAimPeriod_s = 5.0; ///< how often it is asked whether one pose holds all targets
 constexpr int kAimCandidates = 10;
-constexpr double kSure_K = 0.3;      ///< identified rates are sure enough to judge by
-constexpr double kUnmet_K = 0.4;     ///< a compromise begins when the best pose misses a target by this
-constexpr double kMet_K = 0.3;       ///< and ends below this
+constexpr double kSure_K = 0.3;  ///< identified rates are sure enough to judge by
+constexpr double kUnmet_K = 0.4; ///< a compromise begins when the best pose misses a target by this
+constexpr double kMet_K = 0.3;   ///< and ends below this
 
 double singularValue(const RigGeometry& geometry, const ViewFactors& fields, double rotationLength_m) {
     const auto& free = geometry.freeCoordinates();
@@ -57,7 +63,6 @@ PoseQuery LevelServo::query(const Observation& observation, double dt_s) {
     out.wanted.resize(N);
     out.weights.resize(N);
     out.from = observation.coordinates;
-    out.travelPrice = kTravelPrice;
     for (Eigen::Index i = 0; i < N; ++i) {
         const auto k = static_cast<std::size_t>(i);
         const HeatRates rates = m_identification[k].rates();
@@ -65,11 +70,12 @@ PoseQuery LevelServo::query(const Observation& observation, double dt_s) {
         const double error_K = m_aim_K[k] - T;
         const double strength = rates.lambda1 * observation.sourceStrength;
         const double cooling = rates.lambda2 * std::pow(T, 4) - rates.lambda3;
+        const double timeConstant_s = std::max(gains.timeConstant_s, 1.0 / (kLargestGain_1_K * strength));
         // A wanted F that the last pose could not give must not wind the integral up.
         const bool met = std::abs(m_unmet[i]) < 0.02;
         if (std::abs(error_K) < kIntegralBand_K && met)
-            m_integral_K_s[k] += dt_s * error_K / (gains.timeConstant_s * gains.integralTime_s);
-        const double F = (error_K / gains.timeConstant_s + m_integral_K_s[k] + cooling) / strength;
+            m_integral_K_s[k] += dt_s * error_K / (timeConstant_s * gains.integralTime_s);
+        const double F = (error_K / timeConstant_s + m_integral_K_s[k] + cooling) / strength;
         out.wanted[i] = std::clamp(F, 0.0, 1.0);
         // A fast object must be held more closely than a slow one, which must not be forgotten either.
         out.weights[i] = strength;
@@ -78,23 +84,30 @@ PoseQuery LevelServo::query(const Observation& observation, double dt_s) {
     return out;
 }
 
-Vector6d LevelServo::findPose(const PoseQuery& query, int candidates) const {
-    std::vector<Vector6d> starts = m_lookup->best(query, candidates);
+std::vector<Vector6d> LevelServo::candidates(const PoseQuery& query, int count) const {
+    std::vector<Vector6d> poses = m_lookup->best(query, count);
     if (m_model.geometry->allowed(query.from))
-        starts.push_back(query.from);
+        poses.push_back(query.from);
     if (m_goal)
-        starts.push_back(*m_goal);
-    Vector6d best = query.from;
-    double bestCost = std::numeric_limits<double>::infinity();
-    for (const Vector6d& start : starts) {
-        const Vector6d q = refinePose(*m_model.geometry, query, start, kRefinements);
-        const double cost = poseCost(m_model.geometry->limits(), query, m_model.geometry->viewFactorsFast(q), q);
-        if (cost < bestCost) {
-            bestCost = cost;
-            best = q;
-        }
+        poses.push_back(*m_goal);
+    if (poses.empty())
+        poses.push_back(query.from);
+    for (Vector6d& pose : poses)
+        pose = refinePose(*m_model.geometry, query, pose, kRefinements);
+    return poses;
+}
+
+double LevelServo::cost(const PoseQuery& query, const Vector6d& goal) const {
+    // Integral of the residual over the horizon: on the way, which may lead past the source, and at the goal.
+    const double travel_s = travelTime_s(m_model.geometry->limits(), query.from, goal);
+    const double horizon_s = kHorizon_s + kHorizonGrowth * m_unmetTime_s;
+    double onTheWay = 0.0;
+    for (int k = 0; k < kPathSamples && travel_s > 1.0; ++k) {
+        const Vector6d q = query.from + (k + 0.5) / kPathSamples * (goal - query.from);
+        onTheWay += residualCost(query, m_model.geometry->viewFactorsFast(q)) / kPathSamples;
     }
-    return best;
+    const double there = residualCost(query, m_model.geometry->viewFactorsFast(goal));
+    return travel_s * onTheWay + std::max(kHorizon_s, horizon_s - travel_s) * there;
 }
 
 void LevelServo::updateAim(const Observation& observation) {
@@ -112,14 +125,20 @@ void LevelServo::updateAim(const Observation& observation) {
         const double target_K = m_model.targets_K[k];
         rates.push_back(m_identification[k].rates());
         rates.back().lambda1 *= observation.sourceStrength;
-        const double slope_K = rates.back().lambda1 / (4.0 * rates.back().lambda2 * std::pow(target_K, 3)); // dT/dF
+        const double slope_K =
+            rates.back().lambda1 / (4.0 * rates.back().lambda2 * std::pow(target_K, 3)); // dT/dF
         if (m_identification[k].steadyViewFactorDeviation(target_K) * slope_K > kSure_K)
             return;
         steady.wanted[i] = std::clamp(rates.back().steadyViewFactor(target_K), 0.0, 1.0);
         steady.weights[i] = slope_K * slope_K;
     }
     steady.weights /= steady.weights.maxCoeff();
-    const Eigen::VectorXd F = m_model.geometry->viewFactorsFast(findPose(steady, kAimCandidates));
+    Eigen::VectorXd F;
+    for (const Vector6d& pose : candidates(steady, kAimCandidates)) {
+        const Eigen::VectorXd there = m_model.geometry->viewFactorsFast(pose);
+        if (F.size() == 0 || residualCost(steady, there) < residualCost(steady, F))
+            F = there;
+    }
     std::vector<double> nearest_K;
     double worst_K = 0.0;
     for (std::size_t k = 0; k < rates.size(); ++k) {
@@ -144,9 +163,13 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     }
     updateAim(observation);
     const PoseQuery wanted = query(observation, dt_s);
-    m_goal = findPose(wanted, kCandidates);
-    m_unmet = wanted.wanted - m_model.geometry->viewFactorsFast(*m_goal);
-    const VelocitySolution motion = velocityTowards(*m_model.geometry, observation.coordinates, *m_goal, dt_s);
+    const std::vector<Vector6d> poses = candidates(wanted, kCandidates);
+    m_goal = *std::ranges::min_element(poses, {}, [&](const Vector6d& pose) { return cost(wanted, pose); });
+    const Eigen::VectorXd had = m_model.geometry->viewFactorsFast(*m_goal);
+    m_unmet = wanted.wanted - had;
+    m_unmetTime_s = residualCost(wanted, had) > kMetResidual ? m_unmetTime_s + dt_s : 0.0;
+    const VelocitySolution motion =
+        velocityTowards(*m_model.geometry, observation.coordinates, *m_goal, dt_s);
     out.rates = motion.rates;
     out.limited = motion.limited;
     out.smallestSingularValue = singularValue(*m_model.geometry, fields, m_settings.rotationLength_m);

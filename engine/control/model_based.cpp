@@ -23,8 +23,8 @@ ControlOutput ModelBasedController::step(const Observation& observation, double 
         const auto [T, v] = observation.objects[i];
         const auto row = static_cast<Eigen::Index>(i);
         problem.rows.row(row) *= rates.lambda1 * observation.sourceStrength;
-        problem.wanted[row] = -gains.D * v - gains.K * (T - m_model.targets_K[i]) +
-                              4.0 * rates.lambda2 * std::pow(T, 3) * v;
+        problem.wanted[row] =
+            -gains.D * v - gains.K * (T - m_model.targets_K[i]) + 4.0 * rates.lambda2 * std::pow(T, 3) * v;
     }
     problem.coordinates = observation.coordinates;
     problem.dt_s = dt_s;

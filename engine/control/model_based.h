@@ -5,8 +5,8 @@
 
 namespace bask {
 
-/// Knows lambda1, lambda2 of each object; without limits the error follows a second-order response of natural frequency
-/// sqrt(K) and damping D / (2 sqrt K). Source: paper, section IV-A.
+/// Knows lambda1, lambda2 of each object; without limits the error follows a second-order response of natural
+/// frequency sqrt(K) and damping D / (2 sqrt K). Source: paper, section IV-A.
 class ModelBasedController final : public Controller {
 public:
     ModelBasedController(const ControllerSettings& settings, ControlModel model);

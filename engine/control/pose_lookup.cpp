@@ -16,10 +16,12 @@ std::vector<int> samplesPerCoordinate(const std::vector<int>& free, int samples)
     double product = 1.0;
     for (const int k : free)
         product *= kShare[static_cast<std::size_t>(k)];
-    const double unit = std::pow(samples / product, 1.0 / static_cast<double>(std::max<std::size_t>(free.size(), 1)));
+    const double unit =
+        std::pow(samples / product, 1.0 / static_cast<double>(std::max<std::size_t>(free.size(), 1)));
     std::vector<int> counts;
     for (const int k : free)
-        counts.push_back(std::clamp(static_cast<int>(std::lround(unit * kShare[static_cast<std::size_t>(k)])), 3, 401));
+        counts.push_back(
+            std::clamp(static_cast<int>(std::lround(unit * kShare[static_cast<std::size_t>(k)])), 3, 401));
     return counts;
 }
 
@@ -28,6 +30,10 @@ double coordinateAt(int coordinate, double fraction, double lower, double upper)
     const double bent = coordinate == kZ ? std::pow(fraction, 1.5) : fraction;
     return lower + bent * (upper - lower);
 }
+
+/// A second of travel in the look-up, beside weighted squared errors of F: prefers the nearer of equally good
+/// poses.
+constexpr double kTravelPrice = 5e-5;
 
 } // namespace
 
@@ -44,8 +50,8 @@ PoseLookup::PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector
         int remainder = index;
         for (std::size_t k = 0; k < free.size(); ++k) {
             const int c = free[k];
-            q[c] = coordinateAt(c, static_cast<double>(remainder % counts[k]) / (counts[k] - 1), limits.lower[c],
-                                limits.upper[c]);
+            q[c] = coordinateAt(c, static_cast<double>(remainder % counts[k]) / (counts[k] - 1),
+                                limits.lower[c], limits.upper[c]);
             remainder /= counts[k];
         }
         if (m_geometry->allowed(q))
@@ -56,14 +62,15 @@ PoseLookup::PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector
         m_F.col(static_cast<Eigen::Index>(k)) = m_geometry->viewFactorsFast(m_poses[k]);
 }
 
-double poseCost(const RobotLimits& limits, const PoseQuery& query, const Eigen::VectorXd& F, const Vector6d& q) {
-    return query.weights.dot((F - query.wanted).cwiseAbs2()) + query.travelPrice * travelTime_s(limits, query.from, q);
+double residualCost(const PoseQuery& query, const Eigen::VectorXd& F) {
+    return query.weights.dot((F - query.wanted).cwiseAbs2());
 }
 
 std::vector<Vector6d> PoseLookup::best(const PoseQuery& query, int count) const {
     std::vector<double> cost(m_poses.size());
     for (std::size_t k = 0; k < m_poses.size(); ++k)
-        cost[k] = poseCost(m_geometry->limits(), query, m_F.col(static_cast<Eigen::Index>(k)), m_poses[k]);
+        cost[k] = residualCost(query, m_F.col(static_cast<Eigen::Index>(k))) +
+                  kTravelPrice * travelTime_s(m_geometry->limits(), query.from, m_poses[k]);
     std::vector<std::size_t> order(m_poses.size());
     std::iota(order.begin(), order.end(), 0U);
     const auto some = std::min<std::size_t>(order.size(), 64);
@@ -81,13 +88,14 @@ std::vector<Vector6d> PoseLookup::best(const PoseQuery& query, int count) const 
     return out;
 }
 
-Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start, int iterations) {
+Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start,
+                    int iterations) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     constexpr double kRotationLength_m = 0.1;
     Vector6d q = start;
     ViewFactors now = geometry.viewFactors(q);
-    double cost = poseCost(geometry.limits(), query, now.F, q);
+    double cost = residualCost(query, now.F);
     double damping = 1e-3;
     for (int i = 0; i < iterations; ++i) {
         Eigen::MatrixXd J(geometry.objects(), n);
@@ -112,7 +120,7 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
         bool better = false;
         if (geometry.allowed(next)) {
             ViewFactors there = geometry.viewFactors(next);
-            const double nextCost = poseCost(geometry.limits(), query, there.F, next);
+            const double nextCost = residualCost(query, there.F);
             if (nextCost < cost) {
                 better = true;
                 q = next;

@@ -1,5 +1,6 @@
 #pragma once
-// The workspace sampled once: which pose gives wanted view factors. Global, so without local minima; refined elsewhere.
+// The workspace sampled once: which pose gives wanted view factors. Global, so without local minima; refined
+// elsewhere.
 
 #include "engine/control/rig_geometry.h"
 
@@ -10,13 +11,13 @@ namespace bask {
 
 /// What the inner step of the level servo looks for.
 struct PoseQuery {
-    Eigen::VectorXd wanted;  ///< N view factors
-    Eigen::VectorXd weights; ///< N, of the squared errors of F
+    Eigen::VectorXd wanted;           ///< N view factors
+    Eigen::VectorXd weights;          ///< N, of the squared errors of F
     Vector6d from = Vector6d::Zero(); ///< present pose; fixed coordinates are taken from it
-    double travelPrice = 0.0;         ///< cost a second of travel at the robot's limits
 };
 
-/// Table of about `samples` allowed poses over the free coordinates (fixed ones as in `rest`) with all objects' view factors.
+/// Table of about `samples` allowed poses over the free coordinates (fixed ones as in `rest`) with all
+/// objects' view factors.
 class PoseLookup {
 public:
     PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector6d& rest, int samples = 40000);
@@ -36,10 +37,12 @@ private:
     Vector6d m_cell = Vector6d::Zero(); ///< spacing, m and rad
 };
 
-/// Cost of a pose in a query: weighted squared errors plus the price of travelling there.
-double poseCost(const RobotLimits& limits, const PoseQuery& query, const Eigen::VectorXd& F, const Vector6d& q);
+/// Weighted squared errors of F.
+double residualCost(const PoseQuery& query, const Eigen::VectorXd& F);
 
-/// Gauss-Newton from `start` with the exact gradient inside workspace and clearance, damped; never returns a dearer pose.
-Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start, int iterations);
+/// Gauss-Newton on the residual from `start` with the exact gradient inside workspace and clearance, damped;
+/// never returns a worse pose.
+Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const Vector6d& start,
+                    int iterations);
 
 } // namespace bask

@@ -8,7 +8,8 @@
 
 namespace bask {
 
-RateIdentification::RateIdentification(const HeatRates& start) : m_start(start), m_information(Eigen::Matrix2d::Identity() / (kPrior * kPrior)) {}
+RateIdentification::RateIdentification(const HeatRates& start)
+    : m_start(start), m_information(Eigen::Matrix2d::Identity() / (kPrior * kPrior)) {}
 
 void RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength) {
     const double heating = F * sourceStrength;
@@ -37,7 +38,8 @@ void RateIdentification::update(const Sample& from, const Sample& to) {
                               -m_start.lambda2 * (to.cooling - from.cooling));
     const double surprise = to.temperature_K - from.temperature_K - phi.sum();
     const Eigen::Matrix2d prior = Eigen::Matrix2d::Identity() / (kPrior * kPrior);
-    m_information = prior + kForgetting * (m_information - prior) + phi * phi.transpose() / (kNoise_K * kNoise_K);
+    m_information =
+        prior + kForgetting * (m_information - prior) + phi * phi.transpose() / (kNoise_K * kNoise_K);
     m_vector = kForgetting * m_vector + phi * surprise / (kNoise_K * kNoise_K);
     Eigen::MatrixXd G(4, 2);
     G << 1.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, -1.0;

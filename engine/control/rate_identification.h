@@ -9,16 +9,18 @@
 
 namespace bask {
 
-/// Fits  T(t) - T(t-w) = lambda1 * integral(s F) - lambda2 * integral(T^4 - T0^4)  with T0^4 = lambda3 / lambda2 over a short window w: the integral form of the heat
-/// balance, which needs no differentiated temperature. What was learnt is forgotten exponentially, back to a wide prior about the start values,
-/// so that long rests at a steady state neither wind the estimate up nor freeze it. Estimates are the minimum within bounds, not clipped.
+/// Fits  T(t) - T(t-w) = lambda1 * integral(s F) - lambda2 * integral(T^4 - T0^4)  with T0^4 = lambda3 /
+/// lambda2 over a short window w: the integral form of the heat balance, which needs no differentiated
+/// temperature. What was learnt is forgotten exponentially, back to a wide prior about the start values, so
+/// that long rests at a steady state neither wind the estimate up nor freeze it. Estimates are the minimum
+/// within bounds, not clipped.
 class RateIdentification {
 public:
-    static constexpr double kRange = 10.0;         ///< estimates stay within start / kRange .. start * kRange
-    static constexpr double kForgetting = 0.998;   ///< a sample
-    static constexpr double kWindow_s = 6.0;       ///< of the integral
-    static constexpr double kNoise_K = 0.05;       ///< of a difference of two readings
-    static constexpr double kPrior = 2.0;          ///< standard deviation of lambda / start - 1
+    static constexpr double kRange = 10.0;       ///< estimates stay within start / kRange .. start * kRange
+    static constexpr double kForgetting = 0.998; ///< a sample
+    static constexpr double kWindow_s = 6.0;     ///< of the integral
+    static constexpr double kNoise_K = 0.05;     ///< of a difference of two readings
+    static constexpr double kPrior = 2.0;        ///< standard deviation of lambda / start - 1
 
     explicit RateIdentification(const HeatRates& start);
 
@@ -33,8 +35,8 @@ private:
     struct Sample {
         double time_s;
         double temperature_K;
-        double heating;  ///< integral of s F since the start, s
-        double cooling;  ///< integral of T^4 - T0^4 since the start, K4 s
+        double heating; ///< integral of s F since the start, s
+        double cooling; ///< integral of T^4 - T0^4 since the start, K4 s
     };
     void update(const Sample& from, const Sample& to);
 

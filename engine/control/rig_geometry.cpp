@@ -35,7 +35,8 @@ ViewFactors RigGeometry::viewFactors(const Vector6d& q) const {
         const ViewFactor result = viewFactor(m_source, m_contours[static_cast<std::size_t>(i)], X_SO);
         out.F[i] = result.value;
         out.dF.row(i) =
-            coordinateGradient(q, gradientAbout(result.gradient, X_SO.translation(), X_SE.translation())).transpose();
+            coordinateGradient(q, gradientAbout(result.gradient, X_SO.translation(), X_SE.translation()))
+                .transpose();
     }
     return out;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Source, objects on the end-effector and the robot's limits as one geometry: view factors and clearances at a pose.
+// Source, objects on the end-effector and the robot's limits as one geometry: view factors and clearances at
+// a pose.
 
 #include "engine/control/robot_limits.h"
 #include "engine/radiation/view_factor.h"
@@ -12,11 +13,12 @@ namespace bask {
 
 /// View factors of all objects and their derivatives by the six pose coordinates (1/m, 1/rad).
 struct ViewFactors {
-    Eigen::VectorXd F;                        ///< N
+    Eigen::VectorXd F;                           ///< N
     Eigen::Matrix<double, Eigen::Dynamic, 6> dF; ///< N x 6
 };
 
-/// Height of an object's lowest contour point over the source plane, with its derivative by the pose coordinates.
+/// Height of an object's lowest contour point over the source plane, with its derivative by the pose
+/// coordinates.
 struct Clearance {
     double height_m = 0.0;
     Vector6d gradient = Vector6d::Zero();
@@ -25,7 +27,8 @@ struct Clearance {
 /// Immutable; calls are thread-safe. All poses are the end-effector's coordinates in S.
 class RigGeometry {
 public:
-    /// `mountings` are X_EO as pose coordinates, one a shape. Throws std::invalid_argument on different lengths.
+    /// `mountings` are X_EO as pose coordinates, one a shape. Throws std::invalid_argument on different
+    /// lengths.
     RigGeometry(const Disk& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
                 const RobotLimits& limits);
 

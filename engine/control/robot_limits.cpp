@@ -4,6 +4,8 @@
 
 namespace bask {
 
-int RobotLimits::degreesOfFreedom() const { return static_cast<int>(std::ranges::count(free, true)); }
+int RobotLimits::degreesOfFreedom() const {
+    return static_cast<int>(std::ranges::count(free, true));
+}
 
 } // namespace bask

@@ -30,7 +30,8 @@ BoundedSolution solveWithPrices(const Scaled& s, double speedPrice, double rotat
     return solveBounded(H, s.f, s.G, s.h);
 }
 
-/// Smallest price at which `excess` (falling in the price) is not positive, by bracketing and bisection in its logarithm.
+/// Smallest price at which `excess` (falling in the price) is not positive, by bracketing and bisection in
+/// its logarithm.
 template <class Excess> double priceFor(double unit, Excess excess) {
     if (excess(0.0) <= 0.0)
         return 0.0;
@@ -140,10 +141,12 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
 }
 
 double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d& b) {
-    return std::max((b - a).head<3>().norm() / limits.maxSpeed_m_s, (b - a).tail<3>().norm() / limits.maxRotation_rad_s);
+    return std::max((b - a).head<3>().norm() / limits.maxSpeed_m_s,
+                    (b - a).tail<3>().norm() / limits.maxRotation_rad_s);
 }
 
-VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q, const Vector6d& goal, double dt_s) {
+VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q, const Vector6d& goal,
+                                 double dt_s) {
     VelocitySolution out;
     const double time_s = travelTime_s(geometry.limits(), q, goal);
     if (time_s <= 0.0)
@@ -157,7 +160,8 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
     // Something is in the way: the nearest velocity that the limits allow slides along it.
     VelocityProblem problem;
     constexpr double kRotationLength_m = 0.1;
-    problem.rows = Vector6d(1.0, 1.0, 1.0, kRotationLength_m, kRotationLength_m, kRotationLength_m).asDiagonal();
+    problem.rows =
+        Vector6d(1.0, 1.0, 1.0, kRotationLength_m, kRotationLength_m, kRotationLength_m).asDiagonal();
     problem.wanted = problem.rows * straight;
     problem.coordinates = q;
     problem.dt_s = dt_s;
@@ -167,7 +171,8 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
     const bool stuck = (problem.rows * out.rates).norm() < 0.05 * problem.wanted.norm();
     if (stuck && geometry.limits().free[kZ]) { // away from the source is always open
         out.rates.setZero();
-        out.rates[kZ] = std::min(geometry.limits().maxSpeed_m_s, (geometry.limits().upper[kZ] - q[kZ]) / dt_s);
+        out.rates[kZ] =
+            std::min(geometry.limits().maxSpeed_m_s, (geometry.limits().upper[kZ] - q[kZ]) / dt_s);
     }
     out.limited = true;
     return out;

@@ -13,12 +13,14 @@ struct RobotState {
     bool moving = false;
 };
 
-/// Used on the engine thread only. A call that finds the link down answers an Error and leaves the robot standing.
+/// Used on the engine thread only. A call that finds the link down answers an Error and leaves the robot
+/// standing.
 class Robot {
 public:
     virtual ~Robot() = default;
     virtual Result<RobotState> state() = 0;
-    /// End-effector twist [v; w], R axes, m/s and rad/s. It ends by itself after validFor_s: an engine that dies stops the robot.
+    /// End-effector twist [v; w], R axes, m/s and rad/s. It ends by itself after validFor_s: an engine that
+    /// dies stops the robot.
     virtual Result<void> setTwist(const Vector6d& twist, double validFor_s) = 0;
     /// Zero velocity now.
     virtual Result<void> halt() = 0;

@@ -10,23 +10,40 @@
 
 namespace bask {
 
-struct LoadExperiment { Experiment experiment; };          ///< refused while a run is on
-struct Arm { std::string recordingPath; };                 ///< zeroes the sensors, fills the estimator, opens the recording
+struct LoadExperiment {
+    Experiment experiment;
+}; ///< refused while a run is on
+struct Arm {
+    std::string recordingPath;
+}; ///< zeroes the sensors, fills the estimator, opens the recording
 struct Disarm {};
-struct Start { bool acceptInfeasible = false; };
-struct Hold {};                                            ///< zero velocity, controller state kept
+struct Start {
+    bool acceptInfeasible = false;
+};
+struct Hold {}; ///< zero velocity, controller state kept
 struct Resume {};
-struct Stop {};                                            ///< ends the run: retreat, heat off
-struct EmergencyStop {};                                   ///< zero velocity and heat off now, latched
-struct Reset {};                                           ///< clears a latched fault or stop; never restarts
-struct SetTargets { std::vector<double> targets_K; };
-struct SetController { ControllerSettings settings; };
-struct AddNote { std::string text; };
-struct SetSimulationSpeed { double factor = 1.0; };        ///< simulated seconds a second, 1..20
+struct Stop {};          ///< ends the run: retreat, heat off
+struct EmergencyStop {}; ///< zero velocity and heat off now, latched
+struct Reset {};         ///< clears a latched fault or stop; never restarts
+struct SetTargets {
+    std::vector<double> targets_K;
+};
+struct SetController {
+    ControllerSettings settings;
+};
+struct AddNote {
+    std::string text;
+};
+struct SetSimulationSpeed {
+    double factor = 1.0;
+}; ///< simulated seconds a second, 1..20
 enum class SimulatedFault { None, SensorLost, RobotLost, SourceLost };
-struct SimulateFault { SimulatedFault fault = SimulatedFault::None; std::size_t object = 0; };
+struct SimulateFault {
+    SimulatedFault fault = SimulatedFault::None;
+    std::size_t object = 0;
+};
 
-using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, SetTargets,
-                             SetController, AddNote, SetSimulationSpeed, SimulateFault>;
+using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
+                             SetTargets, SetController, AddNote, SetSimulationSpeed, SimulateFault>;
 
 } // namespace bask

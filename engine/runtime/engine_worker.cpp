@@ -10,22 +10,21 @@ namespace {
 
 constexpr int kTimer_ms = 20;
 constexpr double kPublish_s = 0.05;
-constexpr double kLongestGap_s = 1.0; ///< of wall time that is made up for, after a suspended or stalled computer
+constexpr double kLongestGap_s =
+    1.0; ///< of wall time that is made up for, after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
 
-template <class... Ts> struct Overloaded : Ts... {
-    using Ts::operator()...;
-};
+template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 } // namespace
 
 struct EngineWorker::Session {
     explicit Session(const Experiment& experiment)
-        : rig(simulatedRigConfig(experiment)),
-          loop(experiment,
-               {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); }},
-               rig.clock()) {}
+        : rig(simulatedRigConfig(experiment)), loop(experiment,
+                                                    {rig.robot(), rig.thermometer(), rig.heatSource(),
+                                                     [this] { return rig.trueTemperatures_K(); }},
+                                                    rig.clock()) {}
     SimulatedRig rig;
     ServoLoop loop;
 };
@@ -111,24 +110,23 @@ Result<void> EngineWorker::apply(const Command& command) {
     if (!m_session)
         return Error(MessageCode::ReasonNoExperiment, {});
     ServoLoop& loop = m_session->loop;
-    return std::visit(
-        Overloaded{
-            [](const LoadExperiment&) { return Result<void>(); },
-            [](const SetSimulationSpeed&) { return Result<void>(); },
-            [&](const Arm& arm) { return armWith(arm.recordingPath); },
-            [&](const Disarm&) { return loop.disarm(); },
-            [&](const Start& start) { return loop.start(start.acceptInfeasible); },
-            [&](const Hold&) { return loop.hold(); },
-            [&](const Resume&) { return loop.resume(); },
-            [&](const Stop&) { return loop.stop(); },
-            [&](const EmergencyStop&) { return loop.emergencyStop(), Result<void>(); },
-            [&](const Reset&) { return loop.reset(); },
-            [&](const SetTargets& set) { return loop.setTargets(set.targets_K); },
-            [&](const SetController& set) { return loop.setController(set.settings); },
-            [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
-            [&](const SimulateFault& fault) { return applyFault(fault), Result<void>(); },
-        },
-        command);
+    return std::visit(Overloaded{
+                          [](const LoadExperiment&) { return Result<void>(); },
+                          [](const SetSimulationSpeed&) { return Result<void>(); },
+                          [&](const Arm& arm) { return armWith(arm.recordingPath); },
+                          [&](const Disarm&) { return loop.disarm(); },
+                          [&](const Start& start) { return loop.start(start.acceptInfeasible); },
+                          [&](const Hold&) { return loop.hold(); },
+                          [&](const Resume&) { return loop.resume(); },
+                          [&](const Stop&) { return loop.stop(); },
+                          [&](const EmergencyStop&) { return loop.emergencyStop(), Result<void>(); },
+                          [&](const Reset&) { return loop.reset(); },
+                          [&](const SetTargets& set) { return loop.setTargets(set.targets_K); },
+                          [&](const SetController& set) { return loop.setController(set.settings); },
+                          [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
+                          [&](const SimulateFault& fault) { return applyFault(fault), Result<void>(); },
+                      },
+                      command);
 }
 
 void EngineWorker::applyFault(const SimulateFault& fault) {

@@ -1,5 +1,6 @@
 #pragma once
-// The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session, publishes snapshots.
+// The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session,
+// publishes snapshots.
 
 #include "engine/runtime/command.h"
 #include "engine/runtime/servo_loop.h"
@@ -17,7 +18,8 @@ Q_DECLARE_METATYPE(bask::Snapshot)
 
 namespace bask {
 
-/// Lives on a QThread; every slot is called through queued connections. Rig, loop and session writer are made, used and deleted there.
+/// Lives on a QThread; every slot is called through queued connections. Rig, loop and session writer are
+/// made, used and deleted there.
 class EngineWorker : public QObject {
     Q_OBJECT
 public:

@@ -43,8 +43,8 @@ std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment) {
     std::vector<double> targets_K;
     for (const ObjectSpec& object : experiment.objects)
         targets_K.push_back(object.target_K);
-    return targetVerdicts(rigGeometry(experiment), experiment.start, nominalRates(experiment, experiment.environment_K),
-                          targets_K);
+    return targetVerdicts(rigGeometry(experiment), experiment.start,
+                          nominalRates(experiment, experiment.environment_K), targets_K);
 }
 
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
@@ -58,10 +58,14 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     config.convection_W_m2K = simulation.convection_W_m2K;
     for (const ObjectSpec& object : experiment.objects)
         config.objects.push_back({object.shape, object.mounting, object.material});
-    config.robot = {experiment.robot.free,          experiment.robot.lower,
-                    experiment.robot.upper,         experiment.robot.maxSpeed_m_s,
-                    experiment.robot.maxRotation_rad_s, simulation.robotStep_m,
-                    simulation.robotStep_rad,       experiment.start};
+    config.robot = {experiment.robot.free,
+                    experiment.robot.lower,
+                    experiment.robot.upper,
+                    experiment.robot.maxSpeed_m_s,
+                    experiment.robot.maxRotation_rad_s,
+                    simulation.robotStep_m,
+                    simulation.robotStep_rad,
+                    experiment.start};
     config.thermometer = {static_cast<int>(experiment.objects.size()),
                           simulation.sensorNoise_K,
                           simulation.sensorResolution_K,

@@ -11,8 +11,8 @@ namespace {
 constexpr double kLeastPlausible_K = 173.15; ///< -100 degC: an open or shorted sensor reads beyond these
 constexpr double kMostPlausible_K = 1273.15;
 constexpr double kStalePeriods = 3.0;
-constexpr double kAmbientSpread_K = 2.0;     ///< PT100 class B and noise
-constexpr double kAmbientDistance_K = 5.0;   ///< of the mean from the experiment's environment
+constexpr double kAmbientSpread_K = 2.0;   ///< PT100 class B and noise
+constexpr double kAmbientDistance_K = 5.0; ///< of the mean from the experiment's environment
 
 bool plausible(const Reading& reading) {
     return reading.valid && std::isfinite(reading.value_K) && reading.value_K > kLeastPlausible_K &&
@@ -39,7 +39,8 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
     for (std::size_t i = 0; i < readings.size(); ++i) {
         Channel& channel = m_channels[i];
         channel.lastInvalid = !plausible(readings[i]);
-        if (channel.lastInvalid || !channel.estimator.add(readings[i].time_s, readings[i].value_K + channel.offset_K))
+        if (channel.lastInvalid ||
+            !channel.estimator.add(readings[i].time_s, readings[i].value_K + channel.offset_K))
             continue;
         channel.window.push_back(readings[i]);
         if (channel.window.size() > static_cast<std::size_t>(m_sampling.window))

@@ -1,5 +1,6 @@
 #pragma once
-// The thermometers as the loop sees them: zeroed against each other, checked for age and plausibility, with their estimators.
+// The thermometers as the loop sees them: zeroed against each other, checked for age and plausibility, with
+// their estimators.
 
 #include "engine/devices/thermometer.h"
 #include "engine/session/experiment.h"
@@ -32,8 +33,8 @@ public:
     int leastCount() const;
 
     bool zeroed() const { return m_environment_K.has_value(); }
-    /// Sets the offsets so that all channels agree at ambient, from the window's readings; also gives T3. Refuses when the window is not full or
-    /// the readings are not those of objects at rest at ambient.
+    /// Sets the offsets so that all channels agree at ambient, from the window's readings; also gives T3.
+    /// Refuses when the window is not full or the readings are not those of objects at rest at ambient.
     bool zero(double expectedEnvironment_K);
     /// T3 from zeroing, K.
     std::optional<double> environment_K() const { return m_environment_K; }

@@ -34,19 +34,23 @@ const char* runStateName(RunState state) {
 }
 
 ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock)
-    : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock), m_geometry(rigGeometry(experiment)),
-      m_sensors(experiment.objects.size(), experiment.sampling) {
+    : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock),
+      m_geometry(rigGeometry(experiment)), m_sensors(experiment.objects.size(), experiment.sampling) {
     m_coordinates = experiment.start;
 }
 
-ServoLoop::~ServoLoop() { makeSafe(); }
+ServoLoop::~ServoLoop() {
+    makeSafe();
+}
 
 bool ServoLoop::running() const {
     return m_state == RunState::Running || m_state == RunState::Holding || m_state == RunState::Settled ||
            m_state == RunState::Stopping;
 }
 
-double ServoLoop::runTime_s() const { return running() ? m_clock.now_s() - m_startTime_s : m_latest.time_s; }
+double ServoLoop::runTime_s() const {
+    return running() ? m_clock.now_s() - m_startTime_s : m_latest.time_s;
+}
 
 Error ServoLoop::refusal(const char* verb) const {
     return Error(MessageCode::CommandNotNow, {}, {verb, runStateName(m_state)});
@@ -60,7 +64,9 @@ void ServoLoop::command(const std::string& name, const std::string& value) {
     m_record.commands.push_back({runTime_s(), name, value});
 }
 
-LoopRecord ServoLoop::takeRecord() { return std::exchange(m_record, {}); }
+LoopRecord ServoLoop::takeRecord() {
+    return std::exchange(m_record, {});
+}
 
 void ServoLoop::makeSafe() {
     // Failures of a dead link are known already; the device's own expiry acts then.
@@ -90,7 +96,8 @@ Result<void> ServoLoop::arm() {
         return refusal("Arm");
     if (!m_sensors.zeroed()) {
         if (!m_sensors.zero(m_experiment.environment_K))
-            return Error(MessageCode::ReasonNotAtAmbient, {}, {formatNumber(celsiusFromKelvin(m_experiment.environment_K))});
+            return Error(MessageCode::ReasonNotAtAmbient, {},
+                         {formatNumber(celsiusFromKelvin(m_experiment.environment_K))});
         event(MessageCode::EventZeroed);
     }
     m_latest.time_s = 0.0;
@@ -124,7 +131,8 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_outcome.clear();
     ControlModel model;
     model.geometry = m_geometry;
-    model.believed = believedRates(m_experiment, m_sensors.environment_K().value_or(m_experiment.environment_K));
+    model.believed =
+        believedRates(m_experiment, m_sensors.environment_K().value_or(m_experiment.environment_K));
     for (const ObjectSpec& object : m_experiment.objects)
         model.targets_K.push_back(object.target_K);
     m_controller = makeController(m_experiment.controller, std::move(model));
@@ -243,7 +251,9 @@ Result<void> ServoLoop::setController(const ControllerSettings& settings) {
     return {};
 }
 
-void ServoLoop::addNote(const std::string& text) { m_record.notes.push_back({runTime_s(), text}); }
+void ServoLoop::addNote(const std::string& text) {
+    m_record.notes.push_back({runTime_s(), text});
+}
 
 std::vector<Message> ServoLoop::reasons() const {
     if (m_state == RunState::Fault)
@@ -255,11 +265,13 @@ std::vector<Message> ServoLoop::reasons() const {
         if (m_sensors.lastInvalid(i))
             out.push_back({MessageCode::ReasonSensorInvalid, {name}});
         else if (m_sensors.leastCount() > 0 && !m_sensors.fresh(i, now_s))
-            out.push_back({MessageCode::ReasonSensorStale, {name, formatNumber(m_sensors.age_s(i, now_s), 2)}});
+            out.push_back(
+                {MessageCode::ReasonSensorStale, {name, formatNumber(m_sensors.age_s(i, now_s), 2)}});
     }
     if (m_state == RunState::NotReady && !m_sensors.full())
-        out.push_back({MessageCode::ReasonEstimatorFilling,
-                       {std::to_string(m_sensors.leastCount()), std::to_string(m_experiment.sampling.window)}});
+        out.push_back(
+            {MessageCode::ReasonEstimatorFilling,
+             {std::to_string(m_sensors.leastCount()), std::to_string(m_experiment.sampling.window)}});
     if (m_state == RunState::Holding && !m_heldBySensor && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
     if (!m_compromise.empty() && running())
@@ -278,8 +290,8 @@ std::string ServoLoop::objectsOffTarget() const {
     for (std::size_t i = 0; i < m_latest.objects.size(); ++i) {
         const double error_K = m_latest.objects[i].estimated_K - m_latest.objects[i].target_K;
         if (!(std::abs(error_K) <= kSettledBand_K))
-            words += (words.empty() ? "" : ", ") + m_experiment.objects[i].name + (error_K > 0.0 ? " +" : " ") +
-                     formatNumber(error_K, 2) + " K";
+            words += (words.empty() ? "" : ", ") + m_experiment.objects[i].name +
+                     (error_K > 0.0 ? " +" : " ") + formatNumber(error_K, 2) + " K";
     }
     return words;
 }

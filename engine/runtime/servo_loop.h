@@ -1,5 +1,6 @@
 #pragma once
-// The run's state machine and its loop: sensors in, controller, robot and heat out, every way out through one safe state.
+// The run's state machine and its loop: sensors in, controller, robot and heat out, every way out through one
+// safe state.
 
 #include "engine/base/clock.h"
 #include "engine/control/controller.h"
@@ -35,8 +36,9 @@ struct LoopRecord {
     std::vector<CommandRow> commands;
 };
 
-/// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal in words when they do not fit the
-/// state. No exception leaves tick(): it becomes a fault with the heat off and the robot standing. One thread.
+/// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal
+/// in words when they do not fit the state. No exception leaves tick(): it becomes a fault with the heat off
+/// and the robot standing. One thread.
 class ServoLoop {
 public:
     ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock);
@@ -99,18 +101,18 @@ private:
     std::unique_ptr<Controller> m_controller;
 
     RunState m_state = RunState::NotReady;
-    std::vector<Message> m_faults;     ///< latched
+    std::vector<Message> m_faults; ///< latched
     bool m_heldBySensor = false;
     double m_heldSince_s = 0.0;
     double m_withinBandSince_s = 0.0;
-    std::string m_compromise;          ///< predicted errors of the compromise aimed at; empty: none
+    std::string m_compromise; ///< predicted errors of the compromise aimed at; empty: none
     bool m_compromiseTold = false;
     double m_startTime_s = 0.0;
     double m_sourceStrength = 1.0;
     Vector6d m_coordinates = Vector6d::Zero();
     TraceSample m_latest;
     double m_sampleTime_s = 0.0;
-    std::vector<HeatRates> m_belief;   ///< of the controller, after its last step
+    std::vector<HeatRates> m_belief; ///< of the controller, after its last step
     std::string m_outcome;
     LoopRecord m_record;
 };

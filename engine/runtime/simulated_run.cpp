@@ -53,8 +53,10 @@ class Drive {
 public:
     Drive(const Experiment& experiment, SimulatedRig& rig)
         : m_period_s(experiment.sampling.period_s), m_rig(rig),
-          m_loop(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), [&rig] { return rig.trueTemperatures_K(); }},
-                 rig.clock()) {}
+          m_loop(
+              experiment,
+              {rig.robot(), rig.thermometer(), rig.heatSource(), [&rig] { return rig.trueTemperatures_K(); }},
+              rig.clock()) {}
 
     ServoLoop& loop() { return m_loop; }
     void period() {
@@ -118,7 +120,8 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     const double heldFor_s = std::min(kHeldFor_s, last.time_s);
     for (std::size_t i = 0; i < last.objects.size(); ++i) {
         const ObjectSample& object = last.objects[i];
-        outcome.objects.push_back({experiment.objects[i].name, object.target_K, object.true_K, watch.since_s(i)});
+        outcome.objects.push_back(
+            {experiment.objects[i].name, object.target_K, object.true_K, watch.since_s(i)});
         outcome.settled = outcome.settled && watch.since_s(i) && last.time_s - *watch.since_s(i) >= heldFor_s;
     }
     if (writer) {

@@ -1,5 +1,6 @@
 #pragma once
-// A whole run on the simulated rig, as fast as the machine goes: what `bask run` and the whole-engine tests do.
+// A whole run on the simulated rig, as fast as the machine goes: what `bask run` and the whole-engine tests
+// do.
 
 #include "engine/runtime/servo_loop.h"
 #include "engine/simulation/simulated_rig.h"
@@ -12,8 +13,9 @@
 namespace bask {
 
 struct SimulatedRunOptions {
-    std::optional<double> duration_s; ///< empty: until all have been settled for kSettledFor_s, at most the experiment's limit
-    std::string sessionPath;          ///< empty: not recorded
+    std::optional<double>
+        duration_s; ///< empty: until all have been settled for kSettledFor_s, at most the experiment's limit
+    std::string sessionPath;                                         ///< empty: not recorded
     std::function<void(double time_s, const TraceSample&)> progress; ///< called every sample; may be empty
 };
 
@@ -27,17 +29,17 @@ struct ObjectOutcome {
 
 struct RunOutcome {
     std::vector<ObjectOutcome> objects;
-    bool settled = false;         ///< all objects, for the last kHeldFor_s at least (or the whole of a shorter run)
+    bool settled = false; ///< all objects, for the last kHeldFor_s at least (or the whole of a shorter run)
     double simulated_s = 0.0;
     std::vector<TraceEvent> events;
-    bool fault = false;           ///< the loop ended in a fault; the reasons are in the events
+    bool fault = false; ///< the loop ended in a fault; the reasons are in the events
 };
 
 inline constexpr double kSettledFor_s = 120.0; ///< ends a run without a duration
 inline constexpr double kHeldFor_s = 30.0;     ///< passing through the band at the end is not settled
 
-/// Zeroes the sensors, fills the estimators, starts and runs to the end. Errors: an experiment that does not validate, a session that
-/// cannot be written.
+/// Zeroes the sensors, fills the estimators, starts and runs to the end. Errors: an experiment that does not
+/// validate, a session that cannot be written.
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options);
 
 } // namespace bask

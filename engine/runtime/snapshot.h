@@ -16,28 +16,29 @@ enum class RunState { Idle, NotReady, Ready, Armed, Running, Holding, Settled, S
 
 const char* runStateName(RunState state); ///< English: "Idle", "Not ready" ...
 
-/// State of the engine at one moment. `newSamples` and `newEvents` are everything since the last snapshot: none is dropped.
+/// State of the engine at one moment. `newSamples` and `newEvents` are everything since the last snapshot:
+/// none is dropped.
 struct Snapshot {
     std::uint64_t sequence = 0;
     RunState state = RunState::Idle;
-    std::vector<Message> reasons;  ///< why not ready, holding or faulted, each a sentence with its remedy
+    std::vector<Message> reasons; ///< why not ready, holding or faulted, each a sentence with its remedy
     bool simulated = true;
-    std::uint64_t runId = 0;       ///< grows with each Arm: a new trace begins
-    double runTime_s = 0.0;        ///< since Start; 0 before
-    TraceSample latest;            ///< newest readings, also outside a run
-    double sampleAge_s = 0.0;      ///< age of the newest readings
+    std::uint64_t runId = 0;  ///< grows with each Arm: a new trace begins
+    double runTime_s = 0.0;   ///< since Start; 0 before
+    TraceSample latest;       ///< newest readings, also outside a run
+    double sampleAge_s = 0.0; ///< age of the newest readings
     std::vector<TraceSample> newSamples;
     std::vector<TraceEvent> newEvents;
     std::vector<TraceNote> newNotes;
-    std::string recordingPath;     ///< empty: nothing recorded
+    std::string recordingPath; ///< empty: nothing recorded
     std::size_t recordedRows = 0;
-    double loopRate_Hz = 0.0;      ///< control steps a wall second
-    std::uint64_t lateSteps = 0;   ///< steps that began more than half a period late
+    double loopRate_Hz = 0.0;    ///< control steps a wall second
+    std::uint64_t lateSteps = 0; ///< steps that began more than half a period late
     double simulationSpeed = 1.0;
     bool heatOn = false;
     ControllerSettings controller;
     std::vector<double> targets_K;
-    Message refusal;               ///< last command refused, code None if none since the last snapshot
+    Message refusal; ///< last command refused, code None if none since the last snapshot
 };
 
 } // namespace bask

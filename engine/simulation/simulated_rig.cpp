@@ -38,11 +38,13 @@ std::vector<double> SimulatedRig::trueTemperatures_K() const {
 
 void SimulatedRig::advance(double dt_s) {
     const int steps = std::max(1, static_cast<int>(std::ceil(dt_s / kStep_s - 1e-9)));
+    const double start_s = m_clock.now_s();
     for (int i = 0; i < steps; ++i)
-        step(dt_s / steps);
+        step(i + 1 == steps ? start_s + dt_s : start_s + dt_s * (i + 1) / steps);
 }
 
-void SimulatedRig::step(double dt_s) {
+void SimulatedRig::step(double until_s) {
+    const double dt_s = until_s - m_clock.now_s();
     m_robot.advance(dt_s);
     const Vector6d q = m_robot.coordinates();
     if (q != m_computedAt) {
@@ -52,12 +54,12 @@ void SimulatedRig::step(double dt_s) {
         m_computedAt = q;
     }
     const bool open = m_source.heating();
-    const double J = open ? netSourcePower_W_m2(m_config.sourceModel, m_source.temperature_K(), m_config.sourceEmittance,
-                                                m_config.environment_K)
+    const double J = open ? netSourcePower_W_m2(m_config.sourceModel, m_source.temperature_K(),
+                                                m_config.sourceEmittance, m_config.environment_K)
                           : 0.0;
     m_plant.advance(dt_s, m_F, J);
     m_source.advance(dt_s);
-    m_clock.advance(dt_s);
+    m_clock.advanceTo(until_s);
     m_thermometer.observe(trueTemperatures_K());
 }
 

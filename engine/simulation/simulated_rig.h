@@ -33,6 +33,8 @@ struct SimulatedRigConfig {
 class SimulatedRig {
 public:
     explicit SimulatedRig(const SimulatedRigConfig& config);
+    SimulatedRig(const SimulatedRig&) = delete; // its devices refer to its clock
+    SimulatedRig& operator=(const SimulatedRig&) = delete;
 
     const Clock& clock() const { return m_clock; }
     Robot& robot() { return m_robot; }
@@ -50,7 +52,7 @@ public:
     static constexpr double kStep_s = 0.1;
 
 private:
-    void step(double dt_s);
+    void step(double until_s);
 
     SimulatedRigConfig m_config;
     ManualClock m_clock;
@@ -60,7 +62,7 @@ private:
     SimulatedRobot m_robot;
     SimulatedThermometer m_thermometer;
     SimulatedHeatSource m_source;
-    std::vector<double> m_F;           ///< at m_computedAt
+    std::vector<double> m_F; ///< at m_computedAt
     Vector6d m_computedAt;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
-// A position-stepping robot: moves in steps of its resolution, keeps its own limits, forgets a velocity that is not renewed.
+// A position-stepping robot: moves in steps of its resolution, keeps its own limits, forgets a velocity that
+// is not renewed.
 
 #include "engine/base/clock.h"
 #include "engine/devices/robot.h"
@@ -15,7 +16,7 @@ struct SimulatedRobotConfig {
     Vector6d upper = Vector6d::Zero();
     double maxSpeed_m_s = 0.02;
     double maxRotation_rad_s = 0.1;
-    double step_m = 0.0;   ///< 0: continuous
+    double step_m = 0.0; ///< 0: continuous
     double step_rad = 0.0;
     Vector6d start = Vector6d::Zero();
 };
@@ -37,7 +38,7 @@ public:
 private:
     SimulatedRobotConfig m_config;
     const Clock& m_clock;
-    Vector6d m_exact;              ///< continuous position that the steps follow
+    Vector6d m_exact; ///< continuous position that the steps follow
     Vector6d m_rates = Vector6d::Zero();
     double m_expires_s = 0.0;
     bool m_linkLost = false;

@@ -7,7 +7,8 @@
 namespace bask {
 
 SimulatedThermometer::SimulatedThermometer(const SimulatedThermometerConfig& config, const Clock& clock)
-    : m_config(config), m_clock(clock), m_random(config.seed), m_lost(static_cast<std::size_t>(config.channels), false) {
+    : m_config(config), m_clock(clock), m_random(config.seed),
+      m_lost(static_cast<std::size_t>(config.channels), false) {
     std::uniform_real_distribution<double> offset(-config.offset_K, config.offset_K);
     for (int i = 0; i < config.channels; ++i)
         m_offset_K.push_back(config.offset_K > 0.0 ? offset(m_random) : 0.0);
@@ -40,7 +41,8 @@ Result<std::vector<Reading>> SimulatedThermometer::read() {
 }
 
 SimulatedHeatSource::SimulatedHeatSource(double temperature_K, double environment_K, const Clock& clock)
-    : m_temperature_K(temperature_K), m_environment_K(environment_K), m_clock(clock), m_setPoint_K(temperature_K) {}
+    : m_temperature_K(temperature_K), m_environment_K(environment_K), m_clock(clock),
+      m_setPoint_K(temperature_K) {}
 
 Result<Reading> SimulatedHeatSource::read() {
     if (m_linkLost)
@@ -65,7 +67,9 @@ Result<void> SimulatedHeatSource::heatOff() {
     return {};
 }
 
-bool SimulatedHeatSource::heating() const { return m_on && m_clock.now_s() < m_expires_s + 1e-9; }
+bool SimulatedHeatSource::heating() const {
+    return m_on && m_clock.now_s() < m_expires_s + 1e-9;
+}
 
 void SimulatedHeatSource::advance(double dt_s) {
     if (heating())

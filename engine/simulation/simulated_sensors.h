@@ -1,5 +1,6 @@
 #pragma once
-// Simulated thermometers (offset, noise, resolution, delay, lost) and the simulated heat source behind a shutter.
+// Simulated thermometers (offset, noise, resolution, delay, lost) and the simulated heat source behind a
+// shutter.
 
 #include "engine/base/clock.h"
 #include "engine/devices/heat_source.h"
@@ -12,9 +13,9 @@ namespace bask {
 
 struct SimulatedThermometerConfig {
     int channels = 0;
-    double noise_K = 0.02;      ///< standard deviation
-    double resolution_K = 0.1;  ///< 0: none
-    double offset_K = 0.0;      ///< each channel's constant error is uniform in +- this
+    double noise_K = 0.02;     ///< standard deviation
+    double resolution_K = 0.1; ///< 0: none
+    double offset_K = 0.0;     ///< each channel's constant error is uniform in +- this
     double delay_s = 0.0;
     std::uint64_t seed = 1;
 };
@@ -45,11 +46,13 @@ private:
     std::deque<Moment> m_history;
 };
 
-/// A plate kept at its set temperature behind a shutter: heat on opens the shutter, heat off closes it and lets the plate cool slowly.
+/// A plate kept at its set temperature behind a shutter: heat on opens the shutter, heat off closes it and
+/// lets the plate cool slowly.
 class SimulatedHeatSource final : public HeatSource {
 public:
-    static constexpr double kCooling_s = 600.0; ///< time constant of the plate with the heat off after it has been on
-    static constexpr double kHeating_s = 60.0;  ///< time constant towards the set point
+    static constexpr double kCooling_s =
+        600.0; ///< time constant of the plate with the heat off after it has been on
+    static constexpr double kHeating_s = 60.0; ///< time constant towards the set point
 
     SimulatedHeatSource(double temperature_K, double environment_K, const Clock& clock);
 

@@ -14,7 +14,9 @@ void ThermalPlant::advance(double dt_s, const std::vector<double>& F, double net
         PlantObject& object = m_objects[i];
         const HeatRates rates = heatRates(object.material, netSourcePower_W_m2, m_environment_K);
         const double loss = m_convection_W_m2K / object.material.arealHeatCapacity_J_m2K();
-        const auto rate = [&](double T_K) { return rates.rate_K_s(F[i], T_K) - loss * (T_K - m_environment_K); };
+        const auto rate = [&](double T_K) {
+            return rates.rate_K_s(F[i], T_K) - loss * (T_K - m_environment_K);
+        };
         const double T = object.temperature_K;
         const double k1 = rate(T);
         const double k2 = rate(T + 0.5 * dt_s * k1);

@@ -1,5 +1,6 @@
 #pragma once
-// True temperatures of the simulated objects: radiation as modelled, and convection that no controller knows of.
+// True temperatures of the simulated objects: radiation as modelled, and convection that no controller knows
+// of.
 
 #include "engine/thermal/heat_balance.h"
 
@@ -13,12 +14,14 @@ struct PlantObject {
     double temperature_K = 298.15;
 };
 
-/// Integrates dT/dt = alpha J F / C + (alpha T3^4 - eps T^4) sigma / C - h (T - T3) / C with C = m c / A, by Runge-Kutta 4.
+/// Integrates dT/dt = alpha J F / C + (alpha T3^4 - eps T^4) sigma / C - h (T - T3) / C with C = m c / A, by
+/// Runge-Kutta 4.
 class ThermalPlant {
 public:
     ThermalPlant(std::vector<PlantObject> objects, double environment_K, double convection_W_m2K);
 
-    /// Advances by dt_s (small against the time constants) under constant view factors F and net source power J (W/m2).
+    /// Advances by dt_s (small against the time constants) under constant view factors F and net source power
+    /// J (W/m2).
     void advance(double dt_s, const std::vector<double>& F, double netSourcePower_W_m2);
     double temperature_K(std::size_t i) const { return m_objects[i].temperature_K; }
     std::size_t size() const { return m_objects.size(); }

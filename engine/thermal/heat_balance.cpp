@@ -18,11 +18,17 @@ double HeatRates::rate_K_s(double F, double T_K) const {
     return lambda1 * F - lambda2 * std::pow(T_K, 4) + lambda3;
 }
 
-double HeatRates::steadyTemperature_K(double F) const { return std::pow((lambda1 * F + lambda3) / lambda2, 0.25); }
+double HeatRates::steadyTemperature_K(double F) const {
+    return std::pow((lambda1 * F + lambda3) / lambda2, 0.25);
+}
 
-double HeatRates::steadyViewFactor(double T_K) const { return (lambda2 * std::pow(T_K, 4) - lambda3) / lambda1; }
+double HeatRates::steadyViewFactor(double T_K) const {
+    return (lambda2 * std::pow(T_K, 4) - lambda3) / lambda1;
+}
 
-double HeatRates::timeConstant_s(double T_K) const { return 1.0 / (4.0 * lambda2 * std::pow(T_K, 3)); }
+double HeatRates::timeConstant_s(double T_K) const {
+    return 1.0 / (4.0 * lambda2 * std::pow(T_K, 3));
+}
 
 HeatRates heatRates(const Material& material, double netSourcePower, double environment_K) {
     const double capacity = material.arealHeatCapacity_J_m2K();

@@ -10,15 +10,17 @@ namespace bask {
 /// What an object is made of; the lumped mass is thickness x area.
 struct Material {
     std::string name;
-    double emittance = 0.9;             ///< eps2, (0, 1]
-    double absorptance = 0.9;           ///< alpha2, (0, 1]
+    double emittance = 0.9;   ///< eps2, (0, 1]
+    double absorptance = 0.9; ///< alpha2, (0, 1]
     double specificHeat_J_kgK = 900.0;
     double density_kg_m3 = 2700.0;
     double thickness_m = 0.001;
-    double infill = 1.0;                ///< fraction of the volume that is solid, (0, 1]
+    double infill = 1.0; ///< fraction of the volume that is solid, (0, 1]
 
     /// m c / A, J/(m2 K)
-    double arealHeatCapacity_J_m2K() const { return specificHeat_J_kgK * density_kg_m3 * thickness_m * infill; }
+    double arealHeatCapacity_J_m2K() const {
+        return specificHeat_J_kgK * density_kg_m3 * thickness_m * infill;
+    }
     bool operator==(const Material&) const = default;
 };
 
@@ -26,8 +28,8 @@ struct Material {
 /// (J = sigma (eps1 T1^4 - T3^4)), which leaves the reflection out.
 enum class SourceModel { Gray, Paper };
 
-/// Net power J (W/m2) that a black surface seeing only the source takes more than one seeing only the environment.
-/// Not positive when the source cannot heat.
+/// Net power J (W/m2) that a black surface seeing only the source takes more than one seeing only the
+/// environment. Not positive when the source cannot heat.
 double netSourcePower_W_m2(SourceModel model, double sourceTemperature_K, double sourceEmittance,
                            double environment_K);
 

@@ -9,7 +9,8 @@ namespace bask {
 
 RateEstimator::RateEstimator(int window, int order) : m_window(window), m_order(order) {
     if (order < 1 || window <= order)
-        throw std::invalid_argument("RateEstimator: the window must be longer than the order, the order at least 1");
+        throw std::invalid_argument(
+            "RateEstimator: the window must be longer than the order, the order at least 1");
 }
 
 bool RateEstimator::add(double time_s, double temperature_K) {

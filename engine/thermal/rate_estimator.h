@@ -1,5 +1,6 @@
 #pragma once
-// Temperature and its rate at the newest sample: polynomial least squares over a sliding window (paper, Appendix C).
+// Temperature and its rate at the newest sample: polynomial least squares over a sliding window (paper,
+// Appendix C).
 
 #include <deque>
 #include <optional>
@@ -12,14 +13,15 @@ struct RateEstimate {
     double rate_K_s = 0.0;
 };
 
-/// Sliding window of the last `window` samples at their true times. Time is centred and scaled before the fit, since raw
-/// cubes of seconds are ill-conditioned after minutes. Not thread-safe.
+/// Sliding window of the last `window` samples at their true times. Time is centred and scaled before the
+/// fit, since raw cubes of seconds are ill-conditioned after minutes. Not thread-safe.
 class RateEstimator {
 public:
     /// window > order >= 1; throws std::invalid_argument otherwise.
     RateEstimator(int window, int order);
 
-    /// Adds a sample; returns false and leaves the window as it was when the value is not finite or the time does not grow.
+    /// Adds a sample; returns false and leaves the window as it was when the value is not finite or the time
+    /// does not grow.
     bool add(double time_s, double temperature_K);
     void reset() { m_samples.clear(); }
 

@@ -14,7 +14,8 @@ TEST(BoundedLeastSquares, WithoutActiveLimitsItIsThePlainSolution) {
     Eigen::Matrix2d H;
     H << 4.0, 1.0, 1.0, 3.0;
     const Eigen::Vector2d f(1.0, 2.0);
-    const auto solution = solveBounded(H, f, Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(-100.0, -100.0));
+    const auto solution =
+        solveBounded(H, f, Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(-100.0, -100.0));
     EXPECT_TRUE(solution.converged);
     EXPECT_FALSE(solution.constrained);
     EXPECT_LT((H * solution.y - f).norm(), 1e-12);
@@ -60,8 +61,8 @@ TEST(BoundedLeastSquares, RandomProgramsSatisfyTheOptimalityConditions) {
 }
 
 TEST(BoundedLeastSquares, RefusesAnInfeasibleStart) {
-    EXPECT_THROW((void)solveBounded(Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero(), Eigen::MatrixXd::Identity(2, 2),
-                                    Eigen::Vector2d(0.1, 0.0)),
+    EXPECT_THROW((void)solveBounded(Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero(),
+                                    Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(0.1, 0.0)),
                  std::invalid_argument);
 }
 

@@ -32,7 +32,8 @@ struct Bench {
     Bench() {
         RobotLimits limits = wideLimits();
         limits.free = {false, false, true, false, false, false};
-        geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}}, std::vector<Vector6d>{Vector6d::Zero()}, limits);
+        geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}},
+                                                 std::vector<Vector6d>{Vector6d::Zero()}, limits);
         const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
         rates = heatRates(painted, netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, kT3_K), kT3_K);
         q[kZ] = 0.10;
@@ -97,7 +98,8 @@ TEST(ModelBased, FollowsTheAnalyticSecondOrderResponse) {
 TEST(Adaptive, SettlesWithTheTrueStartValues) {
     Bench bench;
     const double target_K = bench.T_K + 0.5;
-    const auto controller = makeController(settingsOf(ControllerKind::Adaptive), {bench.geometry, {bench.rates}, {target_K}});
+    const auto controller =
+        makeController(settingsOf(ControllerKind::Adaptive), {bench.geometry, {bench.rates}, {target_K}});
     bench.run(*controller, 300.0, 0.05, [](double, double) {});
     EXPECT_NEAR(bench.T_K, target_K, 0.01);
 }
@@ -111,7 +113,8 @@ TEST(LevelServo, SettlesFromBeliefsThatAreFourTimesWrong) {
             believed.lambda2 *= wrong2;
             believed.lambda3 *= wrong2;
             const double target_K = bench.T_K + 8.0;
-            const auto controller = makeController(settingsOf(ControllerKind::LevelServo), {bench.geometry, {believed}, {target_K}});
+            const auto controller = makeController(settingsOf(ControllerKind::LevelServo),
+                                                   {bench.geometry, {believed}, {target_K}});
             double lastOutside_s = 0.0;
             bench.run(*controller, 400.0, 1.0, [&](double t, double T_K) {
                 if (std::abs(T_K - target_K) > 0.3)
@@ -124,7 +127,8 @@ TEST(LevelServo, SettlesFromBeliefsThatAreFourTimesWrong) {
 
 TEST(LevelServo, ChangeOfTargetAndStrengthAreFollowed) {
     Bench bench;
-    const auto controller = makeController(settingsOf(ControllerKind::LevelServo), {bench.geometry, {bench.rates}, {bench.T_K + 3.0}});
+    const auto controller = makeController(settingsOf(ControllerKind::LevelServo),
+                                           {bench.geometry, {bench.rates}, {bench.T_K + 3.0}});
     bench.run(*controller, 100.0, 1.0, [](double, double) {});
     const double target_K = bench.T_K - 5.0;
     controller->setTargets({target_K});
@@ -134,7 +138,8 @@ TEST(LevelServo, ChangeOfTargetAndStrengthAreFollowed) {
 
 TEST(Controllers, RefuseAWrongNumberOfObjects) {
     const Bench bench;
-    for (const auto kind : {ControllerKind::LevelServo, ControllerKind::ModelBased, ControllerKind::Adaptive}) {
+    for (const auto kind :
+         {ControllerKind::LevelServo, ControllerKind::ModelBased, ControllerKind::Adaptive}) {
         const auto controller = makeController(settingsOf(kind), {bench.geometry, {bench.rates}, {310.0}});
         EXPECT_THROW(controller->step({0.0, bench.q, 1.0, {}}, 1.0), std::invalid_argument);
     }

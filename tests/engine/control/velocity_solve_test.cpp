@@ -53,7 +53,8 @@ TEST(VelocitySolve, SpeedLimitsHoldAndNoFeasibleVelocityIsBetter) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> u(-1.0, 1.0);
     for (int trial = 0; trial < 60; ++trial) {
-        const Vector6d q = somewhere(0.15 * u(random), 0.15 * u(random), 0.12 + 0.05 * u(random), 0.3 * u(random));
+        const Vector6d q =
+            somewhere(0.15 * u(random), 0.15 * u(random), 0.12 + 0.05 * u(random), 0.3 * u(random));
         const auto problem = problemAt(geometry, q, 0.4 * u(random), 0.4 * u(random));
         const VelocitySolution solution = solveVelocity(geometry, problem);
         EXPECT_LE(solution.rates.head<3>().norm(), limits.maxSpeed_m_s * (1.0 + 1e-6));
@@ -62,11 +63,13 @@ TEST(VelocitySolve, SpeedLimitsHoldAndNoFeasibleVelocityIsBetter) {
         const double best = (problem.rows * solution.rates - problem.wanted).squaredNorm();
         for (int probe = 0; probe < 400; ++probe) {
             Vector6d rates = Vector6d::Zero();
-            rates.head<3>() = Eigen::Vector3d(u(random), u(random), u(random)).normalized() * limits.maxSpeed_m_s * std::abs(u(random));
+            rates.head<3>() = Eigen::Vector3d(u(random), u(random), u(random)).normalized() *
+                              limits.maxSpeed_m_s * std::abs(u(random));
             rates[kThetaX] = limits.maxRotation_rad_s * u(random);
             if (!geometry.allowed(q + problem.dt_s * rates))
                 continue;
-            EXPECT_GE((problem.rows * rates - problem.wanted).squaredNorm(), best - 1e-4 * problem.wanted.squaredNorm());
+            EXPECT_GE((problem.rows * rates - problem.wanted).squaredNorm(),
+                      best - 1e-4 * problem.wanted.squaredNorm());
         }
     }
 }
@@ -109,13 +112,15 @@ TEST(RigGeometry, InteractionMatrixIsTheDerivativeOfTheViewFactors) {
         up[k] += h;
         down[k] -= h;
         const Eigen::VectorXd slope = (geometry.viewFactors(up).F - geometry.viewFactors(down).F) / (2.0 * h);
-        EXPECT_LT((slope - fields.dF.col(k)).norm(), 1e-5 * fields.dF.norm()) << kCoordinateNames[static_cast<std::size_t>(k)];
+        EXPECT_LT((slope - fields.dF.col(k)).norm(), 1e-5 * fields.dF.norm())
+            << kCoordinateNames[static_cast<std::size_t>(k)];
     }
 }
 
 TEST(RigGeometry, ClearanceIsThatOfTheLowestPoint) {
     const RigGeometry geometry = twoDisks(RobotLimits());
-    // A disk 4 cm out, 1.5 cm in radius, tilted by theta: its lowest point is 5.5 cm sin(theta) below the centre.
+    // A disk 4 cm out, 1.5 cm in radius, tilted by theta: its lowest point is 5.5 cm sin(theta) below the
+    // centre.
     EXPECT_NEAR(geometry.lowestPoint_m(somewhere(0.0, 0.0, 0.1, 0.3)), 0.1 - 0.055 * std::sin(0.3), 1e-5);
     EXPECT_FALSE(geometry.allowed(somewhere(0.0, 0.0, 0.02, 0.3)));
     EXPECT_TRUE(geometry.allowed(somewhere(0.0, 0.0, 0.02, 0.0)));

@@ -31,8 +31,8 @@ TEST(SensorChannels, ZeroingMakesAllAgreeAtTheirMean) {
 }
 
 TEST(SensorChannels, DoesNotZeroOnWarmObjectsOrABadSensor) {
-    EXPECT_FALSE(filled({312.0, 312.0}).zero(298.15));  // still warm from the last run
-    EXPECT_FALSE(filled({298.0, 304.0}).zero(298.15));  // one is not at ambient
+    EXPECT_FALSE(filled({312.0, 312.0}).zero(298.15)); // still warm from the last run
+    EXPECT_FALSE(filled({298.0, 304.0}).zero(298.15)); // one is not at ambient
     SensorChannels half(1, SamplingSpec());
     half.add({{0.0, 298.0, true}});
     EXPECT_FALSE(half.zero(298.15));
@@ -40,8 +40,9 @@ TEST(SensorChannels, DoesNotZeroOnWarmObjectsOrABadSensor) {
 
 TEST(SensorChannels, BadReadingsNeverEnterAndAreTold) {
     SensorChannels channels = filled({300.0});
-    for (const Reading& bad : {Reading{10.0, 300.0, false}, Reading{10.0, std::numeric_limits<double>::quiet_NaN(), true},
-                               Reading{10.0, 26.0, true} /* -247 degC: a dead interface */, Reading{10.0, 1300.0, true}}) {
+    for (const Reading& bad :
+         {Reading{10.0, 300.0, false}, Reading{10.0, std::numeric_limits<double>::quiet_NaN(), true},
+          Reading{10.0, 26.0, true} /* -247 degC: a dead interface */, Reading{10.0, 1300.0, true}}) {
         channels.add({bad});
         EXPECT_TRUE(channels.lastInvalid(0));
         EXPECT_FALSE(channels.fresh(0, 10.0));

@@ -31,9 +31,10 @@ class ServoLoopTest : public ::testing::Test {
 protected:
     Experiment experiment = twoDisks();
     SimulatedRig rig{simulatedRigConfig(experiment)};
-    ServoLoop loop{experiment,
-                   {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); }},
-                   rig.clock()};
+    ServoLoop loop{
+        experiment,
+        {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); }},
+        rig.clock()};
 
     void periods(int count) {
         for (int i = 0; i < count; ++i) {
@@ -47,11 +48,13 @@ protected:
         ASSERT_TRUE(loop.start(false));
     }
     bool reasonGiven(MessageCode code) const {
-        return std::ranges::any_of(loop.reasons(), [&](const Message& reason) { return reason.code == code; });
+        return std::ranges::any_of(loop.reasons(),
+                                   [&](const Message& reason) { return reason.code == code; });
     }
     bool eventSeen(MessageCode code) {
         const LoopRecord rows = loop.takeRecord();
-        return std::ranges::any_of(rows.events, [&](const TraceEvent& event) { return event.message.code == code; });
+        return std::ranges::any_of(rows.events,
+                                   [&](const TraceEvent& event) { return event.message.code == code; });
     }
 };
 
@@ -97,8 +100,8 @@ TEST_F(ServoLoopTest, RunsSettlesAndStopsWithARetreat) {
     const Vector6d at = rig.simulatedRobot().coordinates();
     periods(2);
     const Vector6d later = rig.simulatedRobot().coordinates();
-    EXPECT_GT(later[kZ], at[kZ]);              // up first ...
-    EXPECT_NEAR(later[kX], at[kX], 1e-9);      // ... never sideways
+    EXPECT_GT(later[kZ], at[kZ]);         // up first ...
+    EXPECT_NEAR(later[kX], at[kX], 1e-9); // ... never sideways
     periods(40);
     EXPECT_EQ(loop.state(), RunState::Stopped);
     EXPECT_EQ(loop.outcome(), "settled");

@@ -25,8 +25,9 @@ RunOutcome run(const Experiment& experiment, std::optional<double> duration_s = 
 }
 
 bool toldOfCompromise(const RunOutcome& outcome) {
-    return std::ranges::any_of(outcome.events,
-                               [](const TraceEvent& event) { return event.message.code == MessageCode::EventCompromise; });
+    return std::ranges::any_of(outcome.events, [](const TraceEvent& event) {
+        return event.message.code == MessageCode::EventCompromise;
+    });
 }
 
 } // namespace
@@ -50,7 +51,11 @@ TEST(Example, OtherReachableTargetsSettleToo) {
     const struct {
         std::vector<double> targets_degC;
         double within_s; ///< the physical bound of the slowest object, times 1.3
-    } cases[] = {{{50, 40, 40}, 169}, {{50, 50, 35}, 169}, {{60, 60, 30}, 259}, {{40, 45, 50}, 94}, {{45, 45, 45}, 130}};
+    } cases[] = {{{50, 40, 40}, 169},
+                 {{50, 50, 35}, 169},
+                 {{60, 60, 30}, 259},
+                 {{40, 45, 50}, 94},
+                 {{45, 45, 45}, 130}};
     for (const auto& [targets_degC, within_s] : cases) {
         Experiment experiment = example("three-objects.json");
         for (std::size_t i = 0; i < 3; ++i)
@@ -66,10 +71,12 @@ TEST(Example, InALineItEndsAtTheBestCompromiseAndSaysSo) {
     const RunOutcome outcome = run(example("three-objects-in-line.json"), 900.0);
     EXPECT_FALSE(outcome.settled);
     EXPECT_TRUE(toldOfCompromise(outcome));
-    // Least squares over the workspace gives 39.41, 40.97, 39.40 degC (computed from 600 starts); sensor offsets move it a little.
+    // Least squares over the workspace gives 39.41, 40.97, 39.40 degC (computed from 600 starts); sensor
+    // offsets move it a little.
     const double best_degC[] = {39.41, 40.97, 39.40};
     for (std::size_t i = 0; i < 3; ++i)
-        EXPECT_NEAR(celsiusFromKelvin(outcome.objects[i].final_K), best_degC[i], 0.4) << outcome.objects[i].name;
+        EXPECT_NEAR(celsiusFromKelvin(outcome.objects[i].final_K), best_degC[i], 0.4)
+            << outcome.objects[i].name;
 }
 
 TEST(Example, ThePapersControllersRun) {

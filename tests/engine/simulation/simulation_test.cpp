@@ -35,7 +35,8 @@ TEST(ThermalPlant, ConvectionTakesAwayWhatItShould) {
     for (int i = 0; i < 50000; ++i)
         plant.advance(0.5, {1.0}, 1000.0);
     const double T = plant.temperature_K(0);
-    const double balance = 0.9 * 1000.0 - 0.9 * 5.670374419e-8 * (std::pow(T, 4) - std::pow(kRoom_K, 4)) - h * (T - kRoom_K);
+    const double balance =
+        0.9 * 1000.0 - 0.9 * 5.670374419e-8 * (std::pow(T, 4) - std::pow(kRoom_K, 4)) - h * (T - kRoom_K);
     EXPECT_NEAR(balance, 0.0, 1e-6);
 }
 

@@ -28,9 +28,12 @@ TEST(HeatBalance, PaperSourceNeedsTheViewFactorsOfItsFeasibilitySection) {
 }
 
 TEST(HeatBalance, CeilingsOfBothSourceModels) {
-    EXPECT_NEAR(celsiusFromKelvin(standardRates(SourceModel::Paper, 25.0).steadyTemperature_K(1.0)), 61.4, 0.05);
-    EXPECT_NEAR(celsiusFromKelvin(standardRates(SourceModel::Gray, 25.0).steadyTemperature_K(1.0)), 95.4, 0.05);
-    EXPECT_NEAR(celsiusFromKelvin(standardRates(SourceModel::Gray, 25.0).steadyTemperature_K(0.0)), 25.0, 1e-9);
+    EXPECT_NEAR(celsiusFromKelvin(standardRates(SourceModel::Paper, 25.0).steadyTemperature_K(1.0)), 61.4,
+                0.05);
+    EXPECT_NEAR(celsiusFromKelvin(standardRates(SourceModel::Gray, 25.0).steadyTemperature_K(1.0)), 95.4,
+                0.05);
+    EXPECT_NEAR(celsiusFromKelvin(standardRates(SourceModel::Gray, 25.0).steadyTemperature_K(0.0)), 25.0,
+                1e-9);
 }
 
 TEST(HeatBalance, ArealHeatCapacitiesOfTheStandardObjects) {
@@ -42,7 +45,8 @@ TEST(HeatBalance, ArealHeatCapacitiesOfTheStandardObjects) {
 TEST(HeatBalance, BareAluminiumIsAsSlowAsThePaperSays) {
     const double T3 = kelvinFromCelsius(25.0);
     const Material bare{"bare", 0.04, 0.04, 900.0, 2700.0, 0.003, 1.0};
-    const HeatRates rates = heatRates(bare, netSourcePower_W_m2(SourceModel::Paper, kelvinFromCelsius(200.0), 0.25, T3), T3);
+    const HeatRates rates =
+        heatRates(bare, netSourcePower_W_m2(SourceModel::Paper, kelvinFromCelsius(200.0), 0.25, T3), T3);
     EXPECT_NEAR(rates.lambda1, 1.5e-3, 1e-4);
     EXPECT_NEAR(rates.timeConstant_s(kelvinFromCelsius(25.0)) / 3600.0, 8.0, 0.9);
 }

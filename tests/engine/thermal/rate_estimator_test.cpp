@@ -12,7 +12,10 @@ namespace bask {
 TEST(RateEstimator, IsExactForItsOwnOrderAtIrregularTimesHoursLater) {
     RateEstimator estimator(10, 3);
     const double start_s = 20000.0; // raw cubes of such times would lose every digit
-    const auto T = [&](double t) { return 300.0 + 0.7 * (t - start_s) - 0.03 * std::pow(t - start_s, 2) + 0.002 * std::pow(t - start_s, 3); };
+    const auto T = [&](double t) {
+        return 300.0 + 0.7 * (t - start_s) - 0.03 * std::pow(t - start_s, 2) +
+               0.002 * std::pow(t - start_s, 3);
+    };
     double t = start_s;
     for (int i = 0; i < 14; ++i) {
         t += i % 3 == 0 ? 0.7 : 1.1;
