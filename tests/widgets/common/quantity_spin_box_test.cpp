@@ -1,0 +1,73 @@
+#include "widgets/common/quantity_spin_box.h"
+
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace bask;
+
+// Catches a value that drifts when the display unit is switched to and fro.
+TEST(QuantitySpinBox, UnitSwitchChangesTheTextOnly) {
+    QuantitySpinBox box;
+    QSignalSpy edited(&box, &QuantitySpinBox::valueEdited_K);
+    box.setRange_K(273.15, 373.15);
+    box.setValue_K(313.1734);
+    box.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_EQ(box.text(), QStringLiteral("104.0\u00a0°F"));
+    EXPECT_NEAR(box.maximum(), 212.0, 1e-9);
+    box.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_EQ(box.text(), QStringLiteral("313.2\u00a0K"));
+    box.setTemperatureUnit(TemperatureUnit::Celsius);
+    EXPECT_EQ(box.text(), QStringLiteral("40.0\u00a0°C"));
+    EXPECT_DOUBLE_EQ(box.value_K(), 313.1734);
+    EXPECT_EQ(edited.count(), 0) << "only a person's edits are reported";
+}
+
+TEST(QuantitySpinBox, TypingReportsKelvin) {
+    QuantitySpinBox box;
+    box.setTemperatureUnit(TemperatureUnit::Celsius);
+    QSignalSpy edited(&box, &QuantitySpinBox::valueEdited_K);
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("45.5"));
+    EXPECT_EQ(edited.count(), 0) << "not before Enter";
+    QTest::keyClick(&box, Qt::Key_Return);
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_NEAR(edited.first().first().toDouble(), 318.65, 1e-9);
+    QTest::keyClick(&box, Qt::Key_Up);
+    EXPECT_NEAR(box.value_K(), 319.15, 1e-9);
+    box.setValue_K(std::nan(""));
+    EXPECT_NEAR(box.value_K(), 319.15, 1e-9) << "not a number is refused";
+}
+
+// Catches gains of 1e-22 shown or stored as 0.
+TEST(GainSpinBox, AnyMagnitude) {
+    GainSpinBox box;
+    box.setSuffix(QStringLiteral(" s"));
+    box.setValue(1e-22);
+    EXPECT_DOUBLE_EQ(box.value(), 1e-22);
+    EXPECT_EQ(box.text(), QStringLiteral("1e-22 s"));
+    box.setValue(0.05);
+    EXPECT_EQ(box.text(), QStringLiteral("0.05 s"));
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("2.5e-21"));
+    QTest::keyClick(&box, Qt::Key_Return);
+    EXPECT_DOUBLE_EQ(box.value(), 2.5e-21);
+}
+
+TEST(GainSpinBox, StepsChangeTheSecondDigitAndRetrace) {
+    GainSpinBox box;
+    box.setValue(8.0);
+    box.stepUp();
+    EXPECT_NEAR(box.value(), 8.1, 1e-12);
+    box.setValue(1.0);
+    box.stepDown();
+    EXPECT_NEAR(box.value(), 0.99, 1e-12);
+    box.stepUp();
+    EXPECT_NEAR(box.value(), 1.0, 1e-12);
+    box.stepUp();
+    EXPECT_NEAR(box.value(), 1.1, 1e-12);
+}

@@ -1,0 +1,60 @@
+#include "widgets/common/run_state_chip.h"
+
+#include <QMenu>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace bask;
+
+// Catches a chip that shows a state but not why, or lists reasons of an earlier state.
+TEST(RunStateChip, ClickListsEachReasonWithItsRemedy) {
+    RunStateChip chip;
+    const QString first = QStringLiteral("No experiment is loaded. Open one or make a new one.");
+    const QString second = QStringLiteral("The source is not at its temperature yet. Wait until it is warm.");
+    chip.setState(RunState::NotReady, {first, second});
+    chip.show();
+    EXPECT_EQ(chip.text(), QStringLiteral("Not ready (2)"));
+    EXPECT_TRUE(chip.accessibleName().contains(QStringLiteral("Not ready")));
+
+    QTest::mouseClick(&chip, Qt::LeftButton);
+    QMenu* menu = chip.reasonsMenu();
+    ASSERT_TRUE(menu->isVisible());
+    ASSERT_EQ(menu->actions().size(), 2);
+    EXPECT_EQ(menu->actions()[0]->text(), first);
+    EXPECT_EQ(menu->actions()[1]->text(), second);
+
+    QSignalSpy chosen(&chip, &RunStateChip::reasonActivated);
+    QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier,
+                      menu->actionGeometry(menu->actions()[1]).center());
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen.first().first().toInt(), 1);
+    menu->close();
+
+    chip.setState(RunState::Ready, {});
+    EXPECT_EQ(chip.text(), QStringLiteral("Ready"));
+    ASSERT_EQ(menu->actions().size(), 1) << "says in words that nothing stands in the way";
+}
+
+// Catches a state told by colour alone: the pictures of any two states differ also in shades of grey.
+TEST(RunStateChip, StatesDifferWithoutColour) {
+    QList<QImage> seen;
+    for (int i = static_cast<int>(RunState::Idle); i <= static_cast<int>(RunState::Fault); ++i) {
+        RunStateChip chip;
+        chip.setState(static_cast<RunState>(i), {});
+        chip.resize(chip.sizeHint());
+        const QImage picture = chip.grab().toImage().convertToFormat(QImage::Format_Grayscale8);
+        EXPECT_FALSE(seen.contains(picture)) << "state " << i;
+        seen << picture;
+    }
+}
+
+// Catches a state bar that jumps when the state changes.
+TEST(RunStateChip, KeepsItsWidth) {
+    RunStateChip chip;
+    chip.setState(RunState::Idle, {});
+    const int idle = chip.sizeHint().width();
+    chip.setState(RunState::Fault, {});
+    EXPECT_EQ(chip.sizeHint().width(), idle);
+}

@@ -1,0 +1,446 @@
+#include "widgets/objects/objects_page.h"
+
+#include "tests/support/longer_translator.h"
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/common/theme.h"
+#include "widgets/objects/fourier_fits.h"
+#include "widgets/objects/message_bar.h"
+#include "widgets/objects/object_list.h"
+#include "widgets/objects/outline_preview.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStyleOptionSlider>
+#include <QTest>
+#include <QUndoStack>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+const Experiment& example() {
+    static const Experiment experiment =
+        readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    return experiment;
+}
+
+QPoint handle(QSlider* slider, int value) {
+    QStyleOptionSlider option;
+    option.initFrom(slider);
+    option.minimum = slider->minimum();
+    option.maximum = slider->maximum();
+    option.sliderPosition = value;
+    option.sliderValue = value;
+    option.orientation = Qt::Horizontal;
+    option.state |= QStyle::State_Horizontal;
+    return slider->style()
+        ->subControlRect(QStyle::CC_Slider, &option, QStyle::SC_SliderHandle, slider)
+        .center();
+}
+
+/// The page with the example, its signals recorded; the application of the test accepts every edit.
+struct ObjectsPageTest : testing::Test {
+    ObjectsPage page;
+    QSignalSpy edited{&page, &ObjectsPage::experimentEdited};
+    QSignalSpy imported{&page, &ObjectsPage::importRequested};
+
+    ObjectsPageTest() {
+        page.setExperiment(example());
+        page.resize(1150, 620);
+        page.show();
+        page.activateWindow();
+        QApplication::processEvents();
+    }
+    template <class T> T* child(const char* name) {
+        auto* found = page.findChild<T*>(name);
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void select(const std::string& name) {
+        for (std::size_t i = 0; i < page.experiment().objects.size(); ++i)
+            if (page.experiment().objects[i].name == name)
+                child<ObjectList>("objectList")->setCurrentRow(static_cast<int>(i));
+    }
+    void type(QWidget* field, const QString& text) {
+        field->setFocus();
+        if (auto* spin = qobject_cast<QAbstractSpinBox*>(field))
+            spin->selectAll();
+        else
+            qobject_cast<QLineEdit*>(field)->selectAll();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    void click(const char* name) { QTest::mouseClick(child<QPushButton>(name), Qt::LeftButton); }
+    void clickInMessage(const char* name) {
+        auto* button = child<MessageBar>("pageMessage")->findChild<QAbstractButton*>(name);
+        ASSERT_NE(button, nullptr);
+        ASSERT_TRUE(button->isVisible());
+        QTest::mouseClick(button, Qt::LeftButton);
+    }
+    QString residual() { return child<QLabel>("residual")->text(); }
+    bool fitted() {
+        return QTest::qWaitFor([this] { return residual().contains("mm"); }, 30000);
+    }
+    QString message() { return child<MessageBar>("pageMessage")->sentence(); }
+    const Experiment& last() { return page.experiment(); }
+};
+
+// Catches a list that does not mirror the experiment or counts the robot's axes wrongly.
+TEST_F(ObjectsPageTest, ListsTheObjectsAndTheDegreesOfFreedom) {
+    auto* list = child<ObjectList>("objectList");
+    ASSERT_EQ(list->count(), 3);
+    EXPECT_EQ(list->item(0)->text(), "circle");
+    EXPECT_EQ(list->item(1)->text(), "bunny");
+    EXPECT_EQ(child<QLabel>("objectCount")->text(), "3 of 4 degrees of freedom used");
+    EXPECT_EQ(edited.count(), 0);
+}
+
+// Catches a slider whose drag does not move the residual, or that commits at each step of the drag.
+TEST_F(ObjectsPageTest, DraggingTheHarmonicsChangesTheResidualAndCommitsOnce) {
+    select("bunny");
+    ASSERT_TRUE(fitted());
+    auto* slider = child<QSlider>("harmonicsSlider");
+    ASSERT_EQ(slider->value(), 5);
+    const QString before = residual();
+    const QPoint from = handle(slider, 5);
+    QTest::mousePress(slider, Qt::LeftButton, {}, from);
+    QTest::mouseMove(slider, handle(slider, 12));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return residual() != before && residual().contains("mm"); }, 30000));
+    EXPECT_EQ(edited.count(), 0) << "a drag in progress is a preview";
+    EXPECT_EQ(child<QSpinBox>("harmonicsSpin")->value(), slider->value());
+    const int reached = slider->value();
+    EXPECT_NEAR(reached, 12, 1);
+    QTest::mouseRelease(slider, Qt::LeftButton, {}, handle(slider, reached));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 30000));
+    EXPECT_EQ(std::get<FourierContour>(last().objects[1].shape).harmonics(), reached);
+    EXPECT_EQ(last().objects[1].origin.harmonics, reached);
+    EXPECT_EQ(last().objects[1].origin.outline, example().objects[1].origin.outline);
+
+    click("undo");
+    EXPECT_EQ(edited.count(), 2);
+    EXPECT_EQ(last(), example());
+    EXPECT_EQ(slider->value(), 5);
+    ASSERT_TRUE(fitted());
+    EXPECT_EQ(residual(), before);
+    click("redo");
+    EXPECT_EQ(std::get<FourierContour>(last().objects[1].shape).harmonics(), reached);
+}
+
+// Catches residual figures that are not those of the fit, or not in mm.
+TEST_F(ObjectsPageTest, ResidualIsThatOfTheFitInMillimetres) {
+    select("hand");
+    ASSERT_TRUE(fitted());
+    const FourierFit fit = fitFourier(example().objects[2].origin.outline, 5).value();
+    EXPECT_TRUE(residual().contains(QString::number(fit.rms_m * 1e3, 'f', 3))) << residual().toStdString();
+    EXPECT_TRUE(residual().contains(QString::number(fit.max_m * 1e3, 'f', 3)));
+    EXPECT_EQ(child<QLabel>("crossingWarning")->isVisible(), fit.crossesItself);
+}
+
+// Catches a warning that stays away when the truncated curve crosses itself.
+TEST_F(ObjectsPageTest, WarnsOfACrossingOutline) {
+    // A thin comb: few harmonics make its teeth cross.
+    Contour comb;
+    for (int k = 0; k < 6; ++k) {
+        const double x = 0.01 * k;
+        comb.points_m.insert(comb.points_m.end(), {{x, 0.0}, {x + 0.0005, 0.08}, {x + 0.001, 0.0}});
+    }
+    comb.points_m.insert(comb.points_m.end(), {{0.051, -0.001}, {0.0, -0.001}});
+    const Contour outline = makeContour(comb.points_m).value();
+    int crossing = 0;
+    for (int h = 1; h <= kMaxHarmonics && crossing == 0; ++h)
+        if (fitFourier(outline, h).value().crossesItself)
+            crossing = h;
+    ASSERT_GT(crossing, 0);
+    Experiment experiment = example();
+    experiment.objects[1].origin.outline = outline;
+    page.setExperiment(experiment);
+    select("bunny");
+    auto* spin = child<QSpinBox>("harmonicsSpin");
+    type(spin, QString::number(crossing));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return child<QLabel>("crossingWarning")->isVisible(); }, 30000));
+}
+
+// Catches fields that are shown or sent in the wrong unit.
+TEST_F(ObjectsPageTest, FieldsAreInReadableUnitsAndEditsInSi) {
+    select("bunny");
+    EXPECT_DOUBLE_EQ(child<QDoubleSpinBox>("mountX")->value(), -4.35);
+    EXPECT_DOUBLE_EQ(child<QDoubleSpinBox>("infill")->value(), 30.0);
+    type(child<QDoubleSpinBox>("thickness"), "2.5");
+    EXPECT_DOUBLE_EQ(last().objects[1].material.thickness_m, 0.0025);
+    type(child<QDoubleSpinBox>("mountY"), "-3.1");
+    EXPECT_DOUBLE_EQ(last().objects[1].mounting[kY], -0.031);
+    type(child<QDoubleSpinBox>("mountRotation"), "90");
+    EXPECT_DOUBLE_EQ(last().objects[1].mounting[kThetaZ], radFromDeg(90.0));
+    type(child<QDoubleSpinBox>("infill"), "45");
+    EXPECT_DOUBLE_EQ(last().objects[1].material.infill, 0.45);
+    type(child<QuantitySpinBox>("target"), "47");
+    EXPECT_DOUBLE_EQ(last().objects[1].target_K, 320.15);
+    EXPECT_EQ(edited.count(), 5);
+    // What was not touched is bit for bit what it was.
+    EXPECT_EQ(last().objects[1].mounting[kX], example().objects[1].mounting[kX]);
+    EXPECT_EQ(last().objects[1].shape, example().objects[1].shape);
+    EXPECT_EQ(last().objects[0], example().objects[0]);
+}
+
+// Catches a target that changes when only the display unit does.
+TEST_F(ObjectsPageTest, UnitSwitchShowsTheSameTarget) {
+    page.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_NEAR(child<QuantitySpinBox>("target")->value(), 104.0, 0.05);
+    EXPECT_EQ(edited.count(), 0);
+    type(child<QuantitySpinBox>("target"), "122");
+    EXPECT_NEAR(last().objects[0].target_K, 323.15, 1e-9);
+}
+
+// Catches a disk's radius in the wrong unit, and area and perimeter not following it.
+TEST_F(ObjectsPageTest, RadiusOfADisk) {
+    EXPECT_TRUE(child<QDoubleSpinBox>("radius")->isVisible());
+    type(child<QDoubleSpinBox>("radius"), "2");
+    EXPECT_EQ(last().objects[0].shape, Shape(Disk{0.02}));
+    EXPECT_EQ(child<QLabel>("area")->text(), QString::fromUtf8("12.57 cm²"));
+    EXPECT_EQ(child<QLabel>("perimeter")->text(), "12.57 cm");
+    select("hand");
+    EXPECT_FALSE(child<QDoubleSpinBox>("radius")->isVisible());
+}
+
+// Catches presets that are not recognised, or that change the plate's thickness.
+TEST_F(ObjectsPageTest, MaterialPresets) {
+    auto* preset = child<QComboBox>("materialPreset");
+    EXPECT_EQ(preset->currentText(), "aluminium, painted");
+    type(child<QDoubleSpinBox>("thickness"), "3");
+    preset->setFocus();
+    const int bare = preset->findText("aluminium, bare");
+    ASSERT_GE(bare, 0);
+    preset->setCurrentIndex(bare);
+    emit preset->activated(bare);
+    EXPECT_DOUBLE_EQ(last().objects[0].material.emittance, 0.04);
+    EXPECT_DOUBLE_EQ(last().objects[0].material.absorptance, 0.04);
+    EXPECT_DOUBLE_EQ(last().objects[0].material.thickness_m, 0.003);
+    type(child<QDoubleSpinBox>("emittance"), "0.5");
+    EXPECT_TRUE(preset->currentText().startsWith("typed values"));
+}
+
+// Catches a rename that is lost or an undo that does not bring the name back.
+TEST_F(ObjectsPageTest, RenameAndUndoByKeyboard) {
+    type(child<QLineEdit>("objectName"), "plate");
+    EXPECT_EQ(last().objects[0].name, "plate");
+    EXPECT_EQ(child<ObjectList>("objectList")->item(0)->text(), "plate");
+    child<ObjectList>("objectList")->setFocus();
+    QTest::keyClick(child<ObjectList>("objectList"), Qt::Key_Z, Qt::ControlModifier);
+    EXPECT_EQ(last(), example());
+    EXPECT_EQ(child<QLineEdit>("objectName")->text(), "circle");
+}
+
+// Catches adding past the robot's axes, overlapping mountings, and a removal that cannot be undone.
+TEST_F(ObjectsPageTest, AddDuplicateRemoveUndo) {
+    click("addDisk");
+    ASSERT_EQ(last().objects.size(), 4u);
+    EXPECT_EQ(last().objects[3].name, "disk");
+    EXPECT_EQ(page.selectedObject(), 3);
+    EXPECT_TRUE(validate(last()).ok());
+    for (std::size_t i = 0; i < 3; ++i)
+        EXPECT_GT((last().objects[i].mounting - last().objects[3].mounting).head<2>().norm(),
+                  shapeRadius(last().objects[i].shape) + 0.015);
+    EXPECT_FALSE(child<QPushButton>("addDisk")->isEnabled());
+    EXPECT_FALSE(child<QPushButton>("importOutline")->isEnabled());
+    EXPECT_FALSE(child<QPushButton>("duplicateObject")->isEnabled());
+
+    click("removeObject");
+    EXPECT_EQ(last(), example());
+    EXPECT_TRUE(message().contains("disk"));
+    clickInMessage("messageAction");
+    EXPECT_EQ(last().objects.size(), 4u);
+    click("undo");
+    ASSERT_EQ(last(), example());
+    select("hand");
+    ASSERT_TRUE(child<QPushButton>("duplicateObject")->isEnabled());
+    click("duplicateObject");
+    ASSERT_EQ(last().objects.size(), 4u);
+    EXPECT_EQ(last().objects[3].name, "hand 2");
+    EXPECT_EQ(last().objects[3].shape, example().objects[2].shape);
+}
+
+// Catches an import that does not ask for the unit, or drops it on the way.
+TEST_F(ObjectsPageTest, ImportOfACsvAsksForItsUnit) {
+    page.offerFile("/data/leaf.csv");
+    ASSERT_TRUE(child<QWidget>("importBar")->isVisible());
+    auto* unit = child<QComboBox>("importUnit");
+    unit->setCurrentIndex(unit->findText("cm"));
+    click("importAccept");
+    ASSERT_EQ(imported.count(), 1);
+    EXPECT_EQ(imported[0][0].toString(), "/data/leaf.csv");
+    const auto options = imported[0][1].value<ContourImportOptions>();
+    EXPECT_EQ(options.unit, LengthUnit::Centimetre);
+    EXPECT_FALSE(options.scale_px_per_mm);
+    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
+
+    page.showImported("/data/leaf.csv", example().objects[1].origin.outline);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 30000));
+    const ObjectSpec& leaf = last().objects.at(3);
+    EXPECT_EQ(leaf.name, "leaf");
+    EXPECT_EQ(leaf.origin.harmonics, 5);
+    EXPECT_EQ(leaf.origin.file, "leaf.csv");
+    EXPECT_NEAR(contourCentroid(leaf.origin.outline).norm(), 0.0, 1e-9);
+    EXPECT_EQ(std::get<FourierContour>(leaf.shape).harmonics(), 5);
+    EXPECT_TRUE(validate(last()).ok());
+}
+
+// Catches a dropped picture that goes another way than the button's, and a scale that is lost.
+TEST_F(ObjectsPageTest, DroppedPictureAsksForItsScale) {
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile("/data/leaf.png")});
+    QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&page, &enter);
+    EXPECT_TRUE(enter.isAccepted());
+    QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(&page, &drop);
+    auto* scale = child<QDoubleSpinBox>("importScale");
+    ASSERT_TRUE(scale->isVisible());
+    type(scale, "12.5"); // Enter accepts the bar
+    ASSERT_EQ(imported.count(), 1);
+    EXPECT_DOUBLE_EQ(imported[0][1].value<ContourImportOptions>().scale_px_per_mm.value_or(0.0), 12.5);
+    page.showImportError("leaf.png: no silhouette found");
+    EXPECT_EQ(message(), "leaf.png: no silhouette found");
+    clickInMessage("messageClose");
+    EXPECT_EQ(message(), "");
+}
+
+// Catches silence about a file of another kind.
+TEST_F(ObjectsPageTest, OtherFilesAreRefusedInWords) {
+    page.offerFile("/data/notes.pdf");
+    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
+    EXPECT_TRUE(message().contains("notes.pdf"));
+    EXPECT_EQ(imported.count(), 0);
+}
+
+// Catches a refused edit that stays on the undo stack or on the screen, from a direct and from a late answer.
+TEST_F(ObjectsPageTest, RefusedEditGoesBackAndTellsWhy) {
+    const auto connection = QObject::connect(&page, &ObjectsPage::experimentEdited, &page, [this] {
+        page.setExperiment(example());
+        page.showError("the name is used twice");
+    });
+    type(child<QLineEdit>("objectName"), "bunny");
+    EXPECT_EQ(page.experiment(), example());
+    EXPECT_EQ(child<QLineEdit>("objectName")->text(), "circle");
+    EXPECT_EQ(message(), "the name is used twice");
+    EXPECT_FALSE(page.undoStack()->canUndo());
+
+    QObject::disconnect(connection);
+    type(child<QDoubleSpinBox>("thickness"), "2");
+    const Experiment accepted = page.experiment();
+    type(child<QLineEdit>("objectName"), "bunny");
+    page.setExperiment(accepted);
+    page.showError("the name is used twice");
+    EXPECT_EQ(page.undoStack()->count(), 1) << "the accepted edit can still be undone";
+    click("undo");
+    EXPECT_EQ(page.experiment(), example());
+}
+
+// Catches fields that can be edited during a run.
+TEST_F(ObjectsPageTest, NotEditableDuringARun) {
+    page.setEditable(false, "A run is on; stop it to edit the objects.");
+    for (const char* name : {"thickness", "mountX", "emittance", "radius"})
+        EXPECT_FALSE(child<QDoubleSpinBox>(name)->isEnabled()) << name;
+    for (const char* name : {"addDisk", "importOutline", "removeObject", "undo"})
+        EXPECT_FALSE(child<QPushButton>(name)->isEnabled()) << name;
+    EXPECT_FALSE(child<QSlider>("harmonicsSlider")->isEnabled());
+    EXPECT_EQ(child<MessageBar>("editNote")->sentence(), "A run is on; stop it to edit the objects.");
+    page.offerFile("/data/leaf.csv");
+    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
+    select("bunny");
+    EXPECT_EQ(page.selectedObject(), 1) << "looking is allowed";
+    page.setEditable(true, {});
+    EXPECT_TRUE(child<QDoubleSpinBox>("thickness")->isEnabled());
+    EXPECT_EQ(child<MessageBar>("editNote")->sentence(), "");
+}
+
+// Catches an outline drawn out of register with its fit.
+TEST_F(ObjectsPageTest, RawOutlineIsDrawnInTheFitsFrame) {
+    const Contour& raw = example().objects[1].origin.outline;
+    const FourierFit fit = fitFourier(raw, 40).value();
+    Contour shifted = raw;
+    for (auto& p : shifted.points_m)
+        p += Eigen::Vector2d(0.02, -0.01);
+    const Contour moved = registered(shifted, fit.contour);
+    double worst_m = 0.0;
+    for (const auto& p : moved.points_m) {
+        double nearest_m = 1.0;
+        for (int k = 0; k < 4000; ++k) {
+            const auto q = fit.contour.point(k / 4000.0);
+            nearest_m = std::min(nearest_m, std::hypot(p.x() - q.real(), p.y() - q.imag()));
+        }
+        worst_m = std::max(worst_m, nearest_m);
+    }
+    EXPECT_LT(worst_m, fit.max_m + 1e-4);
+}
+
+// Catches text that stays in the old language or has no room in a longer one.
+TEST_F(ObjectsPageTest, LanguageChangeWithLongerText) {
+    select("bunny");
+    ASSERT_TRUE(fitted());
+    LongerTranslator longer;
+    qApp->installTranslator(&longer);
+    for (int i = 0; i < 6; ++i) // nested layouts settle one after the other
+        QApplication::processEvents();
+    page.grab().save("objects_longer.png");
+    for (QLabel* label : page.findChildren<QLabel*>()) {
+        if (label->isVisible() && !label->text().isEmpty()) {
+            EXPECT_TRUE(label->text().contains('[')) << label->text().toStdString();
+        }
+    }
+    for (QPushButton* button : page.findChildren<QPushButton*>()) {
+        if (button->isVisible()) {
+            EXPECT_TRUE(button->text().startsWith('[')) << button->text().toStdString();
+            EXPECT_GE(button->width(), button->minimumSizeHint().width()) << button->text().toStdString();
+        }
+    }
+    qApp->removeTranslator(&longer);
+    QApplication::processEvents();
+    EXPECT_EQ(child<QPushButton>("duplicateObject")->text(), "Du&plicate");
+}
+
+// Catches controls that a screen reader or the keyboard cannot find.
+TEST_F(ObjectsPageTest, EveryControlHasAnAccessibleName) {
+    for (QWidget* widget : page.findChildren<QWidget*>()) {
+        const bool control = qobject_cast<QAbstractSpinBox*>(widget) || qobject_cast<QComboBox*>(widget) ||
+                             qobject_cast<QSlider*>(widget) || qobject_cast<ObjectList*>(widget) ||
+                             widget->objectName() == "objectName";
+        if (control) {
+            EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->objectName().toStdString();
+        }
+    }
+}
+
+// Catches an edit or a selection that holds the GUI thread; keeps a picture of the page in both themes.
+TEST_F(ObjectsPageTest, PictureInBothThemes) {
+    QElapsedTimer timer;
+    timer.start();
+    select("bunny");
+    EXPECT_LT(timer.elapsed(), 50);
+    ASSERT_TRUE(fitted());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return page.findChild<FourierFits*>()->complete(); }, 30000));
+    for (const bool dark : {false, true}) {
+        applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
+        QApplication::processEvents();
+        const QImage picture = page.grab().toImage();
+        EXPECT_TRUE(picture.save(dark ? "objects_dark.png" : "objects_light.png"));
+        EXPECT_EQ(picture.pixelColor(2, 2).lightness() < 128, dark);
+    }
+    applyTheme(*qApp, Theme::Light);
+    EXPECT_LE(page.minimumSizeHint().width(), 1100);
+    EXPECT_LE(page.minimumSizeHint().height(), 560);
+}
+
+} // namespace
+} // namespace bask

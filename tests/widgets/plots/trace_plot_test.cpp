@@ -1,0 +1,239 @@
+#include "widgets/plots/trace_plot.h"
+
+#include "widgets/common/theme.h"
+
+#include <QElapsedTimer>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+using namespace bask;
+
+namespace {
+
+std::vector<TraceSample> warmUp(int samples, double period_s = 1.0, double start_s = 0.0) {
+    std::vector<TraceSample> out;
+    for (int k = 0; k < samples; ++k) {
+        TraceSample sample;
+        sample.time_s = start_s + period_s * (k + 1);
+        for (int i = 0; i < 3; ++i) {
+            ObjectSample object;
+            object.target_K = 313.15;
+            object.measured_K =
+                313.15 - 15.0 * std::exp(-sample.time_s / (40.0 + 20.0 * i)) + 0.05 * std::sin(3.0 * k + i);
+            object.rate_K_s = 0.01;
+            object.viewFactor = 0.3 + 0.05 * i;
+            object.lambda1 = 0.2;
+            object.valid = true;
+            sample.objects.push_back(object);
+        }
+        out.push_back(sample);
+    }
+    return out;
+}
+
+const QStringList kNames{QStringLiteral("circle"), QStringLiteral("bunny"), QStringLiteral("hand")};
+
+QWidget* canvasOf(TracePlot& plot) {
+    return plot.findChild<QWidget*>(QStringLiteral("tracePlotCanvas"));
+}
+
+void wheel(QWidget* target, int angle, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    const QPointF at(target->width() * 0.5, target->height() * 0.4);
+    QWheelEvent event(at, target->mapToGlobal(at), {}, {0, angle}, Qt::NoButton, modifiers, Qt::NoScrollPhase,
+                      false);
+    QCoreApplication::sendEvent(target, &event);
+}
+
+struct ShownPlot {
+    TracePlot plot;
+    explicit ShownPlot(Quantity quantity = Quantity::Temperature) : plot(quantity) {
+        plot.setObjects(kNames);
+        plot.resize(800, 320);
+        plot.show();
+        QCoreApplication::processEvents();
+    }
+};
+
+} // namespace
+
+// Catches samples lost between the engine and the trace, and a wrong unit.
+TEST(TracePlot, ContainsEverySampleInTheDisplayUnit) {
+    ShownPlot shown;
+    const auto samples = warmUp(120);
+    shown.plot.append({samples.begin(), samples.begin() + 50});
+    shown.plot.append({samples.begin() + 50, samples.end()});
+    ASSERT_EQ(shown.plot.seriesCount(), 3);
+    EXPECT_EQ(shown.plot.seriesName(1), QStringLiteral("bunny"));
+    const auto points = shown.plot.seriesPoints(1);
+    ASSERT_EQ(points.size(), 120);
+    EXPECT_NEAR(points[70].y(), samples[70].objects[1].measured_K - 273.15, 1e-9);
+    EXPECT_EQ(shown.plot.valueAxisLabel(), QStringLiteral("Temperature (°C)"));
+
+    shown.plot.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_NEAR(shown.plot.seriesPoints(1)[70].y(), (samples[70].objects[1].measured_K - 273.15) * 1.8 + 32.0,
+                1e-9);
+    EXPECT_EQ(shown.plot.valueAxisLabel(), QStringLiteral("Temperature (°F)"));
+    EXPECT_GT(shown.plot.visibleHighest(), 104.0) << "the target is in view";
+    EXPECT_LT(shown.plot.visibleLowest(), 80.0);
+}
+
+// Catches an invalid reading drawn as a value or as a line across the gap.
+TEST(TracePlot, InvalidSamplesLeaveAGap) {
+    ShownPlot shown;
+    auto samples = warmUp(60);
+    for (int k = 20; k < 40; ++k) {
+        samples[static_cast<std::size_t>(k)].objects[0].valid = false;
+        samples[static_cast<std::size_t>(k)].objects[0].measured_K = 0.0;
+    }
+    shown.plot.setSamples(samples);
+    const auto points = shown.plot.seriesPoints(0);
+    ASSERT_EQ(points.size(), 60);
+    EXPECT_TRUE(std::isfinite(points[19].y()));
+    EXPECT_TRUE(std::isnan(points[20].y()));
+    EXPECT_TRUE(std::isnan(points[39].y()));
+    EXPECT_GT(shown.plot.visibleLowest(), 10.0) << "the scale does not go to absolute zero";
+    EXPECT_TRUE(shown.plot.readout(30.0).contains(QStringLiteral("circle \u2014")));
+    EXPECT_FALSE(shown.plot.grab().isNull());
+}
+
+// Catches a zoomed view that is torn away by the next sample, and samples lost meanwhile.
+TEST(TracePlot, ZoomingStopsFollowingAndLosesNothing) {
+    ShownPlot shown;
+    QSignalSpy follows(&shown.plot, &TracePlot::followLiveChanged);
+    shown.plot.append(warmUp(200));
+    EXPECT_TRUE(shown.plot.followsLive());
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 200.0);
+
+    wheel(canvasOf(shown.plot), 120);
+    EXPECT_FALSE(shown.plot.followsLive());
+    ASSERT_EQ(follows.count(), 1);
+    const double from_s = shown.plot.visibleFrom_s(), to_s = shown.plot.visibleTo_s();
+    EXPECT_LT(to_s - from_s, 170.0);
+
+    shown.plot.append(warmUp(40, 1.0, 200.0));
+    EXPECT_DOUBLE_EQ(shown.plot.visibleFrom_s(), from_s);
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), to_s);
+    EXPECT_NEAR(shown.plot.behind_s(), 240.0 - to_s, 1e-9);
+    EXPECT_EQ(shown.plot.seriesPoints(0).size(), 240);
+
+    QTest::keyClick(&shown.plot, Qt::Key_End);
+    EXPECT_TRUE(shown.plot.followsLive());
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 240.0);
+    EXPECT_DOUBLE_EQ(shown.plot.behind_s(), 0.0);
+}
+
+TEST(TracePlot, DraggingStopsFollowing) {
+    ShownPlot shown;
+    shown.plot.append(warmUp(200));
+    QWidget* canvas = canvasOf(shown.plot);
+    const QPoint centre = canvas->rect().center();
+    QTest::mousePress(canvas, Qt::LeftButton, Qt::NoModifier, centre);
+    QTest::mouseMove(canvas, centre + QPoint(60, 0));
+    QTest::mouseMove(canvas, centre + QPoint(120, 0));
+    QTest::mouseRelease(canvas, Qt::LeftButton, Qt::NoModifier, centre + QPoint(120, 0));
+    EXPECT_FALSE(shown.plot.followsLive());
+    EXPECT_LT(shown.plot.visibleTo_s(), 200.0);
+}
+
+// Catches Ctrl+wheel (values) that turns the live view off or zooms time.
+TEST(TracePlot, ValueZoomKeepsTime) {
+    ShownPlot shown;
+    shown.plot.append(warmUp(200));
+    const double before = shown.plot.visibleHighest() - shown.plot.visibleLowest();
+    wheel(canvasOf(shown.plot), 120, Qt::ControlModifier);
+    EXPECT_TRUE(shown.plot.followsLive());
+    EXPECT_LT(shown.plot.visibleHighest() - shown.plot.visibleLowest(), before);
+}
+
+TEST(TracePlot, FollowWindowShowsTheLastStretch) {
+    ShownPlot shown;
+    shown.plot.append(warmUp(200));
+    shown.plot.setFollowWindow_s(60.0);
+    EXPECT_DOUBLE_EQ(shown.plot.visibleFrom_s(), 140.0);
+    EXPECT_DOUBLE_EQ(shown.plot.visibleTo_s(), 200.0);
+}
+
+TEST(TracePlot, QuantitiesAndTheirUnits) {
+    ShownPlot shown(Quantity::Error);
+    shown.plot.setSpeedLimits({0.02, 0.1});
+    auto samples = warmUp(10);
+    for (auto& sample : samples)
+        sample.twist << 0.01, 0, 0, 0.1, 0, 0;
+    shown.plot.setSamples(samples);
+    EXPECT_EQ(shown.plot.valueAxisLabel(), QStringLiteral("Error (K)"));
+    EXPECT_NEAR(shown.plot.seriesPoints(2)[4].y(), samples[4].objects[2].measured_K - 313.15, 1e-9);
+    shown.plot.setQuantity(Quantity::Rate);
+    EXPECT_NEAR(shown.plot.seriesPoints(2)[4].y(), 0.6, 1e-9) << "K/min";
+    shown.plot.setQuantity(Quantity::Speed);
+    ASSERT_EQ(shown.plot.seriesCount(), 2);
+    EXPECT_NEAR(shown.plot.seriesPoints(0)[4].y(), 50.0, 1e-9) << "percent of the limit";
+    EXPECT_NEAR(shown.plot.seriesPoints(1)[4].y(), 100.0, 1e-9);
+    EXPECT_TRUE(shown.plot.readout(5.0).contains(QStringLiteral("1.00 cm/s")));
+    shown.plot.setQuantity(Quantity::ViewFactor);
+    EXPECT_NEAR(shown.plot.seriesPoints(1)[4].y(), 0.35, 1e-9);
+}
+
+TEST(TracePlot, MarkersAndClear) {
+    ShownPlot shown;
+    shown.plot.append(warmUp(20));
+    shown.plot.addMarker(12.0, QStringLiteral("lamp moved"));
+    shown.plot.addMarker(5.0, QStringLiteral("Started"));
+    EXPECT_EQ(shown.plot.markerTexts(),
+              QStringList({QStringLiteral("Started"), QStringLiteral("lamp moved")}));
+    shown.plot.clear();
+    EXPECT_TRUE(shown.plot.markerTexts().isEmpty());
+    EXPECT_TRUE(shown.plot.seriesPoints(0).isEmpty());
+    EXPECT_TRUE(shown.plot.followsLive());
+    shown.plot.append(warmUp(3));
+    EXPECT_EQ(shown.plot.seriesPoints(0).size(), 3) << "a new run begins at zero again";
+}
+
+// Catches not-a-number and infinite values that spoil scales or crash the drawing.
+TEST(TracePlot, OnlyNotANumber) {
+    ShownPlot shown(Quantity::Strength);
+    auto samples = warmUp(30);
+    for (auto& sample : samples)
+        for (auto& object : sample.objects)
+            object.lambda1 = std::nan("");
+    shown.plot.setSamples(samples);
+    EXPECT_FALSE(shown.plot.grab().isNull());
+    EXPECT_TRUE(std::isfinite(shown.plot.visibleHighest()));
+}
+
+TEST(TracePlot, SavesPngAndPdf) {
+    ShownPlot shown;
+    shown.plot.append(warmUp(20));
+    QTemporaryDir folder;
+    EXPECT_TRUE(shown.plot.saveImage(folder.filePath(QStringLiteral("a.png"))));
+    EXPECT_TRUE(shown.plot.saveImage(folder.filePath(QStringLiteral("a.pdf"))));
+    EXPECT_FALSE(shown.plot.saveImage(folder.filePath(QStringLiteral("missing/a.png"))));
+}
+
+// Catches a redraw that grows with the run's length: eight hours of three objects, drawn in well under a
+// period.
+TEST(TracePlot, EightHoursAreDrawnQuickly) {
+    ShownPlot shown;
+    shown.plot.setSamples(warmUp(30000));
+    shown.plot.redraw();
+    QElapsedTimer timer;
+    timer.start();
+    constexpr int kFrames = 10;
+    for (int i = 0; i < kFrames; ++i) {
+        shown.plot.append(warmUp(1, 1.0, 30000.0 + i));
+        shown.plot.redraw();
+    }
+    const double redraw_ms = static_cast<double>(timer.elapsed()) / kFrames;
+    std::printf("redraw of 3 x 30000 samples: %.1f ms\n", redraw_ms);
+    EXPECT_LT(redraw_ms, 150.0);
+    timer.restart();
+    for (int i = 0; i < kFrames; ++i)
+        shown.plot.append(warmUp(1, 1.0, 31000.0 + i));
+    EXPECT_LT(timer.elapsed(), 200) << "appending does not draw";
+}

@@ -1,0 +1,221 @@
+#include "widgets/review/review_page.h"
+
+#include "tests/support/longer_translator.h"
+#include "widgets/common/event_list.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/trace_plot.h"
+#include "widgets/review/final_values.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+/// Three objects that approach 40 degC, the third one too slowly to settle within the 200 s.
+SessionRecord record() {
+    SessionRecord session;
+    session.path = "/data/runs/2026-03-14 morning.bask";
+    session.experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    session.created = "2026-03-14T09:26:53Z";
+    session.software = "Bask 0.1.0";
+    session.simulated = true;
+    session.outcome = "not-settled";
+    for (int k = 0; k <= 200; ++k) {
+        TraceSample sample;
+        sample.time_s = k;
+        for (const double tau_s : {18.0, 24.0, 110.0}) {
+            ObjectSample object;
+            object.target_K = 313.15;
+            object.true_K = 313.15 - 15.0 * std::exp(-k / tau_s);
+            object.measured_K = std::round(object.true_K * 10.0) / 10.0;
+            object.estimated_K = object.true_K + 0.05;
+            object.valid = true;
+            sample.objects.push_back(object);
+        }
+        session.samples.push_back(sample);
+    }
+    const auto event = [&](double time_s, MessageCode code) {
+        session.events.push_back({time_s, {code, {}}});
+    };
+    event(0.0, MessageCode::EventZeroed);
+    event(0.0, MessageCode::EventStarted);
+    event(90.0, MessageCode::EventGainsChanged);
+    event(200.0, MessageCode::EventNotSettled);
+    session.notes.push_back({45.0, "door opened"});
+    return session;
+}
+
+QStringList sentences() {
+    return {"Sensors zeroed at ambient", "Started", "Controller or gains changed", "Not settled: hand"};
+}
+
+struct ReviewPageTest : testing::Test {
+    ReviewPage page;
+
+    ReviewPageTest() {
+        page.resize(1150, 620);
+        page.show();
+        QApplication::processEvents();
+    }
+    template <class T> T* child(const char* name) {
+        auto* found = page.findChild<T*>(name);
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    QString text(const char* name) { return child<QLabel>(name)->text(); }
+    QString cell(int row, int column) {
+        return child<FinalValuesTable>("finalValues")->item(row, column)->text().replace(QChar(0x00a0), ' ');
+    }
+};
+
+// Catches an empty page without a way on.
+TEST_F(ReviewPageTest, EmptyPageOffersToOpen) {
+    QSignalSpy open(&page, &ReviewPage::openRequested);
+    ASSERT_TRUE(child<QPushButton>("openSessionEmpty")->isVisible());
+    EXPECT_FALSE(child<QPushButton>("exportSession")->isVisible());
+    QTest::mouseClick(child<QPushButton>("openSessionEmpty"), Qt::LeftButton);
+    EXPECT_EQ(open.count(), 1);
+}
+
+// Catches facts of the run that are left out or wrong.
+TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
+    page.setSession(record(), sentences());
+    EXPECT_EQ(text("sessionFile"), "2026-03-14 morning.bask");
+    EXPECT_EQ(text("sessionTag"), "SIMULATED");
+    EXPECT_EQ(text("factDuration"), "3:20");
+    EXPECT_EQ(text("factController"), "Level servo");
+    EXPECT_EQ(text("factOutcome"), "Not all objects settled");
+    EXPECT_EQ(text("factSoftware"), "Bask 0.1.0");
+    EXPECT_TRUE(text("factCreated").contains("2026"));
+
+    SessionRecord broken = record();
+    broken.outcome.clear();
+    broken.simulated = false;
+    page.setSession(broken, sentences());
+    EXPECT_TRUE(text("factOutcome").startsWith("Interrupted"));
+    EXPECT_EQ(text("sessionTag"), "LIVE");
+}
+
+// Catches final errors judged on the wrong temperature, with the wrong sign, or settling times that are made
+// up.
+TEST_F(ReviewPageTest, FinalValuesPerObject) {
+    const SessionRecord session = record();
+    page.setSession(session, sentences());
+    ASSERT_EQ(child<FinalValuesTable>("finalValues")->rowCount(), 3);
+    EXPECT_EQ(cell(0, 0), "circle");
+    EXPECT_EQ(cell(0, 1).toStdString(), "40.0 °C");
+    EXPECT_EQ(cell(0, 2).toStdString(), "40.00 °C");
+    EXPECT_EQ(cell(0, 3), "0.00 K");
+    EXPECT_EQ(cell(0, 4), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(cell(2, 4), "not settled");
+    const double error_K = -15.0 * std::exp(-200.0 / 110.0);
+    EXPECT_EQ(cell(2, 3), QString(QChar(0x2212)) + QString::number(-error_K, 'f', 2) + " K");
+    EXPECT_EQ(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(2)->text(), "Final, true");
+}
+
+// Catches a real rig's estimate shown as the truth.
+TEST_F(ReviewPageTest, WithoutATruthTheEstimateCounts) {
+    SessionRecord session = record();
+    for (TraceSample& sample : session.samples)
+        for (ObjectSample& object : sample.objects)
+            object.true_K = kNan;
+    page.setSession(session, sentences());
+    EXPECT_EQ(cell(0, 2).toStdString(), "40.05 °C");
+    EXPECT_EQ(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(2)->text(), "Final, estimated");
+}
+
+// Catches traces that are not those of the record.
+TEST_F(ReviewPageTest, TracesAreThoseOfTheRun) {
+    page.setSession(record(), sentences());
+    auto* plot = child<TracePlot>("reviewTemperature");
+    ASSERT_GE(plot->seriesCount(), 3);
+    EXPECT_EQ(plot->seriesName(0), "circle");
+    EXPECT_EQ(plot->seriesPoints(0).size(), 201);
+    EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);
+    EXPECT_TRUE(plot->markerTexts().contains("door opened"));
+    EXPECT_TRUE(plot->markerTexts().contains("Controller or gains changed"));
+    EXPECT_GE(child<TracePlot>("reviewError")->seriesCount(), 3);
+}
+
+// Catches events and notes out of order or missing.
+TEST_F(ReviewPageTest, EventsAndNotesInOrderOfTime) {
+    page.setSession(record(), sentences());
+    auto* events = child<EventList>("reviewEvents");
+    ASSERT_EQ(events->count(), 5);
+    EXPECT_EQ(events->textAt(0), "Sensors zeroed at ambient");
+    EXPECT_EQ(events->textAt(2), "door opened");
+    EXPECT_EQ(events->textAt(4), "Not settled: hand");
+}
+
+// Catches a unit switch that leaves a part in the old unit.
+TEST_F(ReviewPageTest, UnitSwitch) {
+    page.setSession(record(), sentences());
+    page.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_EQ(cell(0, 1).toStdString(), "313.2 K");
+    EXPECT_NEAR(child<TracePlot>("reviewTemperature")->seriesPoints(0).last().y(), 313.15, 0.2);
+}
+
+// Catches a run of an empty file, and buttons that ask for the wrong thing.
+TEST_F(ReviewPageTest, EmptyRunAndButtons) {
+    SessionRecord session = record();
+    session.samples.clear();
+    page.setSession(session, sentences());
+    EXPECT_EQ(text("factDuration"), QString(QChar(0x2014)));
+    EXPECT_EQ(cell(0, 4), "not settled");
+    QSignalSpy open(&page, &ReviewPage::openRequested);
+    QSignalSpy save(&page, &ReviewPage::exportRequested);
+    QTest::mouseClick(child<QPushButton>("openSession"), Qt::LeftButton);
+    QTest::mouseClick(child<QPushButton>("exportSession"), Qt::LeftButton);
+    EXPECT_EQ(open.count(), 1);
+    EXPECT_EQ(save.count(), 1);
+    page.clear();
+    EXPECT_TRUE(child<QPushButton>("openSessionEmpty")->isVisible());
+}
+
+// Catches text that stays in the old language or has no room in a longer one.
+TEST_F(ReviewPageTest, LanguageChangeWithLongerText) {
+    page.setSession(record(), sentences());
+    LongerTranslator longer;
+    qApp->installTranslator(&longer);
+    for (int i = 0; i < 6; ++i) // nested layouts settle one after the other
+        QApplication::processEvents();
+    page.grab().save("review_longer.png");
+    EXPECT_TRUE(text("factOutcome").startsWith('['));
+    EXPECT_TRUE(text("sessionTag").startsWith('['));
+    EXPECT_TRUE(child<QPushButton>("exportSession")->text().startsWith('['));
+    EXPECT_TRUE(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(4)->text().startsWith('['));
+    EXPECT_TRUE(cell(2, 4).startsWith('['));
+    qApp->removeTranslator(&longer);
+    QApplication::processEvents();
+    EXPECT_EQ(text("sessionTag"), "SIMULATED");
+}
+
+// Keeps a picture of the page in both themes.
+TEST_F(ReviewPageTest, PictureInBothThemes) {
+    EXPECT_TRUE(page.grab().save("review_empty.png"));
+    page.setSession(record(), sentences());
+    for (const bool dark : {false, true}) {
+        applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
+        QTest::qWait(150); // plots redraw at most 20 times a second
+        const QImage picture = page.grab().toImage();
+        EXPECT_TRUE(picture.save(dark ? "review_dark.png" : "review_light.png"));
+        EXPECT_EQ(picture.pixelColor(2, 2).lightness() < 128, dark);
+    }
+    applyTheme(*qApp, Theme::Light);
+    EXPECT_LE(page.minimumSizeHint().width(), 1100);
+    EXPECT_LE(page.minimumSizeHint().height(), 560);
+}
+
+} // namespace
+} // namespace bask

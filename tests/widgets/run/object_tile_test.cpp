@@ -1,0 +1,69 @@
+#include "widgets/run/object_tile.h"
+
+#include <QLabel>
+
+#include <gtest/gtest.h>
+
+using namespace bask;
+
+namespace {
+
+struct Shown {
+    ObjectTile tile{0};
+    Shown() { tile.setName(QStringLiteral("bunny")); }
+    QString text(const char* name) { return tile.findChild<QLabel*>(QLatin1String(name))->text(); }
+    void feed(double time_s, double measured_K, double rate_K_s, bool valid = true) {
+        ObjectSample sample;
+        sample.measured_K = measured_K;
+        sample.rate_K_s = rate_K_s;
+        sample.target_K = 313.15;
+        sample.valid = valid;
+        tile.setSample(time_s, sample);
+    }
+};
+
+} // namespace
+
+TEST(ObjectTile, NumbersWithUnits) {
+    Shown shown;
+    shown.feed(1.0, 303.15, 0.1);
+    EXPECT_EQ(shown.text("tileName"), QStringLiteral("bunny"));
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("30.0\u00a0°C"));
+    EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("40.0\u00a0°C"));
+    EXPECT_EQ(shown.text("tileError"), QStringLiteral("\u221210.0\u00a0K"));
+    EXPECT_EQ(shown.text("tileRate"), QStringLiteral("+6.0\u00a0K/min"));
+    shown.tile.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("86.0\u00a0°F"));
+    EXPECT_EQ(shown.text("tileError"), QStringLiteral("\u221218.0\u00a0°F"));
+}
+
+TEST(ObjectTile, StateInAWord) {
+    Shown shown;
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("No reading yet"));
+    shown.feed(1.0, 303.15, 0.1);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Heating"));
+    shown.feed(2.0, 323.15, -0.1);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Cooling"));
+    shown.feed(3.0, 311.15, 0.0);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Off target"));
+    shown.feed(10.0, 313.0, 0.01);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settling"));
+    shown.feed(20.0, 313.2, 0.0);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settled"));
+    shown.feed(21.0, 313.9, 0.05);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Heating")) << "left the band";
+    shown.feed(22.0, 313.3, 0.0);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settling")) << "the ten seconds begin again";
+}
+
+// Catches a lost sensor shown as 0 or as its last value.
+TEST(ObjectTile, AnInvalidSensorShowsNoNumber) {
+    Shown shown;
+    shown.feed(1.0, 313.0, 0.0);
+    shown.feed(2.0, 0.0, 0.0, false);
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Sensor invalid"));
+    for (const char* name : {"tileTemperature", "tileError", "tileRate"})
+        EXPECT_EQ(shown.text(name), QStringLiteral("\u2014")) << name;
+    EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("40.0\u00a0°C"));
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::SensorInvalid);
+}

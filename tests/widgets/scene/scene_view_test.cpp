@@ -1,0 +1,377 @@
+#include "tests/widgets/scene/scene_fixture.h"
+#include "widgets/common/theme.h"
+#include "widgets/scene/colour_map.h"
+#include "widgets/scene/scene_view.h"
+#include "widgets/scene/vtk_view.h"
+
+#include <QApplication>
+#include <QTabWidget>
+#include <QVBoxLayout>
+#include <QtTest>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <ctime>
+
+namespace bask {
+namespace {
+
+using testing::keepScreenshot;
+
+const QColor kSource(0xff, 0xb4, 0x5c); // the glow in the middle of the source
+
+class SceneViewTest : public ::testing::Test {
+protected:
+    void SetUp() override {
+        if (!VtkView::available())
+            GTEST_SKIP() << "no OpenGL here";
+        QApplication::setPalette(themePalette(false));
+    }
+    void TearDown() override { QApplication::setPalette(themePalette(false)); }
+
+    static void show(QWidget& widget) {
+        widget.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&widget));
+    }
+    static VtkView* pictureOf(const SceneView& view) { return view.findChild<VtkView*>(); }
+    static QImage grab(const SceneView& view) { return pictureOf(view)->grabFramebuffer(); }
+    /// Lets frames that were asked for be drawn, until none is asked for any more.
+    static void drawPending(const SceneView& view) {
+        int before = pictureOf(view)->frames();
+        while (QTest::qWaitFor([&] { return pictureOf(view)->frames() > before; },
+                               3 * VtkView::kFrameInterval_ms))
+            before = pictureOf(view)->frames();
+    }
+    static TraceSample sampleAt(double x_m, double z_m) {
+        TraceSample sample = testing::spiral(1).front();
+        sample.coordinates << x_m, 0.0, z_m, 0.0, 0.0, 0.0;
+        return sample;
+    }
+};
+
+// Catches an empty picture, the usual result of any slip between Qt's and VTK's framebuffers.
+TEST_F(SceneViewTest, DrawsSourceAndObjectsInTheirColours) {
+    SceneView view;
+    view.resize(1000, 700);
+    view.setExperiment(testing::threeObjects());
+    show(view);
+    const QImage image = grab(view);
+    EXPECT_EQ(image.size(), QSize(1000, 700) * view.devicePixelRatioF());
+    EXPECT_GT(testing::pixelsOf(image, kSource), 200);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_GT(testing::pixelsOf(image, seriesColor(i, false)), 60) << "outline of object " << i;
+    EXPECT_GT(testing::pixelsOf(image, unknownColour(false), 4), 500) << "objects with no temperature yet";
+    EXPECT_GT(testing::pixelsOf(image, QApplication::palette().color(QPalette::Base), 2), 200000);
+}
+
+// Catches a trail that is not drawn, and temperatures that do not reach the colours.
+TEST_F(SceneViewTest, ATraceColoursObjectsAndTrail) {
+    SceneView view;
+    view.resize(1000, 700);
+    view.setExperiment(testing::threeObjects());
+    show(view);
+    const QImage before = grab(view);
+    view.setSamples(testing::spiral(600));
+    const QImage after = grab(view);
+    EXPECT_GT(testing::differentPixels(before, after), 5000);
+    EXPECT_LT(testing::pixelsOf(after, unknownColour(false), 2),
+              testing::pixelsOf(before, unknownColour(false), 2) / 4);
+    view.clearTrace();
+    EXPECT_LT(testing::pixelsOf(grab(view), mapColour(0.3, false), 6),
+              testing::pixelsOf(after, mapColour(0.3, false), 6));
+}
+
+// Catches a pose that moves numbers but not the picture, or moves it the wrong way.
+TEST_F(SceneViewTest, PoseMovesTheObjectsOnScreen) {
+    SceneView view;
+    view.resize(1000, 700);
+    Experiment experiment = testing::threeObjects();
+    experiment.objects.resize(1);
+    view.setExperiment(experiment);
+    view.viewAlongMinusZ();
+    show(view);
+    const QColor outline = seriesColor(0, false);
+    Vector6d left = Vector6d::Zero();
+    left << -0.1, 0.0, 0.1, 0.0, 0.0, 0.0;
+    view.setPose(left);
+    const QPointF first = testing::middleOf(grab(view), outline);
+    Vector6d right = left;
+    right[kX] = 0.1;
+    view.setPose(right);
+    const QPointF second = testing::middleOf(grab(view), outline);
+    EXPECT_GT(second.x(), first.x() + 150.0);
+    EXPECT_NEAR(second.y(), first.y(), 25.0);
+}
+
+// Catches a fill that spills over between the fingers of a non-convex outline.
+TEST_F(SceneViewTest, NonConvexShapesAreFilledTruly) {
+    SceneView view;
+    view.resize(1000, 1000);
+    Experiment experiment = testing::threeObjects();
+    experiment.objects = {experiment.objects[2]};
+    experiment.objects[0].mounting.setZero();
+    experiment.source.disk.radius_m = 0.01; // out of the way, under the palm
+    experiment.robot.lower << -0.05, -0.05, 0.01, 0.0, 0.0, 0.0;
+    experiment.robot.upper << 0.05, 0.05, 0.06, 0.0, 0.0, 0.0;
+    experiment.start << 0.0, 0.0, 0.05, 0.0, 0.0, 0.0;
+    view.setExperiment(experiment);
+    view.viewAlongMinusZ();
+    show(view);
+    const QImage image = grab(view);
+    keepScreenshot(image, QStringLiteral("scene-non-convex"));
+    // The area of the polygon against the fill's pixels, at the scale of the wrist: the lowest edge, 28 mm
+    // long.
+    const auto& points = std::get<Contour>(experiment.objects[0].shape).points_m;
+    double area_m2 = 0.0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector2d& a = points[i];
+        const Eigen::Vector2d& b = points[(i + 1) % points.size()];
+        area_m2 += 0.5 * (a.x() * b.y() - a.y() * b.x());
+    }
+    const QColor outline = seriesColor(0, false);
+    int wrist = 0;
+    for (int y = image.height() - 1; y >= 0 && wrist < 20; --y) {
+        wrist = 0;
+        for (int x = 0; x < image.width(); ++x)
+            wrist += QColor(image.pixel(x, y)) == outline ? 1 : 0;
+    }
+    const double pixelsPerMetre = (wrist + 1) / 0.028;
+    const double expected = area_m2 * pixelsPerMetre * pixelsPerMetre;
+    const int filled =
+        testing::pixelsOf(image, unknownColour(false), 3) + testing::pixelsOf(image, outline, 3) / 2;
+    EXPECT_NEAR(filled, expected, 0.06 * expected);
+}
+
+// Catches drawing from within setters, and frames for things that nobody sees.
+TEST_F(SceneViewTest, SettersDrawNothingAndAHiddenViewStaysIdle) {
+    SceneView view;
+    view.resize(600, 400);
+    view.setExperiment(testing::threeObjects());
+    show(view);
+    drawPending(view);
+    const int shown = pictureOf(view)->frames();
+    for (const TraceSample& sample : testing::spiral(200))
+        view.appendSamples({sample});
+    EXPECT_EQ(pictureOf(view)->frames(), shown);
+    drawPending(view);
+    EXPECT_GT(pictureOf(view)->frames(), shown);
+    EXPECT_LE(pictureOf(view)->frames(), shown + 2) << "200 appends in one go are one frame";
+
+    view.hide();
+    const int hidden = pictureOf(view)->frames();
+    view.appendSamples(testing::spiral(50));
+    drawPending(view);
+    EXPECT_EQ(pictureOf(view)->frames(), hidden);
+}
+
+// Catches frames faster than anybody needs while samples pour in.
+TEST_F(SceneViewTest, DataAsksForAtMostFifteenFramesASecond) {
+    SceneView view;
+    view.resize(400, 300);
+    view.setExperiment(testing::threeObjects());
+    show(view);
+    drawPending(view);
+    const int before = pictureOf(view)->frames();
+    QElapsedTimer timer;
+    timer.start();
+    double x_m = 0.0;
+    while (timer.elapsed() < 1000) {
+        view.appendSamples({sampleAt(x_m, 0.1)});
+        x_m += 1e-4;
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 5);
+    }
+    const double seconds = 1e-3 * static_cast<double>(timer.elapsed());
+    EXPECT_LE(pictureOf(view)->frames() - before, 16.0 * seconds + 1.0);
+    EXPECT_GE(pictureOf(view)->frames() - before, 1);
+}
+
+// Catches a picture lost on the way through a tab, another window (a new OpenGL context) and a tiny size.
+TEST_F(SceneViewTest, SurvivesTabsOtherWindowsAndTinySizes) {
+    QTabWidget tabs;
+    auto* view = new SceneView;
+    view->setExperiment(testing::threeObjects());
+    view->setSamples(testing::spiral(300));
+    tabs.addTab(view, QStringLiteral("scene"));
+    tabs.addTab(new QWidget, QStringLiteral("other"));
+    tabs.resize(800, 600);
+    show(tabs);
+    const QImage first = grab(*view);
+    ASSERT_GT(testing::pixelsOf(first, kSource), 100);
+    tabs.setCurrentIndex(1);
+    QCoreApplication::processEvents();
+    tabs.setCurrentIndex(0);
+    QCoreApplication::processEvents();
+    EXPECT_LT(testing::differentPixels(first, grab(*view)), 300);
+
+    QWidget other;
+    auto* layout = new QVBoxLayout(&other);
+    layout->addWidget(view);
+    view->show();
+    other.resize(900, 650);
+    show(other);
+    EXPECT_GT(testing::pixelsOf(grab(*view), kSource), 100);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_GT(testing::pixelsOf(grab(*view), seriesColor(i, false)), 40) << i;
+
+    pictureOf(*view)->setMinimumSize(1, 1);
+    view->setMinimumSize(1, 1);
+    for (const QSize size : {QSize(40, 30), QSize(130, 100), QSize(30, 500), QSize(900, 650)}) {
+        other.resize(size);
+        QCoreApplication::processEvents();
+        EXPECT_FALSE(grab(*view).isNull());
+    }
+    EXPECT_GT(testing::pixelsOf(grab(*view), kSource), 100);
+
+    delete view; // while its window lives on
+    QCoreApplication::processEvents();
+    tabs.addTab(new SceneView, QStringLiteral("again"));
+    QCoreApplication::processEvents();
+}
+
+// Catches a second view that shares or spoils the first one's resources, and a bad order of destruction.
+TEST_F(SceneViewTest, TwoViewsInOneWindowAreIndependent) {
+    auto window = std::make_unique<QWidget>();
+    auto* layout = new QHBoxLayout(window.get());
+    auto* a = new SceneView;
+    auto* b = new SceneView;
+    layout->addWidget(a);
+    layout->addWidget(b);
+    a->setExperiment(testing::threeObjects());
+    window->resize(1100, 500);
+    show(*window);
+    EXPECT_GT(testing::pixelsOf(grab(*a), kSource), 50);
+    EXPECT_EQ(testing::pixelsOf(grab(*b), kSource), 0);
+    delete a;
+    b->setExperiment(testing::threeObjects());
+    EXPECT_GT(testing::pixelsOf(grab(*b), kSource), 50);
+    window.reset();
+}
+
+// Catches a crash or noise before there is anything to show.
+TEST_F(SceneViewTest, NoExperimentAndNoObjectsAreCalmPictures) {
+    SceneView view;
+    view.resize(600, 400);
+    show(view);
+    EXPECT_EQ(testing::coloursIn(grab(view)), 1);
+    view.appendSamples(testing::spiral(3));
+    view.setPose(Vector6d::Zero());
+    EXPECT_EQ(testing::coloursIn(grab(view)), 1);
+    Experiment empty = testing::threeObjects();
+    empty.objects.clear();
+    view.setExperiment(empty);
+    EXPECT_GT(testing::pixelsOf(grab(view), kSource), 50);
+    keepScreenshot(grab(view), QStringLiteral("scene-no-objects"));
+}
+
+// Catches rebuilding everything at every append: appending to a long trace must cost next to nothing.
+TEST_F(SceneViewTest, ThirtyThousandSamplesStayQuick) {
+    SceneView view;
+    view.resize(1000, 700);
+    view.setExperiment(testing::threeObjects());
+    show(view);
+    const std::vector<TraceSample> samples = testing::spiral(30000);
+    view.setSamples(samples);
+    const QImage image = grab(view);
+    keepScreenshot(image, QStringLiteral("scene-30000"));
+    EXPECT_GT(testing::coloursIn(image), 200);
+
+    const std::clock_t begin = std::clock();
+    for (int i = 0; i < 1000; ++i)
+        view.appendSamples({samples[static_cast<std::size_t>(29000 + i)]});
+    EXPECT_LT(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC, 0.1) << "s for 1,000 appends";
+    // Processor time of all threads, which other work on the machine does not lengthen; drawing it is at most
+    // that.
+    std::vector<double> frames_s;
+    for (int i = 0; i < 9; ++i) {
+        const std::clock_t start = std::clock();
+        view.appendSamples({samples[static_cast<std::size_t>(100 * i)]});
+        EXPECT_FALSE(grab(view).isNull());
+        frames_s.push_back(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    std::nth_element(frames_s.begin(), frames_s.begin() + 4, frames_s.end());
+    RecordProperty("median_frame_ms", std::to_string(1e3 * frames_s[4]));
+    EXPECT_LT(frames_s[4], 0.150);
+}
+
+// Catches mouse and keys that do not reach the camera, and a preset that does not bring it back.
+TEST_F(SceneViewTest, MouseWheelAndKeysMoveTheCameraAndPresetsBringItBack) {
+    SceneView view;
+    view.resize(700, 500);
+    view.setExperiment(testing::threeObjects());
+    show(view);
+    const QImage home = grab(view);
+    VtkView* picture = pictureOf(view);
+    QTest::mousePress(picture, Qt::LeftButton, {}, {300, 250});
+    QTest::mouseMove(picture, {380, 280});
+    QMouseEvent move(QEvent::MouseMove, QPointF(380, 280), picture->mapToGlobal(QPointF(380, 280)),
+                     Qt::NoButton, Qt::LeftButton, Qt::NoModifier);
+    QApplication::sendEvent(picture, &move);
+    QTest::mouseRelease(picture, Qt::LeftButton, {}, {380, 280});
+    const QImage turned = grab(view);
+    EXPECT_GT(testing::differentPixels(home, turned), 2000);
+    QWheelEvent wheel(QPointF(350, 250), picture->mapToGlobal(QPointF(350, 250)), {}, {0, 240}, Qt::NoButton,
+                      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(picture, &wheel);
+    EXPECT_GT(testing::differentPixels(turned, grab(view)), 2000);
+    QTest::keyClick(picture, Qt::Key_Home);
+    EXPECT_LT(testing::differentPixels(home, grab(view)), 100);
+    for (const auto key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Plus}) {
+        const QImage before = grab(view);
+        QTest::keyClick(picture, key);
+        EXPECT_GT(testing::differentPixels(before, grab(view)), 1000) << key;
+    }
+    view.viewIsometric();
+    EXPECT_LT(testing::differentPixels(home, grab(view)), 100);
+    // VTK's own keys would switch to wireframe or leave the program.
+    for (const auto key : {Qt::Key_W, Qt::Key_E, Qt::Key_3})
+        QTest::keyClick(picture, key);
+    EXPECT_LT(testing::differentPixels(home, grab(view)), 100);
+}
+
+// Catches a view in the old colours, units or language after a switch.
+TEST_F(SceneViewTest, FollowsPaletteAndUnit) {
+    SceneView view;
+    view.resize(700, 500);
+    view.setExperiment(testing::threeObjects());
+    view.setSamples(testing::spiral(100));
+    show(view);
+    const QImage light = grab(view);
+    view.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_GT(testing::differentPixels(light, grab(view)), 100);
+    QApplication::setPalette(themePalette(true));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(QColor(grab(view).pixel(3, 3)), themePalette(true).color(QPalette::Base));
+}
+
+// The pictures a designer looks at; fails when a preset gives the same picture as another.
+TEST_F(SceneViewTest, PresetsLightAndDark) {
+    SceneView view;
+    view.resize(1000, 700);
+    view.setExperiment(testing::threeObjects());
+    view.setSamples(testing::spiral(600));
+    show(view);
+    for (const bool dark : {false, true}) {
+        QApplication::setPalette(themePalette(dark));
+        QCoreApplication::processEvents();
+        const QString suffix = dark ? QStringLiteral("dark") : QStringLiteral("light");
+        view.viewAlongMinusZ();
+        const QImage top = grab(view);
+        view.viewAlongX();
+        const QImage side = grab(view);
+        view.viewIsometric();
+        const QImage isometric = grab(view);
+        keepScreenshot(top, QStringLiteral("scene-top-") + suffix);
+        keepScreenshot(side, QStringLiteral("scene-side-") + suffix);
+        keepScreenshot(isometric, QStringLiteral("scene-isometric-") + suffix);
+        EXPECT_GT(testing::differentPixels(top, side), 20000);
+        EXPECT_GT(testing::differentPixels(side, isometric), 20000);
+    }
+    QApplication::setPalette(themePalette(false));
+    view.resize(420, 320);
+    QCoreApplication::processEvents();
+    keepScreenshot(grab(view), QStringLiteral("scene-small"));
+}
+
+} // namespace
+} // namespace bask

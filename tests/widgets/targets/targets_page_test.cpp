@@ -1,0 +1,208 @@
+#include "widgets/targets/targets_page.h"
+
+#include "tests/support/longer_translator.h"
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/common/theme.h"
+#include "widgets/targets/verdict_text.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+constexpr double kRoom_K = 298.15;
+
+/// Gray source of the example: 0.10 at most 0.93 in view, 88.2 degC.
+TargetVerdict verdict(double target_degC, double neededF) {
+    TargetVerdict v;
+    v.target_K = kelvinFromCelsius(target_degC);
+    v.lowest_K = kRoom_K;
+    v.highest_K = kelvinFromCelsius(95.4);
+    v.neededViewFactor = neededF;
+    v.reachableMin_F = 0.004;
+    v.reachableMin_K = kelvinFromCelsius(25.4);
+    v.reachableMax_F = 0.93;
+    v.reachableMax_K = kelvinFromCelsius(88.24);
+    v.verdict = neededF > v.reachableMax_F   ? FeasibilityVerdict::TooHot
+                : neededF < v.reachableMin_F ? FeasibilityVerdict::TooCold
+                                             : FeasibilityVerdict::Reachable;
+    return v;
+}
+
+Experiment experimentWith(const std::vector<double>& targets_degC) {
+    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    for (std::size_t i = 0; i < 3; ++i)
+        experiment.objects[i].target_K = kelvinFromCelsius(targets_degC[i]);
+    return experiment;
+}
+
+struct TargetsPageTest : testing::Test {
+    TargetsPage page;
+    QSignalSpy edited{&page, &TargetsPage::targetsEdited};
+
+    TargetsPageTest() {
+        page.setExperiment(experimentWith({40.0, 120.0, 20.0}));
+        page.setVerdicts({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)});
+        page.resize(1150, 620);
+        page.show();
+        page.activateWindow();
+        QApplication::processEvents();
+    }
+    template <class T> T* child(const QString& name) {
+        auto* found = page.findChild<T*>(name);
+        EXPECT_NE(found, nullptr) << name.toStdString();
+        return found;
+    }
+    QString text(const QString& name) { return child<QLabel>(name)->text().replace(QChar(0x00a0), ' '); }
+    void type(const QString& name, const QString& value) {
+        auto* field = child<QuantitySpinBox>(name);
+        field->setFocus();
+        field->selectAll();
+        QTest::keyClicks(field, value);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    std::vector<double> lastTargets() { return edited.last()[0].value<std::vector<double>>(); }
+};
+
+// Catches a verdict in the wrong words or with the wrong figures.
+TEST_F(TargetsPageTest, VerdictsInWords) {
+    EXPECT_EQ(text("verdict0"), "Reachable");
+    EXPECT_EQ(text("verdictDetail0"), "needs F = 0.16, up to 0.93 here");
+    EXPECT_EQ(text("verdict1"), "Too hot");
+    EXPECT_EQ(text("verdictDetail1").toStdString(), "needs F = 1.31, at most 0.93 here; at most 88.2 °C");
+    EXPECT_EQ(text("verdict2"), "Too cold");
+    EXPECT_EQ(text("verdictDetail2").toStdString(), "below the room's 25.0 °C");
+    EXPECT_TRUE(text("jointVerdict").contains("bunny, hand"));
+}
+
+// Catches a claim that all targets together were checked.
+TEST_F(TargetsPageTest, JointLineIsHonest) {
+    page.setExperiment(experimentWith({40.0, 40.0, 40.0}));
+    page.setVerdicts({verdict(40.0, 0.16), verdict(40.0, 0.16), verdict(40.0, 0.16)});
+    EXPECT_EQ(text("jointVerdict"),
+              "Each target alone can be held somewhere in the workspace; whether all can be "
+              "held together is not checked yet.");
+}
+
+// Catches a target inside the source's range but outside the workspace's called reachable, and figures that
+// look equal.
+TEST_F(TargetsPageTest, OutsideTheWorkspaceIsNotReachable) {
+    TargetVerdict v = verdict(89.0, 0.932);
+    v.verdict = FeasibilityVerdict::Reachable;
+    EXPECT_EQ(verdictHere(v), FeasibilityVerdict::TooHot);
+    EXPECT_TRUE(verdictDetail(v, kRoom_K, TemperatureUnit::Celsius)
+                    .startsWith("needs F = 0.932, at most 0.930 here"));
+    TargetVerdict cold = verdict(25.2, 0.002);
+    EXPECT_EQ(verdictHere(cold), FeasibilityVerdict::TooCold);
+    EXPECT_TRUE(verdictDetail(cold, kRoom_K, TemperatureUnit::Celsius).contains("at least 25.4"));
+}
+
+// Catches targets that are sent in display units, or only the changed one.
+TEST_F(TargetsPageTest, TypingATargetSendsAllInKelvinAndMakesItsRowStale) {
+    type("target0", "55");
+    ASSERT_EQ(edited.count(), 1);
+    ASSERT_EQ(lastTargets().size(), 3u);
+    EXPECT_DOUBLE_EQ(lastTargets()[0], 328.15);
+    EXPECT_DOUBLE_EQ(lastTargets()[1], 393.15);
+    EXPECT_EQ(page.targets_K(), lastTargets());
+    EXPECT_TRUE(text("verdict0").startsWith("Checking")) << "the verdict was for another target";
+    EXPECT_EQ(text("verdict1"), "Too hot");
+    page.setVerdicts({verdict(55.0, 0.33), verdict(120.0, 1.31), verdict(20.0, -0.05)});
+    EXPECT_EQ(text("verdict0"), "Reachable");
+}
+
+// Catches a bound that is rounded out of reach.
+TEST_F(TargetsPageTest, NearestReachableIsInsideTheRange) {
+    EXPECT_FALSE(child<QPushButton>("nearest0")->isEnabled());
+    QTest::mouseClick(child<QPushButton>("nearest1"), Qt::LeftButton);
+    EXPECT_NEAR(lastTargets()[1], kelvinFromCelsius(88.2), 1e-9);
+    QTest::mouseClick(child<QPushButton>("nearest2"), Qt::LeftButton);
+    EXPECT_NEAR(lastTargets()[2], kelvinFromCelsius(25.4), 1e-9);
+    for (const auto unit : {TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit}) {
+        const TargetVerdict hot = verdict(120.0, 1.31);
+        EXPECT_LE(nearestReachable_K(hot, unit), hot.reachableMax_K);
+        EXPECT_GT(nearestReachable_K(hot, unit), hot.reachableMax_K - 0.11);
+        const TargetVerdict cold = verdict(20.0, -0.05);
+        EXPECT_GE(nearestReachable_K(cold, unit), cold.reachableMin_K - 1e-9);
+    }
+}
+
+// Catches old verdicts shown as if they were new.
+TEST_F(TargetsPageTest, StaleUntilNewVerdictsCome) {
+    page.setStale(true);
+    for (const char* name : {"verdict0", "verdict1", "verdict2"})
+        EXPECT_TRUE(text(name).startsWith("Checking"));
+    EXPECT_EQ(text("verdictDetail1"), "");
+    EXPECT_FALSE(child<QPushButton>("nearest1")->isEnabled());
+    EXPECT_TRUE(text("jointVerdict").startsWith("Checking"));
+}
+
+// Catches values that change with the unit, or verdicts left in the old one.
+TEST_F(TargetsPageTest, UnitSwitch) {
+    page.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_NEAR(child<QuantitySpinBox>("target0")->value(), 104.0, 0.05);
+    EXPECT_TRUE(text("verdictDetail1").contains(QString::fromUtf8("190.8 °F")));
+    EXPECT_EQ(edited.count(), 0);
+    type("target0", "140");
+    EXPECT_NEAR(lastTargets()[0], 333.15, 1e-9);
+}
+
+// Catches fields that can be edited when the engine would refuse, and rows that do not follow the experiment.
+TEST_F(TargetsPageTest, EditabilityAndRows) {
+    page.setEditable(false, "The rig is in a fault.");
+    EXPECT_FALSE(child<QuantitySpinBox>("target0")->isEnabled());
+    EXPECT_FALSE(child<QPushButton>("nearest1")->isEnabled());
+    EXPECT_EQ(text("targetsNote"), "The rig is in a fault.");
+    Experiment none = experimentWith({40.0, 40.0, 40.0});
+    none.objects.clear();
+    page.setExperiment(none);
+    EXPECT_EQ(page.findChild<QuantitySpinBox*>("target0"), nullptr);
+    EXPECT_TRUE(text("jointVerdict").contains("no object"));
+}
+
+// Catches text that stays in the old language or has no room in a longer one.
+TEST_F(TargetsPageTest, LanguageChangeWithLongerText) {
+    LongerTranslator longer;
+    qApp->installTranslator(&longer);
+    for (int i = 0; i < 6; ++i) // nested layouts settle one after the other
+        QApplication::processEvents();
+    page.grab().save("targets_longer.png");
+    for (QLabel* label : page.findChildren<QLabel*>()) {
+        const bool isName = label->text() == "circle" || label->text() == "bunny" || label->text() == "hand";
+        if (!label->isVisible() || label->text().isEmpty() || isName)
+            continue;
+        EXPECT_TRUE(label->text().contains('[')) << label->text().toStdString();
+        if (label->wordWrap()) {
+            EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+        }
+    }
+    EXPECT_TRUE(child<QPushButton>("nearest1")->text().startsWith('['));
+    qApp->removeTranslator(&longer);
+}
+
+// Keeps a picture of the page in both themes; catches text cut off by its row.
+TEST_F(TargetsPageTest, PictureInBothThemes) {
+    for (const bool dark : {false, true}) {
+        applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
+        QApplication::processEvents();
+        const QImage picture = page.grab().toImage();
+        EXPECT_TRUE(picture.save(dark ? "targets_dark.png" : "targets_light.png"));
+        EXPECT_EQ(picture.pixelColor(2, 2).lightness() < 128, dark);
+    }
+    applyTheme(*qApp, Theme::Light);
+    for (const char* name :
+         {"verdictDetail0", "verdictDetail1", "verdictDetail2", "jointVerdict", "infeasibleNote"}) {
+        auto* label = child<QLabel>(name);
+        EXPECT_GE(label->height(), label->heightForWidth(label->width())) << name;
+    }
+    EXPECT_LE(page.minimumSizeHint().width(), 1100);
+}
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,161 @@
+#include "widgets/common/display.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace bask {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(bask::Display)
+};
+
+QString number(double value, int decimals) {
+    const double scale = std::pow(10.0, decimals);
+    const double rounded = std::round(value * scale) / scale;
+    QString text = QLocale().toString(rounded == 0.0 ? 0.0 : rounded, 'f', decimals);
+    return text.replace(QLatin1Char('-'), QChar(0x2212));
+}
+
+constexpr QChar kNarrowSpace(0x00a0); // no line break between figure and unit
+
+} // namespace
+
+QString formatSigned(double value, int decimals) {
+    const QString text = number(value, decimals);
+    const bool zero = std::abs(value) < 0.5 * std::pow(10.0, -decimals);
+    return value > 0.0 && !zero ? QLatin1Char('+') + text : text;
+}
+
+QString formatTemperatureNumber(double t_K, TemperatureUnit unit, int decimals) {
+    return std::isfinite(t_K) ? number(displayTemperature(t_K, unit), decimals) : kNoValue;
+}
+
+QString formatTemperature(double t_K, TemperatureUnit unit, int decimals) {
+    if (!std::isfinite(t_K))
+        return kNoValue;
+    return formatTemperatureNumber(t_K, unit, decimals) + kNarrowSpace + temperatureUnitSymbol(unit);
+}
+
+QString formatDifference(double d_K, TemperatureUnit unit, int decimals) {
+    if (!std::isfinite(d_K))
+        return kNoValue;
+    return formatSigned(displayDifference(d_K, unit), decimals) + kNarrowSpace + differenceUnitSymbol(unit);
+}
+
+QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals) {
+    if (!std::isfinite(rate_K_s))
+        return kNoValue;
+    return formatSigned(displayDifference(rate_K_s, unit) * 60.0, decimals) + kNarrowSpace +
+           Words::tr("%1/min", "a rate; %1 is K or °F").arg(differenceUnitSymbol(unit));
+}
+
+QString formatDuration(double time_s) {
+    if (!std::isfinite(time_s))
+        return kNoValue;
+    const auto total = static_cast<long long>(std::floor(std::abs(time_s)));
+    const QChar zero(QLatin1Char('0'));
+    const QString seconds = QStringLiteral("%1").arg(total % 60, 2, 10, zero);
+    const QString text =
+        total >= 3600
+            ? QStringLiteral("%1:%2:%3").arg(total / 3600).arg(total / 60 % 60, 2, 10, zero).arg(seconds)
+            : QStringLiteral("%1:%2").arg(total / 60).arg(seconds);
+    return time_s < 0.0 && total > 0 ? QChar(0x2212) + text : text;
+}
+
+QString formatLength_mm(double length_m, int decimals) {
+    return std::isfinite(length_m) ? number(length_m * 1000.0, decimals) + kNarrowSpace + QStringLiteral("mm")
+                                   : kNoValue;
+}
+
+QString temperatureUnitSymbol(TemperatureUnit unit) {
+    return QString::fromUtf8(temperatureSymbol(unit));
+}
+QString differenceUnitSymbol(TemperatureUnit unit) {
+    return QString::fromUtf8(differenceSymbol(unit));
+}
+
+QString runStateWord(RunState state) {
+    switch (state) {
+    case RunState::Idle:
+        return Words::tr("Idle");
+    case RunState::NotReady:
+        return Words::tr("Not ready");
+    case RunState::Ready:
+        return Words::tr("Ready");
+    case RunState::Armed:
+        return Words::tr("Armed");
+    case RunState::Running:
+        return Words::tr("Running");
+    case RunState::Holding:
+        return Words::tr("Holding");
+    case RunState::Settled:
+        return Words::tr("Settled");
+    case RunState::Stopping:
+        return Words::tr("Stopping");
+    case RunState::Stopped:
+        return Words::tr("Stopped");
+    case RunState::Fault:
+        return Words::tr("Fault (latched)");
+    }
+    return {};
+}
+
+QString runStateExplanation(RunState state) {
+    switch (state) {
+    case RunState::Idle:
+        return Words::tr("Nothing is armed. Heat and motion are off.");
+    case RunState::NotReady:
+        return Words::tr("The rig cannot be armed or started yet.");
+    case RunState::Ready:
+        return Words::tr("Nothing stands in the way: press Arm.");
+    case RunState::Armed:
+        return Words::tr("The sensors are zeroed and the recording is open: press Start.");
+    case RunState::Running:
+        return Words::tr("The robot moves the objects towards their targets.");
+    case RunState::Holding:
+        return Words::tr("Zero velocity; the controller's state is kept. Press Resume to go on.");
+    case RunState::Settled:
+        return Words::tr("All objects stay within their tolerance band. The controller keeps working.");
+    case RunState::Stopping:
+        return Words::tr("The run is ending: the robot retreats and the heat is off.");
+    case RunState::Stopped:
+        return Words::tr("The run has ended. Heat and motion are off.");
+    case RunState::Fault:
+        return Words::tr("Heat and motion are off. Remove the cause, then press Reset.");
+    }
+    return {};
+}
+
+QString controllerWord(ControllerKind kind) {
+    switch (kind) {
+    case ControllerKind::LevelServo:
+        return Words::tr("Level servo");
+    case ControllerKind::ModelBased:
+        return Words::tr("Model-based");
+    case ControllerKind::Adaptive:
+        return Words::tr("Adaptive");
+    }
+    return {};
+}
+
+QString messageText(const Message& message) {
+    QString text = QCoreApplication::translate("Message", messageTemplate(message.code));
+    // In one pass, so that a "%1" inside an argument stays as it is.
+    QString out;
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const int digit = text[i] == QLatin1Char('%') && i + 1 < text.size() ? text[i + 1].digitValue() : -1;
+        if (digit < 1) {
+            out += text[i];
+            continue;
+        }
+        if (static_cast<std::size_t>(digit) <= message.args.size())
+            out += QString::fromStdString(message.args[static_cast<std::size_t>(digit - 1)]);
+        ++i;
+    }
+    return out;
+}
+
+} // namespace bask

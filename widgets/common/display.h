@@ -1,0 +1,41 @@
+#pragma once
+// Values as a person reads them: numbers with units in the locale's notation, words for states and sentences.
+
+#include "engine/base/message.h"
+#include "engine/base/units.h"
+#include "engine/control/controller_settings.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QString>
+
+namespace bask {
+
+/// What stands in place of a value that is not known or not valid.
+inline const QString kNoValue = QStringLiteral("\u2014");
+
+/// "40.0 °C"; a dash when not finite.
+QString formatTemperature(double t_K, TemperatureUnit unit, int decimals = 1);
+/// "40.0", without the unit.
+QString formatTemperatureNumber(double t_K, TemperatureUnit unit, int decimals = 1);
+/// "+0.3 K" (a difference, with its sign); a dash when not finite.
+QString formatDifference(double d_K, TemperatureUnit unit, int decimals = 1);
+/// "+1.2 K/min".
+QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals = 1);
+/// "0:42", "12:03", "1:02:03".
+QString formatDuration(double time_s);
+/// "12.5 mm".
+QString formatLength_mm(double length_m, int decimals = 1);
+/// Signed number in the locale's notation with a true minus sign; zero has no sign.
+QString formatSigned(double value, int decimals);
+
+QString temperatureUnitSymbol(TemperatureUnit unit); ///< "°C"
+QString differenceUnitSymbol(TemperatureUnit unit);  ///< "K"
+
+QString runStateWord(RunState state);        ///< "Not ready"
+QString runStateExplanation(RunState state); ///< one sentence, for tool-tips and an empty list of reasons
+QString controllerWord(ControllerKind kind); ///< "Level servo"
+
+/// Translated sentence of a message (context "Message") with its arguments put in.
+QString messageText(const Message& message);
+
+} // namespace bask

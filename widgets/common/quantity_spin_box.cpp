@@ -1,0 +1,111 @@
+#include "widgets/common/quantity_spin_box.h"
+
+#include "widgets/common/display.h"
+
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+
+QuantitySpinBox::QuantitySpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    setDecimals(1);
+    setSingleStep(0.5);
+    setKeyboardTracking(false);
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(this, &QDoubleSpinBox::valueChanged, this, [this](double shown) {
+        if (m_showing)
+            return;
+        m_value_K = std::clamp(kelvinFromDisplay(shown, m_unit), m_least_K, m_most_K);
+        emit valueEdited_K(m_value_K);
+    });
+    show_K();
+}
+
+void QuantitySpinBox::setValue_K(double value_K) {
+    if (!std::isfinite(value_K))
+        return;
+    m_value_K = std::clamp(value_K, m_least_K, m_most_K);
+    show_K();
+}
+
+void QuantitySpinBox::setRange_K(double least_K, double most_K) {
+    m_least_K = least_K;
+    m_most_K = std::max(least_K, most_K);
+    m_value_K = std::clamp(m_value_K, m_least_K, m_most_K);
+    show_K();
+}
+
+void QuantitySpinBox::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    show_K();
+}
+
+void QuantitySpinBox::show_K() {
+    m_showing = true;
+    setSuffix(QChar(0x00a0) + temperatureUnitSymbol(m_unit));
+    setRange(displayTemperature(m_least_K, m_unit), displayTemperature(m_most_K, m_unit));
+    setValue(displayTemperature(m_value_K, m_unit));
+    m_showing = false;
+}
+
+GainSpinBox::GainSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+    setDecimals(60); // the base class rounds to this; what is shown is textFromValue's business
+    setRange(1e-40, 1e9);
+    setKeyboardTracking(true);
+    setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+}
+
+QString GainSpinBox::textFromValue(double value) const {
+    QLocale plain = locale();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::OmitLeadingZeroInExponent);
+    return plain.toString(value, 'g', 4);
+}
+
+QString GainSpinBox::withoutSuffix(const QString& text) const {
+    QString bare = text;
+    if (!suffix().isEmpty() && bare.endsWith(suffix()))
+        bare.chop(suffix().size());
+    return bare.trimmed();
+}
+
+double GainSpinBox::valueFromText(const QString& text) const {
+    bool ok = false;
+    const QString bare = withoutSuffix(text);
+    double value = locale().toDouble(bare, &ok);
+    if (!ok)
+        value = QLocale::c().toDouble(bare, &ok);
+    return ok ? value : this->value();
+}
+
+QValidator::State GainSpinBox::validate(QString& text, int&) const {
+    bool ok = false;
+    const QString bare = withoutSuffix(text);
+    double value = locale().toDouble(bare, &ok);
+    if (!ok)
+        value = QLocale::c().toDouble(bare, &ok);
+    if (ok)
+        return value >= minimum() && value <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    const bool plausible = std::all_of(bare.begin(), bare.end(), [](QChar c) {
+        return c.isDigit() || QStringLiteral("eE+-.,").contains(c);
+    });
+    return plausible ? QValidator::Intermediate : QValidator::Invalid;
+}
+
+void GainSpinBox::stepBy(int steps) {
+    for (int i = 0; i < std::abs(steps); ++i) {
+        const bool up = steps > 0;
+        // Stepping down from a power of ten uses the finer step below it, so that up and down retrace each
+        // other.
+        const double magnitude = std::log10(value()) * (1.0 + 1e-15);
+        double exponent = std::floor(magnitude + 1e-9);
+        if (!up && std::abs(magnitude - exponent) < 1e-9)
+            exponent -= 1.0;
+        const double step = std::pow(10.0, exponent - 1.0);
+        setValue((std::round(value() / step) + (up ? 1.0 : -1.0)) * step);
+    }
+    selectAll();
+}
+
+} // namespace bask

@@ -1,0 +1,54 @@
+#pragma once
+// Spin boxes for physical values: a temperature kept in kelvin and shown in the display unit, and a gain of
+// any magnitude.
+
+#include "engine/base/units.h"
+
+#include <QDoubleSpinBox>
+
+namespace bask {
+
+/// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value.
+class QuantitySpinBox : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    explicit QuantitySpinBox(QWidget* parent = nullptr);
+
+    double value_K() const { return m_value_K; }
+    /// Shows a value without emitting valueEdited_K. Outside the range it is shown at the range's end.
+    void setValue_K(double value_K);
+    void setRange_K(double least_K, double most_K);
+    TemperatureUnit temperatureUnit() const { return m_unit; }
+    void setTemperatureUnit(TemperatureUnit unit);
+
+signals:
+    /// A person changed the value (typing and Enter or leaving the field, arrows, wheel).
+    void valueEdited_K(double value_K);
+
+private:
+    void show_K();
+
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    double m_value_K = 298.15;
+    double m_least_K = 0.0;
+    double m_most_K = 1273.15;
+    bool m_showing = false;
+};
+
+/// A positive number of any magnitude (1e-22 as well as 60), four significant digits; a step changes the
+/// second digit.
+class GainSpinBox : public QDoubleSpinBox {
+    Q_OBJECT
+public:
+    explicit GainSpinBox(QWidget* parent = nullptr);
+
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+    void stepBy(int steps) override;
+
+private:
+    QString withoutSuffix(const QString& text) const;
+};
+
+} // namespace bask

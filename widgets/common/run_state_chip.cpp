@@ -1,0 +1,204 @@
+#include "widgets/common/run_state_chip.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QPainter>
+#include <QStyleOption>
+#include <QWidgetAction>
+
+#include <algorithm>
+#include <array>
+
+namespace bask {
+namespace {
+
+constexpr int kIcon = 16;
+constexpr int kPadding = 10;
+constexpr int kReasonWidth = 420;
+
+constexpr std::array kStates{RunState::Idle,    RunState::NotReady, RunState::Ready,   RunState::Armed,
+                             RunState::Running, RunState::Holding,  RunState::Settled, RunState::Stopping,
+                             RunState::Stopped, RunState::Fault};
+
+/// Alarm priority of a state; 0 for the normal ones.
+int alarmPriority(RunState state) {
+    switch (state) {
+    case RunState::Fault:
+        return 1;
+    case RunState::Holding:
+        return 2;
+    case RunState::NotReady:
+        return 3;
+    default:
+        return 0;
+    }
+}
+
+QColor inkColor(RunState state, bool dark) {
+    switch (state) {
+    case RunState::Armed:
+    case RunState::Running:
+    case RunState::Settled:
+        return accentColor(dark);
+    default:
+        return secondaryText(dark);
+    }
+}
+
+void drawStateIcon(QPainter& painter, RunState state, const QRectF& box, const QColor& ink) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QPointF c = box.center();
+    const double r = box.width() / 2.0 - 1.0;
+    QPen pen(ink, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    switch (state) {
+    case RunState::Armed: // ring with a dot: loaded, waiting
+        painter.setPen(pen);
+        painter.drawEllipse(c, r, r);
+        painter.setBrush(ink);
+        painter.drawEllipse(c, r * 0.25, r * 0.25);
+        break;
+    case RunState::Running: // play
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(ink);
+        painter.drawPolygon(
+            QPolygonF{c + QPointF(-0.65 * r, -r), c + QPointF(r, 0), c + QPointF(-0.65 * r, r)});
+        break;
+    case RunState::Ready:
+    case RunState::Settled: // tick
+        painter.setPen(pen);
+        painter.drawPolyline(QPolygonF{c + QPointF(-0.8 * r, 0.05 * r), c + QPointF(-0.2 * r, 0.65 * r),
+                                       c + QPointF(0.9 * r, -0.7 * r)});
+        break;
+    case RunState::Stopping:
+    case RunState::Stopped: // square
+        painter.setPen(pen);
+        if (state == RunState::Stopped)
+            painter.setBrush(ink);
+        painter.drawRect(QRectF(c.x() - 0.65 * r, c.y() - 0.65 * r, 1.3 * r, 1.3 * r));
+        break;
+    default: // ring: nothing on
+        painter.setPen(pen);
+        painter.drawEllipse(c, r * 0.85, r * 0.85);
+        break;
+    }
+    painter.restore();
+}
+
+QString chipText(RunState state, qsizetype reasons) {
+    const QString word = runStateWord(state);
+    return reasons > 0 ? QStringLiteral("%1 (%2)").arg(word).arg(reasons) : word;
+}
+
+} // namespace
+
+RunStateChip::RunStateChip(QWidget* parent) : QAbstractButton(parent), m_menu(new QMenu(this)) {
+    setObjectName(QStringLiteral("runStateChip"));
+    m_menu->setObjectName(QStringLiteral("runStateReasons"));
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_Hover);
+    connect(this, &QAbstractButton::clicked, this, &RunStateChip::openMenu);
+    retranslateUi();
+}
+
+void RunStateChip::setState(RunState state, const QStringList& reasons) {
+    if (state == m_state && reasons == m_reasons)
+        return;
+    m_state = state;
+    m_reasons = reasons;
+    retranslateUi();
+}
+
+void RunStateChip::retranslateUi() {
+    setText(chipText(m_state, m_reasons.size()));
+    setToolTip(runStateExplanation(m_state) + QLatin1Char('\n') +
+               tr("Click for the reasons and what to do."));
+    setAccessibleName(tr("State of the run: %1").arg(text()));
+    setAccessibleDescription(m_reasons.isEmpty() ? runStateExplanation(m_state)
+                                                 : m_reasons.join(QLatin1Char('\n')));
+
+    m_menu->clear();
+    const QStringList lines = m_reasons.isEmpty() ? QStringList{runStateExplanation(m_state)} : m_reasons;
+    for (int i = 0; i < lines.size(); ++i) {
+        auto* action = new QWidgetAction(m_menu);
+        action->setText(lines[i]);
+        auto* label =
+            new QLabel(m_reasons.size() > 1 ? QStringLiteral("%1.  %2").arg(i + 1).arg(lines[i]) : lines[i]);
+        label->setTextFormat(Qt::PlainText);
+        label->setWordWrap(true);
+        label->setMargin(8);
+        label->setFixedWidth(kReasonWidth);
+        label->setMinimumHeight(label->heightForWidth(kReasonWidth));
+        action->setDefaultWidget(label);
+        if (!m_reasons.isEmpty())
+            connect(action, &QAction::triggered, this, [this, i] { emit reasonActivated(i); });
+        m_menu->addAction(action);
+    }
+    updateGeometry();
+    update();
+}
+
+void RunStateChip::openMenu() {
+    m_menu->popup(mapToGlobal(QPoint(0, height() + 2)));
+}
+
+QSize RunStateChip::sizeHint() const {
+    // Wide enough for every state, so that the bar does not jump when the state changes.
+    QFont bold = font();
+    bold.setBold(true);
+    const QFontMetrics metrics(bold);
+    int widest = metrics.horizontalAdvance(text());
+    for (RunState state : kStates)
+        widest =
+            std::max(widest, metrics.horizontalAdvance(chipText(state, state == RunState::NotReady ? 9 : 0)));
+    return {widest + kIcon + 3 * kPadding + 14, std::max(metrics.height() + 12, 30)};
+}
+
+void RunStateChip::paintEvent(QPaintEvent*) {
+    const bool dark = isDark(this);
+    const int priority = alarmPriority(m_state);
+    const bool fault = m_state == RunState::Fault;
+    const QColor signal = priority > 0 ? alarmColor(priority, dark) : inkColor(m_state, dark);
+
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor ground = signal;
+    ground.setAlphaF(fault ? 0.22f : priority > 0 ? 0.14f : 0.09f);
+    if (underMouse() || isDown())
+        ground.setAlphaF(ground.alphaF() + 0.08f);
+    painter.setBrush(ground);
+    painter.setPen(QPen(hasFocus() ? accentColor(dark) : signal, fault || hasFocus() ? 2.0 : 1.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
+
+    const QRect icon(kPadding, (height() - kIcon) / 2, kIcon, kIcon);
+    if (priority > 0)
+        painter.drawPixmap(icon, alarmPixmap(priority, dark, kIcon, devicePixelRatioF()));
+    else
+        drawStateIcon(painter, m_state, icon, signal);
+
+    QFont bold = font();
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.setPen(palette().color(QPalette::WindowText));
+    const int left = icon.right() + 1 + kPadding - 2;
+    painter.drawText(QRect(left, 0, width() - left - 20, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
+
+    painter.setPen(QPen(secondaryText(dark), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    const QPointF arrow(width() - kPadding - 5, height() / 2.0 + 1.5);
+    painter.drawPolyline(QPolygonF{arrow + QPointF(-4, -3), arrow, arrow + QPointF(4, -3)});
+}
+
+void RunStateChip::changeEvent(QEvent* event) {
+    QAbstractButton::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        update();
+}
+
+} // namespace bask

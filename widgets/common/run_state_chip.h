@@ -1,0 +1,47 @@
+#pragma once
+// The chip in the state bar: the run's state as word, icon and colour; clicking it lists each reason with its
+// remedy.
+
+#include "engine/runtime/snapshot.h"
+
+#include <QAbstractButton>
+#include <QStringList>
+
+class QMenu;
+
+namespace bask {
+
+/// What it shows is what the engine reported. Object names: "runStateChip", its menu "runStateReasons" with
+/// one action a reason (their text is the reason).
+class RunStateChip : public QAbstractButton {
+    Q_OBJECT
+public:
+    explicit RunStateChip(QWidget* parent = nullptr);
+
+    /// `reasons`: translated sentences, each with its remedy. Nothing is repainted when nothing changed.
+    void setState(RunState state, const QStringList& reasons);
+    RunState state() const { return m_state; }
+    const QStringList& reasons() const { return m_reasons; }
+    QMenu* reasonsMenu() const { return m_menu; }
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override { return sizeHint(); }
+
+signals:
+    /// A reason was chosen in the list; the window shows the page where it is put right.
+    void reasonActivated(int index);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslateUi();
+    void openMenu();
+
+    RunState m_state = RunState::Idle;
+    QStringList m_reasons;
+    QMenu* m_menu = nullptr;
+};
+
+} // namespace bask

@@ -1,0 +1,85 @@
+#include "widgets/common/stop_button.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QKeyEvent>
+#include <QPainter>
+
+namespace bask {
+
+StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
+    setObjectName(QStringLiteral("stopButton"));
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    setCursor(Qt::PointingHandCursor);
+    connect(this, &QAbstractButton::pressed, this, &StopButton::stopRequested);
+    // A QShortcut is deaf while a modal dialog or a menu is open.
+    qApp->installEventFilter(this);
+    retranslateUi();
+}
+
+bool StopButton::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress) {
+        const auto* key = static_cast<QKeyEvent*>(event);
+        if (key->key() == Qt::Key_F12) {
+            if (!key->isAutoRepeat())
+                emit stopRequested();
+            return true;
+        }
+    }
+    return QAbstractButton::eventFilter(watched, event);
+}
+
+void StopButton::retranslateUi() {
+    setText(tr("STOP"));
+    setToolTip(tr("Zero velocity and heater off now; latched until reset (F12).\n"
+                  "This is a software stop, not a safety-rated emergency stop."));
+    setAccessibleName(tr("STOP: zero velocity and heater off now (F12)"));
+    setAccessibleDescription(tr("Software stop, not a safety-rated emergency stop."));
+    updateGeometry();
+    update();
+}
+
+QSize StopButton::sizeHint() const {
+    QFont big = font();
+    big.setBold(true);
+    big.setPointSizeF(font().pointSizeF() * 1.35);
+    const QFontMetrics metrics(big);
+    return {metrics.horizontalAdvance(text()) +
+                QFontMetrics(font()).horizontalAdvance(QStringLiteral("F12")) + 56,
+            std::max(metrics.height() + 14, 38)};
+}
+
+void StopButton::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor red(0xc6, 0x1f, 0x1f);
+    painter.setBrush(isDown() ? red.darker(135) : underMouse() ? red.lighter(112) : red);
+    painter.setPen(hasFocus() ? QPen(palette().color(QPalette::WindowText), 2.0)
+                              : QPen(red.darker(150), 1.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 5, 5);
+
+    QFont big = font();
+    big.setBold(true);
+    big.setPointSizeF(font().pointSizeF() * 1.35);
+    const int wordWidth = QFontMetrics(big).horizontalAdvance(text());
+    const int keyWidth = QFontMetrics(font()).horizontalAdvance(QStringLiteral("F12"));
+    const int left = (width() - wordWidth - keyWidth - 10) / 2;
+    painter.setPen(Qt::white);
+    painter.setFont(big);
+    painter.drawText(QRect(left, 0, wordWidth + 2, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
+    painter.setFont(font());
+    painter.setPen(QColor(255, 255, 255, 210));
+    painter.drawText(QRect(left + wordWidth + 10, 0, keyWidth + 2, height()),
+                     Qt::AlignVCenter | Qt::AlignLeft, QStringLiteral("F12"));
+}
+
+void StopButton::changeEvent(QEvent* event) {
+    QAbstractButton::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    else if (event->type() == QEvent::PaletteChange)
+        update();
+}
+
+} // namespace bask

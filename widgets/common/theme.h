@@ -1,0 +1,49 @@
+#pragma once
+// Light and dark palettes, the colours and dashes that tell objects apart, and the alarm colours.
+
+#include <QColor>
+#include <QPalette>
+#include <QPen>
+#include <QPixmap>
+
+class QApplication;
+class QWidget;
+
+namespace bask {
+
+enum class Theme {
+    System, ///< light or dark as the desktop was when the program started
+    Light,
+    Dark,
+};
+
+/// Sets the Fusion style and the theme's palette; widgets hear of it through QEvent::PaletteChange.
+void applyTheme(QApplication& application, Theme theme);
+QPalette themePalette(bool dark);
+
+/// Whether text is lighter than its ground.
+bool isDark(const QPalette& palette);
+bool isDark(const QWidget* widget);
+
+/// Colour of object `index`: Okabe-Ito without the alarm hues, lightness set for the ground. Repeats after 5.
+QColor seriesColor(int index, bool dark);
+/// Dash pattern of object `index`, in pen widths; empty is a solid line. Repeats after 6.
+QList<qreal> seriesDashes(int index);
+/// Both, as a pen.
+QPen seriesPen(int index, bool dark, double width = 2.0);
+/// A short sample of an object's line, `size` in device-independent pixels.
+QPixmap seriesSwatch(int index, bool dark, QSize size, double devicePixelRatio);
+
+/// Alarm colours; always shown with their shape and figure. Priority 1 red, 2 orange, 3 yellow.
+QColor alarmColor(int priority, bool dark);
+/// Red triangle "1", orange diamond "2" or yellow circle "3".
+QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio);
+
+QColor accentColor(bool dark);   ///< running, selected, changed: a quiet blue
+QColor secondaryText(bool dark); ///< captions; at least 4.5:1 on window and base
+QColor hairline(bool dark);      ///< borders and grid lines
+
+/// Palette for captions of a widget, from its own palette.
+QPalette captionPalette(const QPalette& palette);
+
+} // namespace bask

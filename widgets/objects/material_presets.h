@@ -1,0 +1,31 @@
+#pragma once
+// Materials offered by name on the Objects page: bulk and surface values of common plates and prints.
+
+#include "engine/thermal/heat_balance.h"
+
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace bask {
+
+/// A named material; its thickness is a default, since a plate's thickness belongs to the object.
+struct MaterialPreset {
+    const char* label; ///< English, context "MaterialPreset"; show it through materialPresetLabel
+    Material material;
+};
+
+/// Handbook values at room temperature; emittances are those of thermal-imaging tables (8 to 14 um).
+const std::vector<MaterialPreset>& materialPresets();
+
+/// Translated label of a preset.
+QString materialPresetLabel(std::size_t index);
+
+/// The preset with the same surface, bulk and infill (thickness left aside); empty: values were typed.
+std::optional<std::size_t> matchingPreset(const Material& material);
+
+/// `material` with everything but its thickness taken from the preset.
+Material withPreset(const Material& material, std::size_t index);
+
+} // namespace bask

@@ -1,0 +1,86 @@
+#include "widgets/objects/message_bar.h"
+
+#include "widgets/common/theme.h"
+#include "widgets/objects/outline_painting.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace bask {
+
+MessageBar::MessageBar(QWidget* parent)
+    : QFrame(parent), m_icon(new QLabel(this)), m_label(new QLabel(this)), m_action(new QPushButton(this)),
+      m_close(new QToolButton(this)) {
+    m_label->setObjectName("message");
+    m_label->setWordWrap(true);
+    m_label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_action->setObjectName("messageAction");
+    m_close->setObjectName("messageClose");
+    m_close->setAutoRaise(true);
+    m_close->setText(QString(QChar(0x2715)));
+
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(14, 7, 8, 7);
+    layout->addWidget(m_icon);
+    layout->addWidget(m_label, 1);
+    layout->addWidget(m_action);
+    layout->addWidget(m_close);
+    connect(m_action, &QPushButton::clicked, this, &MessageBar::actionClicked);
+    connect(m_close, &QToolButton::clicked, this, &MessageBar::clear);
+    refresh();
+    hide();
+}
+
+void MessageBar::say(Kind kind, const QString& sentence, const QString& action, bool closable) {
+    m_kind = kind;
+    m_label->setText(sentence);
+    m_action->setText(action);
+    m_action->setVisible(!action.isEmpty());
+    m_close->setVisible(closable);
+    refresh();
+    show();
+}
+
+void MessageBar::clear() {
+    m_label->clear();
+    hide();
+}
+
+QString MessageBar::sentence() const {
+    return isHidden() ? QString() : m_label->text();
+}
+
+void MessageBar::refresh() {
+    m_close->setAccessibleName(tr("Close the message"));
+    m_close->setToolTip(tr("Close the message"));
+    m_icon->setVisible(m_kind == Kind::Problem);
+    m_icon->setPixmap(alarmPixmap(3, isDark(this), 18, devicePixelRatioF()));
+    setAccessibleName(m_kind == Kind::Problem ? tr("Problem") : tr("Note"));
+    update();
+}
+
+void MessageBar::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        refresh();
+    QFrame::changeEvent(event);
+}
+
+void MessageBar::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool dark = isDark(this);
+    const QColor tone = m_kind == Kind::Problem ? alarmColor(3, dark) : accentColor(dark);
+    const QColor ground = palette().color(QPalette::Window);
+    painter.setPen(mixed(tone, ground, 0.5));
+    painter.setBrush(mixed(tone, ground, dark ? 0.16 : 0.12));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(tone);
+    painter.drawRoundedRect(QRectF(0.0, 0.0, 4.0, height()), 2.0, 2.0);
+}
+
+} // namespace bask

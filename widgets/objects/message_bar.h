@@ -1,0 +1,43 @@
+#pragma once
+// One sentence inside a page, with an optional button: what was refused and why, or what can be undone.
+
+#include <QFrame>
+
+class QLabel;
+class QPushButton;
+class QToolButton;
+
+namespace bask {
+
+/// Hidden until it has something to say. Object names: "message", "messageAction", "messageClose".
+class MessageBar : public QFrame {
+    Q_OBJECT
+
+public:
+    enum class Kind { Note, Problem };
+
+    explicit MessageBar(QWidget* parent = nullptr);
+
+    /// Shows a sentence; with `action` a button of that label, without `closable` it stays until cleared.
+    void say(Kind kind, const QString& sentence, const QString& action = {}, bool closable = true);
+    void clear();
+    QString sentence() const;
+
+signals:
+    void actionClicked();
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+
+    Kind m_kind = Kind::Note;
+    QLabel* m_icon;
+    QLabel* m_label;
+    QPushButton* m_action;
+    QToolButton* m_close;
+};
+
+} // namespace bask

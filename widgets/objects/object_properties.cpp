@@ -1,0 +1,320 @@
+#include "widgets/objects/object_properties.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/common/theme.h"
+#include "widgets/objects/material_presets.h"
+#include "widgets/objects/outline_painting.h"
+
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QSignalBlocker>
+
+namespace bask {
+namespace {
+
+constexpr double kCmPerM = 100.0;
+constexpr int kTyped = -1; ///< entry of the preset list for values that match none
+
+void setQuietly(QDoubleSpinBox* field, double value) {
+    const QSignalBlocker block(field);
+    field->setValue(value);
+}
+
+} // namespace
+
+ObjectProperties::ObjectProperties(QWidget* parent) : QWidget(parent) {
+    build();
+}
+
+QDoubleSpinBox* ObjectProperties::number(const char* name, double least, double most, int decimals,
+                                         double step, void (*apply)(ObjectSpec&, double)) {
+    auto* field = new QDoubleSpinBox(this);
+    field->setObjectName(QString::fromLatin1(name));
+    field->setRange(least, most);
+    field->setDecimals(decimals);
+    field->setSingleStep(step);
+    field->setKeyboardTracking(false);
+    field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(field, &QDoubleSpinBox::valueChanged, this, [this, apply](double value) {
+        edit([apply, value](ObjectSpec& object) { apply(object, value); });
+    });
+    return field;
+}
+
+void ObjectProperties::build() {
+    using S = ObjectSpec;
+    m_name = new QLineEdit(this);
+    m_name->setObjectName("objectName");
+    m_name->setMaxLength(60);
+    connect(m_name, &QLineEdit::editingFinished, this, [this] {
+        edit([name = m_name->text().trimmed().toStdString()](S& object) { object.name = name; });
+    });
+    m_kind = new QLabel(this);
+    m_area = new QLabel(this);
+    m_area->setObjectName("area");
+    m_perimeter = new QLabel(this);
+    m_perimeter->setObjectName("perimeter");
+    m_timeConstant = new QLabel(this);
+    m_timeConstant->setObjectName("timeConstant");
+    m_timeConstant->setWordWrap(true);
+    m_radius = number("radius", 0.05, 100.0, 3, 0.1, [](S& o, double v) { o.shape = Disk{v / kCmPerM}; });
+    m_preset = new QComboBox(this);
+    m_preset->setObjectName("materialPreset");
+    m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    connect(m_preset, &QComboBox::activated, this, [this](int row) {
+        const int index = m_preset->itemData(row).toInt();
+        if (index == kTyped)
+            return;
+        edit([index](S& o) { o.material = withPreset(o.material, static_cast<std::size_t>(index)); });
+    });
+    m_emittance = number("emittance", 0.01, 1.0, 3, 0.01, [](S& o, double v) { o.material.emittance = v; });
+    m_absorptance =
+        number("absorptance", 0.01, 1.0, 3, 0.01, [](S& o, double v) { o.material.absorptance = v; });
+    m_specificHeat = number("specificHeat", 1.0, 20000.0, 1, 10.0,
+                            [](S& o, double v) { o.material.specificHeat_J_kgK = v; });
+    m_density =
+        number("density", 1.0, 30000.0, 1, 10.0, [](S& o, double v) { o.material.density_kg_m3 = v; });
+    m_thickness =
+        number("thickness", 0.01, 100.0, 2, 0.1, [](S& o, double v) { o.material.thickness_m = v / 1000.0; });
+    m_infill = number("infill", 1.0, 100.0, 1, 5.0, [](S& o, double v) { o.material.infill = v / 100.0; });
+    m_mountX = number("mountX", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kX] = v / kCmPerM; });
+    m_mountY = number("mountY", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kY] = v / kCmPerM; });
+    m_mountZ = number("mountZ", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kZ] = v / kCmPerM; });
+    m_mountRotation = number("mountRotation", -180.0, 180.0, 1, 5.0,
+                             [](S& o, double v) { o.mounting[kThetaZ] = radFromDeg(v); });
+    m_mountRotation->setWrapping(true);
+    m_target = new QuantitySpinBox(this);
+    m_target->setObjectName("target");
+    connect(m_target, &QuantitySpinBox::valueEdited_K, this,
+            [this](double value_K) { edit([value_K](S& o) { o.target_K = value_K; }); });
+
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(2, 0, 8, 4);
+    layout->setHorizontalSpacing(10);
+    layout->setVerticalSpacing(3);
+    int row = 0;
+    const auto field = [&](QWidget* widget, int column, int span = 1) {
+        auto* label = new QLabel(this);
+        label->setBuddy(widget);
+        layout->addWidget(label, row, column, 1, span, Qt::AlignBottom);
+        layout->addWidget(widget, row + 1, column, 1, span);
+        m_captions.push_back({label, widget});
+    };
+    const auto head = [&](int index) {
+        m_headings[index] = heading(layout, row);
+        ++row;
+    };
+    head(0);
+    field(m_name, 0);
+    field(m_target, 1);
+    row += 2;
+    layout->addWidget(m_kind, row, 0, 1, 2);
+    row += 1;
+    field(m_radius, 0);
+    row += 2;
+    field(m_area, 0);
+    field(m_perimeter, 1);
+    row += 2;
+    head(1);
+    field(m_preset, 0, 2);
+    row += 2;
+    field(m_emittance, 0);
+    field(m_absorptance, 1);
+    row += 2;
+    field(m_specificHeat, 0);
+    field(m_density, 1);
+    row += 2;
+    field(m_thickness, 0);
+    field(m_infill, 1);
+    row += 2;
+    layout->addWidget(m_timeConstant, row, 0, 1, 2);
+    row += 1;
+    head(2);
+    field(m_mountX, 0);
+    field(m_mountY, 1);
+    row += 2;
+    field(m_mountZ, 0);
+    field(m_mountRotation, 1);
+    row += 2;
+    layout->setRowStretch(row, 1);
+    layout->setColumnStretch(0, 1);
+    layout->setColumnStretch(1, 1);
+
+    // A wheel that scrolls the form must not change a value it happens to pass over.
+    for (QWidget* widget : findChildren<QWidget*>()) {
+        if (qobject_cast<QAbstractSpinBox*>(widget) != nullptr ||
+            qobject_cast<QComboBox*>(widget) != nullptr) {
+            widget->setFocusPolicy(Qt::StrongFocus);
+            widget->installEventFilter(this);
+        }
+    }
+    refreshTexts();
+}
+
+QLabel* ObjectProperties::heading(QGridLayout* layout, int row) {
+    auto* label = new QLabel(this);
+    QFont font = label->font();
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+    label->setContentsMargins(0, row == 0 ? 0 : 10, 0, 2);
+    layout->addWidget(label, row, 0, 1, 2);
+    return label;
+}
+
+bool ObjectProperties::eventFilter(QObject* watched, QEvent* event) {
+    const auto* widget = qobject_cast<QWidget*>(watched);
+    if (event->type() == QEvent::Wheel && widget != nullptr && !widget->hasFocus()) {
+        event->ignore();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ObjectProperties::edit(const std::function<void(ObjectSpec&)>& change) {
+    if (m_showing)
+        return;
+    ObjectSpec changed = m_object;
+    change(changed);
+    if (changed == m_object)
+        return;
+    m_object = changed;
+    showObject();
+    emit objectEdited(changed);
+}
+
+void ObjectProperties::setObject(const ObjectSpec& object) {
+    m_object = object;
+    showObject();
+}
+
+void ObjectProperties::setTemperatureUnit(TemperatureUnit unit) {
+    m_target->setTemperatureUnit(unit);
+}
+
+void ObjectProperties::setReadOnly(bool readOnly) {
+    for (const Caption& caption : m_captions)
+        caption.field->setEnabled(!readOnly);
+}
+
+void ObjectProperties::showObject() {
+    m_showing = true;
+    const Material& material = m_object.material;
+    if (m_name->text().trimmed().toStdString() != m_object.name)
+        m_name->setText(QString::fromStdString(m_object.name));
+    const auto* disk = std::get_if<Disk>(&m_object.shape);
+    m_radius->setVisible(disk != nullptr);
+    for (const Caption& caption : m_captions)
+        if (caption.field == m_radius)
+            caption.label->setVisible(disk != nullptr);
+    if (disk != nullptr)
+        setQuietly(m_radius, disk->radius_m * kCmPerM);
+    setQuietly(m_emittance, material.emittance);
+    setQuietly(m_absorptance, material.absorptance);
+    setQuietly(m_specificHeat, material.specificHeat_J_kgK);
+    setQuietly(m_density, material.density_kg_m3);
+    setQuietly(m_thickness, material.thickness_m * 1000.0);
+    setQuietly(m_infill, material.infill * 100.0);
+    setQuietly(m_mountX, m_object.mounting[kX] * kCmPerM);
+    setQuietly(m_mountY, m_object.mounting[kY] * kCmPerM);
+    setQuietly(m_mountZ, m_object.mounting[kZ] * kCmPerM);
+    setQuietly(m_mountRotation, degFromRad(m_object.mounting[kThetaZ]));
+    m_target->setValue_K(m_object.target_K);
+    showPresets();
+    showDerived();
+    m_showing = false;
+}
+
+void ObjectProperties::showPresets() {
+    const QSignalBlocker block(m_preset);
+    m_preset->clear();
+    for (std::size_t i = 0; i < materialPresets().size(); ++i)
+        m_preset->addItem(materialPresetLabel(i), static_cast<int>(i));
+    if (const auto match = matchingPreset(m_object.material)) {
+        m_preset->setCurrentIndex(static_cast<int>(*match));
+        return;
+    }
+    const QString name = QString::fromStdString(m_object.material.name);
+    m_preset->insertItem(0, name.isEmpty() ? tr("typed values") : tr("typed values (%1)").arg(name), kTyped);
+    m_preset->setCurrentIndex(0);
+}
+
+void ObjectProperties::showDerived() {
+    const QLocale locale;
+    if (!(shapeArea(m_object.shape) > 0.0))
+        return; // nothing set yet
+    const auto* series = std::get_if<FourierContour>(&m_object.shape);
+    m_kind->setText(std::holds_alternative<Disk>(m_object.shape) ? tr("Disk")
+                    : series != nullptr ? tr("Fourier outline, %1").arg(harmonicsText(series->harmonics()))
+                                        : tr("Polygon"));
+    m_area->setText(tr("%1 cm\u00b2").arg(locale.toString(shapeArea(m_object.shape) * 1e4, 'f', 2)));
+    m_perimeter->setText(tr("%1 cm").arg(locale.toString(shapePerimeter(m_object.shape) * kCmPerM, 'f', 2)));
+    const double capacity = m_object.material.arealHeatCapacity_J_m2K();
+    // lambda2 = eps2 sigma / (m c / A) does not depend on the source.
+    const HeatRates rates{0.0, m_object.material.emittance * kStefanBoltzmann / capacity, 0.0};
+    m_timeConstant->setText(
+        tr("%1 J/(m\u00b2\u00b7K); time constant %2 at the target")
+            .arg(locale.toString(capacity, 'f', 0), formatDuration(rates.timeConstant_s(m_object.target_K))));
+}
+
+void ObjectProperties::refreshTexts() {
+    m_headings[0]->setText(tr("Object"));
+    m_headings[1]->setText(tr("Material"));
+    m_headings[2]->setText(tr("Mounting on the end-effector"));
+    const std::initializer_list<std::pair<QWidget*, QString>> captions{
+        {m_name, tr("Name")},
+        {m_target, tr("Target")},
+        {m_radius, tr("Radius")},
+        {m_area, tr("Area")},
+        {m_perimeter, tr("Perimeter")},
+        {m_preset, tr("Preset")},
+        {m_emittance, tr("Emittance")},
+        {m_absorptance, tr("Absorptance")},
+        {m_specificHeat, tr("Specific heat")},
+        {m_density, tr("Density")},
+        {m_thickness, tr("Thickness")},
+        {m_infill, tr("Infill")},
+        {m_mountX, tr("x")},
+        {m_mountY, tr("y")},
+        {m_mountZ, tr("z")},
+        {m_mountRotation, tr("Rotation about z")},
+    };
+    const QPalette caption = captionPalette(palette());
+    for (const auto& [field, text] : captions) {
+        field->setAccessibleName(text);
+        for (const Caption& c : m_captions) {
+            if (c.field == field) {
+                c.label->setText(text);
+                c.label->setPalette(caption);
+            }
+        }
+    }
+    m_timeConstant->setPalette(caption);
+    m_kind->setPalette(caption);
+    m_mountX->setAccessibleName(tr("Mounting x"));
+    m_mountY->setAccessibleName(tr("Mounting y"));
+    m_mountZ->setAccessibleName(tr("Mounting z"));
+    for (QDoubleSpinBox* field : {m_radius, m_mountX, m_mountY, m_mountZ})
+        field->setSuffix(tr(" cm"));
+    m_thickness->setSuffix(tr(" mm"));
+    m_specificHeat->setSuffix(tr(" J/(kg\u00b7K)"));
+    m_density->setSuffix(tr(" kg/m\u00b3"));
+    m_infill->setSuffix(tr(" %"));
+    m_mountRotation->setSuffix(tr(" \u00b0"));
+    m_showing = true;
+    showPresets();
+    showDerived();
+    m_showing = false;
+}
+
+void ObjectProperties::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        refreshTexts();
+    QWidget::changeEvent(event);
+}
+
+} // namespace bask

@@ -1,0 +1,83 @@
+#pragma once
+// Form of one object: name and shape, material, mounting on the end-effector, target. Units of screens at the
+// edge only.
+
+#include "engine/base/units.h"
+#include "engine/session/experiment.h"
+
+#include <QWidget>
+
+#include <functional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+
+namespace bask {
+
+class QuantitySpinBox;
+
+/// Emits a whole new value per committed edit; only the edited field differs from what was set.
+/// Object names: "objectName", "radius", "materialPreset", "emittance", "absorptance", "specificHeat",
+/// "density", "thickness", "infill", "mountX", "mountY", "mountZ", "mountRotation", "target", "area",
+/// "perimeter", "timeConstant".
+class ObjectProperties : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ObjectProperties(QWidget* parent = nullptr);
+
+    void setObject(const ObjectSpec& object);
+    void setTemperatureUnit(TemperatureUnit unit);
+    void setReadOnly(bool readOnly);
+
+signals:
+    void objectEdited(const bask::ObjectSpec& object);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    void build();
+    QLabel* heading(QGridLayout* layout, int row);
+    QDoubleSpinBox* number(const char* name, double least, double most, int decimals, double step,
+                           void (*apply)(ObjectSpec&, double));
+    void edit(const std::function<void(ObjectSpec&)>& change);
+    void showObject();
+    void showDerived();
+    void showPresets();
+    void refreshTexts();
+
+    ObjectSpec m_object;
+    bool m_showing = false;
+    QLabel* m_headings[3]{};
+    QLineEdit* m_name;
+    QLabel* m_kind;
+    QDoubleSpinBox* m_radius;
+    QLabel* m_area;
+    QLabel* m_perimeter;
+    QComboBox* m_preset;
+    QDoubleSpinBox* m_emittance;
+    QDoubleSpinBox* m_absorptance;
+    QDoubleSpinBox* m_specificHeat;
+    QDoubleSpinBox* m_density;
+    QDoubleSpinBox* m_thickness;
+    QDoubleSpinBox* m_infill;
+    QLabel* m_timeConstant;
+    QDoubleSpinBox* m_mountX;
+    QDoubleSpinBox* m_mountY;
+    QDoubleSpinBox* m_mountZ;
+    QDoubleSpinBox* m_mountRotation;
+    QuantitySpinBox* m_target;
+    /// Caption above each field, with its buddy.
+    struct Caption {
+        QLabel* label;
+        QWidget* field;
+    };
+    std::vector<Caption> m_captions;
+};
+
+} // namespace bask

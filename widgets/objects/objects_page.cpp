@@ -1,0 +1,530 @@
+#include "widgets/objects/objects_page.h"
+
+#include "widgets/common/theme.h"
+#include "widgets/objects/harmonics_panel.h"
+#include "widgets/objects/import_bar.h"
+#include "widgets/objects/material_presets.h"
+#include "widgets/objects/message_bar.h"
+#include "widgets/objects/mounting_plan.h"
+#include "widgets/objects/object_list.h"
+#include "widgets/objects/object_properties.h"
+#include "widgets/objects/outline_preview.h"
+
+#include <QDragEnterEvent>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QFutureWatcher>
+#include <QGridLayout>
+#include <QLabel>
+#include <QMimeData>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QSplitter>
+#include <QUndoStack>
+#include <QVBoxLayout>
+#include <QtConcurrentRun>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr int kImportHarmonics = 5;
+constexpr double kNewDiskRadius_m = 0.015;
+constexpr double kMountingGap_m = 0.005;
+
+bool isReadable(const QString& path) {
+    static const QStringList lists{"csv", "txt", "dat"};
+    return ImportBar::isImage(path) || lists.contains(QFileInfo(path).suffix().toLower());
+}
+
+QString droppedFile(const QMimeData* data) {
+    const QList<QUrl> urls = data->urls();
+    return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+}
+
+} // namespace
+
+Contour rawOutline(const ObjectSpec& object) {
+    if (!object.origin.outline.points_m.empty())
+        return object.origin.outline;
+    const auto* polygon = std::get_if<Contour>(&object.shape);
+    return polygon != nullptr ? *polygon : Contour{};
+}
+
+/// The objects before and after one edit. Other parts of the experiment are not the page's to undo.
+class ObjectsPage::Edit : public QUndoCommand {
+public:
+    Edit(ObjectsPage& page, std::vector<ObjectSpec> after, const QString& text, QString mergeKey, int select)
+        : QUndoCommand(text), m_page(page), m_before(page.m_experiment.objects), m_after(std::move(after)),
+          m_mergeKey(std::move(mergeKey)), m_selectBefore(page.m_selected), m_selectAfter(select) {}
+
+    void undo() override { m_page.applyObjects(m_before, m_selectBefore); }
+    void redo() override { m_page.applyObjects(m_after, m_selectAfter); }
+    const std::vector<ObjectSpec>& before() const { return m_before; }
+    int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
+    bool mergeWith(const QUndoCommand* other) override {
+        const auto* next = dynamic_cast<const Edit*>(other);
+        if (next == nullptr || next->m_mergeKey != m_mergeKey)
+            return false;
+        m_after = next->m_after;
+        return true;
+    }
+
+private:
+    ObjectsPage& m_page;
+    std::vector<ObjectSpec> m_before;
+    std::vector<ObjectSpec> m_after;
+    QString m_mergeKey;
+    int m_selectBefore;
+    int m_selectAfter;
+};
+
+ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent), m_undo(new QUndoStack(this)) {
+    setAcceptDrops(true);
+    m_note = new MessageBar(this);
+    m_note->setObjectName("editNote");
+    m_message = new MessageBar(this);
+    m_message->setObjectName("pageMessage");
+    m_importBar = new ImportBar(this);
+    m_importBar->setObjectName("importBar");
+
+    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    splitter->addWidget(buildLeft());
+    splitter->addWidget(buildCentre());
+    splitter->addWidget(buildRight());
+    splitter->setStretchFactor(1, 1);
+    splitter->setChildrenCollapsible(false);
+    splitter->setSizes({220, 560, 340});
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(10, 10, 10, 10);
+    layout->addWidget(m_note);
+    layout->addWidget(m_message);
+    layout->addWidget(m_importBar);
+    layout->addWidget(splitter, 1);
+    connectAll();
+    refreshTexts();
+    showAll();
+}
+
+ObjectsPage::~ObjectsPage() = default;
+
+QWidget* ObjectsPage::buildLeft() {
+    auto* box = new QWidget(this);
+    m_listTitle = new QLabel(box);
+    QFont font = m_listTitle->font();
+    font.setWeight(QFont::DemiBold);
+    m_listTitle->setFont(font);
+    m_list = new ObjectList(box);
+    m_list->setObjectName("objectList");
+    m_listTitle->setBuddy(m_list);
+    m_plan = new MountingPlan(box);
+    m_plan->setObjectName("mountingPlan");
+    m_count = new QLabel(box);
+    m_count->setObjectName("objectCount");
+    m_count->setWordWrap(true);
+    const auto button = [box](const char* name) {
+        auto* made = new QPushButton(box);
+        made->setObjectName(QString::fromLatin1(name));
+        return made;
+    };
+    m_addDisk = button("addDisk");
+    m_import = button("importOutline");
+    m_duplicate = button("duplicateObject");
+    m_remove = button("removeObject");
+    m_undoButton = button("undo");
+    m_redoButton = button("redo");
+
+    auto* layout = new QGridLayout(box);
+    layout->setContentsMargins(0, 0, 6, 0);
+    layout->setVerticalSpacing(6);
+    layout->addWidget(m_listTitle, 0, 0, 1, 2);
+    layout->addWidget(m_list, 1, 0, 1, 2);
+    layout->addWidget(m_count, 2, 0, 1, 2);
+    layout->addWidget(m_import, 3, 0, 1, 2);
+    layout->addWidget(m_addDisk, 4, 0, 1, 2);
+    layout->addWidget(m_duplicate, 5, 0);
+    layout->addWidget(m_remove, 5, 1);
+    layout->addWidget(m_undoButton, 6, 0);
+    layout->addWidget(m_redoButton, 6, 1);
+    layout->addWidget(m_plan, 7, 0, 1, 2);
+    layout->setRowStretch(1, 1);
+    return box;
+}
+
+QWidget* ObjectsPage::buildCentre() {
+    auto* box = new QWidget(this);
+    m_preview = new OutlinePreview(box);
+    m_preview->setObjectName("outlinePreview");
+    m_harmonics = new HarmonicsPanel(box);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(6, 0, 6, 0);
+    layout->addWidget(m_preview, 1);
+    layout->addWidget(m_harmonics);
+    return box;
+}
+
+QWidget* ObjectsPage::buildRight() {
+    auto* content = new QWidget(this);
+    m_properties = new ObjectProperties(content);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(6, 0, 0, 0);
+    layout->addWidget(m_properties);
+    layout->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setMinimumWidth(310);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    return scroll;
+}
+
+void ObjectsPage::connectAll() {
+    connect(m_list, &ObjectList::objectSelected, this, &ObjectsPage::selectObject);
+    connect(m_list, &ObjectList::objectRenamed, this, [this](int index, const QString& name) {
+        auto objects = m_experiment.objects;
+        objects[static_cast<std::size_t>(index)].name = name.toStdString();
+        commit(std::move(objects), tr("rename"), {}, index);
+    });
+    connect(m_addDisk, &QPushButton::clicked, this, &ObjectsPage::addDisk);
+    connect(m_import, &QPushButton::clicked, this, &ObjectsPage::chooseFile);
+    connect(m_duplicate, &QPushButton::clicked, this, &ObjectsPage::duplicateSelected);
+    connect(m_remove, &QPushButton::clicked, this, &ObjectsPage::removeSelected);
+    connect(m_undoButton, &QPushButton::clicked, m_undo, &QUndoStack::undo);
+    connect(m_redoButton, &QPushButton::clicked, m_undo, &QUndoStack::redo);
+    connect(m_undo, &QUndoStack::indexChanged, this, &ObjectsPage::tellApplied);
+    const auto shortcut = [this](const QKeySequence& keys, QPushButton* button) {
+        auto* made = new QShortcut(keys, this);
+        made->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(made, &QShortcut::activated, button, &QPushButton::click);
+    };
+    shortcut(QKeySequence::Undo, m_undoButton);
+    shortcut(QKeySequence::Redo, m_redoButton);
+    connect(m_message, &MessageBar::actionClicked, m_undoButton, &QPushButton::click);
+    connect(m_harmonics, &HarmonicsPanel::fitChanged, this, &ObjectsPage::previewFit);
+    connect(m_harmonics, &HarmonicsPanel::fitCommitted, this, &ObjectsPage::commitFit);
+    connect(m_properties, &ObjectProperties::objectEdited, this, [this](const ObjectSpec& object) {
+        editSelected(tr("change of \u201c%1\u201d").arg(QString::fromStdString(selected().name)), {},
+                     [&object](ObjectSpec& o) { o = object; });
+    });
+    connect(m_plan, &MountingPlan::objectClicked, this, &ObjectsPage::selectObject);
+    connect(m_importBar, &ImportBar::accepted, this,
+            [this](const QString& path, const ContourImportOptions& options) {
+                m_message->say(MessageBar::Kind::Note, tr("Reading %1\u2026").arg(QFileInfo(path).fileName()),
+                               {}, false);
+                emit importRequested(path, options);
+            });
+}
+
+bool ObjectsPage::hasSelection() const {
+    return m_selected >= 0 && m_selected < static_cast<int>(m_experiment.objects.size());
+}
+
+void ObjectsPage::setExperiment(const Experiment& experiment) {
+    if (experiment == m_experiment)
+        return;
+    if (experiment.objects != m_experiment.objects) {
+        // A refused edit comes back as the value before it: take it off the stack; anything else is a new
+        // story.
+        if (m_lastEdit != nullptr && m_undo->canUndo() &&
+            m_undo->command(m_undo->index() - 1) == m_lastEdit &&
+            m_lastEdit->before() == experiment.objects) {
+            m_lastEdit->setObsolete(true);
+            m_undo->undo(); // deletes an obsolete command without running it
+        } else {
+            m_undo->clear();
+        }
+        m_lastEdit = nullptr;
+    }
+    m_experiment = experiment;
+    m_selected = std::clamp(m_selected, experiment.objects.empty() ? -1 : 0,
+                            static_cast<int>(experiment.objects.size()) - 1);
+    showAll();
+}
+
+void ObjectsPage::setEditable(bool editable, const QString& why) {
+    m_editable = editable;
+    m_why = why;
+    refreshTexts();
+    updateEnabled();
+}
+
+void ObjectsPage::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    m_properties->setTemperatureUnit(unit);
+    m_list->setObjects(m_experiment.objects, m_selected, unit);
+}
+
+void ObjectsPage::selectObject(int index) {
+    if (index == m_selected || index < -1 || index >= static_cast<int>(m_experiment.objects.size()))
+        return;
+    m_selected = index;
+    showAll();
+}
+
+void ObjectsPage::commit(std::vector<ObjectSpec> objects, const QString& text, const QString& mergeKey,
+                         int select) {
+    if (objects == m_experiment.objects) {
+        showAll();
+        return;
+    }
+    auto* edit = new Edit(*this, std::move(objects), text, mergeKey, select < 0 ? m_selected : select);
+    m_lastEdit = edit;
+    m_undo->push(edit); // a merged one is deleted here, and then is not the stack's last
+}
+
+void ObjectsPage::applyObjects(const std::vector<ObjectSpec>& objects, int select) {
+    m_experiment.objects = objects;
+    m_selected = std::min(select, static_cast<int>(objects.size()) - 1);
+    m_applied = true;
+}
+
+void ObjectsPage::tellApplied() {
+    updateEnabled();
+    // Only now is the stack at rest, so that an answer from within the signal may change it.
+    if (!std::exchange(m_applied, false))
+        return;
+    m_message->clear();
+    showAll();
+    emit experimentEdited(m_experiment);
+}
+
+void ObjectsPage::editSelected(const QString& text, const QString& mergeKey,
+                               const std::function<void(ObjectSpec&)>& change) {
+    if (!hasSelection() || !m_editable)
+        return;
+    auto objects = m_experiment.objects;
+    change(objects[static_cast<std::size_t>(m_selected)]);
+    commit(std::move(objects), text, mergeKey);
+}
+
+std::string ObjectsPage::uniqueName(const QString& wish) const {
+    const auto taken = [this](const QString& name) {
+        return std::ranges::any_of(m_experiment.objects,
+                                   [&](const ObjectSpec& o) { return o.name == name.toStdString(); });
+    };
+    QString name = wish;
+    for (int i = 2; taken(name); ++i)
+        name = QStringLiteral("%1 %2").arg(wish).arg(i);
+    return name.toStdString();
+}
+
+Vector6d ObjectsPage::freeMounting(const Shape& shape) const {
+    const double radius = shapeRadius(shape);
+    const auto isFree = [&](const Vector6d& place) {
+        return std::ranges::all_of(m_experiment.objects, [&](const ObjectSpec& o) {
+            const double gap =
+                (o.mounting.head<2>() - place.head<2>()).norm() - shapeRadius(o.shape) - radius;
+            return gap >= kMountingGap_m;
+        });
+    };
+    Vector6d place = Vector6d::Zero();
+    for (int ring = 0; ring <= 8; ++ring) {
+        for (int k = 0; k < (ring == 0 ? 1 : 12); ++k) {
+            place[kX] = 0.025 * ring * std::cos(radFromDeg(90.0 + 30.0 * k));
+            place[kY] = 0.025 * ring * std::sin(radFromDeg(90.0 + 30.0 * k));
+            if (isFree(place))
+                return place;
+        }
+    }
+    return Vector6d::Zero();
+}
+
+void ObjectsPage::addObject(ObjectSpec object, const QString& text) {
+    object.mounting = freeMounting(object.shape);
+    auto objects = m_experiment.objects;
+    objects.push_back(std::move(object));
+    const int index = static_cast<int>(objects.size()) - 1;
+    commit(std::move(objects), text, {}, index);
+}
+
+void ObjectsPage::addDisk() {
+    ObjectSpec object;
+    object.name = uniqueName(tr("disk"));
+    object.shape = Disk{kNewDiskRadius_m};
+    object.material = materialPresets().front().material;
+    addObject(std::move(object), tr("add disk"));
+}
+
+void ObjectsPage::duplicateSelected() {
+    if (!hasSelection())
+        return;
+    ObjectSpec object = selected();
+    object.name = uniqueName(QString::fromStdString(object.name));
+    addObject(std::move(object), tr("duplicate"));
+}
+
+void ObjectsPage::removeSelected() {
+    if (!hasSelection())
+        return;
+    const QString name = QString::fromStdString(selected().name);
+    auto objects = m_experiment.objects;
+    objects.erase(objects.begin() + m_selected);
+    commit(std::move(objects), tr("remove \u201c%1\u201d").arg(name));
+    if (m_message->isHidden())
+        m_message->say(MessageBar::Kind::Note, tr("\u201c%1\u201d was removed.").arg(name), tr("Undo"));
+}
+
+void ObjectsPage::showImported(const QString& path, const Contour& outline) {
+    // The first fit of an outline of many thousand points takes longer than a frame may.
+    auto* watcher = new QFutureWatcher<Result<FourierFit>>(this);
+    const Contour raw = centred(outline);
+    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, path, raw] {
+        watcher->deleteLater();
+        const Result<FourierFit> fit = watcher->result();
+        m_message->clear();
+        if (!fit) {
+            showImportError(tr("%1 cannot be fitted.").arg(QFileInfo(path).fileName()));
+            return;
+        }
+        ObjectSpec object;
+        object.name = uniqueName(QFileInfo(path).completeBaseName());
+        object.shape = fit->contour;
+        object.origin = {QFileInfo(path).fileName().toStdString(), raw, kImportHarmonics};
+        object.material = materialPresets().front().material;
+        addObject(std::move(object), tr("import"));
+    });
+    watcher->setFuture(QtConcurrent::run([raw] { return fitFourier(raw, kImportHarmonics); }));
+}
+
+void ObjectsPage::showImportError(const QString& sentence) {
+    m_message->say(MessageBar::Kind::Problem, sentence);
+}
+
+void ObjectsPage::showError(const QString& sentence) {
+    m_message->say(MessageBar::Kind::Problem, sentence);
+}
+
+void ObjectsPage::offerFile(const QString& path) {
+    if (!m_editable || !m_import->isEnabled())
+        return;
+    m_message->clear();
+    if (isReadable(path))
+        m_importBar->offer(path);
+    else
+        showImportError(
+            tr("%1 is not a kind of file that can be imported. Use a CSV of x, y points or a picture of "
+               "a silhouette (PNG, JPEG, BMP, TIFF).")
+                .arg(QFileInfo(path).fileName()));
+}
+
+void ObjectsPage::chooseFile() {
+    const QString path = QFileDialog::getOpenFileName(
+        this, tr("Import an outline"), QString(),
+        tr("Outlines (%1);;All files (*)").arg("*.csv *.txt *.dat *.png *.jpg *.jpeg *.bmp *.tif *.tiff"));
+    if (!path.isEmpty())
+        offerFile(path);
+}
+
+void ObjectsPage::dragEnterEvent(QDragEnterEvent* event) {
+    if (m_import->isEnabled() && !droppedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void ObjectsPage::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    offerFile(droppedFile(event->mimeData()));
+}
+
+void ObjectsPage::previewFit(const FourierFit& fit) {
+    if (hasSelection())
+        m_preview->setObject(QString::fromStdString(selected().name), fit.contour, rawOutline(selected()),
+                             seriesColor(m_selected, isDark(this)));
+}
+
+void ObjectsPage::commitFit(const FourierFit& fit) {
+    const Contour raw = hasSelection() ? rawOutline(selected()) : Contour{};
+    editSelected(tr("harmonics"), tr("harmonics") + QString::number(m_selected), [&](ObjectSpec& object) {
+        object.shape = fit.contour;
+        object.origin.outline = raw;
+        object.origin.harmonics = fit.contour.harmonics();
+    });
+}
+
+void ObjectsPage::showAll() {
+    m_list->setObjects(m_experiment.objects, m_selected, m_unit);
+    m_plan->setObjects(m_experiment.objects, m_selected);
+    showSelected();
+    refreshTexts();
+    updateEnabled();
+}
+
+void ObjectsPage::showSelected() {
+    const bool some = hasSelection();
+    m_properties->setVisible(some);
+    if (!some) {
+        m_preview->clear();
+        m_harmonics->setOutline({}, 0, Qt::gray, QString());
+        return;
+    }
+    const QColor color = seriesColor(m_selected, isDark(this));
+    const Contour raw = rawOutline(selected());
+    const auto* series = std::get_if<FourierContour>(&selected().shape);
+    const bool disk = std::holds_alternative<Disk>(selected().shape);
+    m_preview->setObject(QString::fromStdString(selected().name), selected().shape, raw, color);
+    m_harmonics->setOutline(
+        raw, series != nullptr ? series->harmonics() : kImportHarmonics, color,
+        disk ? tr("A disk is used as it is; it needs no fit.")
+             : tr("No imported outline is kept with this object, so it cannot be fitted again."));
+    m_properties->setObject(selected());
+}
+
+void ObjectsPage::updateEnabled() {
+    const bool room = static_cast<int>(m_experiment.objects.size()) < m_experiment.robot.degreesOfFreedom();
+    const bool some = hasSelection();
+    m_addDisk->setEnabled(m_editable && room);
+    m_import->setEnabled(m_editable && room);
+    m_duplicate->setEnabled(m_editable && room && some);
+    m_remove->setEnabled(m_editable && some);
+    m_undoButton->setEnabled(m_editable && m_undo->canUndo());
+    m_redoButton->setEnabled(m_editable && m_undo->canRedo());
+    m_list->setRenamable(m_editable);
+    m_properties->setReadOnly(!m_editable);
+    m_harmonics->setEnabled(m_editable);
+    const QString full =
+        room ? QString()
+             : tr("Each object needs a free axis of the robot of its own; all are used. Remove an "
+                  "object first.");
+    for (QPushButton* button : {m_addDisk, m_import, m_duplicate})
+        button->setToolTip(m_editable ? full : m_why);
+    m_undoButton->setToolTip(m_undo->canUndo() ? tr("Undo: %1").arg(m_undo->undoText())
+                                               : tr("Nothing to undo"));
+    m_redoButton->setToolTip(m_undo->canRedo() ? tr("Redo: %1").arg(m_undo->redoText())
+                                               : tr("Nothing to redo"));
+}
+
+void ObjectsPage::refreshTexts() {
+    m_listTitle->setText(tr("&Objects"));
+    m_addDisk->setText(tr("Add &disk"));
+    m_import->setText(tr("&Import outline\u2026"));
+    m_duplicate->setText(tr("Du&plicate"));
+    m_remove->setText(tr("&Remove"));
+    m_undoButton->setText(tr("&Undo"));
+    m_redoButton->setText(tr("Redo"));
+    m_count->setText(tr("%1 of %2 degrees of freedom used")
+                         .arg(m_experiment.objects.size())
+                         .arg(m_experiment.robot.degreesOfFreedom()));
+    m_count->setPalette(captionPalette(palette()));
+    if (m_editable)
+        m_note->clear();
+    else
+        m_note->say(MessageBar::Kind::Note, m_why, {}, false);
+}
+
+void ObjectsPage::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        m_message->clear(); // its sentence is in the language before
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        showAll();
+    QWidget::changeEvent(event);
+}
+
+} // namespace bask

@@ -1,0 +1,74 @@
+#include "widgets/objects/outline_painting.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+constexpr double kMmPerM = 1000.0;
+}
+
+QPolygonF outline_mm(const Shape& shape, int n) {
+    QPolygonF polygon;
+    for (const Eigen::Vector2d& p : shapeOutline(shape, n))
+        polygon << QPointF(p.x() * kMmPerM, p.y() * kMmPerM);
+    return polygon;
+}
+
+QPolygonF polygon_mm(const Contour& contour) {
+    QPolygonF polygon;
+    polygon.reserve(static_cast<qsizetype>(contour.points_m.size()));
+    for (const Eigen::Vector2d& p : contour.points_m)
+        polygon << QPointF(p.x() * kMmPerM, p.y() * kMmPerM);
+    return polygon;
+}
+
+QTransform fitted(const QRectF& content_mm, const QRectF& view) {
+    const double width = std::max(content_mm.width(), 1e-3);
+    const double height = std::max(content_mm.height(), 1e-3);
+    const double scale = std::max(std::min(view.width() / width, view.height() / height), 1e-6);
+    QTransform transform;
+    transform.translate(view.center().x(), view.center().y());
+    transform.scale(scale, -scale);
+    transform.translate(-content_mm.center().x(), -content_mm.center().y());
+    return transform;
+}
+
+double niceLength(double value) {
+    const double decade = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));
+    const double lead = value / decade;
+    return decade * (lead >= 5.0 ? 5.0 : lead >= 2.0 ? 2.0 : 1.0);
+}
+
+QString harmonicsText(int harmonics) {
+    return harmonics == 1 ? QCoreApplication::translate("OutlinePainting", "1 harmonic")
+                          : QCoreApplication::translate("OutlinePainting", "%1 harmonics").arg(harmonics);
+}
+
+QString lengthText_mm(double length_mm) {
+    return QCoreApplication::translate("OutlinePainting", "%1 mm").arg(QLocale().toString(length_mm, 'g', 4));
+}
+
+void paintScaleBar(QPainter& painter, const QRectF& view, double pixelsPerMm) {
+    const double length_mm = niceLength(view.width() / 5.0 / pixelsPerMm);
+    const double length = length_mm * pixelsPerMm;
+    const QPointF left(view.left(), view.bottom() - 1.0);
+    painter.drawLine(left, left + QPointF(length, 0.0));
+    painter.drawLine(left + QPointF(0.0, -5.0), left);
+    painter.drawLine(left + QPointF(length, -5.0), left + QPointF(length, 0.0));
+    painter.drawText(left + QPointF(0.0, -8.0), lengthText_mm(length_mm));
+}
+
+QColor mixed(const QColor& color, const QColor& ground, double weight) {
+    const auto blend = [weight](float a, float b) {
+        return static_cast<float>(weight * static_cast<double>(a) + (1.0 - weight) * static_cast<double>(b));
+    };
+    return QColor::fromRgbF(blend(color.redF(), ground.redF()), blend(color.greenF(), ground.greenF()),
+                            blend(color.blueF(), ground.blueF()));
+}
+
+} // namespace bask

@@ -1,0 +1,39 @@
+#pragma once
+// Pieces shared by the two drawings of outlines: polygons in millimetres, a fitted view with y up, and the
+// scale bar.
+
+#include "engine/shape/shape.h"
+
+#include <QColor>
+#include <QPolygonF>
+#include <QRectF>
+#include <QString>
+#include <QTransform>
+
+class QPainter;
+
+namespace bask {
+
+/// Outline of a shape as a polygon in mm; `n` points for curved ones.
+QPolygonF outline_mm(const Shape& shape, int n = 400);
+QPolygonF polygon_mm(const Contour& contour);
+
+/// Maps mm (y up) into `view` pixels (y down): same scale both ways, content centred.
+QTransform fitted(const QRectF& content_mm, const QRectF& view);
+
+/// Largest of 1, 2, 5 x 10^k not above `value`.
+double niceLength(double value);
+
+/// "1 harmonic", "5 harmonics".
+QString harmonicsText(int harmonics);
+
+/// Length with its unit, "20 mm".
+QString lengthText_mm(double length_mm);
+
+/// Scale bar of about a fifth of `view`'s width in its lower left corner.
+void paintScaleBar(QPainter& painter, const QRectF& view, double pixelsPerMm);
+
+/// `color` over `ground` with the given weight, opaque.
+QColor mixed(const QColor& color, const QColor& ground, double weight);
+
+} // namespace bask

@@ -1,0 +1,323 @@
+#include "widgets/plots/trace_canvas.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+
+#include <QLabel>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bask {
+
+TracePlot::Canvas::Canvas(TracePlot* plot) : QCustomPlot(plot), owner(plot) {
+    setObjectName(QStringLiteral("tracePlotCanvas"));
+    setFocusPolicy(Qt::NoFocus); // the plot around it has the focus
+    setMouseTracking(true);
+    setPlottingHint(QCP::phFastPolylines);
+    setNotAntialiasedElements(QCP::aeGrid | QCP::aeAxes);
+    setNoAntialiasingOnDrag(true);
+    addLayer(QStringLiteral("labels"), layer(QStringLiteral("axes")), limAbove);
+    addLayer(QStringLiteral("cursor"), layer(QStringLiteral("labels")), limAbove);
+    layer(QStringLiteral("cursor"))->setMode(QCPLayer::lmBuffered);
+
+    auto ticker = QSharedPointer<QCPAxisTickerTime>::create();
+    ticker->setTimeFormat(QStringLiteral("%m:%s"));
+    ticker->setFieldWidth(QCPAxisTickerTime::tuMinutes, 1);
+    xAxis->setTicker(ticker);
+    xAxis->setRange(0.0, 60.0);
+    axisRect()->setAutoMargins(QCP::msBottom);
+    axisRect()->setRangeDrag(Qt::Horizontal);
+    axisRect()->setRangeZoomFactor(0.8);
+
+    m_reference = new QCPItemStraightLine(this);
+    m_errorBand = new QCPItemRect(this);
+    m_errorBand->setLayer(QStringLiteral("background"));
+    m_empty = new QCPItemText(this);
+    m_empty->setLayer(QStringLiteral("labels"));
+    m_empty->position->setType(QCPItemPosition::ptAxisRectRatio);
+    m_empty->position->setCoords(0.5, 0.5);
+    for (QCPItemLine** line : {&m_pinned, &m_cursor}) {
+        *line = new QCPItemLine(this);
+        (*line)->setLayer(QStringLiteral("cursor"));
+        (*line)->setVisible(false);
+        for (QCPItemPosition* end : {(*line)->start, (*line)->end}) {
+            end->setTypeX(QCPItemPosition::ptPlotCoords);
+            end->setTypeY(QCPItemPosition::ptAxisRectRatio);
+        }
+    }
+    m_readout = new QLabel(this);
+    m_readout->setObjectName(QStringLiteral("tracePlotReadout"));
+    m_readout->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_readout->setTextFormat(Qt::RichText);
+    m_readout->setAutoFillBackground(true);
+    m_readout->setMargin(5);
+    m_readout->hide();
+    connectInteraction();
+}
+
+void TracePlot::Canvas::setObjects(const QStringList& objects) {
+    names = objects;
+    clearData();
+    rebuild();
+}
+
+void TracePlot::Canvas::setQuantity(Quantity wanted) {
+    quantity = wanted;
+    m_valueAuto = true;
+    rebuild();
+}
+
+void TracePlot::Canvas::setUnit(TemperatureUnit wanted) {
+    if (unit == wanted)
+        return;
+    unit = wanted;
+    m_valueAuto = true;
+    rebuild();
+}
+
+void TracePlot::Canvas::setLimits(const SpeedLimits& wanted) {
+    limits = wanted;
+    rebuild();
+}
+
+void TracePlot::Canvas::clearData() {
+    columns.reset(static_cast<std::size_t>(names.size()));
+    clearMarkers();
+    pinCursor(std::nullopt);
+    hideCursor();
+    m_valueAuto = true;
+    for (QCPGraph* graph : m_series)
+        graph->data()->clear();
+    setFollow(true);
+    schedule();
+}
+
+QString TracePlot::Canvas::seriesName(int series) const {
+    if (quantity == Quantity::Speed)
+        return series == 0 ? TracePlot::tr("translation") : TracePlot::tr("rotation");
+    return names.value(series);
+}
+
+double TracePlot::Canvas::displayed(double value) const {
+    switch (quantity) {
+    case Quantity::Temperature:
+        return displayTemperature(value, unit);
+    case Quantity::Error:
+        return displayDifference(value, unit);
+    case Quantity::Rate:
+        return displayDifference(value, unit) * 60.0;
+    default:
+        return value;
+    }
+}
+
+void TracePlot::Canvas::rebuild() {
+    clearGraphs();
+    m_series.clear();
+    m_targets.clear();
+    m_bandLow.clear();
+    m_bandHigh.clear();
+    for (QCPItemText* label : std::as_const(m_labels))
+        removeItem(label);
+    m_labels.clear();
+
+    const auto count = static_cast<int>(TraceColumns::seriesCount(quantity, columns.objects()));
+    if (quantity == Quantity::Temperature) {
+        for (int i = 0; i < count; ++i) {
+            m_bandLow << addGraph();
+            m_bandHigh << addGraph();
+            m_bandHigh.back()->setChannelFillGraph(m_bandLow.back());
+            m_targets << addGraph();
+            for (QCPGraph* graph : {m_bandLow.back(), m_bandHigh.back(), m_targets.back()})
+                graph->setLineStyle(QCPGraph::lsStepLeft);
+        }
+    }
+    for (int i = 0; i < count; ++i) {
+        QCPGraph* graph = addGraph();
+        graph->setAdaptiveSampling(true);
+        graph->setName(seriesName(i));
+        m_series << graph;
+        auto* label = new QCPItemText(this);
+        label->setLayer(QStringLiteral("labels"));
+        label->setClipToAxisRect(false);
+        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        label->position->setType(QCPItemPosition::ptAbsolute);
+        m_labels << label;
+    }
+    addPoints(0);
+    retranslate();
+    restyle(dark);
+}
+
+void TracePlot::Canvas::addPoints(std::size_t firstRow) {
+    const std::size_t added = columns.rows() - firstRow;
+    if (added == 0)
+        return;
+    QVector<double> keys(static_cast<qsizetype>(added)), values(static_cast<qsizetype>(added));
+    for (std::size_t row = 0; row < added; ++row)
+        keys[static_cast<qsizetype>(row)] = columns.time_s(firstRow + row);
+    for (qsizetype series = 0; series < m_series.size(); ++series) {
+        double scale = 1.0;
+        if (quantity == Quantity::Speed)
+            scale = 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
+        for (std::size_t row = 0; row < added; ++row)
+            values[static_cast<qsizetype>(row)] =
+                displayed(columns.value(quantity, static_cast<std::size_t>(series), firstRow + row)) * scale;
+        m_series[series]->addData(keys, values, true);
+    }
+}
+
+void TracePlot::Canvas::append(const std::vector<TraceSample>& samples) {
+    const std::size_t first = columns.append(samples);
+    if (columns.rows() == first)
+        return;
+    addPoints(first);
+    schedule();
+}
+
+/// Targets are steps that reach to the newest sample; objects with the same steps share one band.
+void TracePlot::Canvas::updateTargets() {
+    for (qsizetype i = 0; i < m_targets.size(); ++i) {
+        const auto& steps = columns.targetSteps(static_cast<std::size_t>(i));
+        QVector<double> keys, values, low, high;
+        for (const auto& [time_s, target_K] : steps) {
+            keys << time_s;
+            values << displayTemperature(target_K, unit);
+        }
+        if (!steps.empty()) {
+            keys << std::max(columns.lastTime_s(), xAxis->range().upper);
+            values << values.back();
+        }
+        m_targets[i]->setData(keys, values, true);
+        bool shared = false;
+        for (qsizetype j = 0; j < i; ++j)
+            shared = shared || columns.targetSteps(static_cast<std::size_t>(j)) == steps;
+        const double band = displayDifference(kSettledBand_K, unit);
+        for (double value : std::as_const(values)) {
+            low << value - band;
+            high << value + band;
+        }
+        m_bandLow[i]->setData(shared ? QVector<double>() : keys, shared ? QVector<double>() : low, true);
+        m_bandHigh[i]->setData(shared ? QVector<double>() : keys, shared ? QVector<double>() : high, true);
+    }
+}
+
+/// Least and greatest value wanted on the value axis for the visible time, with the quantity's own fixed
+/// points.
+std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    const auto include = [&](double value) {
+        if (std::isfinite(value)) {
+            low = std::min(low, value);
+            high = std::max(high, value);
+        }
+    };
+    const QCPRange time = xAxis->range();
+    for (const QCPGraph* graph : m_series) {
+        const auto points = graph->data();
+        for (auto it = points->findBegin(time.lower); it != points->findEnd(time.upper); ++it)
+            include(it->value);
+    }
+    const double kelvin = displayDifference(1.0, unit);
+    double smallest = 0.0;
+    switch (quantity) {
+    case Quantity::Temperature:
+        for (std::size_t i = 0; i < columns.objects(); ++i) {
+            const auto& steps = columns.targetSteps(i);
+            for (std::size_t k = 0; k < steps.size(); ++k) {
+                const bool over = k + 1 < steps.size() && steps[k + 1].first < time.lower;
+                if (!over && steps[k].first <= time.upper) {
+                    include(displayTemperature(steps[k].second - 2.0 * kSettledBand_K, unit));
+                    include(displayTemperature(steps[k].second + 2.0 * kSettledBand_K, unit));
+                }
+            }
+        }
+        smallest = 2.0 * kelvin;
+        break;
+    case Quantity::Error:
+        include(-1.0 * kelvin);
+        include(1.0 * kelvin);
+        break;
+    case Quantity::Rate:
+        include(0.0);
+        smallest = 2.0 * kelvin;
+        break;
+    case Quantity::Speed:
+        include(0.0);
+        include(100.0);
+        break;
+    case Quantity::ViewFactor:
+        include(0.0);
+        smallest = 0.1;
+        break;
+    case Quantity::Strength:
+        include(0.0);
+        break;
+    }
+    if (!(low <= high)) // nothing to show yet
+        return quantity == Quantity::Temperature
+                   ? std::pair{displayTemperature(293.15, unit), displayTemperature(323.15, unit)}
+                   : std::pair{0.0, 1.0};
+    if (high - low < smallest) {
+        const double centre = 0.5 * (low + high);
+        low = centre - 0.5 * smallest;
+        high = centre + 0.5 * smallest;
+    }
+    const double span = std::max(high - low, 1e-12);
+    const bool fromZero = low == 0.0;
+    return {fromZero ? 0.0 : low - 0.06 * span, high + 0.06 * span};
+}
+
+QString TracePlot::Canvas::valueText(double si) const {
+    switch (quantity) {
+    case Quantity::Temperature:
+        return formatTemperature(si, unit);
+    case Quantity::Error:
+        return formatDifference(si, unit);
+    case Quantity::Rate:
+        return formatRate(si, unit);
+    case Quantity::ViewFactor:
+        return std::isfinite(si) ? QLocale().toString(si, 'f', 3) : kNoValue;
+    default:
+        return std::isfinite(si) ? QLocale().toString(si, 'g', 3) : kNoValue;
+    }
+}
+
+QString TracePlot::Canvas::readout(double time_s, std::optional<double> reference_s) const {
+    const std::size_t row = columns.nearestRow(time_s);
+    if (row >= columns.rows())
+        return {};
+    QStringList parts{formatDuration(columns.time_s(row))};
+    std::optional<std::size_t> from;
+    if (reference_s) {
+        from = columns.nearestRow(*reference_s);
+        parts[0] +=
+            QStringLiteral(" (\u0394 %1)").arg(formatDuration(columns.time_s(row) - columns.time_s(*from)));
+    }
+    for (int i = 0; i < m_series.size(); ++i) {
+        const double value = columns.value(quantity, static_cast<std::size_t>(i), row);
+        QString text;
+        if (quantity == Quantity::Speed && std::isfinite(value))
+            text = i == 0 ? TracePlot::tr("%1 cm/s").arg(QLocale().toString(value * 100.0, 'f', 2))
+                          : TracePlot::tr("%1 °/s").arg(QLocale().toString(degFromRad(value), 'f', 2));
+        else
+            text = quantity == Quantity::Strength && std::isfinite(value)
+                       ? TracePlot::tr("%1 K/s").arg(valueText(value))
+                       : valueText(value);
+        if (from && quantity != Quantity::Speed) {
+            const double change =
+                displayed(value) - displayed(columns.value(quantity, static_cast<std::size_t>(i), *from));
+            if (std::isfinite(change))
+                text += QStringLiteral(" (\u0394 %1)")
+                            .arg(formatSigned(change, quantity == Quantity::ViewFactor ? 3 : 1));
+        }
+        parts << QStringLiteral("%1 %2").arg(seriesName(i), text);
+    }
+    return parts.join(QStringLiteral("   "));
+}
+
+} // namespace bask

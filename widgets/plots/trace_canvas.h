@@ -1,0 +1,111 @@
+#pragma once
+// The QCustomPlot behind TracePlot; included by this folder's .cpp files only.
+
+#include "widgets/plots/trace_plot.h"
+
+#include <QElapsedTimer>
+#include <QList>
+#include <QTimer>
+
+#include <optional>
+
+#include <qcustomplot.h>
+
+class QLabel;
+
+namespace bask {
+
+class TracePlot::Canvas : public QCustomPlot {
+public:
+    explicit Canvas(TracePlot* owner);
+
+    // Data and what is shown of it (trace_canvas.cpp)
+    void setObjects(const QStringList& names);
+    void setQuantity(Quantity quantity);
+    void append(const std::vector<TraceSample>& samples);
+    void clearData();
+    void setUnit(TemperatureUnit unit);
+    void setLimits(const SpeedLimits& limits);
+    void rebuild(); ///< series, texts, pens and points anew
+    double displayed(double value) const;
+    QString valueText(double si) const;
+    QString seriesName(int series) const;
+    QString readout(double time_s, std::optional<double> reference_s) const;
+
+    // Looks (trace_canvas_look.cpp)
+    void restyle(bool dark);
+    void retranslate();
+    QString axisText() const;
+    QPen penOfSeries(int series) const;
+    void placeLabels();
+    void fitPensToDensity();
+    void addMarker(double time_s, const QString& text);
+    void clearMarkers();
+    void placeMarkerTexts();
+
+    // Ranges, mouse, keys (trace_canvas_interaction.cpp)
+    void connectInteraction();
+    void schedule();
+    void redrawNow();
+    void updateRanges();
+    void setFollow(bool follow);
+    void showTime(double from_s, double to_s);
+    void showWhole();
+    void zoomTime(double factor, double centre_s);
+    bool handleKey(const QKeyEvent* event);
+    void showCursor(double time_s);
+    void hideCursor();
+    void pinCursor(std::optional<double> time_s);
+
+    TracePlot* owner;
+    Quantity quantity = Quantity::Temperature;
+    TemperatureUnit unit = TemperatureUnit::Celsius;
+    SpeedLimits limits;
+    QStringList names;
+    TraceColumns columns;
+    bool dark = false;
+    bool follow = true;
+    double window_s = 0.0;
+    bool markerTexts = true;
+
+    struct Marker {
+        double time_s;
+        QString text;
+        QCPItemLine* line;
+        QCPItemText* label;
+    };
+    QList<Marker> markers;
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    void addPoints(std::size_t firstRow);
+    void updateTargets();
+    void updateEmptyText();
+    void fitMargins();
+    std::pair<double, double> wantedValueRange() const;
+    void onUserRange(const QCPRange& range);
+
+    QList<QCPGraph*> m_series;
+    QList<QCPGraph*> m_targets;
+    QList<QCPGraph*> m_bandLow, m_bandHigh;
+    QList<QCPItemText*> m_labels;
+    QCPItemRect* m_errorBand = nullptr;
+    QCPItemStraightLine* m_reference = nullptr; ///< zero of errors and rates, 100 % of speeds
+    QCPItemText* m_empty = nullptr;
+    QCPItemLine* m_cursor = nullptr;
+    QCPItemLine* m_pinned = nullptr;
+    QLabel* m_readout = nullptr;
+
+    QTimer m_timer;
+    QElapsedTimer m_sinceReplot;
+    bool m_programRange = false;
+    bool m_valueAuto = true;
+    std::optional<double> m_pinned_s;
+    std::optional<double> m_cursor_s;
+    QPoint m_pressed;
+};
+
+} // namespace bask

@@ -1,0 +1,278 @@
+// Pens, texts, line-end labels and markers of a trace plot.
+
+#include "widgets/plots/trace_canvas.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+
+#include <QLabel>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+constexpr int kLongestLabel = 130; // px; longer names are elided
+constexpr int kLongestMarker = 220;
+
+QColor withAlpha(QColor color, int alpha) {
+    color.setAlpha(alpha);
+    return color;
+}
+
+} // namespace
+
+QPen TracePlot::Canvas::penOfSeries(int series) const {
+    if (quantity != Quantity::Speed)
+        return seriesPen(series, dark, 1.8);
+    QPen pen(series == 0 ? palette().color(QPalette::Text) : accentColor(dark), 1.6);
+    if (series == 1)
+        pen.setDashPattern({6, 2.5});
+    return pen;
+}
+
+void TracePlot::Canvas::restyle(bool darkGround) {
+    dark = darkGround;
+    const QPalette colors = themePalette(dark);
+    const QColor ink = colors.color(QPalette::Text);
+    const QColor quiet = secondaryText(dark);
+    setBackground(colors.brush(QPalette::Base));
+    for (QCPAxis* axis : {xAxis, yAxis}) {
+        axis->setBasePen(QPen(quiet, 1));
+        axis->setTickPen(QPen(quiet, 1));
+        axis->setSubTickPen(Qt::NoPen);
+        axis->setTickLabelColor(ink);
+        axis->setLabelColor(quiet);
+        axis->setTickLabelFont(font());
+        axis->setLabelFont(font());
+        axis->setTickLengthIn(0);
+        axis->setTickLengthOut(4);
+        axis->setLabelPadding(3);
+        axis->grid()->setPen(QPen(withAlpha(hairline(dark), 170), 1));
+        axis->grid()->setZeroLinePen(Qt::NoPen);
+    }
+    for (int i = 0; i < m_series.size(); ++i) {
+        m_series[i]->setPen(penOfSeries(i));
+        QFont bold = font();
+        bold.setBold(true);
+        m_labels[i]->setFont(bold);
+        m_labels[i]->setColor(penOfSeries(i).color());
+    }
+    const QColor band = withAlpha(dark ? QColor(255, 255, 255) : QColor(0, 0, 0), dark ? 30 : 22);
+    const auto targets = static_cast<double>(m_targets.size());
+    for (int i = 0; i < m_targets.size(); ++i) {
+        m_bandLow[i]->setPen(Qt::NoPen);
+        m_bandHigh[i]->setPen(Qt::NoPen);
+        m_bandHigh[i]->setBrush(band);
+        // Interleaved dashes: where targets coincide the line shows every object's colour in turn.
+        QPen pen(seriesColor(i, dark), 1.4);
+        pen.setCapStyle(Qt::FlatCap);
+        pen.setDashPattern({5.0, std::max(4.0, 5.0 * (targets - 1.0))});
+        pen.setDashOffset(5.0 * i);
+        m_targets[i]->setPen(pen);
+    }
+    m_errorBand->setPen(Qt::NoPen);
+    m_errorBand->setBrush(band);
+    m_reference->setPen(QPen(quantity == Quantity::Speed ? ink : quiet, 1,
+                             quantity == Quantity::Speed ? Qt::DashLine : Qt::SolidLine));
+    m_empty->setColor(quiet);
+    m_empty->setFont(font());
+    m_cursor->setPen(QPen(quiet, 1));
+    m_pinned->setPen(QPen(accentColor(dark), 1, Qt::DashLine));
+    for (const Marker& marker : std::as_const(markers)) {
+        marker.line->setPen(QPen(withAlpha(quiet, 190), 1, Qt::DotLine));
+        marker.label->setColor(quiet);
+        marker.label->setFont(font());
+        marker.label->setBrush(withAlpha(colors.color(QPalette::Base), 215));
+    }
+    QPalette readoutColors = colors;
+    readoutColors.setColor(QPalette::Window, withAlpha(colors.color(QPalette::Base), 235));
+    m_readout->setPalette(readoutColors);
+    fitMargins();
+    schedule();
+}
+
+QString TracePlot::Canvas::axisText() const {
+    switch (quantity) {
+    case Quantity::Temperature:
+        return TracePlot::tr("Temperature (%1)").arg(temperatureUnitSymbol(unit));
+    case Quantity::Error:
+        return TracePlot::tr("Error (%1)", "measured minus target").arg(differenceUnitSymbol(unit));
+    case Quantity::ViewFactor:
+        return TracePlot::tr("View factor");
+    case Quantity::Rate:
+        return TracePlot::tr("Rate (%1/min)").arg(differenceUnitSymbol(unit));
+    case Quantity::Speed:
+        return TracePlot::tr("Speed (% of limit)");
+    case Quantity::Strength:
+        return TracePlot::tr("Estimated \u03bb\u2081 (K/s)");
+    }
+    return {};
+}
+
+void TracePlot::Canvas::retranslate() {
+    yAxis->setLabel(axisText());
+    xAxis->setLabel(TracePlot::tr("Time since start (min:s)"));
+    for (int i = 0; i < m_series.size(); ++i)
+        m_series[i]->setName(seriesName(i));
+    owner->setAccessibleName(TracePlot::tr("Plot against time: %1").arg(axisText()));
+    owner->setAccessibleDescription(TracePlot::tr(
+        "Arrow keys move, plus and minus zoom, Home shows the whole run, End goes back to live."));
+    owner->setToolTip(QString());
+    fitMargins();
+    schedule();
+}
+
+/// Where samples are denser than pixels dashes cannot be told apart and cost most of the drawing: plain lines
+/// there.
+void TracePlot::Canvas::fitPensToDensity() {
+    const QCPRange time = xAxis->range();
+    const std::size_t visible = columns.lowerRow(time.upper) - columns.lowerRow(time.lower);
+    const bool dense = static_cast<double>(visible) > 2.0 * std::max(1, axisRect()->width());
+    for (int i = 0; i < m_series.size(); ++i) {
+        QPen pen = penOfSeries(i);
+        if (dense)
+            pen = QPen(pen.color(), 1.0);
+        m_series[i]->setPen(pen);
+    }
+}
+
+/// Fixed left and right margins, so that plots above each other line up.
+void TracePlot::Canvas::fitMargins() {
+    QFont bold = font();
+    bold.setBold(true);
+    const QFontMetrics metrics(font()), boldMetrics(bold);
+    int widest = boldMetrics.horizontalAdvance(TracePlot::tr("translation")); // the same in all quantities
+    for (int i = 0; i < m_labels.size(); ++i) {
+        const QString text = boldMetrics.elidedText(seriesName(i), Qt::ElideRight, kLongestLabel);
+        m_labels[i]->setText(text);
+        widest = std::max(widest, boldMetrics.horizontalAdvance(text));
+    }
+    for (const QString& name : std::as_const(names))
+        widest = std::max(widest, std::min(kLongestLabel, boldMetrics.horizontalAdvance(name)));
+    const int left = metrics.horizontalAdvance(QStringLiteral("0.000")) + metrics.height() + 20;
+    axisRect()->setMargins(QMargins(left, 10, widest + 14, 0));
+    axisRect()->setMinimumMargins(QMargins(0, 0, 0, 0));
+}
+
+void TracePlot::Canvas::updateEmptyText() {
+    QString text;
+    if (columns.rows() == 0) {
+        text = TracePlot::tr("No samples yet. Traces begin with Start.");
+    } else if (quantity == Quantity::Strength) {
+        const bool any = std::ranges::any_of(m_series, [](const QCPGraph* graph) {
+            return std::any_of(graph->data()->constBegin(), graph->data()->constEnd(),
+                               [](const QCPGraphData& point) { return std::isfinite(point.value); });
+        });
+        if (!any)
+            text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
+    }
+    m_empty->setText(text);
+    m_empty->setVisible(!text.isEmpty());
+    m_errorBand->setVisible(quantity == Quantity::Error);
+    m_reference->setVisible(quantity == Quantity::Error || quantity == Quantity::Rate ||
+                            quantity == Quantity::Speed);
+}
+
+/// Names stand at the right, at the height of each line's last visible point, pushed apart where they would
+/// overlap.
+void TracePlot::Canvas::placeLabels() {
+    struct Wish {
+        int series;
+        double y;
+    };
+    std::vector<Wish> wishes;
+    const QRect area = axisRect()->rect();
+    for (int i = 0; i < m_series.size(); ++i) {
+        const auto points = m_series[i]->data();
+        auto it = points->findEnd(xAxis->range().upper, false);
+        const auto begin = points->findBegin(xAxis->range().lower, false);
+        bool found = false;
+        while (!found && it != begin && it != points->constBegin()) {
+            --it;
+            found = std::isfinite(it->value);
+        }
+        m_labels[i]->setVisible(found);
+        if (found)
+            wishes.push_back(
+                {i, std::clamp(yAxis->coordToPixel(it->value), double(area.top()), double(area.bottom()))});
+    }
+    std::ranges::stable_sort(wishes, {}, &Wish::y);
+    QFont bold = font();
+    bold.setBold(true);
+    const double step = QFontMetrics(bold).height();
+    for (std::size_t i = 1; i < wishes.size(); ++i)
+        wishes[i].y = std::max(wishes[i].y, wishes[i - 1].y + step);
+    // What was pushed out at the bottom comes back up.
+    double floor = area.bottom() - 0.3 * step;
+    for (std::size_t i = wishes.size(); i-- > 0;) {
+        wishes[i].y = std::min(wishes[i].y, floor);
+        floor = wishes[i].y - step;
+    }
+    for (const Wish& wish : wishes)
+        m_labels[wish.series]->position->setPixelPosition({area.right() + 8.0, wish.y});
+}
+
+void TracePlot::Canvas::addMarker(double time_s, const QString& text) {
+    if (!std::isfinite(time_s))
+        return;
+    auto* line = new QCPItemLine(this);
+    for (QCPItemPosition* end : {line->start, line->end}) {
+        end->setTypeX(QCPItemPosition::ptPlotCoords);
+        end->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    line->start->setCoords(time_s, 1.0);
+    line->end->setCoords(time_s, 0.0);
+    auto* label = new QCPItemText(this);
+    label->setLayer(QStringLiteral("labels"));
+    label->position->setTypeX(QCPItemPosition::ptPlotCoords);
+    label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    label->position->setCoords(time_s, 0.0);
+    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    label->setPadding(QMargins(4, 1, 3, 1));
+    label->setVisible(false);
+    markers.append({time_s, text, line, label});
+    std::ranges::stable_sort(markers, {}, &Marker::time_s);
+    restyle(dark);
+}
+
+void TracePlot::Canvas::clearMarkers() {
+    for (const Marker& marker : std::as_const(markers)) {
+        removeItem(marker.line);
+        removeItem(marker.label);
+    }
+    markers.clear();
+    schedule();
+}
+
+/// A marker's words stand right of its line, or left of it where there is no room, elided where neither side
+/// has enough.
+void TracePlot::Canvas::placeMarkerTexts() {
+    const QFontMetrics metrics(font());
+    const QRect area = axisRect()->rect();
+    constexpr double kAround = 12.0;
+    double taken = area.left();
+    for (qsizetype i = 0; i < markers.size(); ++i) {
+        const Marker& marker = markers[i];
+        const double x = xAxis->coordToPixel(marker.time_s);
+        const double next =
+            i + 1 < markers.size() ? xAxis->coordToPixel(markers[i + 1].time_s) : area.right();
+        const double right = std::min(next, double(area.right())) - x - kAround;
+        const double left = x - taken - kAround;
+        const double wanted = std::min(metrics.horizontalAdvance(marker.text), kLongestMarker);
+        const bool onLeft = right < wanted && left > right;
+        const double room = std::min(onLeft ? left : right, double(kLongestMarker));
+        const bool inside = x >= area.left() && x <= area.right();
+        const bool shown = markerTexts && inside && room >= std::min(wanted, 40.0);
+        marker.label->setVisible(shown);
+        if (shown) {
+            marker.label->setText(metrics.elidedText(marker.text, Qt::ElideRight, static_cast<int>(room)));
+            marker.label->setPositionAlignment((onLeft ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
+        }
+        if (inside)
+            taken = shown && !onLeft ? x + metrics.horizontalAdvance(marker.label->text()) + kAround : x;
+    }
+}
+
+} // namespace bask

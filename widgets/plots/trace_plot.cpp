@@ -1,0 +1,174 @@
+#include "widgets/plots/trace_plot.h"
+
+#include "widgets/common/theme.h"
+#include "widgets/plots/trace_canvas.h"
+
+#include <QEvent>
+#include <QKeyEvent>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace bask {
+
+TracePlot::TracePlot(Quantity quantity, QWidget* parent)
+    : QWidget(parent), m_canvas(std::make_unique<Canvas>(this)) {
+    setObjectName(QStringLiteral("tracePlot"));
+    setFocusPolicy(Qt::StrongFocus);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_canvas.get());
+    m_canvas->dark = isDark(this);
+    m_canvas->setQuantity(quantity);
+}
+
+TracePlot::TracePlot(QWidget* parent) : TracePlot(Quantity::Temperature, parent) {}
+TracePlot::~TracePlot() = default;
+
+void TracePlot::setObjects(const QStringList& names) {
+    m_canvas->setObjects(names);
+}
+void TracePlot::setQuantity(Quantity quantity) {
+    m_canvas->setQuantity(quantity);
+}
+Quantity TracePlot::quantity() const {
+    return m_canvas->quantity;
+}
+void TracePlot::setSpeedLimits(const SpeedLimits& limits) {
+    m_canvas->setLimits(limits);
+}
+void TracePlot::append(const std::vector<TraceSample>& samples) {
+    m_canvas->append(samples);
+}
+
+void TracePlot::setSamples(const std::vector<TraceSample>& samples) {
+    m_canvas->clearData();
+    m_canvas->append(samples);
+}
+
+void TracePlot::clear() {
+    m_canvas->clearData();
+}
+void TracePlot::addMarker(double time_s, const QString& text) {
+    m_canvas->addMarker(time_s, text);
+}
+void TracePlot::clearMarkers() {
+    m_canvas->clearMarkers();
+}
+
+void TracePlot::setMarkerTextsVisible(bool visible) {
+    m_canvas->markerTexts = visible;
+    m_canvas->schedule();
+}
+
+void TracePlot::setTemperatureUnit(TemperatureUnit unit) {
+    m_canvas->setUnit(unit);
+}
+void TracePlot::setTheme(bool dark) {
+    m_canvas->restyle(dark);
+}
+bool TracePlot::followsLive() const {
+    return m_canvas->follow;
+}
+void TracePlot::setFollowLive(bool follow) {
+    m_canvas->setFollow(follow);
+}
+
+void TracePlot::setFollowWindow_s(double window_s) {
+    m_canvas->window_s = std::max(0.0, window_s);
+    m_canvas->schedule();
+}
+
+double TracePlot::behind_s() const {
+    return m_canvas->follow ? 0.0
+                            : std::max(0.0, m_canvas->columns.lastTime_s() - m_canvas->xAxis->range().upper);
+}
+
+void TracePlot::setTimeRange(double from_s, double to_s) {
+    m_canvas->showTime(from_s, to_s);
+}
+
+double TracePlot::visibleFrom_s() const {
+    m_canvas->updateRanges();
+    return m_canvas->xAxis->range().lower;
+}
+
+double TracePlot::visibleTo_s() const {
+    m_canvas->updateRanges();
+    return m_canvas->xAxis->range().upper;
+}
+
+double TracePlot::visibleLowest() const {
+    m_canvas->updateRanges();
+    return m_canvas->yAxis->range().lower;
+}
+
+double TracePlot::visibleHighest() const {
+    m_canvas->updateRanges();
+    return m_canvas->yAxis->range().upper;
+}
+
+int TracePlot::seriesCount() const {
+    return static_cast<int>(TraceColumns::seriesCount(m_canvas->quantity, m_canvas->columns.objects()));
+}
+
+QString TracePlot::seriesName(int series) const {
+    return m_canvas->seriesName(series);
+}
+
+QList<QPointF> TracePlot::seriesPoints(int series) const {
+    QList<QPointF> points;
+    const auto recorded = m_canvas->graph(m_canvas->graphCount() - seriesCount() + series)->data();
+    for (auto it = recorded->constBegin(); it != recorded->constEnd(); ++it)
+        points.append({it->key, it->value});
+    return points;
+}
+
+QString TracePlot::valueAxisLabel() const {
+    return m_canvas->axisText();
+}
+
+QStringList TracePlot::markerTexts() const {
+    QStringList texts;
+    for (const auto& marker : std::as_const(m_canvas->markers))
+        texts << marker.text;
+    return texts;
+}
+
+QString TracePlot::readout(double time_s) const {
+    return m_canvas->readout(time_s, std::nullopt);
+}
+
+void TracePlot::redraw() {
+    m_canvas->redrawNow();
+    m_canvas->replot(QCustomPlot::rpImmediateRefresh);
+}
+
+bool TracePlot::saveImage(const QString& path) const {
+    m_canvas->redrawNow();
+    if (path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
+        return m_canvas->savePdf(path, width(), height());
+    return m_canvas->savePng(path, width(), height(), 2.0);
+}
+
+void TracePlot::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (m_canvas == nullptr)
+        return;
+    if (event->type() == QEvent::LanguageChange)
+        m_canvas->retranslate();
+    else if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        m_canvas->restyle(isDark(this));
+}
+
+void TracePlot::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_canvas->schedule();
+}
+
+void TracePlot::keyPressEvent(QKeyEvent* event) {
+    if (!m_canvas->handleKey(event))
+        QWidget::keyPressEvent(event);
+}
+
+} // namespace bask

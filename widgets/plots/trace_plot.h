@@ -1,0 +1,93 @@
+#pragma once
+// Traces of a run against time, one line an object, with targets, tolerance band, limits, notes and two
+// cursors.
+
+#include "engine/base/units.h"
+#include "engine/session/trace.h"
+#include "widgets/plots/trace_columns.h"
+
+#include <QPointF>
+#include <QStringList>
+#include <QWidget>
+
+#include <memory>
+
+namespace bask {
+
+/// Follows the newest sample until a person zooms or drags; data is never lost by that. Wheel: zoom time;
+/// Ctrl+wheel or the wheel over the value axis: zoom values; drag: move; double click: whole picture, live
+/// again. Pointing reads the values at a moment, a click pins the first of two cursors. Keys: arrows, +, -,
+/// Home (whole run), End (live), Esc. Invalid samples leave a gap. Redraws at most 20 times a second, and
+/// only while visible. Object name "tracePlot" unless given another; the drawing area inside is
+/// "tracePlotCanvas".
+class TracePlot : public QWidget {
+    Q_OBJECT
+public:
+    explicit TracePlot(Quantity quantity, QWidget* parent = nullptr);
+    explicit TracePlot(QWidget* parent = nullptr); ///< of temperatures
+    ~TracePlot() override;
+
+    /// Names the lines and clears the data.
+    void setObjects(const QStringList& names);
+    void setQuantity(Quantity quantity);
+    Quantity quantity() const;
+    void setSpeedLimits(const SpeedLimits& limits);
+
+    void append(const std::vector<TraceSample>& samples); ///< samples not later than the last are left out
+    void setSamples(const std::vector<TraceSample>& samples); ///< a whole run, shown whole
+    void clear();                                             ///< samples and markers
+
+    /// Vertical line with a few words at its top.
+    void addMarker(double time_s, const QString& text);
+    void clearMarkers();
+    void setMarkerTextsVisible(bool visible);
+
+    void setTemperatureUnit(TemperatureUnit unit);
+    void setTheme(bool dark); ///< follows the palette by itself; only needed to differ from it
+
+    bool followsLive() const;
+    void setFollowLive(bool follow);
+    /// Length of the shown stretch while following; 0 is the whole run.
+    void setFollowWindow_s(double window_s);
+    /// How far the right edge lies behind the newest sample, s; 0 while following.
+    double behind_s() const;
+    /// Shows a stretch of time and stops following.
+    void setTimeRange(double from_s, double to_s);
+    double visibleFrom_s() const;
+    double visibleTo_s() const;
+
+    // What a person sees, as values.
+    int seriesCount() const;
+    QString seriesName(int series) const;
+    QList<QPointF> seriesPoints(int series) const; ///< (s, display unit); y is NaN in a gap
+    double visibleLowest() const;                  ///< of the value axis, display unit
+    double visibleHighest() const;
+    QString valueAxisLabel() const;
+    QStringList markerTexts() const;
+    /// Values at the row nearest to a time, one line, as the cursor reads them.
+    QString readout(double time_s) const;
+
+    /// Draws at once, also while hidden; only needed for pictures and measurements.
+    void redraw();
+    /// Writes what is shown; the suffix chooses PNG or PDF. False when it cannot be written.
+    bool saveImage(const QString& path) const;
+
+    QSize sizeHint() const override { return {560, 240}; }
+    QSize minimumSizeHint() const override { return {220, 90}; }
+
+signals:
+    void followLiveChanged(bool follow);
+    /// A person moved or zoomed the time axis.
+    void timeRangeChosen(double from_s, double to_s);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    class Canvas;
+    std::unique_ptr<Canvas> m_canvas;
+};
+
+} // namespace bask

@@ -1,0 +1,131 @@
+#include "widgets/review/final_values.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLocale>
+#include <QScrollBar>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+enum Column { kName, kTarget, kFinal, kError, kSettling, kColumns };
+
+} // namespace
+
+std::vector<FinalValue> finalValues(const SessionRecord& session) {
+    constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    std::vector<FinalValue> values;
+    for (std::size_t i = 0; i < session.experiment.objects.size(); ++i) {
+        FinalValue value{
+            QString::fromStdString(session.experiment.objects[i].name), kUnknown, kUnknown, false, {}};
+        if (!session.samples.empty() && i < session.samples.back().objects.size()) {
+            const ObjectSample& last = session.samples.back().objects[i];
+            value.target_K = last.target_K;
+            value.isTrue = std::isfinite(last.true_K);
+            value.final_K = value.isTrue                      ? last.true_K
+                            : std::isfinite(last.estimated_K) ? last.estimated_K
+                                                              : last.measured_K;
+            value.settling_s = settlingTime_s(session.samples, i);
+        }
+        values.push_back(value);
+    }
+    return values;
+}
+
+FinalValuesTable::FinalValuesTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setShowGrid(false);
+    setWordWrap(false);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setTabKeyNavigation(false);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 12);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
+    horizontalHeader()->setMinimumSectionSize(70);
+    horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    horizontalHeader()->setHighlightSections(false);
+    refresh();
+}
+
+void FinalValuesTable::setValues(std::vector<FinalValue> values) {
+    m_values = std::move(values);
+    refresh();
+}
+
+void FinalValuesTable::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    refresh();
+}
+
+void FinalValuesTable::refresh() {
+    setAccessibleName(tr("Final values"));
+    bool allTrue = !m_values.empty();
+    for (const FinalValue& value : m_values)
+        allTrue = allTrue && value.isTrue;
+    setHorizontalHeaderLabels({tr("Object"), tr("Target"),
+                               allTrue ? tr("Final, true") : tr("Final, estimated"), tr("Error"),
+                               tr("Settled after")});
+    horizontalHeaderItem(kName)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeaderItem(kFinal)->setToolTip(allTrue ? tr("The simulated plant's own temperature at the end")
+                                                     : tr("The estimate from the sensor at the end"));
+    horizontalHeaderItem(kSettling)->setToolTip(
+        tr("Time from which the object stays within %1 of its target until the end")
+            .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, m_unit).mid(1)));
+    setRowCount(static_cast<int>(m_values.size()));
+    const int rows = std::clamp(rowCount(), 1, 8);
+    setFixedHeight(horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() +
+                   2 * frameWidth() + horizontalScrollBar()->sizeHint().height());
+    for (int row = 0; row < rowCount(); ++row) {
+        const FinalValue& value = m_values[static_cast<std::size_t>(row)];
+        const QString settling = value.settling_s
+                                     ? tr("%1 s").arg(QLocale().toString(*value.settling_s, 'f', 0))
+                                     : tr("not settled");
+        const QStringList texts{value.name, formatTemperature(value.target_K, m_unit),
+                                formatTemperature(value.final_K, m_unit, 2),
+                                formatDifference(value.final_K - value.target_K, m_unit, 2), settling};
+        for (int column = 0; column < kColumns; ++column) {
+            auto* item = new QTableWidgetItem(texts[column]);
+            item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+            if (column == kName)
+                item->setIcon(QIcon(seriesSwatch(row, isDark(this), {20, 12}, devicePixelRatioF())));
+            if (column == kSettling && !value.settling_s)
+                item->setIcon(QIcon(alarmPixmap(3, isDark(this), 16, devicePixelRatioF())));
+            setItem(row, column, item);
+        }
+    }
+}
+
+void FinalValuesTable::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        refresh();
+    QTableWidget::changeEvent(event);
+}
+
+void FinalValuesTable::keyPressEvent(QKeyEvent* event) {
+    if (!event->matches(QKeySequence::Copy))
+        return QTableWidget::keyPressEvent(event);
+    QStringList lines;
+    for (int row = 0; row < rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < kColumns; ++column)
+            cells << item(row, column)->text();
+        lines << cells.join(QLatin1Char('\t'));
+    }
+    QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+} // namespace bask

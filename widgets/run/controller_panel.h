@@ -1,0 +1,66 @@
+#pragma once
+// Choice of the controller and its gains, staged until Apply.
+
+#include "engine/control/controller_settings.h"
+
+#include <QGroupBox>
+
+#include <vector>
+
+class QComboBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+namespace bask {
+
+class GainSpinBox;
+
+/// Edits are staged: nothing happens until Apply; Revert goes back to what the engine uses. Both are enabled
+/// only while something differs. Object names: "controllerPanel", "controllerChoice", "gain.<key>"
+/// (timeConstant, integralTime, modelD, modelK, adaptiveMu, adaptiveK, adaptiveGamma1, adaptiveGamma2),
+/// "gainsApply", "gainsRevert", "gainsStaged".
+class ControllerPanel : public QGroupBox {
+    Q_OBJECT
+public:
+    explicit ControllerPanel(QWidget* parent = nullptr);
+
+    /// What the engine uses. Fields follow it unless a person has staged something.
+    void setSettings(const ControllerSettings& settings);
+    const ControllerSettings& staged() const { return m_staged; }
+    bool changed() const { return !(m_staged == m_applied); }
+
+signals:
+    void controllerApplied(const bask::ControllerSettings& settings);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Gain {
+        ControllerKind kind;
+        const char* key;
+        double& (*of)(ControllerSettings&);
+        double least, most;
+        QLabel* label = nullptr;
+        GainSpinBox* box = nullptr;
+    };
+
+    void makeRows();
+    void retranslateUi();
+    void showStaged();
+    void showChanges();
+
+    ControllerSettings m_applied;
+    ControllerSettings m_staged;
+    std::vector<Gain> m_gains;
+    bool m_showing = false;
+    QComboBox* m_choice = nullptr;
+    QLabel* m_choiceLabel = nullptr;
+    QFormLayout* m_form = nullptr;
+    QLabel* m_note = nullptr;
+    QPushButton* m_apply = nullptr;
+    QPushButton* m_revert = nullptr;
+};
+
+} // namespace bask

@@ -1,0 +1,254 @@
+#include "widgets/run/object_tile.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr double kSettledAfter_s = 10.0;       ///< in the band before the word is "Settled"
+constexpr double kSteadyRate_K_s = 0.6 / 60.0; ///< slower than this is neither heating nor cooling
+constexpr int kStateIcon = 14;
+
+QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio) {
+    if (activity == ObjectActivity::SensorInvalid)
+        return alarmPixmap(1, dark, kStateIcon, devicePixelRatio);
+    QPixmap pixmap(QSize(kStateIcon, kStateIcon) * devicePixelRatio);
+    pixmap.setDevicePixelRatio(devicePixelRatio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.translate(kStateIcon / 2.0, kStateIcon / 2.0);
+    painter.setPen(QPen(ink, 1.8, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    switch (activity) {
+    case ObjectActivity::Heating: // arrow up
+        painter.drawLine(QPointF(0, 5), QPointF(0, -4.5));
+        painter.drawPolyline(QPolygonF{{-4, -0.5}, {0, -4.5}, {4, -0.5}});
+        break;
+    case ObjectActivity::Cooling: // arrow down
+        painter.drawLine(QPointF(0, -5), QPointF(0, 4.5));
+        painter.drawPolyline(QPolygonF{{-4, 0.5}, {0, 4.5}, {4, 0.5}});
+        break;
+    case ObjectActivity::Settling: // arrows towards a line
+        painter.drawLine(QPointF(-5, 0), QPointF(5, 0));
+        painter.drawPolyline(QPolygonF{{-2.5, -5}, {0, -2.8}, {2.5, -5}});
+        painter.drawPolyline(QPolygonF{{-2.5, 5}, {0, 2.8}, {2.5, 5}});
+        break;
+    case ObjectActivity::Settled: // tick
+        painter.drawPolyline(QPolygonF{{-5, 0.3}, {-1.5, 4}, {5, -4}});
+        break;
+    case ObjectActivity::Steady: // level
+        painter.drawLine(QPointF(-5, -2), QPointF(5, -2));
+        painter.drawLine(QPointF(-5, 2), QPointF(5, 2));
+        break;
+    default: // waiting: ring
+        painter.drawEllipse(QPointF(0, 0), 4.5, 4.5);
+        break;
+    }
+    return pixmap;
+}
+
+} // namespace
+
+QString activityWord(ObjectActivity activity) {
+    switch (activity) {
+    case ObjectActivity::Waiting:
+        return ObjectTile::tr("No reading yet");
+    case ObjectActivity::SensorInvalid:
+        return ObjectTile::tr("Sensor invalid");
+    case ObjectActivity::Heating:
+        return ObjectTile::tr("Heating");
+    case ObjectActivity::Cooling:
+        return ObjectTile::tr("Cooling");
+    case ObjectActivity::Steady:
+        return ObjectTile::tr("Off target", "steady, outside the tolerance band");
+    case ObjectActivity::Settling:
+        return ObjectTile::tr("Settling");
+    case ObjectActivity::Settled:
+        return ObjectTile::tr("Settled");
+    }
+    return {};
+}
+
+ObjectTile::ObjectTile(int index, QWidget* parent) : QFrame(parent), m_index(index) {
+    setObjectName(QStringLiteral("objectTile.%1").arg(index));
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    const auto label = [this](const char* name, Qt::Alignment alignment) {
+        auto* made = new QLabel(this);
+        made->setObjectName(QLatin1String(name));
+        made->setAlignment(alignment | Qt::AlignVCenter);
+        return made;
+    };
+    m_swatch = label("tileSwatch", Qt::AlignLeft);
+    m_nameLabel = label("tileName", Qt::AlignLeft);
+    m_nameLabel->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    m_stateIcon = label("tileStateIcon", Qt::AlignRight);
+    m_stateLabel = label("tileState", Qt::AlignRight);
+    m_temperature = label("tileTemperature", Qt::AlignLeft);
+    m_targetCaption = label("tileTargetCaption", Qt::AlignRight);
+    m_errorCaption = label("tileErrorCaption", Qt::AlignRight);
+    m_rateCaption = label("tileRateCaption", Qt::AlignRight);
+    m_target = label("tileTarget", Qt::AlignRight);
+    m_error = label("tileError", Qt::AlignRight);
+    m_rate = label("tileRate", Qt::AlignRight);
+
+    auto* header = new QHBoxLayout;
+    header->setSpacing(8);
+    header->addWidget(m_swatch);
+    header->addWidget(m_nameLabel, 1);
+    header->addWidget(m_stateIcon);
+    header->addWidget(m_stateLabel);
+    auto* numbers = new QGridLayout;
+    numbers->setHorizontalSpacing(8);
+    numbers->setVerticalSpacing(0);
+    numbers->addWidget(m_temperature, 0, 0, 3, 1);
+    numbers->setColumnStretch(0, 1);
+    QLabel* const rows[3][2] = {
+        {m_targetCaption, m_target}, {m_errorCaption, m_error}, {m_rateCaption, m_rate}};
+    for (int row = 0; row < 3; ++row) {
+        numbers->addWidget(rows[row][0], row, 1);
+        numbers->addWidget(rows[row][1], row, 2);
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 7, 12, 8);
+    layout->setSpacing(2);
+    layout->addLayout(header);
+    layout->addLayout(numbers);
+    clear(std::numeric_limits<double>::quiet_NaN());
+    restyle();
+    retranslateUi();
+}
+
+void ObjectTile::setName(const QString& name) {
+    m_name = name;
+    m_nameLabel->setText(name);
+    m_nameLabel->setToolTip(name);
+    retranslateUi();
+}
+
+void ObjectTile::clear(double target_K) {
+    constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+    m_sample = ObjectSample{};
+    m_sample.measured_K = m_sample.estimated_K = m_sample.rate_K_s = kNaN;
+    m_sample.target_K = target_K;
+    m_inBandSince_s = -1.0;
+    m_activity = ObjectActivity::Waiting;
+    showValues();
+}
+
+ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
+    const double error_K = sample.measured_K - sample.target_K;
+    const bool inBand = sample.valid && std::abs(error_K) <= kSettledBand_K;
+    if (!inBand)
+        m_inBandSince_s = -1.0;
+    else if (m_inBandSince_s < 0.0 || m_inBandSince_s > time_s)
+        m_inBandSince_s = time_s;
+    if (!sample.valid || !std::isfinite(sample.measured_K))
+        return ObjectActivity::SensorInvalid;
+    if (inBand)
+        return time_s - m_inBandSince_s >= kSettledAfter_s ? ObjectActivity::Settled
+                                                           : ObjectActivity::Settling;
+    if (sample.rate_K_s > kSteadyRate_K_s)
+        return ObjectActivity::Heating;
+    if (sample.rate_K_s < -kSteadyRate_K_s)
+        return ObjectActivity::Cooling;
+    return ObjectActivity::Steady;
+}
+
+void ObjectTile::setSample(double time_s, const ObjectSample& sample) {
+    m_sample = sample;
+    m_activity = judge(time_s, sample);
+    showValues();
+}
+
+void ObjectTile::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    showValues();
+}
+
+void ObjectTile::showValues() {
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    const double measured_K =
+        m_sample.valid ? m_sample.measured_K : nothing; // an invalid reading is no number, never 0
+    const double rate_K_s = m_sample.valid ? m_sample.rate_K_s : nothing;
+    m_temperature->setText(formatTemperature(measured_K, m_unit));
+    m_target->setText(formatTemperature(m_sample.target_K, m_unit));
+    m_error->setText(formatDifference(measured_K - m_sample.target_K, m_unit));
+    m_rate->setText(formatRate(rate_K_s, m_unit));
+
+    const bool dark = isDark(this);
+    const bool alarm = m_activity == ObjectActivity::SensorInvalid;
+    const QColor ink = alarm ? alarmColor(1, dark) : palette().color(QPalette::WindowText);
+    if (const QString word = activityWord(m_activity);
+        word != m_stateLabel->text() || m_stateIcon->pixmap().isNull()) {
+        m_stateLabel->setText(word);
+        m_stateIcon->setPixmap(activityPixmap(m_activity, dark, secondaryText(dark), devicePixelRatioF()));
+        QPalette state = palette();
+        state.setColor(QPalette::WindowText, ink);
+        m_stateLabel->setPalette(state);
+        update();
+    }
+    setAccessibleDescription(QStringLiteral("%1, %2").arg(m_stateLabel->text(), m_temperature->text()));
+}
+
+void ObjectTile::retranslateUi() {
+    m_targetCaption->setText(tr("Target"));
+    m_errorCaption->setText(tr("Error"));
+    m_errorCaption->setToolTip(tr("Measured minus target"));
+    m_rateCaption->setText(tr("Rate"));
+    setAccessibleName(tr("Object %1").arg(m_name));
+    m_temperature->setAccessibleName(tr("Measured temperature of %1").arg(m_name));
+    m_stateIcon->clear();
+    showValues();
+}
+
+void ObjectTile::restyle() {
+    const bool dark = isDark(this);
+    QFont bold = font();
+    bold.setBold(true);
+    m_nameLabel->setFont(bold);
+    QFont big = font();
+    big.setPointSizeF(font().pointSizeF() * 2.1);
+    m_temperature->setFont(big);
+    m_swatch->setPixmap(seriesSwatch(m_index, dark, {44, 14}, devicePixelRatioF()));
+    for (QLabel* caption : {m_targetCaption, m_errorCaption, m_rateCaption})
+        caption->setPalette(captionPalette(palette()));
+    // Widths of the longest figures, so that nothing moves while the numbers run.
+    const QFontMetrics metrics(font());
+    for (QLabel* value : {m_target, m_error, m_rate})
+        value->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")));
+    m_temperature->setMinimumWidth(QFontMetrics(big).horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
+    m_stateIcon->clear();
+    showValues();
+    update();
+}
+
+void ObjectTile::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const bool dark = isDark(this);
+    const bool alarm = m_activity == ObjectActivity::SensorInvalid;
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.setPen(alarm ? QPen(alarmColor(1, dark), 2.0) : QPen(hairline(dark), 1.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+}
+
+void ObjectTile::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    else if (event->type() == QEvent::PaletteChange)
+        restyle();
+}
+
+} // namespace bask

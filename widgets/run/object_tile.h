@@ -1,0 +1,54 @@
+#pragma once
+// One object of a run at a glance: its line's sample, temperature, target, error, rate and what it is doing,
+// in a word.
+
+#include "engine/base/units.h"
+#include "engine/session/trace.h"
+
+#include <QFrame>
+
+class QLabel;
+
+namespace bask {
+
+/// What an object is doing, judged from its newest reading.
+enum class ObjectActivity { Waiting, SensorInvalid, Heating, Cooling, Steady, Settling, Settled };
+
+/// Object names: the tile "objectTile.<index>"; inside "tileName", "tileState", "tileTemperature",
+/// "tileTarget", "tileError", "tileRate".
+class ObjectTile : public QFrame {
+    Q_OBJECT
+public:
+    explicit ObjectTile(int index, QWidget* parent = nullptr);
+
+    void setName(const QString& name);
+    /// `time_s` tells how long the object has been in its band.
+    void setSample(double time_s, const ObjectSample& sample);
+    /// Back to "no reading yet"; the target is kept.
+    void clear(double target_K);
+    void setTemperatureUnit(TemperatureUnit unit);
+    ObjectActivity activity() const { return m_activity; }
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslateUi();
+    void restyle();
+    void showValues();
+    ObjectActivity judge(double time_s, const ObjectSample& sample);
+
+    int m_index;
+    QString m_name;
+    ObjectSample m_sample;
+    ObjectActivity m_activity = ObjectActivity::Waiting;
+    double m_inBandSince_s = -1.0;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    QLabel *m_swatch, *m_nameLabel, *m_stateIcon, *m_stateLabel, *m_temperature;
+    QLabel *m_targetCaption, *m_errorCaption, *m_rateCaption, *m_target, *m_error, *m_rate;
+};
+
+QString activityWord(ObjectActivity activity);
+
+} // namespace bask

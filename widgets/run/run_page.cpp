@@ -1,0 +1,190 @@
+#include "widgets/run/run_page.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/trace_plot.h"
+#include "widgets/run/controller_panel.h"
+#include "widgets/run/object_tile.h"
+#include "widgets/scene/scene_view.h"
+
+#include <QAbstractItemView>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+/// A word or two for the events that are drawn on the traces; empty for the others.
+QString markerWord(MessageCode code) {
+    switch (code) {
+    case MessageCode::EventHeld:
+        return RunPage::tr("Hold");
+    case MessageCode::EventResumed:
+        return RunPage::tr("Resume");
+    case MessageCode::EventStopped:
+        return RunPage::tr("Stop");
+    case MessageCode::EventEmergencyStop:
+        return RunPage::tr("STOP");
+    case MessageCode::EventSettled:
+        return RunPage::tr("Settled");
+    case MessageCode::EventTargetsChanged:
+        return RunPage::tr("New targets");
+    case MessageCode::EventGainsChanged:
+        return RunPage::tr("New gains");
+    case MessageCode::EventFault:
+        return RunPage::tr("Fault");
+    case MessageCode::EventCompromise:
+        return RunPage::tr("Compromise");
+    case MessageCode::EventSensorBack:
+        return RunPage::tr("Sensor back");
+    default:
+        return {};
+    }
+}
+
+} // namespace
+
+void RunPage::setExperiment(const Experiment& experiment) {
+    QStringList names;
+    m_targets_K.clear();
+    m_names.clear();
+    for (const ObjectSpec& object : experiment.objects) {
+        names << QString::fromStdString(object.name);
+        m_names.push_back(names.back());
+        m_targets_K.push_back(object.target_K);
+    }
+    makeTiles(experiment.objects.size());
+    for (TracePlot* plot : m_plots) {
+        plot->setObjects(names);
+        plot->setSpeedLimits({experiment.robot.maxSpeed_m_s, experiment.robot.maxRotation_rad_s});
+    }
+    m_scene->setExperiment(experiment);
+    m_controller->setSettings(experiment.controller);
+    m_runId.reset();
+    beginTrace();
+}
+
+void RunPage::beginTrace() {
+    for (TracePlot* plot : m_plots)
+        plot->clear();
+    for (std::size_t i = 0; i < m_tiles.size(); ++i)
+        m_tiles[i]->clear(m_targets_K[i]);
+    m_scene->clearTrace();
+    setFollow(true);
+}
+
+void RunPage::apply(const Snapshot& snapshot) {
+    if (m_runId && *m_runId != snapshot.runId)
+        beginTrace();
+    m_runId = snapshot.runId;
+    if (!snapshot.newSamples.empty()) {
+        for (TracePlot* plot : m_plots)
+            plot->append(snapshot.newSamples);
+        m_scene->appendSamples(snapshot.newSamples);
+    }
+    addMarkers(snapshot);
+    showTiles(snapshot);
+    showScene(snapshot);
+    m_controller->setSettings(snapshot.controller);
+    m_speedRow->setVisible(snapshot.simulated);
+    if (const int index = m_speed->findData(snapshot.simulationSpeed);
+        index >= 0 && !m_speed->view()->isVisible())
+        m_speed->setCurrentIndex(index);
+    showBehind();
+}
+
+void RunPage::showScene(const Snapshot& snapshot) {
+    std::vector<double> temperatures_K;
+    for (const ObjectSample& object : snapshot.latest.objects)
+        temperatures_K.push_back(object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN());
+    m_scene->setPose(snapshot.latest.coordinates);
+    m_scene->setTemperatures(temperatures_K);
+}
+
+void RunPage::showTiles(const Snapshot& snapshot) {
+    if (snapshot.targets_K.size() == m_targets_K.size())
+        m_targets_K = snapshot.targets_K;
+    const std::size_t count = std::min(m_tiles.size(), snapshot.latest.objects.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        ObjectSample sample = snapshot.latest.objects[i];
+        if (snapshot.targets_K.size() == m_targets_K.size() || !(sample.target_K > 0.0))
+            sample.target_K = m_targets_K[i]; // the engine's present target; the sample may be older
+        m_tiles[i]->setSample(snapshot.latest.time_s, sample);
+    }
+}
+
+void RunPage::addMarkers(const Snapshot& snapshot) {
+    for (TracePlot* plot : m_plots) {
+        for (const TraceEvent& event : snapshot.newEvents)
+            if (const QString word = markerWord(event.message.code); !word.isEmpty())
+                plot->addMarker(event.time_s, word);
+        for (const TraceNote& note : snapshot.newNotes)
+            plot->addMarker(note.time_s, QString::fromStdString(note.text));
+    }
+}
+
+void RunPage::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    for (ObjectTile* tile : m_tiles)
+        tile->setTemperatureUnit(unit);
+    for (TracePlot* plot : m_plots)
+        plot->setTemperatureUnit(unit);
+    m_scene->setTemperatureUnit(unit);
+}
+
+void RunPage::showMoment(double time_s) {
+    const double half =
+        std::max(15.0, 0.5 * (m_plots.front()->visibleTo_s() - m_plots.front()->visibleFrom_s()));
+    for (TracePlot* plot : m_plots)
+        plot->setTimeRange(time_s - half, time_s + half);
+    setFollow(false);
+}
+
+void RunPage::setFollow(bool follow) {
+    m_follow->setChecked(follow);
+    for (TracePlot* plot : m_plots)
+        plot->setFollowLive(follow);
+    showBehind();
+}
+
+void RunPage::showBehind() {
+    const bool follow = m_plots.front()->followsLive();
+    m_jump->setVisible(!follow);
+    if (follow)
+        return;
+    const double behind_s = m_plots.front()->behind_s();
+    m_jump->setText(behind_s >= 1.0 ? tr("Behind by %1 \u2014 jump to live").arg(formatDuration(behind_s))
+                                    : tr("Jump to live"));
+}
+
+void RunPage::addNote() {
+    const QString text = m_note->text().trimmed();
+    if (text.isEmpty())
+        return;
+    m_note->clear();
+    setFocus(); // so that N works again
+    emit noteAdded(text);
+}
+
+void RunPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (m_speed == nullptr)
+        return;
+    if (event->type() == QEvent::LanguageChange)
+        retranslateUi();
+    else if (event->type() == QEvent::PaletteChange)
+        restyle();
+}
+
+} // namespace bask

@@ -1,0 +1,101 @@
+#pragma once
+// The Run page: a tile an object, traces, the 3-D scene, controller and gains, notes.
+
+#include "engine/base/units.h"
+#include "engine/runtime/snapshot.h"
+#include "engine/session/experiment.h"
+#include "widgets/plots/trace_columns.h"
+
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTabWidget;
+class QToolButton;
+
+namespace bask {
+
+class ControllerPanel;
+class ObjectTile;
+class SceneView;
+class TracePlot;
+
+/// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>"; plots
+/// "plot.temperature", "plot.error", "plot.viewFactor", "plot.speed", "plot.rate", "plot.strength", their
+/// tabs "plotTabs"; "followLive", "followWindow", "jumpToLive"; "runScene", "viewTop", "viewSide",
+/// "viewIsometric"; "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
+class RunPage : public QWidget {
+    Q_OBJECT
+public:
+    explicit RunPage(QWidget* parent = nullptr);
+    ~RunPage() override;
+
+    /// Clears everything and shows the experiment's objects with their targets.
+    void setExperiment(const Experiment& experiment);
+    /// Takes everything new in the snapshot; a new runId begins a new trace. Cheap: drawing is left to the
+    /// event loop.
+    void apply(const Snapshot& snapshot);
+    void setTemperatureUnit(TemperatureUnit unit);
+    /// Shows a recorded moment on all plots (from the event list).
+    void showMoment(double time_s);
+
+    QSize minimumSizeHint() const override { return {860, 480}; }
+
+signals:
+    void controllerApplied(const bask::ControllerSettings& settings);
+    void noteAdded(const QString& text);
+    void simulationSpeedChosen(double factor);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* makePlots();
+    QWidget* makeSide();
+    void makeTiles(std::size_t count);
+    TracePlot* makePlot(Quantity quantity, const char* name);
+    void connectPlots();
+    void setFollow(bool follow);
+    void showBehind();
+    void showScene(const Snapshot& snapshot);
+    void showTiles(const Snapshot& snapshot);
+    void addMarkers(const Snapshot& snapshot);
+    void beginTrace();
+    void addNote();
+    void retranslateUi();
+    void restyle();
+
+    std::vector<double> m_targets_K;
+    std::vector<QString> m_names;
+    std::optional<std::uint64_t> m_runId;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+
+    QWidget* m_tileArea = nullptr;
+    QGridLayout* m_tileLayout = nullptr;
+    std::vector<ObjectTile*> m_tiles;
+    std::vector<TracePlot*> m_plots; ///< temperature first, then the tabs' in order
+    QTabWidget* m_tabs = nullptr;
+    QCheckBox* m_follow = nullptr;
+    QLabel* m_windowLabel = nullptr;
+    QComboBox* m_window = nullptr;
+    QPushButton* m_jump = nullptr;
+    SceneView* m_scene = nullptr;
+    QLabel* m_sceneLabel = nullptr;
+    QToolButton *m_viewTop = nullptr, *m_viewSide = nullptr, *m_viewIsometric = nullptr;
+    ControllerPanel* m_controller = nullptr;
+    QLabel* m_noteLabel = nullptr;
+    QLineEdit* m_note = nullptr;
+    QPushButton* m_noteAdd = nullptr;
+    QWidget* m_speedRow = nullptr;
+    QLabel* m_speedLabel = nullptr;
+    QComboBox* m_speed = nullptr;
+};
+
+} // namespace bask

@@ -1,0 +1,82 @@
+#include "widgets/scene/label_layout.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace bask {
+
+namespace {
+
+// Directions in order of liking: right, left, above, below, then the corners (y down).
+constexpr std::array<std::array<double, 2>, 8> kDirections{
+    {{1.0, 0.0}, {-1.0, 0.0}, {0.0, -1.0}, {0.0, 1.0}, {0.8, -0.8}, {-0.8, -0.8}, {0.8, 0.8}, {-0.8, 0.8}}};
+constexpr std::array<double, 4> kDistances{8.0, 22.0, 44.0, 80.0};
+
+double areaOf(const QRectF& rect) {
+    return std::max(0.0, rect.width()) * std::max(0.0, rect.height());
+}
+
+QRectF candidate(int index, const QRectF& anchor, QSizeF size) {
+    const auto& direction = kDirections[static_cast<std::size_t>(index) % kDirections.size()];
+    const double distance = kDistances[static_cast<std::size_t>(index) / kDirections.size()];
+    const QPointF centre =
+        anchor.center() + QPointF(direction[0] * (0.5 * (anchor.width() + size.width()) + distance),
+                                  direction[1] * (0.5 * (anchor.height() + size.height()) + distance));
+    return {centre - QPointF(0.5 * size.width(), 0.5 * size.height()), size};
+}
+
+} // namespace
+
+void LabelLayout::begin(QRectF area) {
+    m_area = area;
+    m_taken.clear();
+}
+
+void LabelLayout::take(QRectF rect, double weight) {
+    m_taken.push_back({rect, weight});
+}
+
+bool LabelLayout::isFree(const QRectF& rect) const {
+    return std::none_of(m_taken.begin(), m_taken.end(),
+                        [&rect](const Taken& taken) { return taken.rect.intersects(rect); });
+}
+
+double LabelLayout::cost(const QRectF& rect) const {
+    const double own = std::max(1.0, areaOf(rect));
+    double sum = 4.0 * (1.0 - areaOf(rect & m_area) / own);
+    for (const Taken& taken : m_taken)
+        sum += 4.0 * taken.weight * areaOf(rect & taken.rect) / own;
+    return sum;
+}
+
+QRectF LabelLayout::place(std::size_t key, QRectF anchor, QSizeF size, double most) {
+    if (key >= m_last.size())
+        m_last.resize(key + 1, -1);
+    constexpr int kCount = static_cast<int>(kDirections.size() * kDistances.size());
+    double least = std::numeric_limits<double>::infinity();
+    int best = 0;
+    for (int i = 0; i < kCount; ++i) {
+        const int ring = i / static_cast<int>(kDirections.size());
+        const int direction = i % static_cast<int>(kDirections.size());
+        const double liking = 0.5 * ring + 0.04 * direction - (i == m_last[key] ? 0.3 : 0.0);
+        const double hidden = cost(candidate(i, anchor, size));
+        const double total = hidden + liking;
+        if (hidden <= most && total < least) {
+            least = total;
+            best = i;
+        }
+    }
+    if (!std::isfinite(least))
+        return {};
+    m_last[key] = best;
+    QRectF rect = candidate(best, anchor, size);
+    rect.moveLeft(
+        std::clamp(rect.left(), m_area.left(), std::max(m_area.left(), m_area.right() - rect.width())));
+    rect.moveTop(
+        std::clamp(rect.top(), m_area.top(), std::max(m_area.top(), m_area.bottom() - rect.height())));
+    take(rect);
+    return rect;
+}
+
+} // namespace bask

@@ -1,0 +1,61 @@
+#pragma once
+// What Qt draws over the scene: axes with ticks in cm, the colour bar, and the labels of source and objects.
+
+#include "engine/base/units.h"
+#include "widgets/scene/camera_fit.h"
+#include "widgets/scene/colour_map.h"
+#include "widgets/scene/label_layout.h"
+
+#include <QColor>
+#include <QCoreApplication>
+#include <QPainterPath>
+#include <QPalette>
+#include <QString>
+
+#include <vector>
+
+class QPainter;
+
+namespace bask {
+
+/// A label beside something in the scene.
+struct SceneLabel {
+    QString text;
+    QString value;                          ///< after the text, lighter; may be empty
+    QColor colour;                          ///< of its mark; invalid: no mark
+    bool optional = false;                  ///< left out where it would hide something
+    std::vector<Eigen::Vector3d> outline_S; ///< m; the label stands beside this and avoids it
+};
+
+/// Everything the overlay shows, as values.
+struct OverlayContent {
+    Box frame;                      ///< whose edges carry the axes, S, m
+    std::vector<SceneLabel> labels; ///< in order of importance
+    bool hasBar = false;
+    NiceRange bar; ///< in the shown unit
+    QString barUnit;
+};
+
+/// Draws the overlay with the palette's colours. Text stays upright and sharp at any pixel ratio and in any
+/// script.
+class SceneOverlay {
+    Q_DECLARE_TR_FUNCTIONS(bask::SceneOverlay)
+public:
+    /// Room (logical pixels) that axes and bar take at each side.
+    static QMarginsF margins(const QFont& font, QSizeF size);
+
+    void paint(QPainter& painter, QSizeF size, const QPalette& palette, const Projection& projection,
+               const OverlayContent& content);
+
+private:
+    struct Frame; ///< one picture's working values
+    void paintAxes(Frame& frame);
+    void paintAxis(Frame& frame, int axis);
+    void paintBar(Frame& frame);
+    void paintLabels(Frame& frame);
+    void paintLabel(Frame& frame, const SceneLabel& label, const QRectF& anchor, const QRectF& place);
+
+    LabelLayout m_layout;
+};
+
+} // namespace bask

@@ -1,0 +1,349 @@
+#include "widgets/scene/scene_props.h"
+
+#include "widgets/common/theme.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkContourTriangulator.h>
+#include <vtkIdList.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace bask {
+
+namespace {
+
+constexpr int kOutlinePoints = 160;
+constexpr double kGridStep_m = 0.05;
+// Incandescent, and nothing else on screen has it: middle and rim of the source.
+constexpr QRgb kSourceMiddle = 0xffffb45c;
+constexpr QRgb kSourceRim = 0xffd9481c;
+
+using Points = std::vector<Eigen::Vector3d>;
+
+/// An actor with its own geometry, unlit: the colour given is the colour seen.
+struct Part {
+    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
+    vtkSmartPointer<vtkPolyDataMapper> mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
+    vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();
+    float width_px = 1.0F;
+
+    Part() {
+        mapper->SetInputData(data);
+        mapper->ScalarVisibilityOff();
+        actor->SetMapper(mapper);
+        actor->PickableOff();
+        actor->GetProperty()->LightingOff();
+    }
+
+    void setColour(const QColor& colour) {
+        actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
+    }
+    void setTransform(const Pose& X) {
+        vtkNew<vtkMatrix4x4> matrix;
+        for (int row = 0; row < 4; ++row)
+            for (int column = 0; column < 4; ++column)
+                matrix->SetElement(row, column, X.matrix()(row, column));
+        actor->SetUserMatrix(matrix);
+    }
+};
+
+vtkSmartPointer<vtkPoints> pointsOf(const Points& points) {
+    auto result = vtkSmartPointer<vtkPoints>::New();
+    for (const Eigen::Vector3d& p : points)
+        result->InsertNextPoint(p.data());
+    return result;
+}
+
+/// One line through all points, back to the first when closed.
+void setPolyline(vtkPolyData& data, const Points& points, bool closed) {
+    vtkNew<vtkCellArray> lines;
+    const auto count = static_cast<vtkIdType>(points.size());
+    if (count > 1) {
+        lines->InsertNextCell(static_cast<int>(closed ? count + 1 : count));
+        for (vtkIdType i = 0; i < count; ++i)
+            lines->InsertCellPoint(i);
+        if (closed)
+            lines->InsertCellPoint(0);
+    }
+    data.SetPoints(pointsOf(points));
+    data.SetLines(lines);
+}
+
+/// Pieces of line from each even point to the odd one after it.
+void setSegments(vtkPolyData& data, const Points& points) {
+    vtkNew<vtkCellArray> lines;
+    for (vtkIdType i = 0; i + 1 < static_cast<vtkIdType>(points.size()); i += 2) {
+        const vtkIdType ids[2]{i, i + 1};
+        lines->InsertNextCell(2, ids);
+    }
+    data.SetPoints(pointsOf(points));
+    data.SetLines(lines);
+}
+
+/// The inside of an outline, convex or not. An outline that crosses itself may stay empty: its line is drawn
+/// all the same.
+void setFilled(vtkPolyData& data, const Points& outline) {
+    const vtkSmartPointer<vtkPoints> points = pointsOf(outline);
+    vtkNew<vtkIdList> polygon;
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+        polygon->InsertNextId(i);
+    vtkNew<vtkCellArray> triangles;
+    vtkContourTriangulator::TriangulatePolygon(polygon, points, triangles);
+    data.SetPoints(points);
+    data.SetPolys(triangles);
+}
+
+Points flat(const std::vector<Eigen::Vector2d>& outline) {
+    Points points;
+    points.reserve(outline.size());
+    for (const Eigen::Vector2d& p : outline)
+        points.emplace_back(p.x(), p.y(), 0.0);
+    return points;
+}
+
+/// Rings from the middle to the rim, coloured by vertex.
+void setGlowingDisk(vtkPolyData& data, double radius_m) {
+    constexpr int kAround = 96;
+    constexpr int kRings = 8;
+    const QColor middle = QColor::fromRgb(kSourceMiddle);
+    const QColor rim = QColor::fromRgb(kSourceRim);
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkCellArray> strips;
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetNumberOfComponents(3);
+    for (int ring = 0; ring <= kRings; ++ring) {
+        const double t = static_cast<double>(ring) / kRings;
+        const double weight = t * t;
+        for (int i = 0; i < kAround; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / kAround;
+            points->InsertNextPoint(t * radius_m * std::cos(angle), t * radius_m * std::sin(angle), 0.0);
+            const auto mix = [weight](int a, int b) {
+                return static_cast<unsigned char>(std::lround(a + (b - a) * weight));
+            };
+            colours->InsertNextValue(mix(middle.red(), rim.red()));
+            colours->InsertNextValue(mix(middle.green(), rim.green()));
+            colours->InsertNextValue(mix(middle.blue(), rim.blue()));
+        }
+        if (ring == 0)
+            continue;
+        strips->InsertNextCell(2 * (kAround + 1));
+        for (int i = 0; i <= kAround; ++i) {
+            strips->InsertCellPoint((ring - 1) * kAround + i % kAround);
+            strips->InsertCellPoint(ring * kAround + i % kAround);
+        }
+    }
+    data.SetPoints(points);
+    data.SetStrips(strips);
+    data.GetPointData()->SetScalars(colours);
+}
+
+/// Floor lines every kGridStep_m, left out where the source lies on them.
+Points gridLines(const Box& frame, double sourceRadius_m) {
+    Points points;
+    const auto add = [&](int axis) {
+        const int other = 1 - axis;
+        const auto piece = [&](double at, double from, double to) {
+            for (const double end : {from, to}) {
+                Eigen::Vector3d p = Eigen::Vector3d::Zero();
+                p[axis] = at;
+                p[other] = end;
+                points.push_back(p);
+            }
+        };
+        const double first = std::ceil(frame.min()[axis] / kGridStep_m - 1e-9);
+        for (double k = first; k * kGridStep_m <= frame.max()[axis] + 1e-9; k += 1.0) {
+            const double at = k * kGridStep_m;
+            const double half = std::sqrt(std::max(0.0, sourceRadius_m * sourceRadius_m - at * at));
+            // The frame holds the source, so the two pieces never turn round.
+            piece(at, frame.min()[other], -half);
+            piece(at, half, frame.max()[other]);
+        }
+    };
+    add(0);
+    add(1);
+    return points;
+}
+
+/// Edges of a box without the three that meet in the corner nearest to the viewer: they would cross what is
+/// inside.
+Points boxEdges(const Box& box, int nearest) {
+    Points points;
+    for (int a = 0; a < 8; ++a)
+        for (const int bit : {1, 2, 4})
+            if ((a & bit) == 0 && a != nearest && (a | bit) != nearest) {
+                points.push_back(box.corner(static_cast<Box::CornerType>(a)));
+                points.push_back(box.corner(static_cast<Box::CornerType>(a | bit)));
+            }
+    return points;
+}
+
+int nearestCorner(const Eigen::Vector3d& viewDirection) {
+    return (viewDirection.x() < 0.0 ? 1 : 0) | (viewDirection.y() < 0.0 ? 2 : 0) |
+           (viewDirection.z() < 0.0 ? 4 : 0);
+}
+
+struct ObjectParts {
+    Part fill;
+    Part outline;
+    Part mount;
+    Part drop; ///< from the centroid straight down to the source plane
+    Part trail;
+    Pose X_EO = Pose::Identity();
+};
+
+} // namespace
+
+struct SceneProps::Impl {
+    explicit Impl(vtkRenderer& target) : renderer(target) {}
+
+    vtkRenderer& renderer;
+    SceneColours colours;
+    double lineScale = 1.0;
+    Part source;
+    Part sourceRim;
+    Part grid;
+    Part workspace;
+    Box workspaceBox;
+    int nearest = -1; ///< corner of the workspace whose edges are left out
+    std::vector<ObjectParts> objects;
+
+    void forEach(const std::function<void(Part&)>& visit) {
+        for (Part* part : {&grid, &source, &sourceRim, &workspace})
+            visit(*part);
+        for (ObjectParts& object : objects)
+            for (Part* part : {&object.trail, &object.drop, &object.mount, &object.fill, &object.outline})
+                visit(*part);
+    }
+    void applyColours();
+};
+
+void SceneProps::Impl::applyColours() {
+    renderer.SetBackground(colours.ground.redF(), colours.ground.greenF(), colours.ground.blueF());
+    grid.setColour(colours.grid);
+    workspace.setColour(colours.workspace);
+    sourceRim.setColour(QColor::fromRgb(kSourceRim).darker(colours.dark ? 100 : 120));
+    for (std::size_t i = 0; i < objects.size(); ++i) {
+        objects[i].mount.setColour(colours.mount);
+        objects[i].drop.setColour(colours.workspace);
+        objects[i].outline.setColour(seriesColor(static_cast<int>(i), colours.dark));
+    }
+}
+
+SceneProps::SceneProps(vtkRenderer& renderer) : m(std::make_unique<Impl>(renderer)) {}
+
+SceneProps::~SceneProps() = default;
+
+void SceneProps::build(const Experiment& experiment, const Box& frame) {
+    m->renderer.RemoveAllViewProps();
+    m->objects.clear();
+
+    setGlowingDisk(*m->source.data, experiment.source.disk.radius_m);
+    m->source.mapper->ScalarVisibilityOn();
+    setPolyline(*m->sourceRim.data, flat(shapeOutline(Shape(experiment.source.disk), kOutlinePoints)), true);
+    m->sourceRim.width_px = 3.0F;
+    setSegments(*m->grid.data, gridLines(frame, experiment.source.disk.radius_m));
+    const RobotLimits& robot = experiment.robot;
+    m->workspaceBox = Box(robot.lower.head<3>().eval(), robot.upper.head<3>().eval());
+    m->nearest = -1;
+    m->workspace.width_px = 1.0F;
+
+    for (const ObjectSpec& spec : experiment.objects) {
+        ObjectParts object;
+        object.X_EO = poseFromCoordinates(spec.mounting);
+        const Points outline = flat(shapeOutline(spec.shape, kOutlinePoints));
+        setFilled(*object.fill.data, outline);
+        setPolyline(*object.outline.data, outline, true);
+        object.outline.width_px = 3.0F;
+        setSegments(*object.mount.data, {Eigen::Vector3d::Zero(), object.X_EO.translation()});
+        object.mount.width_px = 2.0F;
+        setSegments(*object.drop.data, {Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ()});
+        object.trail.width_px = 3.0F;
+        object.trail.mapper->ScalarVisibilityOn();
+        m->objects.push_back(object);
+    }
+    m->forEach([this](Part& part) {
+        part.data->Modified();
+        part.actor->GetProperty()->SetLineWidth(part.width_px * static_cast<float>(m->lineScale));
+        m->renderer.AddActor(part.actor);
+    });
+    m->applyColours();
+}
+
+void SceneProps::setColours(const SceneColours& colours) {
+    m->colours = colours;
+    m->applyColours();
+}
+
+void SceneProps::setLineScale(double scale) {
+    if (scale == m->lineScale)
+        return;
+    m->lineScale = scale;
+    m->forEach([scale](Part& part) {
+        part.actor->GetProperty()->SetLineWidth(part.width_px * static_cast<float>(scale));
+    });
+}
+
+void SceneProps::setViewDirection(const Eigen::Vector3d& direction) {
+    const int nearest = nearestCorner(direction);
+    if (nearest == m->nearest)
+        return;
+    m->nearest = nearest;
+    setSegments(*m->workspace.data, boxEdges(m->workspaceBox, nearest));
+    m->workspace.data->Modified();
+}
+
+void SceneProps::setPose(const Pose& X_SE, const Eigen::Vector3d& lift) {
+    const auto lifted = [&lift](const Pose& X) { return Pose(Eigen::Translation3d(lift) * X); };
+    m->sourceRim.setTransform(lifted(Pose::Identity()));
+    for (ObjectParts& object : m->objects) {
+        const Pose X_SO = X_SE * object.X_EO;
+        const Eigen::Vector3d p_SO = X_SO.translation();
+        object.fill.setTransform(X_SO);
+        object.outline.setTransform(lifted(X_SO));
+        object.mount.setTransform(lifted(X_SE));
+        Pose drop = Pose::Identity();
+        drop.translation() << p_SO.x(), p_SO.y(), 0.0;
+        drop.linear()(2, 2) = p_SO.z(); // a line of length one, stretched
+        object.drop.setTransform(lifted(drop));
+    }
+}
+
+void SceneProps::setObjectColour(std::size_t index, const QColor& colour) {
+    m->objects.at(index).fill.setColour(colour);
+}
+
+void SceneProps::setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour) {
+    Points points;
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetNumberOfComponents(3);
+    const auto add = [&](const Trail::Point& point) {
+        points.push_back(point.p_SO);
+        const QColor rgb = colour(point.temperature_K);
+        for (const int part : {rgb.red(), rgb.green(), rgb.blue()})
+            colours->InsertNextValue(static_cast<unsigned char>(part));
+    };
+    points.reserve(trail.kept().size() + 1);
+    for (const Trail::Point& point : trail.kept())
+        add(point);
+    if (!trail.empty())
+        add(trail.newest());
+    vtkPolyData& data = *m->objects.at(index).trail.data;
+    setPolyline(data, points, false);
+    data.GetPointData()->SetScalars(colours);
+    data.Modified();
+}
+
+} // namespace bask

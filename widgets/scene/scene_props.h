@@ -1,0 +1,57 @@
+#pragma once
+// The VTK actors of the scene: source, floor, workspace, objects, mounts and trails; private to
+// widgets/scene.
+
+#include "engine/session/experiment.h"
+#include "widgets/scene/camera_fit.h"
+#include "widgets/scene/trail.h"
+
+#include <QColor>
+
+#include <functional>
+#include <memory>
+
+class vtkRenderer;
+
+namespace bask {
+
+/// Colours of everything that is not a temperature.
+struct SceneColours {
+    bool dark = false;
+    QColor ground;    ///< background
+    QColor grid;      ///< lines on the floor
+    QColor workspace; ///< its edges
+    QColor mount;     ///< arms from the end-effector to the objects
+};
+
+/// Colour of a temperature (K).
+using TemperatureColour = std::function<QColor(double temperature_K)>;
+
+/// Owns the actors and keeps them in the renderer. All calls on the GUI thread; none draws.
+class SceneProps {
+public:
+    explicit SceneProps(vtkRenderer& renderer);
+    ~SceneProps();
+
+    /// Makes all actors anew; `frame` is the box that the floor is drawn in.
+    void build(const Experiment& experiment, const Box& frame);
+    void setColours(const SceneColours& colours);
+    /// Factor of all line widths: device pixel ratio, and less than that in a small view.
+    void setLineScale(double scale);
+
+    /// Where the camera looks to (S): the workspace's edges on this side are left out.
+    void setViewDirection(const Eigen::Vector3d& direction);
+    /// Moves the objects. Lines are moved by `lift` (S, m) as well: towards the viewer by a few pixels'
+    /// worth, which in a parallel projection does not show, lets the whole width of a line stand before the
+    /// filling that it bounds.
+    void setPose(const Pose& X_SE, const Eigen::Vector3d& lift);
+    void setObjectColour(std::size_t index, const QColor& colour);
+    /// Uploads one trail of at most Trail::kMostPoints points.
+    void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m;
+};
+
+} // namespace bask

@@ -1,0 +1,394 @@
+#include "widgets/scene/scene_view.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+#include "widgets/scene/scene_overlay.h"
+#include "widgets/scene/scene_props.h"
+#include "widgets/scene/trail.h"
+#include "widgets/scene/vtk_view.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QPainter>
+#include <QVBoxLayout>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace bask {
+
+namespace {
+
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+constexpr int kBarSteps = 5;
+constexpr double kLift_px = 8.0;  ///< of lines towards the viewer: enough at 80 degrees of tilt
+constexpr int kLabelOutline = 24; ///< points of an outline that a label stands beside
+
+/// What the controller holds for true, else the reading, else the plant's own.
+double temperatureOf_K(const ObjectSample& sample) {
+    if (std::isfinite(sample.estimated_K) && sample.estimated_K > 0.0)
+        return sample.estimated_K;
+    if (std::isfinite(sample.measured_K) && sample.measured_K > 0.0)
+        return sample.measured_K;
+    return std::isfinite(sample.true_K) && sample.true_K > 0.0 ? sample.true_K : kUnknown;
+}
+
+/// Workspace and source: what the axes measure and the presets show.
+Box frameOf(const Experiment& experiment) {
+    Box box(experiment.robot.lower.head<3>().eval());
+    box.extend(experiment.robot.upper.head<3>().eval());
+    const double r = experiment.source.disk.radius_m;
+    box.extend(Eigen::Vector3d(-r, -r, 0.0));
+    box.extend(Eigen::Vector3d(r, r, 0.0));
+    // A plane or a line is no box: give it some height.
+    const double least = 0.1 * box.diagonal().norm();
+    for (int axis = 0; axis < 3; ++axis)
+        if (box.sizes()[axis] < least)
+            box.extend(Eigen::Vector3d(box.max() + least * Eigen::Vector3d::Unit(axis)));
+    return box;
+}
+
+QColor mixed(const QColor& a, const QColor& b, double weight) {
+    const auto mix = [weight](float x, float y) { return x + (y - x) * static_cast<float>(weight); };
+    return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
+}
+
+} // namespace
+
+struct SceneView::Impl {
+    // Values; all of the picture can be made from them at any time.
+    Experiment experiment;
+    bool hasExperiment = false;
+    Box frame;
+    Pose X_SE = Pose::Identity();
+    std::vector<Pose> X_EO;
+    std::vector<std::vector<Eigen::Vector3d>> outlines_O;
+    std::vector<Trail> trails;
+    std::vector<double> temperatures_K;
+    double source_K = kUnknown;
+    double coldest_K = kUnknown;
+    double hottest_K = kUnknown;
+    TemperatureUnit unit = TemperatureUnit::Celsius;
+    ViewPreset preset = ViewPreset::Isometric;
+    bool cameraIsPersons = false;
+
+    // What the picture does not show yet.
+    bool rebuild = true;
+    bool recolour = true;
+    bool trailsGrew = true;
+    NiceRange shownRange;
+    OverlayContent content;
+
+    VtkView* view = nullptr;
+    QLabel* notice = nullptr;
+    std::unique_ptr<SceneProps> props;
+    SceneOverlay overlay;
+
+    void sawTemperature(double t_K) {
+        if (!std::isfinite(t_K))
+            return;
+        coldest_K = std::isfinite(coldest_K) ? std::min(coldest_K, t_K) : t_K;
+        hottest_K = std::isfinite(hottest_K) ? std::max(hottest_K, t_K) : t_K;
+    }
+    void resetTrace();
+    NiceRange range() const;
+    QColor colourOf(double t_K, bool dark) const;
+    OverlayContent overlayContent(bool dark) const;
+};
+
+void SceneView::Impl::resetTrace() {
+    trails.assign(experiment.objects.size(), Trail());
+    temperatures_K.assign(experiment.objects.size(), kUnknown);
+    source_K = kUnknown;
+    coldest_K = hottest_K = kUnknown;
+    // The range holds the room and the targets from the start, so that colours stay as the objects warm up.
+    sawTemperature(experiment.environment_K);
+    for (const ObjectSpec& object : experiment.objects)
+        sawTemperature(object.target_K);
+    trailsGrew = true;
+}
+
+NiceRange SceneView::Impl::range() const {
+    return niceRange(displayTemperature(coldest_K, unit), displayTemperature(hottest_K, unit), kBarSteps);
+}
+
+QColor SceneView::Impl::colourOf(double t_K, bool dark) const {
+    return mapColour(
+        (displayTemperature(t_K, unit) - shownRange.least) / (shownRange.most - shownRange.least), dark);
+}
+
+OverlayContent SceneView::Impl::overlayContent(bool dark) const {
+    OverlayContent result;
+    if (!hasExperiment)
+        return result;
+    result.frame = frame;
+    result.hasBar = !experiment.objects.empty();
+    result.bar = shownRange;
+    result.barUnit = temperatureUnitSymbol(unit);
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        SceneLabel label;
+        label.text = QString::fromStdString(experiment.objects[i].name);
+        if (std::isfinite(temperatures_K[i]))
+            label.value = formatTemperature(temperatures_K[i], unit);
+        label.colour = seriesColor(static_cast<int>(i), dark);
+        const Pose X_SO = X_SE * X_EO[i];
+        for (const Eigen::Vector3d& p_OQ : outlines_O[i])
+            label.outline_S.push_back(X_SO * p_OQ);
+        result.labels.push_back(label);
+    }
+    SceneLabel source;
+    source.text = SceneView::tr("Source");
+    source.optional = true;
+    source.value =
+        formatTemperature(std::isfinite(source_K) ? source_K : experiment.source.temperature_K, unit, 0);
+    for (const Eigen::Vector2d& p : shapeOutline(Shape(experiment.source.disk), kLabelOutline))
+        source.outline_S.emplace_back(p.x(), p.y(), 0.0);
+    result.labels.push_back(source);
+    return result;
+}
+
+SceneView::SceneView(QWidget* parent) : QWidget(parent), m(std::make_unique<Impl>()) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    if (VtkView::available())
+        makePicture();
+    else
+        showNotice();
+}
+
+SceneView::~SceneView() {
+    // The view may still paint while QWidget's destructor takes it down, when the rest is gone.
+    if (m->view != nullptr) {
+        m->props.reset();
+        delete m->view;
+        m->view = nullptr;
+    }
+}
+
+void SceneView::makePicture() {
+    m->view = new VtkView(this);
+    m->view->setAccessibleName(tr("3-D scene"));
+    layout()->addWidget(m->view);
+    setFocusProxy(m->view);
+    m->props = std::make_unique<SceneProps>(m->view->renderer());
+    m->view->setPrepare([this] { prepareFrame(); });
+    m->view->setOverlay([this](QPainter& painter) {
+        const QSizeF size = m->view->size();
+        painter.setFont(font());
+        m->overlay.paint(painter, size, palette(), Projection(*m->view->renderer().GetActiveCamera(), size),
+                         m->content);
+    });
+    connect(m->view, &VtkView::cameraMoved, this, [this] { m->cameraIsPersons = true; });
+    connect(m->view, &VtkView::cameraResetRequested, this, [this] {
+        applyPreset(*m->view->renderer().GetActiveCamera(), m->preset);
+        fit();
+    });
+    connect(m->view, &VtkView::failed, this, [this] {
+        m->view->setPrepare({});
+        m->view->setOverlay({});
+        m->view->hide();
+        m->view->deleteLater();
+        m->props.reset();
+        m->view = nullptr;
+        showNotice();
+    });
+    applyPreset(*m->view->renderer().GetActiveCamera(), m->preset);
+}
+
+void SceneView::showNotice() {
+    m->notice = new QLabel(this);
+    m->notice->setAlignment(Qt::AlignCenter);
+    m->notice->setWordWrap(true);
+    m->notice->setMargin(24);
+    m->notice->setText(
+        tr("The 3-D scene needs OpenGL 3.2, which this display does not offer. Everything else works."));
+    layout()->addWidget(m->notice);
+}
+
+bool SceneView::hasPicture() const {
+    return m->view != nullptr;
+}
+QSize SceneView::sizeHint() const {
+    return {640, 480};
+}
+QSize SceneView::minimumSizeHint() const {
+    return {160, 120};
+}
+
+void SceneView::requestFrame() {
+    if (m->view != nullptr)
+        m->view->requestFrame();
+}
+
+void SceneView::setExperiment(const Experiment& experiment) {
+    const bool sameRoom = m->hasExperiment && frameOf(experiment).isApprox(m->frame);
+    m->experiment = experiment;
+    m->hasExperiment = true;
+    m->frame = frameOf(experiment);
+    m->X_SE = poseFromCoordinates(experiment.start);
+    m->X_EO.clear();
+    m->outlines_O.clear();
+    for (const ObjectSpec& object : experiment.objects) {
+        m->X_EO.push_back(poseFromCoordinates(object.mounting));
+        m->outlines_O.emplace_back();
+        for (const Eigen::Vector2d& p : shapeOutline(object.shape, kLabelOutline))
+            m->outlines_O.back().emplace_back(p.x(), p.y(), 0.0);
+    }
+    m->resetTrace();
+    m->rebuild = true;
+    if (!sameRoom || !m->cameraIsPersons)
+        fit();
+    requestFrame();
+}
+
+void SceneView::clearTrace() {
+    m->resetTrace();
+    requestFrame();
+}
+
+void SceneView::appendSamples(const std::vector<TraceSample>& samples) {
+    for (const TraceSample& sample : samples) {
+        if (!m->hasExperiment || sample.objects.size() != m->X_EO.size() || !sample.coordinates.allFinite())
+            continue;
+        m->X_SE = poseFromCoordinates(sample.coordinates);
+        if (std::isfinite(sample.source_K) && sample.source_K > 0.0)
+            m->source_K = sample.source_K;
+        for (std::size_t i = 0; i < m->X_EO.size(); ++i) {
+            m->temperatures_K[i] = temperatureOf_K(sample.objects[i]);
+            m->sawTemperature(m->temperatures_K[i]);
+            m->trails[i].append({m->X_SE * m->X_EO[i].translation(), m->temperatures_K[i]});
+        }
+        m->trailsGrew = true;
+    }
+    requestFrame();
+}
+
+void SceneView::setSamples(const std::vector<TraceSample>& samples) {
+    m->resetTrace();
+    appendSamples(samples);
+}
+
+void SceneView::setPose(const Vector6d& coordinates) {
+    if (!coordinates.allFinite())
+        return;
+    m->X_SE = poseFromCoordinates(coordinates);
+    requestFrame();
+}
+
+void SceneView::setTemperatures(const std::vector<double>& temperatures_K) {
+    for (std::size_t i = 0; i < m->temperatures_K.size(); ++i) {
+        const double t_K = i < temperatures_K.size() ? temperatures_K[i] : kUnknown;
+        m->temperatures_K[i] = std::isfinite(t_K) && t_K > 0.0 ? t_K : kUnknown;
+        m->sawTemperature(m->temperatures_K[i]);
+    }
+    requestFrame();
+}
+
+void SceneView::setTemperatureUnit(TemperatureUnit unit) {
+    if (unit == m->unit)
+        return;
+    m->unit = unit;
+    m->recolour = true;
+    requestFrame();
+}
+
+void SceneView::viewAlongMinusZ() {
+    m->preset = ViewPreset::AlongMinusZ;
+    if (m->view != nullptr)
+        applyPreset(*m->view->renderer().GetActiveCamera(), m->preset);
+    fit();
+}
+
+void SceneView::viewAlongX() {
+    m->preset = ViewPreset::AlongX;
+    if (m->view != nullptr)
+        applyPreset(*m->view->renderer().GetActiveCamera(), m->preset);
+    fit();
+}
+
+void SceneView::viewIsometric() {
+    m->preset = ViewPreset::Isometric;
+    if (m->view != nullptr)
+        applyPreset(*m->view->renderer().GetActiveCamera(), m->preset);
+    fit();
+}
+
+void SceneView::fit() {
+    m->cameraIsPersons = false;
+    if (m->view == nullptr || !m->hasExperiment)
+        return;
+    const QSizeF size = m->view->size();
+    fitCamera(*m->view->renderer().GetActiveCamera(), m->frame, size, SceneOverlay::margins(font(), size));
+    requestFrame();
+}
+
+void SceneView::prepareFrame() {
+    const bool dark = isDark(palette());
+    if (!m->cameraIsPersons)
+        fitCamera(*m->view->renderer().GetActiveCamera(), m->frame, m->view->size(),
+                  SceneOverlay::margins(font(), m->view->size()));
+    m->props->setLineScale(
+        m->view->devicePixelRatioF() *
+        std::clamp(std::min(m->view->width() / 800.0, m->view->height() / 560.0), 0.5, 1.0));
+    if (m->rebuild || m->recolour) {
+        const QColor ground = palette().color(QPalette::Base);
+        const QColor text = palette().color(QPalette::Text);
+        m->props->setColours(
+            {dark, ground, mixed(ground, text, 0.10), mixed(ground, text, 0.34), mixed(ground, text, 0.5)});
+    }
+    if (m->hasExperiment) {
+        if (m->rebuild)
+            m->props->build(m->experiment, m->frame);
+        const NiceRange range = m->range();
+        const bool newRange = range.least != m->shownRange.least || range.most != m->shownRange.most;
+        m->shownRange = range;
+        vtkCamera* camera = m->view->renderer().GetActiveCamera();
+        const Eigen::Vector3d direction(camera->GetDirectionOfProjection());
+        const double metresPerPixel = 2.0 * camera->GetParallelScale() / std::max(1, m->view->height());
+        m->props->setViewDirection(direction);
+        m->props->setPose(m->X_SE, -kLift_px * metresPerPixel * direction);
+        const bool allTrails = m->rebuild || m->recolour || newRange || m->trailsGrew;
+        for (std::size_t i = 0; i < m->trails.size(); ++i) {
+            m->props->setObjectColour(i, m->colourOf(m->temperatures_K[i], dark));
+            if (allTrails)
+                m->props->setTrail(i, m->trails[i],
+                                   [this, dark](double t_K) { return m->colourOf(t_K, dark); });
+        }
+        m->trailsGrew = false;
+    }
+    m->content = m->overlayContent(dark);
+    m->rebuild = m->recolour = false;
+}
+
+void SceneView::changeEvent(QEvent* event) {
+    switch (event->type()) {
+    case QEvent::PaletteChange:
+    case QEvent::FontChange:
+        m->recolour = true;
+        requestFrame();
+        break;
+    case QEvent::LanguageChange:
+    case QEvent::LocaleChange:
+        if (m->view != nullptr)
+            m->view->setAccessibleName(tr("3-D scene"));
+        if (m->notice != nullptr)
+            m->notice->setText(tr(
+                "The 3-D scene needs OpenGL 3.2, which this display does not offer. Everything else works."));
+        requestFrame();
+        break;
+    default:
+        break;
+    }
+    QWidget::changeEvent(event);
+}
+
+void SceneView::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    requestFrame();
+}
+
+} // namespace bask

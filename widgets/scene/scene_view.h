@@ -1,0 +1,64 @@
+#pragma once
+// The 3-D scene of a run: source, workspace, objects at their pose, and trajectories coloured by temperature.
+
+#include "engine/base/units.h"
+#include "engine/session/experiment.h"
+#include "engine/session/trace.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+namespace bask {
+
+/// Setters in, a picture out; S axes in cm, heated faces look down. Setters only note what is new: frames are
+/// drawn later, at most about 15 a second, and none while hidden. Without OpenGL 3.2 it says so in words in
+/// place of the picture. Colours follow the palette, words the language.
+class SceneView : public QWidget {
+    Q_OBJECT
+public:
+    explicit SceneView(QWidget* parent = nullptr);
+    ~SceneView() override;
+
+    /// Shows another experiment, its objects at the start pose with no trace.
+    void setExperiment(const Experiment& experiment);
+    /// Forgets the trajectories and the temperatures; the pose stays.
+    void clearTrace();
+    /// Adds to the trajectories; pose and temperatures become those of the last sample. A sample with another
+    /// number of objects than the experiment is left out.
+    void appendSamples(const std::vector<TraceSample>& samples);
+    /// The whole trace at once.
+    void setSamples(const std::vector<TraceSample>& samples);
+    /// Moves the objects only (readings outside of a run, replay).
+    void setPose(const Vector6d& coordinates);
+    /// Colours the objects only, K in the experiment's order; NaN or missing: not known.
+    void setTemperatures(const std::vector<double>& temperatures_K);
+    void setTemperatureUnit(TemperatureUnit unit);
+
+    void viewAlongMinusZ(); ///< from above: x to the right, y up
+    void viewAlongX();      ///< from the side: y to the left, z up
+    void viewIsometric();
+
+    /// Whether there is a picture at all.
+    bool hasPicture() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void makePicture();
+    void showNotice();
+    void prepareFrame();
+    void fit();
+    void requestFrame();
+
+    struct Impl;
+    std::unique_ptr<Impl> m;
+};
+
+} // namespace bask

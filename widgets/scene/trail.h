@@ -1,0 +1,43 @@
+#pragma once
+// A trajectory coloured by temperature that stays small however long it grows.
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace bask {
+
+/// Keeps a point when it has moved, or its temperature has changed, by more than a tolerance since the last
+/// one kept; when there are too many, the tolerances double and the kept ones are thinned. Appending costs
+/// amortised constant time.
+class Trail {
+public:
+    struct Point {
+        Eigen::Vector3d p_SO = Eigen::Vector3d::Zero(); ///< m
+        double temperature_K = 0.0;                     ///< NaN: not known
+    };
+
+    static constexpr std::size_t kMostPoints = 4096;
+    static constexpr double kTolerance_m = 2.5e-4;
+    static constexpr double kTolerance_K = 0.25;
+
+    void clear();
+    void append(const Point& point);
+
+    /// Points kept; the newest is not among them unless it was kept.
+    const std::vector<Point>& kept() const { return m_kept; }
+    /// The newest point; only when !empty().
+    const Point& newest() const { return m_newest; }
+    bool empty() const { return m_kept.empty(); }
+
+private:
+    bool differs(const Point& a, const Point& b) const;
+    void thin();
+
+    std::vector<Point> m_kept;
+    Point m_newest;
+    double m_tolerance_m = kTolerance_m;
+    double m_tolerance_K = kTolerance_K;
+};
+
+} // namespace bask

@@ -1,0 +1,50 @@
+#pragma once
+// Bar of the steady temperatures an object can be held at, with its target's mark.
+
+#include "engine/base/units.h"
+#include "engine/control/feasibility.h"
+
+#include <QWidget>
+
+#include <optional>
+
+namespace bask {
+
+/// All bars of a page share one axis. Solid: reachable in the workspace; outlined: what the source could hold
+/// at F = 1.
+class ReachBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ReachBar(QWidget* parent = nullptr);
+
+    void setAxis_K(double low_K, double high_K);
+    void setTarget_K(double target_K);
+    void setVerdict(const std::optional<TargetVerdict>& verdict);
+    void setStale(bool stale);
+    void setSeries(int index);
+    void setTemperatureUnit(TemperatureUnit unit);
+
+    QSize minimumSizeHint() const override { return {180, sizeHint().height()}; }
+    QSize sizeHint() const override; ///< two lines of text and the bar
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    double x(double t_K) const;
+    void paintBands(QPainter& painter, const QRectF& track) const;
+    void paintTarget(QPainter& painter, const QRectF& track) const;
+    void describe();
+
+    double m_low_K = 273.15;
+    double m_high_K = 373.15;
+    double m_target_K = 298.15;
+    std::optional<TargetVerdict> m_verdict;
+    bool m_stale = true;
+    int m_series = 0;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+};
+
+} // namespace bask

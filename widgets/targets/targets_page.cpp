@@ -1,0 +1,363 @@
+#include "widgets/targets/targets_page.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/common/theme.h"
+#include "widgets/targets/reach_bar.h"
+#include "widgets/targets/verdict_text.h"
+
+#include <QEvent>
+#include <QFrame>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace bask {
+namespace {
+
+constexpr int kRowHeight = 92;
+constexpr double kSameTarget_K = 1e-6;
+
+QLabel* wrapped(QWidget* parent, const char* name = nullptr) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    if (name != nullptr)
+        label->setObjectName(QString::fromLatin1(name));
+    return label;
+}
+
+void makeBold(QLabel* label, double scale = 1.0) {
+    QFont font = label->font();
+    font.setWeight(QFont::DemiBold);
+    font.setPointSizeF(font.pointSizeF() * scale);
+    label->setFont(font);
+}
+
+QFrame* horizontalLine(QWidget* parent) {
+    auto* line = new QFrame(parent);
+    line->setObjectName("rowLine");
+    line->setFrameShape(QFrame::HLine);
+    line->setFrameShadow(QFrame::Plain);
+    return line;
+}
+
+} // namespace
+
+struct TargetsPage::Row {
+    QLabel* swatch;
+    QLabel* name;
+    QuantitySpinBox* target;
+    ReachBar* bar;
+    QLabel* icon;
+    QLabel* word;
+    QLabel* detail;
+    QPushButton* nearest;
+};
+
+TargetsPage::TargetsPage(QWidget* parent)
+    : QWidget(parent), m_title(new QLabel(this)), m_note(wrapped(this, "targetsNote")),
+      m_jointIcon(new QLabel(this)), m_joint(wrapped(this, "jointVerdict")),
+      m_explanationTitle(new QLabel(this)), m_explanation(wrapped(this)), m_infeasibleTitle(new QLabel(this)),
+      m_infeasible(wrapped(this, "infeasibleNote")) {
+    makeBold(m_title, 1.25);
+    makeBold(m_explanationTitle);
+    makeBold(m_infeasibleTitle);
+
+    auto* joint = new QHBoxLayout;
+    joint->setSpacing(10);
+    joint->addWidget(m_jointIcon, 0, Qt::AlignTop);
+    joint->addWidget(m_joint, 1);
+    auto* words = new QGridLayout;
+    words->setHorizontalSpacing(32);
+    words->addWidget(m_explanationTitle, 0, 0);
+    words->addWidget(m_infeasibleTitle, 0, 1);
+    words->addWidget(m_explanation, 1, 0, Qt::AlignTop);
+    words->addWidget(m_infeasible, 1, 1, Qt::AlignTop);
+    words->setColumnStretch(0, 1);
+    words->setColumnStretch(1, 1);
+
+    auto* content = new QWidget(this);
+    m_table = new QWidget(content);
+    auto* layout = new QVBoxLayout(content);
+    layout->setContentsMargins(18, 14, 18, 14);
+    layout->setSpacing(12);
+    layout->addWidget(m_title);
+    layout->addWidget(m_note);
+    layout->addWidget(m_table);
+    layout->addLayout(joint);
+    layout->addSpacing(10);
+    layout->addLayout(words);
+    layout->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scroll);
+    buildRows();
+}
+
+TargetsPage::~TargetsPage() = default;
+
+void TargetsPage::buildRows() {
+    for (QWidget* old : m_table->findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
+        delete old;
+    delete m_grid;
+    m_rows.clear();
+    m_headers.clear();
+    m_grid = new QGridLayout(m_table);
+    m_grid->setContentsMargins(0, 4, 0, 0);
+    m_grid->setHorizontalSpacing(14);
+    m_grid->setVerticalSpacing(0);
+    for (const int column : {1, 2, 3, 4}) {
+        m_headers.push_back(new QLabel(m_table));
+        m_grid->addWidget(m_headers.back(), 0, column);
+    }
+    m_grid->setColumnStretch(3, 5);
+    m_grid->setColumnStretch(4, 4);
+    m_grid->setColumnMinimumWidth(1, 110);
+    for (std::size_t i = 0; i < m_experiment.objects.size(); ++i)
+        addRow(static_cast<int>(i));
+    m_grid->addWidget(horizontalLine(m_table), 2 * static_cast<int>(m_rows.size()) + 1, 0, 1, 6);
+    m_table->setVisible(!m_rows.empty());
+    showAll();
+}
+
+void TargetsPage::addRow(int index) {
+    const auto row = static_cast<std::size_t>(index);
+    const auto named = [index](QWidget* widget, const char* name) {
+        widget->setObjectName(QString::fromLatin1(name) + QString::number(index));
+    };
+    Row made{new QLabel(m_table),   new QLabel(m_table),     new QuantitySpinBox(m_table),
+             new ReachBar(m_table), new QLabel(m_table),     new QLabel(m_table),
+             wrapped(m_table),      new QPushButton(m_table)};
+    named(made.target, "target");
+    named(made.bar, "reach");
+    named(made.word, "verdict");
+    named(made.detail, "verdictDetail");
+    named(made.nearest, "nearest");
+    makeBold(made.name, 1.1);
+    makeBold(made.word);
+    QFont large = made.target->font();
+    large.setPointSizeF(large.pointSizeF() * 1.2);
+    made.target->setFont(large);
+    made.target->setFocusPolicy(Qt::StrongFocus);
+    made.target->setMinimumWidth(120);
+    made.bar->setSeries(index);
+    made.name->setBuddy(made.target);
+    connect(made.target, &QuantitySpinBox::valueEdited_K, this,
+            [this, row](double target_K) { editTarget(row, target_K); });
+    connect(made.nearest, &QPushButton::clicked, this, [this, row] { useNearest(row); });
+
+    auto* verdict = new QGridLayout;
+    verdict->setSpacing(2);
+    verdict->setHorizontalSpacing(8);
+    verdict->addWidget(made.icon, 1, 0);
+    verdict->addWidget(made.word, 1, 1);
+    verdict->addWidget(made.detail, 2, 1);
+    verdict->setColumnStretch(1, 1);
+    verdict->setRowStretch(0, 1);
+    verdict->setRowStretch(3, 1);
+
+    const int line = 2 * index + 1;
+    m_grid->addWidget(horizontalLine(m_table), line, 0, 1, 6);
+    m_grid->addWidget(made.swatch, line + 1, 0);
+    m_grid->addWidget(made.name, line + 1, 1);
+    m_grid->addWidget(made.target, line + 1, 2);
+    m_grid->addWidget(made.bar, line + 1, 3);
+    m_grid->addLayout(verdict, line + 1, 4);
+    m_grid->addWidget(made.nearest, line + 1, 5);
+    m_grid->setRowMinimumHeight(line + 1, kRowHeight);
+    m_rows.push_back(made);
+}
+
+void TargetsPage::setExperiment(const Experiment& experiment) {
+    const bool sameRows = experiment.objects.size() == m_rows.size();
+    m_experiment = experiment;
+    if (sameRows) {
+        showAll();
+        return;
+    }
+    m_verdicts.clear();
+    buildRows();
+}
+
+void TargetsPage::setVerdicts(const std::vector<TargetVerdict>& verdicts) {
+    m_verdicts = verdicts.size() == m_rows.size() ? verdicts : std::vector<TargetVerdict>{};
+    m_stale = false;
+    showAll();
+}
+
+void TargetsPage::setStale(bool stale) {
+    m_stale = stale;
+    showAll();
+}
+
+void TargetsPage::setEditable(bool editable, const QString& why) {
+    m_editable = editable;
+    m_why = why;
+    showAll();
+}
+
+void TargetsPage::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    showAll();
+}
+
+std::vector<double> TargetsPage::targets_K() const {
+    std::vector<double> targets_K;
+    for (const ObjectSpec& object : m_experiment.objects)
+        targets_K.push_back(object.target_K);
+    return targets_K;
+}
+
+void TargetsPage::editTarget(std::size_t row, double target_K) {
+    if (row >= m_experiment.objects.size() || m_experiment.objects[row].target_K == target_K)
+        return;
+    m_experiment.objects[row].target_K = target_K;
+    showAll();
+    emit targetsEdited(targets_K());
+}
+
+void TargetsPage::useNearest(std::size_t row) {
+    if (row < m_verdicts.size())
+        editTarget(row, nearestReachable_K(m_verdicts[row], m_unit));
+}
+
+bool TargetsPage::rowStale(std::size_t row) const {
+    return m_stale || row >= m_verdicts.size() ||
+           std::abs(m_verdicts[row].target_K - m_experiment.objects[row].target_K) > kSameTarget_K;
+}
+
+void TargetsPage::showRow(std::size_t i) {
+    Row& row = m_rows[i];
+    const ObjectSpec& object = m_experiment.objects[i];
+    const QString name = QString::fromStdString(object.name);
+    const bool dark = isDark(this);
+    const bool stale = rowStale(i);
+    const bool known = i < m_verdicts.size();
+    row.swatch->setPixmap(seriesSwatch(static_cast<int>(i), dark, {26, 14}, devicePixelRatioF()));
+    row.name->setText(name);
+    row.target->setTemperatureUnit(m_unit);
+    row.target->setValue_K(object.target_K);
+    row.target->setEnabled(m_editable);
+    row.target->setToolTip(m_editable ? QString() : m_why);
+    row.target->setAccessibleName(tr("Target of %1").arg(name));
+    row.bar->setTemperatureUnit(m_unit);
+    row.bar->setTarget_K(object.target_K);
+    row.bar->setVerdict(known ? std::optional(m_verdicts[i]) : std::nullopt);
+    row.bar->setStale(stale);
+
+    const FeasibilityVerdict verdict = known ? verdictHere(m_verdicts[i]) : FeasibilityVerdict::Reachable;
+    const bool bad = !stale && verdict != FeasibilityVerdict::Reachable;
+    row.icon->setVisible(bad);
+    row.icon->setPixmap(alarmPixmap(3, dark, 18, devicePixelRatioF()));
+    row.word->setText(stale ? tr("Checking\u2026") : verdictWord(verdict));
+    row.word->setEnabled(!stale);
+    row.detail->setText(stale ? QString() : verdictDetail(m_verdicts[i], m_experiment.environment_K, m_unit));
+    row.detail->setPalette(captionPalette(palette()));
+    row.nearest->setText(tr("Nearest reachable"));
+    row.nearest->setAccessibleName(tr("Set the target of %1 to the nearest reachable one").arg(name));
+    row.nearest->setEnabled(bad && m_editable);
+    row.nearest->setToolTip(
+        bad ? tr("Set the target to %1")
+                  .arg(formatTemperature(nearestReachable_K(m_verdicts[i], m_unit), m_unit))
+            : tr("The target is within reach already."));
+}
+
+void TargetsPage::showAxis() {
+    double low_K = m_experiment.environment_K;
+    double high_K = low_K + 50.0;
+    for (std::size_t i = 0; i < m_verdicts.size(); ++i) {
+        low_K = std::min(low_K, m_verdicts[i].lowest_K);
+        high_K = i == 0 ? m_verdicts[i].highest_K : std::max(high_K, m_verdicts[i].highest_K);
+    }
+    const double margin_K = 0.12 * (high_K - low_K);
+    for (Row& row : m_rows)
+        row.bar->setAxis_K(low_K - margin_K, high_K + margin_K);
+}
+
+void TargetsPage::showJoint() {
+    QStringList unreachable;
+    bool stale = false;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        stale = stale || rowStale(i);
+        if (!rowStale(i) && verdictHere(m_verdicts[i]) != FeasibilityVerdict::Reachable)
+            unreachable << QString::fromStdString(m_experiment.objects[i].name);
+    }
+    m_jointIcon->setVisible(!unreachable.isEmpty());
+    m_jointIcon->setPixmap(alarmPixmap(3, isDark(this), 18, devicePixelRatioF()));
+    if (m_rows.empty())
+        m_joint->setText(tr("There is no object yet. Add one on the Objects page."));
+    else if (!unreachable.isEmpty())
+        m_joint->setText(tr("Cannot be held anywhere in the workspace: %1. A run would end at a compromise.")
+                             .arg(unreachable.join(tr(", ", "between names"))));
+    else if (stale)
+        m_joint->setText(tr("Checking the targets\u2026"));
+    else if (m_rows.size() == 1)
+        m_joint->setText(tr("The target can be held somewhere in the workspace."));
+    else
+        m_joint->setText(
+            tr("Each target alone can be held somewhere in the workspace; whether all can be held "
+               "together is not checked yet."));
+}
+
+void TargetsPage::showAll() {
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        showRow(i);
+    showAxis();
+    showJoint();
+    refreshTexts();
+}
+
+void TargetsPage::refreshTexts() {
+    const QPalette caption = captionPalette(palette());
+    QPalette lines = palette();
+    lines.setColor(QPalette::WindowText, hairline(isDark(this)));
+    for (QFrame* line : m_table->findChildren<QFrame*>(QStringLiteral("rowLine")))
+        line->setPalette(lines);
+    m_title->setText(tr("Targets"));
+    m_note->setText(m_why);
+    m_note->setVisible(!m_editable && !m_why.isEmpty());
+    const std::array<QString, 4> headers{tr("Object"), tr("Target"),
+                                         tr("Can be held here, %1").arg(temperatureUnitSymbol(m_unit)),
+                                         tr("Verdict")};
+    for (std::size_t i = 0; i < m_headers.size(); ++i) {
+        m_headers[i]->setText(headers.at(i));
+        m_headers[i]->setPalette(caption);
+        m_headers[i]->setVisible(!m_rows.empty());
+    }
+    m_explanationTitle->setText(tr("What is checked"));
+    m_explanation->setText(
+        tr("To stay at its target an object must take up as much heat as it gives off. That fixes its view "
+           "factor F, "
+           "the share of its sight that the source fills: near 0 far away, near 1 close to the source and "
+           "facing it. "
+           "A target is reachable if its F occurs somewhere in the robot's workspace with the clearance "
+           "kept. In the "
+           "bars, solid is what can be held here, outlined what the source could hold at F = 1."));
+    m_infeasibleTitle->setText(tr("Starting out of reach"));
+    m_infeasible->setText(tr("A run with a target out of reach needs your explicit agreement at Start. It "
+                             "holds the best compromise it "
+                             "finds, says so, and the session records that you agreed."));
+    m_explanation->setPalette(caption);
+    m_infeasible->setPalette(caption);
+}
+
+void TargetsPage::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        showAll();
+    QWidget::changeEvent(event);
+}
+
+} // namespace bask

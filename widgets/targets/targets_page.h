@@ -1,0 +1,82 @@
+#pragma once
+// The Targets page: a row per object with its target, the range that can be reached, and the verdict in
+// words.
+
+#include "engine/base/units.h"
+#include "engine/control/feasibility.h"
+#include "engine/session/experiment.h"
+
+#include <QWidget>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+
+namespace bask {
+
+class QuantitySpinBox;
+class ReachBar;
+
+/// Setters in, signals out. A verdict counts only for the target it was made for: a row edited since is shown
+/// as stale, as are all between setStale(true) and the next setVerdicts.
+///
+/// Object names for tests, i being the row from 0: "target<i>" (spin box), "reach<i>" (bar), "verdict<i>"
+/// (word), "verdictDetail<i>", "nearest<i>" (button); "jointVerdict", "infeasibleNote", "targetsNote".
+class TargetsPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TargetsPage(QWidget* parent = nullptr);
+    ~TargetsPage() override;
+
+    void setExperiment(const Experiment& experiment);
+    /// One verdict an object, in the experiment's order; another number of them is taken as none.
+    void setVerdicts(const std::vector<TargetVerdict>& verdicts);
+    void setStale(bool stale);
+    /// Targets may be edited during a run too; `why` is shown when they may not.
+    void setEditable(bool editable, const QString& why = {});
+    void setTemperatureUnit(TemperatureUnit unit);
+
+    std::vector<double> targets_K() const;
+
+signals:
+    void targetsEdited(const std::vector<double>& targets_K);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Row;
+    void buildRows();
+    void addRow(int index);
+    void editTarget(std::size_t row, double target_K);
+    void useNearest(std::size_t row);
+    bool rowStale(std::size_t row) const;
+    void showRow(std::size_t row);
+    void showAxis();
+    void showJoint();
+    void showAll();
+    void refreshTexts();
+
+    Experiment m_experiment;
+    std::vector<TargetVerdict> m_verdicts;
+    bool m_stale = true;
+    bool m_editable = true;
+    QString m_why;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+
+    std::vector<Row> m_rows;
+    QWidget* m_table = nullptr;
+    QGridLayout* m_grid = nullptr;
+    std::vector<QLabel*> m_headers;
+    QLabel* m_title;
+    QLabel* m_note;
+    QLabel* m_jointIcon;
+    QLabel* m_joint;
+    QLabel* m_explanationTitle;
+    QLabel* m_explanation;
+    QLabel* m_infeasibleTitle;
+    QLabel* m_infeasible;
+};
+
+} // namespace bask

@@ -1,0 +1,94 @@
+#include "widgets/targets/verdict_text.h"
+
+#include "widgets/common/display.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+constexpr double kSameTemperature_K = 0.01;
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(bask::VerdictText)
+};
+
+/// Two view factors with as many decimals as it takes to tell them apart, at most four.
+struct Pair {
+    QString needed;
+    QString bound;
+};
+Pair viewFactors(double needed, double bound) {
+    int decimals = 2;
+    while (decimals < 4 && std::abs(needed - bound) < std::pow(10.0, -decimals))
+        ++decimals;
+    return {QLocale().toString(needed, 'f', decimals), QLocale().toString(bound, 'f', decimals)};
+}
+
+} // namespace
+
+FeasibilityVerdict verdictHere(const TargetVerdict& v) {
+    if (v.verdict != FeasibilityVerdict::Reachable)
+        return v.verdict;
+    if (v.target_K > v.reachableMax_K + kSameTemperature_K)
+        return FeasibilityVerdict::TooHot;
+    if (v.target_K < v.reachableMin_K - kSameTemperature_K)
+        return FeasibilityVerdict::TooCold;
+    return FeasibilityVerdict::Reachable;
+}
+
+QString verdictWord(FeasibilityVerdict verdict) {
+    switch (verdict) {
+    case FeasibilityVerdict::TooHot:
+        return Words::tr("Too hot");
+    case FeasibilityVerdict::TooCold:
+        return Words::tr("Too cold");
+    case FeasibilityVerdict::Reachable:
+        break;
+    }
+    return Words::tr("Reachable");
+}
+
+QString verdictDetail(const TargetVerdict& v, double environment_K, TemperatureUnit unit) {
+    switch (verdictHere(v)) {
+    case FeasibilityVerdict::TooHot: {
+        const Pair f = viewFactors(v.neededViewFactor, v.reachableMax_F);
+        return Words::tr("needs F = %1, at most %2 here; at most %3")
+            .arg(f.needed, f.bound, formatTemperature(v.reachableMax_K, unit));
+    }
+    case FeasibilityVerdict::TooCold: {
+        if (v.target_K < v.lowest_K && std::abs(v.lowest_K - environment_K) < kSameTemperature_K)
+            return Words::tr("below the room's %1").arg(formatTemperature(environment_K, unit));
+        if (v.target_K < v.lowest_K)
+            return Words::tr("below the %1 it settles at far from the source")
+                .arg(formatTemperature(v.lowest_K, unit));
+        const Pair f = viewFactors(v.neededViewFactor, v.reachableMin_F);
+        return Words::tr("needs F = %1, at least %2 here; at least %3")
+            .arg(f.needed, f.bound, formatTemperature(v.reachableMin_K, unit));
+    }
+    case FeasibilityVerdict::Reachable:
+        break;
+    }
+    const Pair f = viewFactors(v.neededViewFactor, v.reachableMax_F);
+    return Words::tr("needs F = %1, up to %2 here").arg(f.needed, f.bound);
+}
+
+double nearestReachable_K(const TargetVerdict& v, TemperatureUnit unit) {
+    const auto tenths = [unit](double t_K) { return displayTemperature(t_K, unit) * 10.0; };
+    switch (verdictHere(v)) {
+    case FeasibilityVerdict::TooHot:
+        return kelvinFromDisplay(std::floor(tenths(v.reachableMax_K)) / 10.0, unit);
+    case FeasibilityVerdict::TooCold:
+        return kelvinFromDisplay(std::ceil(tenths(std::max(v.reachableMin_K, v.lowest_K)) - 1e-9) / 10.0,
+                                 unit);
+    case FeasibilityVerdict::Reachable:
+        break;
+    }
+    return v.target_K;
+}
+
+} // namespace bask

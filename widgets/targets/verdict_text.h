@@ -1,0 +1,23 @@
+#pragma once
+// The first feasibility condition of one target in words, and the nearest target that meets it.
+
+#include "engine/base/units.h"
+#include "engine/control/feasibility.h"
+
+#include <QString>
+
+namespace bask {
+
+/// What a verdict amounts to inside the workspace; a target within the source's range may still lie outside
+/// it.
+FeasibilityVerdict verdictHere(const TargetVerdict& verdict);
+
+QString verdictWord(FeasibilityVerdict verdict); ///< "Reachable", "Too hot", "Too cold"
+/// "needs F = 0.16, up to 0.93 here". `environment_K` names the room where it is the bound.
+QString verdictDetail(const TargetVerdict& verdict, double environment_K, TemperatureUnit unit);
+
+/// The target itself if it is reachable, else the bound of the reachable range, rounded inwards to a tenth in
+/// the unit shown so that what is displayed is reachable too. K.
+double nearestReachable_K(const TargetVerdict& verdict, TemperatureUnit unit);
+
+} // namespace bask
