@@ -56,19 +56,15 @@ enum class MessageCode {
     FormatUnknown,        ///< %1 extension, %2 known
     // View factor
     SourceKindUnsupported, ///< %1 kind
-    ShapeKindUnsupported,  ///< %1 kind
     // Session file
     NotASession,    ///< no args
     SessionDamaged, ///< %1 database's words
     SessionBusy,    ///< %1 words
-    SessionNoRun,   ///< no args
     // Rig: reasons for not being ready, faults
     ReasonNoExperiment,     ///< no args
     ReasonEstimatorFilling, ///< %1 samples so far, %2 needed
-    ReasonNotZeroed,        ///< no args
     ReasonNotAtAmbient,     ///< %1 degC expected
     ReasonHeldByOperator,
-    ReasonZeroing,          ///< %1 samples so far, %2 needed
     ReasonTargetInfeasible, ///< %1 object
     ReasonSensorStale,      ///< %1 object, %2 age s
     ReasonSensorInvalid,    ///< %1 object
@@ -78,7 +74,6 @@ enum class MessageCode {
     ReasonEmergencyStop,    ///< no args
     ReasonRecorderFailed,   ///< %1 words
     ReasonInternalFault,    ///< %1 words
-    ReasonSourceNotWarm,    ///< no args
     // Events of a run
     EventArmed,
     EventStarted,
@@ -94,8 +89,6 @@ enum class MessageCode {
     EventZeroed,
     EventFault,      ///< %1 words
     EventCompromise, ///< %1 words: objects with residuals
-    EventLimitReached,
-    EventInterrupted,
     EventSensorBack, ///< %1 object
     // Commands refused
     CommandNotNow, ///< %1 command, %2 state

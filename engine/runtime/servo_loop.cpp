@@ -129,6 +129,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_compromise.clear();
     m_compromiseTold = false;
     m_outcome.clear();
+    m_sensorLost.assign(m_sensors.size(), false);
     ControlModel model;
     model.geometry = m_geometry;
     model.believed =

@@ -101,7 +101,8 @@ private:
     std::unique_ptr<Controller> m_controller;
 
     RunState m_state = RunState::NotReady;
-    std::vector<Message> m_faults; ///< latched
+    std::vector<Message> m_faults;  ///< latched
+    std::vector<bool> m_sensorLost; ///< at the last sample of the run
     bool m_heldBySensor = false;
     double m_heldSince_s = 0.0;
     double m_withinBandSince_s = 0.0;

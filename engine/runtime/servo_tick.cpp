@@ -89,8 +89,13 @@ void ServoLoop::watchSensors() {
     if (m_state == RunState::Stopping)
         return;
     bool lost = false;
-    for (std::size_t i = 0; i < m_sensors.size(); ++i)
-        lost = lost || !m_sensors.fresh(i, m_clock.now_s());
+    for (std::size_t i = 0; i < m_sensors.size(); ++i) {
+        const bool fresh = m_sensors.fresh(i, m_clock.now_s());
+        if (fresh && m_sensorLost[i])
+            event(MessageCode::EventSensorBack, {m_experiment.objects[i].name});
+        m_sensorLost[i] = !fresh;
+        lost = lost || !fresh;
+    }
     if (lost && m_state != RunState::Holding) {
         (void)hold();
         m_heldBySensor = true;

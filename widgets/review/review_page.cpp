@@ -36,8 +36,6 @@ EventKind kindOf(MessageCode code) {
     case MessageCode::EventFault:
     case MessageCode::EventEmergencyStop:
         return EventKind::Alarm1;
-    case MessageCode::EventInterrupted:
-        return EventKind::Alarm2;
     case MessageCode::EventNotSettled:
     case MessageCode::EventCompromise:
         return EventKind::Alarm3;

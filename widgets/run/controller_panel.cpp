@@ -150,7 +150,7 @@ void ControllerPanel::retranslateUi() {
     m_choice->setItemData(0, tr("Moves to the view factor each object needs; learns the rates on the way."),
                           Qt::ToolTipRole);
     m_choice->setItemData(
-        1, tr("The paper's law with known heat rates: dv/dt = \u2212D v \u2212 K \u0394\u03c4."),
+        1, tr("The paper's law with known heat rates: dv/dt = −D v \u2212 K \u0394\u03c4."),
         Qt::ToolTipRole);
     m_choice->setItemData(2, tr("The paper's law with adapted heat rates."), Qt::ToolTipRole);
 
@@ -160,8 +160,8 @@ void ControllerPanel::retranslateUi() {
         {tr("Time constant"), tr("s"),
          tr("Wanted rate = error / time constant: shorter is faster and rougher.")},
         {tr("Integral time"), tr("s"), tr("Of the slow integral action near the target.")},
-        {tr("Damping D"), tr("1/s"), tr("dv/dt = \u2212D v \u2212 K \u0394\u03c4")},
-        {tr("Stiffness K"), tr("1/s\u00b2"), tr("dv/dt = \u2212D v \u2212 K \u0394\u03c4")},
+        {tr("Damping D"), tr("1/s"), tr("dv/dt = −D v \u2212 K \u0394\u03c4")},
+        {tr("Stiffness K"), tr("1/s\u00b2"), tr("dv/dt = −D v \u2212 K \u0394\u03c4")},
         {tr("Weight of the error \u03bc"), tr("1/s"), tr("\u03b6 = v + \u03bc \u0394\u03c4")},
         {tr("Feedback K"), tr("1/K"), tr("Of \u03b6 in the velocity command")},
         {tr("Adaptation \u03b3\u2081"), tr("s\u00b3/K\u00b3"),

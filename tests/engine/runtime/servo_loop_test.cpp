@@ -144,6 +144,7 @@ TEST_F(ServoLoopTest, ASensorThatComesBackAllowsResume) {
     rig.simulatedThermometer().setLost(0, false);
     periods(2);
     EXPECT_EQ(loop.state(), RunState::Holding); // never by itself
+    EXPECT_TRUE(eventSeen(MessageCode::EventSensorBack));
     EXPECT_TRUE(loop.resume());
 }
 

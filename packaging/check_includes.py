@@ -1,0 +1,289 @@
+#!/usr/bin/env python3
+"""Checks every #include of engine/, widgets/ and app/ against the table of ARCHITECTURE.md.
+
+Prints `file:line: rule: what is wrong` for each violation and exits 1 if there is one, 2 if it cannot run.
+`--root DIR` checks another tree of the same layout.
+"""
+
+import argparse
+import re
+import sys
+from pathlib import Path
+
+SOURCE_SUFFIXES = {".h", ".hpp", ".cpp", ".cc", ".cxx"}
+HEADER_SUFFIXES = {".h", ".hpp"}
+
+# Folder -> folders whose headers it may include besides its own.
+ENGINE = {
+    "base": set(),
+    "shape": {"base"},
+    "radiation": {"shape", "base"},
+    "thermal": {"shape", "base"},
+    "control": {"radiation", "thermal", "shape", "base"},
+    "devices": {"base"},
+    "simulation": {"devices", "radiation", "thermal", "shape", "base"},
+    "session": {"control", "thermal", "shape", "base"},
+    "runtime": {"simulation", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
+}
+
+# Engine headers that widgets and the window may see: values, never devices, simulation or the worker.
+VALUE_FOLDERS = {"base", "shape", "radiation"}
+VALUE_HEADERS = {
+    "engine/thermal/heat_balance.h",
+    "engine/control/controller_settings.h",
+    "engine/control/feasibility.h",
+    "engine/control/rig_geometry.h",
+    "engine/control/robot_limits.h",
+    "engine/session/experiment.h",
+    "engine/session/session_file.h",
+    "engine/session/trace.h",
+    "engine/runtime/command.h",
+    "engine/runtime/snapshot.h",
+}
+# Widget folders that pages build on; a page never includes another page.
+WIDGETS = {
+    "common": set(),
+    "plots": {"common"},
+    "scene": {"common"},
+    "objects": {"common", "plots", "scene"},
+    "targets": {"common", "plots", "scene"},
+    "run": {"common", "plots", "scene"},
+    "review": {"common", "plots", "scene"},
+}
+# app/commands sees the whole engine; the rest of app sees the widgets, the value headers and these engine folders.
+APP_ENGINE_FOLDERS = {"runtime", "session", "base"}
+
+# QtCore and QtSql, which the engine may use where QT_IN_ENGINE allows it. Everything else of Qt is refused there.
+QT_CORE_AND_SQL = set("""
+QAbstractEventDispatcher QAtomicInt QAtomicInteger QByteArray QChar QCoreApplication QCryptographicHash QDate QDateTime
+QDeadlineTimer QDebug QDir QElapsedTimer QEvent QEventLoop QFile QFileDevice QFileInfo QFlags QGlobalStatic QHash
+QIODevice QList QLocale QLockFile QMap QMetaObject QMetaType QMutex QMutexLocker QObject QPair QPointer QRegularExpression
+QSaveFile QScopeGuard QScopedPointer QSemaphore QSet QSharedPointer QStandardPaths QString QStringBuilder QStringList
+QStringView QSysInfo QTemporaryDir QTemporaryFile QTextStream QThread QTime QTimeZone QTimer QUrl QUuid QVariant QVariantList
+QVariantMap QVector QWaitCondition QWeakPointer QtGlobal QtNumeric
+QSqlDatabase QSqlDriver QSqlError QSqlField QSqlIndex QSqlQuery QSqlRecord QSqlResult
+""".split())
+QT_MODULES_IN_ENGINE = {"QtCore", "QtSql"}
+
+
+def is_value_header(target, parts):
+    return parts[1] in VALUE_FOLDERS or target in VALUE_HEADERS
+
+
+def qt_in_engine(path):
+    """Session's sources (SQLite) and runtime's worker and job runner are the only Qt users of the engine."""
+    name = path.name
+    if path.parts[:2] == ("engine", "session"):
+        return path.suffix not in HEADER_SUFFIXES
+    if path.parts[:2] == ("engine", "runtime"):
+        return name.startswith(("engine_worker", "job_runner"))
+    return False
+
+
+OPENCV_FOLDERS = {("engine", "shape")}
+VTK_FOLDERS = {("widgets", "scene")}
+QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
+SYSTEM_HEADER = re.compile(r"(unistd|fcntl|signal|pthread|immintrin|sched|errno|termios|poll)\.h|sys/[a-z_]+\.h")
+
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+QT_NAME = re.compile(r"\bQ(?:t(?=::)|[A-Z]\w*)")
+ENGINE_HEADER_TYPES = [
+    (re.compile(r"\bcv::"), "an OpenCV type"),
+    (re.compile(r"\bvtk[A-Z]\w*"), "a VTK type"),
+    (re.compile(r"\bnlohmann::"), "a JSON library's type"),
+    (re.compile(r"\bsqlite3\w*"), "an SQLite type"),
+]
+
+
+def without_comments_and_strings(text):
+    """The text with comments and string literals blanked, line numbers kept; #include lines stay whole."""
+    pattern = re.compile(
+        r'(?P<keep>^[ \t]*#[ \t]*include[^\n]*)|(?P<drop>//[^\n]*|/\*.*?\*/|R"\((?:.*?)\)"|"(?:\\.|[^"\\\n])*")',
+        re.DOTALL | re.MULTILINE)
+
+    def replace(match):
+        if match.group("keep") is not None:
+            return match.group("keep").split("//")[0]
+        return "\n" * match.group("drop").count("\n")
+
+    return pattern.sub(replace, text)
+
+
+class Checker:
+    def __init__(self, root):
+        self.root = root
+        self.problems = []
+        self.files = 0
+
+    def report(self, path, line, rule, words):
+        self.problems.append((path.as_posix(), line, rule, words))
+
+    def check_tree(self):
+        for top in ("engine", "widgets", "app"):
+            for file in sorted((self.root / top).rglob("*")):
+                if file.suffix in SOURCE_SUFFIXES and file.is_file():
+                    self.check_file(file)
+        self.problems.sort()
+
+    def check_file(self, file):
+        path = file.relative_to(self.root)
+        self.files += 1
+        text = file.read_text(encoding="utf-8", errors="replace")
+        if not self.folder_known(path):
+            return
+        code = without_comments_and_strings(text)
+        for number, line in enumerate(code.splitlines(), 1):
+            match = INCLUDE.match(line)
+            if match and match.group(1) == '"':
+                self.check_project_include(path, number, match.group(2))
+            elif match:
+                self.check_library_include(path, number, match.group(2))
+            elif path.parts[0] == "engine":
+                self.check_engine_line(path, number, line)
+
+    def folder_known(self, path):
+        top, folder = path.parts[0], path.parts[1]
+        known = {"engine": ENGINE, "widgets": WIDGETS}.get(top)
+        if known is not None and (len(path.parts) < 3 or folder not in known):
+            self.report(path, 1, "folder", f"{top}/{folder} is not in the table of packaging/check_includes.py")
+            return False
+        return True
+
+    # -- the project's own headers -------------------------------------------------------------------------------
+
+    def check_project_include(self, path, line, target):
+        if target.endswith(".moc") or Path(target).name.startswith(("ui_", "moc_")):
+            return
+        parts = Path(target).parts
+        if parts[0] == "tests":
+            self.report(path, line, "tests", f'"{target}": nothing but tests includes tests')
+            return
+        if parts[0] not in ("engine", "widgets", "app") or ".." in parts or len(parts) < 2:
+            self.report(path, line, "root", f'"{target}": write project includes from the repository\'s root, '
+                                            "libraries in <>")
+            return
+        if not (self.root / target).is_file():
+            self.report(path, line, "missing", f'"{target}" does not exist')
+            return
+        reason = self.refusal(path, target, parts)
+        if reason:
+            self.report(path, line, "folder", f'"{target}": {reason}')
+
+    def refusal(self, path, target, parts):
+        """Why `path` may not include `target`, or None."""
+        return {"engine": self.engine_refusal, "widgets": self.widgets_refusal,
+                "app": self.app_refusal}[path.parts[0]](path, target, parts)
+
+    @staticmethod
+    def engine_refusal(path, _target, parts):
+        folder = path.parts[1]
+        if parts[0] != "engine":
+            return f"the engine never includes {parts[0]}/"
+        if parts[1] != folder and parts[1] not in ENGINE[folder]:
+            allowed = ", ".join(sorted(ENGINE[folder])) or "nothing else of the project"
+            return f"engine/{folder} may include {allowed}"
+        return None
+
+    @staticmethod
+    def widgets_refusal(path, target, parts):
+        folder = path.parts[1]
+        if parts[0] == "app":
+            return "widgets never include app/"
+        if parts[0] == "widgets":
+            if parts[1] != folder and parts[1] not in WIDGETS[folder]:
+                allowed = ", ".join(sorted(WIDGETS[folder])) or "no other widgets"
+                return f"widgets/{folder} may include {allowed}"
+            return None
+        return None if is_value_header(target, parts) else "widgets see the engine's value headers only"
+
+    @staticmethod
+    def app_refusal(path, target, parts):
+        in_commands = len(path.parts) > 2 and path.parts[1] == "commands"
+        if parts[0] == "app":
+            return None
+        if in_commands:
+            return None if parts[0] == "engine" else "app/commands never includes widgets"
+        if parts[0] == "widgets" or parts[1] in APP_ENGINE_FOLDERS or is_value_header(target, parts):
+            return None
+        return ("app outside of commands may include " + ", ".join(sorted(APP_ENGINE_FOLDERS))
+                + " and the value headers of the engine")
+
+    # -- libraries -----------------------------------------------------------------------------------------------
+
+    def check_library_include(self, path, line, target):
+        home = tuple(path.parts[:2])
+        header = path.suffix in HEADER_SUFFIXES
+        name = f"<{target}>"
+        if target.startswith(("engine/", "widgets/", "app/", "tests/")):
+            self.report(path, line, "root", f"{name}: project includes are written in quotes")
+        elif target.startswith("opencv2/") or target == "opencv.hpp":
+            if home not in OPENCV_FOLDERS or header:
+                self.report(path, line, "opencv", f"{name}: OpenCV only in the .cpp files of engine/shape")
+        elif re.match(r"vtk[A-Z]", target) or target.startswith("QVTK"):
+            if home not in VTK_FOLDERS:
+                self.report(path, line, "vtk", f"{name}: VTK only in widgets/scene")
+        elif target == "qcustomplot.h":
+            if home not in QCUSTOMPLOT_FOLDERS:
+                self.report(path, line, "qcustomplot", f"{name}: QCustomPlot only in widgets/plots")
+        elif target.startswith("nlohmann/"):
+            forward = target == "nlohmann/json_fwd.hpp" and home == ("app", "commands")
+            if header and not forward:
+                self.report(path, line, "json", f"{name}: the JSON library only in .cpp files")
+        elif re.match(r"Q([A-Z]|t)", target):
+            self.check_qt_include(path, line, target)
+        elif not self.always_allowed(target):
+            self.report(path, line, "library", f"{name}: not a library of ARCHITECTURE.md")
+
+    @staticmethod
+    def always_allowed(target):
+        standard = re.fullmatch(r"[a-z_0-9]+", target)
+        eigen = target.startswith("Eigen/")
+        return bool(standard or eigen or SYSTEM_HEADER.fullmatch(target))
+
+    def check_qt_include(self, path, line, target):
+        if path.parts[0] == "app" and len(path.parts) > 2 and path.parts[1] == "commands":
+            module, _, name = target.rpartition("/")
+            if name.startswith(("QApplication", "QGuiApplication", "QWidget")) or module in ("QtGui", "QtWidgets"):
+                self.report(path, line, "qt", f"<{target}>: subcommands run without a display")
+            return
+        if path.parts[0] != "engine":
+            return
+        if not qt_in_engine(path):
+            self.report(path, line, "qt", f"<{target}>: Qt in the engine only in session's .cpp files and "
+                                          "runtime's worker")
+            return
+        module, _, name = target.rpartition("/")
+        if (module and module not in QT_MODULES_IN_ENGINE) or name not in QT_CORE_AND_SQL | QT_MODULES_IN_ENGINE:
+            self.report(path, line, "qt", f"<{target}>: the engine uses QtCore and QtSql only")
+
+    def check_engine_line(self, path, line, text):
+        if path.suffix not in HEADER_SUFFIXES:
+            return
+        for pattern, what in ENGINE_HEADER_TYPES:
+            match = pattern.search(text)
+            if match:
+                self.report(path, line, "type", f"{match.group(0)}: {what} in an engine header")
+        if not qt_in_engine(path):
+            match = QT_NAME.search(text)
+            if match:
+                self.report(path, line, "type", f"{match.group(0)}: a Qt type in an engine header")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--root", type=Path, default=Path(__file__).resolve().parent.parent)
+    arguments = parser.parse_args()
+    if not (arguments.root / "engine").is_dir():
+        print(f"{arguments.root}: no engine/ folder here", file=sys.stderr)
+        return 2
+    checker = Checker(arguments.root.resolve())
+    checker.check_tree()
+    for path, line, rule, words in checker.problems:
+        print(f"{path}:{line}: {rule}: {words}")
+    count = len(checker.problems)
+    print(f"include check: {checker.files} files, {count} violation{'' if count == 1 else 's'}", file=sys.stderr)
+    return 1 if count else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
