@@ -1,6 +1,5 @@
 #include "engine/base/pose.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -30,7 +29,7 @@ Vector6d coordinatesFromPose(const Pose& X) {
     Vector6d q;
     q.head<3>() = X.translation();
     q[kThetaX] = std::atan2(R(2, 1), R(2, 2));
-    q[kThetaY] = std::asin(std::clamp(-R(2, 0), -1.0, 1.0));
+    q[kThetaY] = std::atan2(-R(2, 0), std::hypot(R(0, 0), R(1, 0)));
     q[kThetaZ] = std::atan2(R(1, 0), R(0, 0));
     return q;
 }

@@ -186,16 +186,7 @@ void EngineWorker::record() {
         return;
     LoopRecord rows = m_session->loop.takeRecord();
     if (m_writer) {
-        Result<void> result;
-        const auto addAll = [&](const auto& list) {
-            for (const auto& row : list)
-                if (result.ok())
-                    result = m_writer->add(row);
-        };
-        addAll(rows.samples);
-        addAll(rows.events);
-        addAll(rows.notes);
-        addAll(rows.commands);
+        const Result<void> result = write(rows, *m_writer);
         if (!result) {
             m_writer.reset();
             m_session->loop.fault({MessageCode::ReasonRecorderFailed, {describe(result.error())}});

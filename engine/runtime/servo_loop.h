@@ -7,10 +7,10 @@
 #include "engine/devices/heat_source.h"
 #include "engine/devices/robot.h"
 #include "engine/devices/thermometer.h"
+#include "engine/runtime/loop_record.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/session/experiment.h"
-#include "engine/session/session_file.h"
 
 #include <functional>
 #include <memory>
@@ -26,14 +26,6 @@ struct RigDevices {
     HeatSource& source;
     /// The plant's own temperatures, K, where the rig is simulated; empty function otherwise.
     std::function<std::vector<double>()> truth;
-};
-
-/// What happened since it was last taken; nothing is dropped.
-struct LoopRecord {
-    std::vector<TraceSample> samples;
-    std::vector<TraceEvent> events;
-    std::vector<TraceNote> notes;
-    std::vector<CommandRow> commands;
 };
 
 /// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal

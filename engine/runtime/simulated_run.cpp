@@ -32,22 +32,6 @@ private:
     std::vector<std::optional<double>> m_since_s;
 };
 
-Result<void> record(SessionWriter* writer, const LoopRecord& rows) {
-    if (!writer)
-        return {};
-    Result<void> result;
-    const auto addAll = [&](const auto& list) {
-        for (const auto& row : list)
-            if (result.ok())
-                result = writer->add(row);
-    };
-    addAll(rows.samples);
-    addAll(rows.events);
-    addAll(rows.notes);
-    addAll(rows.commands);
-    return result;
-}
-
 /// Advances rig and loop together by whole periods.
 class Drive {
 public:
@@ -99,8 +83,9 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     TraceSample last;
     while (true) {
         LoopRecord rows = loop.takeRecord();
-        if (const auto written = record(writer.get(), rows); !written)
-            return written.error();
+        if (writer)
+            if (const auto written = write(rows, *writer); !written)
+                return written.error();
         for (const TraceSample& sample : rows.samples) {
             watch.add(sample);
             last = sample;

@@ -1,0 +1,21 @@
+#pragma once
+// Rows that a servo loop has made since they were last taken, and their way into the session file.
+
+#include "engine/session/session_file.h"
+#include "engine/session/trace.h"
+
+#include <vector>
+
+namespace bask {
+
+struct LoopRecord {
+    std::vector<TraceSample> samples;
+    std::vector<TraceEvent> events;
+    std::vector<TraceNote> notes;
+    std::vector<CommandRow> commands;
+};
+
+/// Adds all rows, in the order of their kinds; stops at the first failure.
+Result<void> write(const LoopRecord& rows, SessionWriter& writer);
+
+} // namespace bask

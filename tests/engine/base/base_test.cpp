@@ -1,0 +1,101 @@
+#include "engine/base/clock.h"
+#include "engine/base/pose.h"
+#include "engine/base/result.h"
+#include "engine/base/units.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+#include <stdexcept>
+#include <string>
+
+namespace bask {
+
+TEST(Units, TemperaturesGoThereAndBack) {
+    for (const auto unit : {TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit})
+        EXPECT_NEAR(kelvinFromDisplay(displayTemperature(313.15, unit), unit), 313.15, 1e-9);
+    EXPECT_NEAR(displayTemperature(313.15, TemperatureUnit::Fahrenheit), 104.0, 1e-9);
+    EXPECT_NEAR(displayDifference(0.5, TemperatureUnit::Fahrenheit), 0.9, 1e-12); // no offset in a difference
+}
+
+TEST(Pose, CoordinatesAreRzRyRx) {
+    Vector6d q = Vector6d::Zero();
+    q.tail<3>() = Eigen::Vector3d(0.3, -0.4, 1.1);
+    const Eigen::Matrix3d R =
+        (Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitZ()) *
+         Eigen::AngleAxisd(-0.4, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()))
+            .toRotationMatrix();
+    EXPECT_LT((poseFromCoordinates(q).linear() - R).norm(), 1e-15);
+}
+
+TEST(Pose, CoordinatesComeBackAlsoNearTheSingularTilt) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> u(-1.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        Vector6d q;
+        q << u(random), u(random), u(random), 3.0 * u(random), 1.57 * u(random), 3.0 * u(random);
+        EXPECT_LT((coordinatesFromPose(poseFromCoordinates(q)) - q).norm(), 1e-9) << q.transpose();
+    }
+}
+
+TEST(Pose, RotationAxesAreTheAngularVelocitiesOfTheAngles) {
+    Vector6d q = Vector6d::Zero();
+    q.tail<3>() = Eigen::Vector3d(0.3, -0.4, 1.1);
+    const Eigen::Matrix3d axes = rotationAxes(q);
+    for (int k = 0; k < 3; ++k) {
+        Vector6d next = q;
+        next[3 + k] += 1e-7;
+        const Eigen::Matrix3d turn =
+            poseFromCoordinates(next).linear() * poseFromCoordinates(q).linear().transpose();
+        const Eigen::AngleAxisd rotation(turn);
+        EXPECT_LT((rotation.angle() * rotation.axis() / 1e-7 - axes.col(k)).norm(), 1e-5);
+    }
+}
+
+TEST(Pose, RotationVectorOfZeroLengthIsTheIdentity) {
+    const Pose X = poseFromRotationVector(Eigen::Vector3d(1.0, 2.0, 3.0), Eigen::Vector3d::Zero());
+    EXPECT_TRUE(X.linear().isIdentity());
+    EXPECT_EQ(X.translation(), Eigen::Vector3d(1.0, 2.0, 3.0));
+}
+
+TEST(Result, ReadingTheWrongSideIsABrokenContract) {
+    const Result<int> good = 7;
+    const Result<int> bad = Error(MessageCode::FileNotFound, "x.json");
+    EXPECT_EQ(good.value(), 7);
+    EXPECT_THROW((void)good.error(), std::logic_error);
+    EXPECT_THROW((void)bad.value(), std::logic_error);
+}
+
+TEST(Message, SaysWhereWhatAndWhatToDo) {
+    EXPECT_EQ(describe(Error(MessageCode::FileNotFound, "x.json")),
+              "x.json: there is no such file; check the path");
+    EXPECT_EQ(describe(Message{MessageCode::TargetCountWrong, {"2", "3"}}), "2 targets given for 3 objects");
+    EXPECT_EQ(describe(Message{MessageCode::TargetCountWrong, {}}),
+              " targets given for  objects"); // missing arguments are harmless
+}
+
+TEST(Message, EveryCodeHasASentenceAndAUniqueName) {
+    std::set<std::string> names;
+    int i = 0;
+    for (;; ++i) {
+        const auto code = static_cast<MessageCode>(i);
+        if (messageCodeFromName(messageName(code)) != code)
+            break;
+        EXPECT_TRUE(names.insert(messageName(code)).second);
+        EXPECT_TRUE(i == 0 || messageTemplate(code)[0] != '\0') << messageName(code);
+    }
+    // The last code of the enumeration: a code without an entry would end the walk before it.
+    EXPECT_EQ(i - 1, static_cast<int>(MessageCode::SessionAlreadyRunning));
+}
+
+TEST(Clock, RunsForwardOnly) {
+    ManualClock clock;
+    clock.advance(1.0);
+    clock.advanceTo(3.0);
+    EXPECT_EQ(clock.now_s(), 3.0);
+    EXPECT_THROW(clock.advance(-0.1), std::logic_error);
+    EXPECT_THROW(clock.advanceTo(2.0), std::logic_error);
+}
+
+} // namespace bask
