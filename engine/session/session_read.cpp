@@ -3,6 +3,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 
 #include <nlohmann/json.hpp>
 
@@ -246,6 +247,17 @@ Result<void> copySession(const std::string& from, const std::string& to) {
     if (!copied)
         QFile::remove(part);
     return copied;
+}
+
+std::vector<TraceSample> SessionRecord::controlledSamples() const {
+    const auto stop = std::ranges::find_if(events, [](const TraceEvent& event) {
+        return event.message.code == MessageCode::EventStopped ||
+               event.message.code == MessageCode::EventEmergencyStop;
+    });
+    std::vector<TraceSample> out = samples;
+    if (stop != events.end())
+        std::erase_if(out, [&](const TraceSample& sample) { return sample.time_s > stop->time_s; });
+    return out;
 }
 
 } // namespace bask

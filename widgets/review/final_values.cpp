@@ -24,18 +24,19 @@ enum Column { kName, kTarget, kFinal, kError, kSettling, kColumns };
 
 std::vector<FinalValue> finalValues(const SessionRecord& session) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+    const std::vector<TraceSample> samples = session.controlledSamples();
     std::vector<FinalValue> values;
     for (std::size_t i = 0; i < session.experiment.objects.size(); ++i) {
         FinalValue value{
             QString::fromStdString(session.experiment.objects[i].name), kUnknown, kUnknown, false, {}};
-        if (!session.samples.empty() && i < session.samples.back().objects.size()) {
-            const ObjectSample& last = session.samples.back().objects[i];
+        if (!samples.empty() && i < samples.back().objects.size()) {
+            const ObjectSample& last = samples.back().objects[i];
             value.target_K = last.target_K;
             value.isTrue = std::isfinite(last.true_K);
             value.final_K = value.isTrue                      ? last.true_K
                             : std::isfinite(last.estimated_K) ? last.estimated_K
                                                               : last.measured_K;
-            value.settling_s = settlingTime_s(session.samples, i);
+            value.settling_s = settlingTime_s(samples, i);
         }
         values.push_back(value);
     }
@@ -80,8 +81,9 @@ void FinalValuesTable::refresh() {
                                allTrue ? tr("Final, true") : tr("Final, estimated"), tr("Error"),
                                tr("Settled after")});
     horizontalHeaderItem(kName)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    horizontalHeaderItem(kFinal)->setToolTip(allTrue ? tr("The simulated plant's own temperature at the end")
-                                                     : tr("The estimate from the sensor at the end"));
+    horizontalHeaderItem(kFinal)->setToolTip(
+        allTrue ? tr("The simulated plant's own temperature when the run was stopped")
+                : tr("The estimate from the sensor when the run was stopped"));
     horizontalHeaderItem(kSettling)->setToolTip(
         tr("Time from which the object stays within %1 of its target until the end")
             .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, m_unit).mid(1)));

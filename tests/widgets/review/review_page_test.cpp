@@ -124,6 +124,20 @@ TEST_F(ReviewPageTest, FinalValuesPerObject) {
     EXPECT_EQ(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(2)->text(), "Final, true");
 }
 
+// Catches the cool-down after Stop taken for the run's end.
+TEST_F(ReviewPageTest, FinalValuesAreThoseAtStop) {
+    SessionRecord session = record();
+    TraceSample retreated = session.samples.back();
+    retreated.time_s += 20.0;
+    for (ObjectSample& object : retreated.objects)
+        object.true_K -= 8.0;
+    session.events.push_back({session.samples.back().time_s, {MessageCode::EventStopped, {}}});
+    session.samples.push_back(retreated);
+    page.setSession(session, sentences());
+    EXPECT_EQ(cell(0, 3), "0.00 K");
+    EXPECT_EQ(cell(0, 4), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
+}
+
 // Catches a real rig's estimate shown as the truth.
 TEST_F(ReviewPageTest, WithoutATruthTheEstimateCounts) {
     SessionRecord session = record();
