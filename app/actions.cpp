@@ -1,0 +1,324 @@
+#include "app/actions.h"
+
+#include "app/examples.h"
+#include "app/icons.h"
+#include "app/language.h"
+
+#include <QActionGroup>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMenuBar>
+
+namespace bask {
+namespace {
+
+constexpr std::array kVerbNames{"arm", "start", "hold", "resume", "stop", "emergencyStop", "reset"};
+constexpr std::array kVerbIcons{"arm", "start", "hold", "resume", "stop", "", "reset"};
+constexpr std::array kPageNames{"objects", "targets", "run", "review"};
+constexpr std::array kUnits{TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit};
+constexpr std::array kUnitNames{"celsius", "kelvin", "fahrenheit"};
+constexpr std::array kThemes{Theme::System, Theme::Light, Theme::Dark};
+constexpr std::array kThemeNames{"system", "light", "dark"};
+
+/// Names of files and objects are shown as they are: no mnemonics in them.
+QString plain(QString text) {
+    return text.replace(u'&', QStringLiteral("&&"));
+}
+
+} // namespace
+
+bool allows(RunState state, Verb verb) {
+    switch (verb) {
+    case Verb::Arm:
+        return state == RunState::Ready || state == RunState::Stopped;
+    case Verb::Start:
+        return state == RunState::Armed;
+    case Verb::Hold:
+        return state == RunState::Running || state == RunState::Settled;
+    case Verb::Resume:
+        return state == RunState::Holding;
+    case Verb::Stop:
+        return state == RunState::Armed || state == RunState::Running || state == RunState::Holding ||
+               state == RunState::Settled;
+    case Verb::EmergencyStop:
+        return true;
+    case Verb::Reset:
+        return state == RunState::Fault;
+    }
+    return false;
+}
+
+bool allowsEdits(RunState state) {
+    return state == RunState::Idle || state == RunState::NotReady || state == RunState::Ready ||
+           state == RunState::Stopped || state == RunState::Fault;
+}
+
+Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
+    newExperiment = make("newExperiment", QKeySequence::New);
+    open = make("open", QKeySequence::Open);
+    save = make("save", QKeySequence::Save);
+    saveAs = make("saveAs", QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    saveSession = make("saveSession", QKeySequence(Qt::CTRL | Qt::Key_E));
+    quit = make("quit", QKeySequence(Qt::CTRL | Qt::Key_Q));
+    quit->setMenuRole(QAction::QuitRole);
+    undo = make("editUndo"); // their keys belong to the Objects page
+    redo = make("editRedo");
+    about = make("about");
+    about->setMenuRole(QAction::AboutRole);
+    saveSession->setEnabled(false);
+
+    for (QMenu** menu :
+         {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu, &m_unitMenu,
+          &m_themeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_sensorMenu, &m_helpMenu})
+        *menu = new QMenu(window);
+    m_fileMenu->setToolTipsVisible(true);
+    m_runMenu->setToolTipsVisible(true);
+    m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
+    for (const QString& name : exampleNames())
+        connect(m_exampleMenu->addAction(name), &QAction::triggered, this,
+                [this, name] { emit exampleChosen(name); });
+    makeVerbs();
+    makeView();
+    makeFaults();
+    retranslate();
+}
+
+QAction* Actions::make(const char* name, const QKeySequence& keys) {
+    auto* action = new QAction(m_window);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(keys);
+    m_window->addAction(action);
+    return action;
+}
+
+void Actions::makeVerbs() {
+    const std::array keys{QKeySequence(Qt::Key_F5),
+                          QKeySequence(Qt::Key_F6),
+                          QKeySequence(Qt::Key_F7),
+                          QKeySequence(Qt::SHIFT | Qt::Key_F7),
+                          QKeySequence(Qt::Key_F8),
+                          QKeySequence(),
+                          QKeySequence()};
+    for (std::size_t i = 0; i < m_verbs.size(); ++i) {
+        m_verbs[i] = make(kVerbNames[i], keys[i]);
+        m_verbs[i]->setEnabled(static_cast<Verb>(i) == Verb::EmergencyStop);
+        connect(m_verbs[i], &QAction::triggered, this,
+                [this, i] { emit verbTriggered(static_cast<Verb>(i)); });
+    }
+}
+
+void Actions::makeView() {
+    const auto group = [this] {
+        auto* made = new QActionGroup(this);
+        made->setExclusive(true);
+        return made;
+    };
+    const auto checkable = [this](QActionGroup* in, const char* name, const QKeySequence& keys = {}) {
+        QAction* action = make(name, keys);
+        action->setCheckable(true);
+        in->addAction(action);
+        return action;
+    };
+    m_pageGroup = group();
+    m_unitGroup = group();
+    m_themeGroup = group();
+    m_languageGroup = group();
+    for (std::size_t i = 0; i < kPageNames.size(); ++i) {
+        m_pages[i] =
+            checkable(m_pageGroup, kPageNames[i], QKeySequence(Qt::CTRL | (Qt::Key_1 + static_cast<int>(i))));
+        connect(m_pages[i], &QAction::triggered, this, [this, i] { emit pageChosen(static_cast<int>(i)); });
+    }
+    for (std::size_t i = 0; i < kUnits.size(); ++i) {
+        m_units[i] = checkable(m_unitGroup, kUnitNames[i]);
+        connect(m_units[i], &QAction::triggered, this, [this, i] { emit unitChosen(kUnits[i]); });
+        m_themes[i] = checkable(m_themeGroup, kThemeNames[i]);
+        connect(m_themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(kThemes[i]); });
+    }
+    for (const QString& code : Language::codes()) {
+        QAction* action = checkable(m_languageGroup, "language");
+        action->setText(Language::ownName(code));
+        action->setData(code);
+        m_languages << action;
+        connect(action, &QAction::triggered, this, [this, code] { emit languageChosen(code); });
+    }
+}
+
+void Actions::makeFaults() {
+    m_robotLost = make("robotLost");
+    m_sourceLost = make("sourceLost");
+    m_restore = make("restoreDevices");
+    const auto fault = [this](QAction* action, SimulatedFault kind) {
+        connect(action, &QAction::triggered, this, [this, kind] { emit faultChosen({kind, 0}); });
+    };
+    fault(m_robotLost, SimulatedFault::RobotLost);
+    fault(m_sourceLost, SimulatedFault::SourceLost);
+    fault(m_restore, SimulatedFault::None);
+}
+
+void Actions::fillMenus(QMenuBar* bar) {
+    m_fileMenu->addActions({newExperiment, open});
+    m_fileMenu->addMenu(m_exampleMenu);
+    m_fileMenu->addMenu(m_recentMenu);
+    m_fileMenu->addSeparator();
+    m_fileMenu->addActions({save, saveAs, saveSession});
+    m_fileMenu->addSeparator();
+    m_fileMenu->addAction(quit);
+    m_editMenu->addActions({undo, redo});
+    for (const Verb each : {Verb::Arm, Verb::Start, Verb::Hold, Verb::Resume, Verb::Stop})
+        m_runMenu->addAction(verb(each));
+    m_runMenu->addSeparator();
+    m_runMenu->addActions({verb(Verb::EmergencyStop), verb(Verb::Reset)});
+    for (QAction* action : m_pages)
+        m_viewMenu->addAction(action);
+    m_viewMenu->addSeparator();
+    m_viewMenu->addMenu(m_unitMenu);
+    m_viewMenu->addMenu(m_themeMenu);
+    m_viewMenu->addMenu(m_languageMenu);
+    for (QAction* action : m_units)
+        m_unitMenu->addAction(action);
+    for (QAction* action : m_themes)
+        m_themeMenu->addAction(action);
+    m_languageMenu->addActions(m_languages);
+    m_toolsMenu->addMenu(m_faultMenu);
+    m_faultMenu->addMenu(m_sensorMenu);
+    m_faultMenu->addActions({m_robotLost, m_sourceLost});
+    m_faultMenu->addSeparator();
+    m_faultMenu->addAction(m_restore);
+    m_helpMenu->addAction(about);
+    for (QMenu* menu : {m_fileMenu, m_editMenu, m_runMenu, m_viewMenu, m_toolsMenu, m_helpMenu})
+        bar->addMenu(menu);
+}
+
+void Actions::retranslate() {
+    retranslateFile();
+    retranslateRun();
+    retranslateView();
+}
+
+void Actions::retranslateFile() {
+    m_fileMenu->setTitle(tr("&File"));
+    m_exampleMenu->setTitle(tr("&Examples"));
+    m_recentMenu->setTitle(tr("&Recent files"));
+    m_editMenu->setTitle(tr("&Edit"));
+    m_helpMenu->setTitle(tr("&Help"));
+    newExperiment->setText(tr("&New experiment"));
+    open->setText(tr("&Open…"));
+    open->setToolTip(tr("Open an experiment (*.json) or a recorded session (*.bask)"));
+    save->setText(tr("&Save experiment"));
+    saveAs->setText(tr("Save experiment &as…"));
+    saveSession->setText(tr("Save s&ession…"));
+    saveSession->setToolTip(tr("Copy the recording of the present or last run to a file of your choice"));
+    quit->setText(tr("&Quit"));
+    undo->setText(tr("&Undo") + u'\t' + QKeySequence(QKeySequence::Undo).toString(QKeySequence::NativeText));
+    redo->setText(tr("&Redo") + u'\t' + QKeySequence(QKeySequence::Redo).toString(QKeySequence::NativeText));
+    about->setText(tr("&About Bask"));
+}
+
+void Actions::retranslateRun() {
+    m_runMenu->setTitle(tr("&Run"));
+    const auto say = [this](Verb which, const QString& text, const QString& meaning) {
+        QAction* action = verb(which);
+        action->setText(text);
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        action->setToolTip(keys.isEmpty() ? meaning : meaning + QStringLiteral(" (%1)").arg(keys));
+        action->setStatusTip(meaning);
+    };
+    say(Verb::Arm, tr("&Arm"),
+        tr("Zero the sensors at ambient and open the recording. Nothing moves or heats yet."));
+    say(Verb::Start, tr("S&tart"), tr("Open the heat and servo every object to its target."));
+    say(Verb::Hold, tr("&Hold"),
+        tr("Zero velocity; the controller keeps its state and Resume goes on from here."));
+    say(Verb::Resume, tr("R&esume"), tr("Go on from where the run was held."));
+    say(Verb::Stop, tr("Sto&p"),
+        tr("End the run: heat off, retreat upwards, close the recording. While armed: disarm."));
+    // The key belongs to the STOP button, which hears it even with a menu or a dialog open.
+    say(Verb::EmergencyStop, tr("STOP now") + QStringLiteral("\tF12"),
+        tr("Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop."));
+    say(Verb::Reset, tr("Rese&t"), tr("Clear a latched stop or fault. It never starts anything."));
+}
+
+void Actions::retranslateView() {
+    m_viewMenu->setTitle(tr("&View"));
+    const std::array pages{tr("Objects"), tr("Targets"), tr("Run"), tr("Review")};
+    const std::array tips{tr("What is held in front of the source: outlines, materials, mounting"),
+                          tr("What temperature each object shall have, and whether it can be reached"),
+                          tr("Temperatures, the scene and the controller during a run"),
+                          tr("A recorded run, opened again")};
+    for (std::size_t i = 0; i < m_pages.size(); ++i) {
+        m_pages[i]->setText(pages[i]);
+        m_pages[i]->setToolTip(QStringLiteral("%1 (%2)").arg(
+            tips[i], m_pages[i]->shortcut().toString(QKeySequence::NativeText)));
+    }
+    m_unitMenu->setTitle(tr("Temperature &unit"));
+    m_units[0]->setText(tr("Degrees Celsius (°C)"));
+    m_units[1]->setText(tr("Kelvin (K)"));
+    m_units[2]->setText(tr("Degrees Fahrenheit (°F)"));
+    m_themeMenu->setTitle(tr("&Theme"));
+    m_themes[0]->setText(tr("As the desktop"));
+    m_themes[1]->setText(tr("Light"));
+    m_themes[2]->setText(tr("Dark"));
+    m_languageMenu->setTitle(tr("&Language"));
+    m_toolsMenu->setTitle(tr("&Tools"));
+    m_faultMenu->setTitle(tr("&Simulate fault"));
+    m_sensorMenu->setTitle(tr("Sensor lost"));
+    m_robotLost->setText(tr("Robot lost"));
+    m_sourceLost->setText(tr("Heat source lost"));
+    m_restore->setText(tr("Restore all devices"));
+}
+
+void Actions::restyle(const QPalette& palette) {
+    for (std::size_t i = 0; i < m_verbs.size(); ++i)
+        if (*kVerbIcons[i] != '\0')
+            m_verbs[i]->setIcon(themedIcon(QLatin1String(kVerbIcons[i]), palette));
+    for (std::size_t i = 0; i < m_pages.size(); ++i)
+        m_pages[i]->setIcon(themedIcon(QLatin1String(kPageNames[i]), palette));
+}
+
+void Actions::apply(const Snapshot& snapshot) {
+    for (std::size_t i = 0; i < m_verbs.size(); ++i)
+        m_verbs[i]->setEnabled(allows(snapshot.state, static_cast<Verb>(i)));
+    const bool edits = allowsEdits(snapshot.state);
+    newExperiment->setEnabled(edits);
+    m_exampleMenu->setEnabled(edits);
+    m_toolsMenu->setEnabled(snapshot.simulated);
+}
+
+void Actions::setObjects(const QStringList& names) {
+    m_sensorMenu->clear();
+    for (qsizetype i = 0; i < names.size(); ++i)
+        connect(m_sensorMenu->addAction(plain(names[i])), &QAction::triggered, this, [this, i] {
+            emit faultChosen({SimulatedFault::SensorLost, static_cast<std::size_t>(i)});
+        });
+}
+
+void Actions::setRecent(const QStringList& files) {
+    m_recentMenu->clear();
+    m_recentMenu->setEnabled(!files.isEmpty());
+    m_recentMenu->setToolTipsVisible(true);
+    for (const QString& file : files) {
+        QAction* action = m_recentMenu->addAction(plain(QFileInfo(file).fileName()));
+        action->setToolTip(file);
+        connect(action, &QAction::triggered, this, [this, file] { emit recentChosen(file); });
+    }
+}
+
+void Actions::showTemperatureUnit(TemperatureUnit unit) {
+    for (std::size_t i = 0; i < kUnits.size(); ++i)
+        m_units[i]->setChecked(kUnits[i] == unit);
+}
+
+void Actions::showTheme(Theme theme) {
+    for (std::size_t i = 0; i < kThemes.size(); ++i)
+        m_themes[i]->setChecked(kThemes[i] == theme);
+}
+
+void Actions::showLanguage(const QString& code) {
+    for (QAction* action : m_languages)
+        action->setChecked(action->data().toString() == code);
+}
+
+void Actions::showPage(int index) {
+    page(index)->setChecked(true);
+}
+
+} // namespace bask

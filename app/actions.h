@@ -1,0 +1,90 @@
+#pragma once
+// Every action of the window: texts, tool tips, shortcuts, and which of them the engine's reported state
+// allows.
+
+#include "engine/base/units.h"
+#include "engine/runtime/command.h"
+#include "engine/runtime/snapshot.h"
+#include "widgets/common/theme.h"
+
+#include <QAction>
+#include <QObject>
+
+#include <array>
+
+class QActionGroup;
+class QMenu;
+class QMenuBar;
+class QWidget;
+
+namespace bask {
+
+/// Verbs of a run, in the order of use.
+enum class Verb { Arm, Start, Hold, Resume, Stop, EmergencyStop, Reset };
+inline constexpr int kVerbs = 7;
+inline constexpr int kPages = 4;
+
+/// Whether the engine in this state takes the verb; nothing else enables a button.
+bool allows(RunState state, Verb verb);
+
+/// Sensors, robot or source of another experiment may be put in: no run is on and none is armed.
+bool allowsEdits(RunState state);
+
+class Actions : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Actions(QWidget* window);
+
+    void fillMenus(QMenuBar* bar);
+    void retranslate();
+    void restyle(const QPalette& palette);
+
+    void apply(const Snapshot& snapshot);
+    void setObjects(const QStringList& names);
+    void setRecent(const QStringList& files);
+    void showTemperatureUnit(TemperatureUnit unit);
+    void showTheme(Theme theme);
+    void showLanguage(const QString& code);
+    void showPage(int page);
+
+    QAction* verb(Verb verb) const { return m_verbs[static_cast<std::size_t>(verb)]; }
+    QAction* page(int index) const { return m_pages[static_cast<std::size_t>(index)]; }
+    QMenu* unitMenu() const { return m_unitMenu; }
+    QMenu* languageMenu() const { return m_languageMenu; }
+
+    QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
+    QAction *undo, *redo;
+    QAction* about;
+
+signals:
+    void verbTriggered(bask::Verb verb);
+    void pageChosen(int page);
+    void unitChosen(bask::TemperatureUnit unit);
+    void themeChosen(bask::Theme theme);
+    void languageChosen(const QString& code);
+    void exampleChosen(const QString& name);
+    void recentChosen(const QString& path);
+    void faultChosen(const bask::SimulateFault& fault);
+
+private:
+    QAction* make(const char* name, const QKeySequence& keys = {});
+    void makeVerbs();
+    void makeView();
+    void makeFaults();
+    void retranslateFile();
+    void retranslateRun();
+    void retranslateView();
+
+    QWidget* m_window;
+    std::array<QAction*, kVerbs> m_verbs{};
+    std::array<QAction*, kPages> m_pages{};
+    QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_languageGroup;
+    std::array<QAction*, 3> m_units{}, m_themes{};
+    QList<QAction*> m_languages;
+    QAction *m_robotLost, *m_sourceLost, *m_restore;
+    QMenu *m_fileMenu, *m_exampleMenu, *m_recentMenu, *m_editMenu, *m_runMenu, *m_viewMenu, *m_unitMenu,
+        *m_themeMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_sensorMenu, *m_helpMenu;
+};
+
+} // namespace bask

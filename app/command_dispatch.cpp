@@ -1,0 +1,101 @@
+#include "app/command_dispatch.h"
+
+#include "app/about.h"
+#include "app/commands/command_line.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace bask {
+namespace {
+
+std::string subcommandList() {
+    std::string text = "Subcommands (bask SUBCOMMAND --help tells more):\n";
+    for (const Subcommand& each : subcommands()) {
+        std::string name = each.name;
+        name.resize(14, ' ');
+        text += "  " + name + each.summary + "\n";
+    }
+    return text;
+}
+
+int printHelp() {
+    std::printf("Usage: bask [FILE]                open the window, with an experiment (*.json) or a session "
+                "(*.bask)\n"
+                "       bask SUBCOMMAND [options]  work without a display\n\n"
+                "%s\nOptions:\n  -h, --help     this text\n  -v, --version  the exact version\n\n"
+                "Exit codes: 0 done and positive, 1 fault, 2 bad input, 3 a negative verdict.\n",
+                subcommandList().c_str());
+    return kExitDone;
+}
+
+/// Options of Qt itself that take a value, as in "-platform offscreen".
+bool isQtOptionWithValue(const QString& argument) {
+    static constexpr std::array kNames{"platform", "style",    "stylesheet",
+                                       "display",  "geometry", "platformtheme"};
+    for (const char* name : kNames)
+        if (argument == QStringLiteral("-%1").arg(QLatin1String(name)) ||
+            argument == QStringLiteral("--%1").arg(QLatin1String(name)))
+            return true;
+    return false;
+}
+
+int unknown(const QString& word) {
+    std::fprintf(stderr, "bask: \"%s\" is neither a subcommand nor a file\n%s", qPrintable(word),
+                 subcommandList().c_str());
+    return kExitBadInput;
+}
+
+int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("bask"));
+    return subcommand.run(QCoreApplication::arguments().mid(2));
+}
+
+} // namespace
+
+Dispatch dispatch(int& argc, char** argv) {
+    Dispatch result;
+    for (int i = 1; i < argc; ++i) {
+        const QString word = QString::fromLocal8Bit(argv[i]);
+        if (isQtOptionWithValue(word)) {
+            ++i;
+            continue;
+        }
+        if (i == 1)
+            for (const Subcommand& each : subcommands())
+                if (word == QLatin1String(each.name))
+                    return {runSubcommand(each, argc, argv), {}};
+        if (word == QLatin1String("-h") || word == QLatin1String("--help"))
+            return {printHelp(), {}};
+        if (word == QLatin1String("-v") || word == QLatin1String("--version")) {
+            std::printf("Bask %s\n", qPrintable(exactVersion()));
+            return {kExitDone, {}};
+        }
+        const bool isFile = word.endsWith(QLatin1String(".json")) || word.endsWith(QLatin1String(".bask")) ||
+                            QFileInfo(word).isFile();
+        if (!isFile || word.startsWith(u'-'))
+            return {unknown(word), {}};
+        if (!QFileInfo(word).isFile()) {
+            std::fprintf(stderr, "bask: %s: there is no such file; check the path\n", qPrintable(word));
+            return {kExitBadInput, {}};
+        }
+        result.file = QFileInfo(word).absoluteFilePath();
+    }
+    return result;
+}
+
+QString missingDisplay() {
+    for (const char* variable : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
+        if (!qEnvironmentVariableIsEmpty(variable))
+            return {};
+    return QStringLiteral(
+        "bask: the window needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set. Log in to a "
+        "desktop, use ssh -X or xvfb-run, or work without a window: bask --help");
+}
+
+} // namespace bask

@@ -1,0 +1,71 @@
+#include "app/engine_client.h"
+
+#include "engine/runtime/engine_worker.h"
+
+#include <QThread>
+
+namespace bask {
+
+EngineClient::EngineClient(QObject* parent) : QObject(parent) {
+    m_silence.setInterval(kSilence);
+    m_silence.setSingleShot(true);
+    connect(&m_silence, &QTimer::timeout, this, [this] {
+        m_answering = false;
+        emit answeringChanged(false);
+    });
+}
+
+EngineClient::~EngineClient() {
+    shutDown(std::chrono::seconds(3));
+}
+
+void EngineClient::start() {
+    if (m_thread != nullptr)
+        return;
+    m_thread = new QThread;
+    m_thread->setObjectName(QStringLiteral("engine"));
+    m_worker = new EngineWorker;
+    m_worker->moveToThread(m_thread);
+    connect(m_thread, &QThread::started, m_worker, &EngineWorker::start);
+    connect(m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
+    connect(m_worker, &EngineWorker::published, this, &EngineClient::take);
+    m_thread->start();
+    m_silence.start();
+}
+
+void EngineClient::send(const Command& command) {
+    if (m_worker != nullptr)
+        QMetaObject::invokeMethod(
+            m_worker, [worker = m_worker, command] { worker->post(command); }, Qt::QueuedConnection);
+}
+
+bool EngineClient::shutDown(std::chrono::milliseconds bound) {
+    if (m_thread == nullptr)
+        return true;
+    m_silence.stop();
+    disconnect(m_worker, nullptr, this, nullptr);
+    QThread* thread = std::exchange(m_thread, nullptr);
+    QMetaObject::invokeMethod(
+        m_worker,
+        [worker = m_worker, thread] {
+            worker->shutdown();
+            thread->quit();
+        },
+        Qt::QueuedConnection);
+    m_worker = nullptr;
+    const bool ended = thread->wait(QDeadlineTimer(bound));
+    if (ended)
+        delete thread;
+    return ended;
+}
+
+void EngineClient::take(const Snapshot& received) {
+    m_silence.start();
+    if (!m_answering) {
+        m_answering = true;
+        emit answeringChanged(true);
+    }
+    emit snapshot(received);
+}
+
+} // namespace bask

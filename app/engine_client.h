@@ -1,0 +1,53 @@
+#pragma once
+// The GUI's side of the engine: owns its thread, sends commands, hands on snapshots, says when no answer
+// comes.
+
+#include "engine/runtime/command.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <chrono>
+
+class QThread;
+
+namespace bask {
+
+class EngineWorker;
+
+/// The one GUI-side class that knows the worker. Nothing here waits for the engine but shutDown, and that
+/// only so long.
+class EngineClient : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr std::chrono::milliseconds kSilence{2000};
+
+    explicit EngineClient(QObject* parent = nullptr);
+    ~EngineClient() override; ///< shutDown with a bound of 3 s
+
+    void start();
+    void send(const Command& command);
+
+    /// Safe state, recording closed, thread ended. False when the engine did not answer in time; its thread
+    /// is then left to the end of the process, and the devices' own watchdogs act.
+    bool shutDown(std::chrono::milliseconds bound);
+
+    bool answering() const { return m_answering; }
+
+signals:
+    void snapshot(const bask::Snapshot& snapshot);
+    /// False when no snapshot has come for kSilence; true with the next one.
+    void answeringChanged(bool answering);
+
+private:
+    void take(const Snapshot& snapshot);
+
+    QThread* m_thread = nullptr;
+    EngineWorker* m_worker = nullptr;
+    QTimer m_silence;
+    bool m_answering = true;
+};
+
+} // namespace bask

@@ -1,0 +1,15 @@
+#include "app/command_dispatch.h"
+#include "app/start_window.h"
+
+#include <cstdio>
+
+int main(int argc, char** argv) {
+    const bask::Dispatch asked = bask::dispatch(argc, argv);
+    if (asked.exitCode)
+        return *asked.exitCode;
+    if (const QString sentence = bask::missingDisplay(); !sentence.isEmpty()) {
+        std::fprintf(stderr, "%s\n", qPrintable(sentence));
+        return 1;
+    }
+    return bask::runWindow(argc, argv, asked.file);
+}

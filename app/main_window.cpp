@@ -1,0 +1,293 @@
+#include "app/main_window.h"
+
+#include "app/error_text.h"
+#include "app/infeasible_dialog.h"
+#include "app/resources.h"
+#include "app/state_bar.h"
+#include "app/status_line.h"
+#include "widgets/common/event_list.h"
+#include "widgets/objects/objects_page.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QToolBar>
+#include <QUndoStack>
+#include <QUrl>
+
+namespace bask {
+namespace {
+
+EventKind kindOf(MessageCode code) {
+    switch (code) {
+    case MessageCode::EventFault:
+    case MessageCode::EventEmergencyStop:
+        return EventKind::Alarm1;
+    case MessageCode::EventCompromise:
+    case MessageCode::EventNotSettled:
+        return EventKind::Alarm3;
+    default:
+        return EventKind::Event;
+    }
+}
+
+QString droppedFile(const QMimeData* data) {
+    const QList<QUrl> urls = data->urls();
+    if (urls.size() != 1 || !urls.first().isLocalFile())
+        return {};
+    const QString path = urls.first().toLocalFile();
+    return path.endsWith(QLatin1String(".json")) || path.endsWith(QLatin1String(".bask")) ? path : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow() : m_files(m_document, m_settings, this), m_actions((initResources(), this)) {
+    m_language.set(m_settings.language());
+    m_actions.retranslate();
+    buildLayout();
+    connectActions();
+    connectParts();
+
+    m_actions.setRecent(m_settings.recentFiles());
+    m_actions.showTheme(m_settings.theme());
+    m_actions.showLanguage(m_language.current());
+    m_statusLine->showLanguage(m_language.current());
+    setTemperatureUnit(m_settings.temperatureUnit());
+    retranslate();
+    restyle();
+
+    resize(1280, 800);
+    restoreGeometry(m_settings.windowGeometry());
+    restoreState(m_settings.windowState());
+    m_pages->show(Page::Run);
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::begin(const QString& path) {
+    m_engine.start();
+    if (path.isEmpty()) {
+        m_files.openExample(QStringLiteral("three-objects"), false);
+        return;
+    }
+    m_files.open(path);
+    if (path.endsWith(QLatin1String(".bask"), Qt::CaseInsensitive))
+        m_files.openExample(QStringLiteral("three-objects"), false);
+}
+
+void MainWindow::apply(const Snapshot& snapshot) {
+    const RunState before = m_last.state;
+    m_last = snapshot;
+    m_actions.apply(snapshot);
+    m_stateBar->apply(snapshot);
+    m_statusLine->apply(snapshot);
+    m_pages->apply(snapshot);
+    takeRows(snapshot);
+    m_files.setRecording(QString::fromStdString(snapshot.recordingPath));
+    if (snapshot.refusal.code != MessageCode::None)
+        refuse(snapshot.refusal);
+    if (before != snapshot.state)
+        showUndo();
+    emit snapshotApplied(snapshot);
+}
+
+void MainWindow::takeRows(const Snapshot& snapshot) {
+    if (snapshot.runId != m_runId) {
+        m_runId = snapshot.runId;
+        m_events.clear();
+        m_notes.clear();
+        m_eventList->clear();
+    }
+    for (const TraceEvent& event : snapshot.newEvents) {
+        m_events.push_back(event);
+        addEvent(event);
+    }
+    for (const TraceNote& note : snapshot.newNotes) {
+        m_notes.push_back(note);
+        m_eventList->add(note.time_s, QString::fromStdString(note.text), EventKind::Note);
+    }
+}
+
+void MainWindow::addEvent(const TraceEvent& event) {
+    m_eventList->add(event.time_s, sentence(event.message), kindOf(event.message.code));
+}
+
+void MainWindow::showEvents() {
+    m_eventList->clear();
+    auto note = m_notes.begin();
+    for (const TraceEvent& event : m_events) {
+        for (; note != m_notes.end() && note->time_s < event.time_s; ++note)
+            m_eventList->add(note->time_s, QString::fromStdString(note->text), EventKind::Note);
+        addEvent(event);
+    }
+    for (; note != m_notes.end(); ++note)
+        m_eventList->add(note->time_s, QString::fromStdString(note->text), EventKind::Note);
+}
+
+void MainWindow::perform(Verb verb) {
+    switch (verb) {
+    case Verb::Arm:
+        return arm();
+    case Verb::Start:
+        m_pages->show(Page::Run);
+        return m_engine.send(Start{false}); // the engine judges the targets; its refusal asks for the tick
+    case Verb::Hold:
+        return m_engine.send(Hold{});
+    case Verb::Resume:
+        return m_engine.send(Resume{});
+    case Verb::Stop:
+        return m_engine.send(Stop{});
+    case Verb::EmergencyStop:
+        return m_engine.send(EmergencyStop{});
+    case Verb::Reset:
+        return m_engine.send(Reset{});
+    }
+}
+
+void MainWindow::arm() {
+    const QString path = m_files.nextRecordingPath();
+    if (!path.isEmpty())
+        m_engine.send(Arm{path.toStdString()});
+}
+
+void MainWindow::refuse(const Message& refusal) {
+    if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed)
+        askInfeasible(refusal.args.empty() ? QString() : QString::fromStdString(refusal.args.front()));
+    else
+        m_pages->showProblem(sentence(refusal));
+}
+
+void MainWindow::askInfeasible(const QString& object) {
+    QStringList objects;
+    if (!m_document.verdictsStale())
+        for (std::size_t i = 0; i < m_document.verdicts().size(); ++i)
+            if (m_document.verdicts()[i].verdict != FeasibilityVerdict::Reachable)
+                objects << QString::fromStdString(m_document.experiment().objects[i].name);
+    if (objects.isEmpty())
+        objects << object;
+    auto* dialog = new InfeasibleDialog(objects, this);
+    connect(dialog, &QDialog::accepted, this, [this] { m_engine.send(Start{true}); });
+    dialog->open();
+}
+
+void MainWindow::showReason(int index) {
+    if (index < 0 || static_cast<std::size_t>(index) >= m_last.reasons.size())
+        return;
+    switch (m_last.reasons[static_cast<std::size_t>(index)].code) {
+    case MessageCode::ReasonTargetInfeasible:
+    case MessageCode::EventCompromise:
+        return m_pages->show(Page::Targets);
+    case MessageCode::ReasonNoExperiment:
+        return m_pages->show(Page::Objects);
+    default:
+        return m_pages->show(Page::Run);
+    }
+}
+
+void MainWindow::setLanguage(const QString& code) {
+    m_settings.setLanguage(code);
+    m_language.set(code);
+    m_actions.showLanguage(code);
+    m_statusLine->showLanguage(code);
+}
+
+void MainWindow::setTheme(Theme theme) {
+    m_settings.setTheme(theme);
+    m_actions.showTheme(theme);
+    applyTheme(*qApp, theme);
+}
+
+void MainWindow::setTemperatureUnit(TemperatureUnit unit) {
+    m_settings.setTemperatureUnit(unit);
+    m_actions.showTemperatureUnit(unit);
+    m_statusLine->showTemperatureUnit(unit);
+    m_pages->setTemperatureUnit(unit);
+}
+
+void MainWindow::showTitle() {
+    setWindowTitle(QStringLiteral("%1[*] - Bask").arg(m_document.displayName()));
+    setWindowModified(m_document.modified());
+}
+
+void MainWindow::showUndo() {
+    const QUndoStack* stack = m_pages->objects()->undoStack();
+    const bool here = m_pages->page() == Page::Objects && allowsEdits(m_last.state);
+    m_actions.undo->setEnabled(here && stack->canUndo());
+    m_actions.redo->setEnabled(here && stack->canRedo());
+}
+
+void MainWindow::retranslate() {
+    m_actions.retranslate();
+    m_dock->setWindowTitle(tr("Events and notes"));
+    m_navigation->setWindowTitle(tr("Pages"));
+    showTitle();
+    showEvents();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange && m_navigation != nullptr)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange && m_navigation != nullptr)
+        restyle();
+}
+
+void MainWindow::restyle() {
+    m_actions.restyle(palette());
+    // Flat bars with a hairline; Fusion would shade them.
+    const QString line = hairline(isDark(this)).name();
+    for (QToolBar* bar : findChildren<QToolBar*>(QString(), Qt::FindDirectChildrenOnly))
+        bar->setStyleSheet(
+            QStringLiteral("QToolBar { background: palette(window); border: 0; border-%1: 1px solid %2; }")
+                .arg(bar == m_navigation ? QStringLiteral("right") : QStringLiteral("bottom"), line));
+}
+
+bool MainWindow::runIsOn() const {
+    return m_last.state == RunState::Running || m_last.state == RunState::Holding ||
+           m_last.state == RunState::Settled;
+}
+
+bool MainWindow::mayEndRun() {
+    if (m_closeQuestion)
+        return m_closeQuestion();
+    QMessageBox box(
+        QMessageBox::Warning, tr("A run is on"),
+        tr("Closing ends the run: the heat goes off and the robot stands still. What is recorded stays."),
+        QMessageBox::NoButton, this);
+    box.setObjectName(QStringLiteral("closeQuestion"));
+    QPushButton* end = box.addButton(tr("End the run and close"), QMessageBox::DestructiveRole);
+    QPushButton* keep = box.addButton(tr("Keep running"), QMessageBox::RejectRole);
+    box.setDefaultButton(keep);
+    box.setEscapeButton(keep);
+    box.exec();
+    return box.clickedButton() == end;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if ((runIsOn() && !mayEndRun()) || !m_files.mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    m_settings.setWindow(saveGeometry(), saveState());
+    m_engine.shutDown(std::chrono::seconds(3));
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!droppedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString path = droppedFile(event->mimeData());
+    if (path.isEmpty())
+        return;
+    event->acceptProposedAction();
+    m_files.open(path);
+}
+
+} // namespace bask

@@ -1,0 +1,98 @@
+#pragma once
+// The window: state bar, pages, events, status line. Composition only; every part does its own work.
+
+#include "app/actions.h"
+#include "app/document.h"
+#include "app/engine_client.h"
+#include "app/language.h"
+#include "app/page_host.h"
+#include "app/session_actions.h"
+#include "app/settings_store.h"
+
+#include <QMainWindow>
+
+class QDockWidget;
+class QToolBar;
+
+namespace bask {
+
+class EventList;
+class StateBar;
+class StatusLine;
+
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    MainWindow();
+    ~MainWindow() override;
+
+    /// Starts the engine and opens a file, or the first example when `path` is empty.
+    void begin(const QString& path);
+
+    SessionActions& files() { return m_files; }
+    Document& document() { return m_document; }
+    PageHost& pages() { return *m_pages; }
+    EngineClient& engine() { return m_engine; }
+    Actions& actions() { return m_actions; }
+    const Snapshot& lastSnapshot() const { return m_last; }
+    /// Asks the person, unless a test answers: may a run that is on be ended by closing?
+    void setCloseQuestion(std::function<bool()> question) { m_closeQuestion = std::move(question); }
+
+    void setLanguage(const QString& code);
+    void setTheme(Theme theme);
+    void setTemperatureUnit(TemperatureUnit unit);
+
+signals:
+    void snapshotApplied(const bask::Snapshot& snapshot);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    // main_window_build.cpp
+    void buildLayout();
+    void buildNavigation();
+    void connectActions();
+    void connectParts();
+
+    void apply(const Snapshot& snapshot);
+    void takeRows(const Snapshot& snapshot);
+    void perform(Verb verb);
+    void arm();
+    void askInfeasible(const QString& object);
+    void refuse(const Message& refusal);
+    void showReason(int index);
+    void showEvents();
+    void addEvent(const TraceEvent& event);
+    void showTitle();
+    void showUndo();
+    void retranslate();
+    void restyle();
+    bool runIsOn() const;
+    bool mayEndRun();
+
+    SettingsStore m_settings;
+    Language m_language;
+    Document m_document;
+    EngineClient m_engine;
+    SessionActions m_files;
+    Actions m_actions;
+    StateBar* m_stateBar = nullptr;
+    PageHost* m_pages = nullptr;
+    QToolBar* m_navigation = nullptr;
+    QDockWidget* m_dock = nullptr;
+    EventList* m_eventList = nullptr;
+    StatusLine* m_statusLine = nullptr;
+
+    Snapshot m_last;
+    std::uint64_t m_runId = 0;
+    std::vector<TraceEvent> m_events;
+    std::vector<TraceNote> m_notes;
+    std::function<bool()> m_closeQuestion;
+};
+
+} // namespace bask

@@ -1,0 +1,130 @@
+// How the window is put together and wired; main_window.cpp is what it does.
+
+#include "app/about.h"
+#include "app/main_window.h"
+#include "app/state_bar.h"
+#include "app/status_line.h"
+#include "widgets/common/event_list.h"
+#include "widgets/objects/objects_page.h"
+
+#include <QApplication>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+#include <QUndoStack>
+#include <QVBoxLayout>
+
+namespace bask {
+
+void MainWindow::buildLayout() {
+    setObjectName(QStringLiteral("mainWindow"));
+    setWindowIcon(QIcon(QStringLiteral(":/icons/bask.svg")));
+    setAcceptDrops(true);
+    m_actions.fillMenus(menuBar());
+
+    m_stateBar = new StateBar(m_actions);
+    m_pages = new PageHost(m_document, m_files);
+    buildNavigation();
+
+    // The state bar spans the window, over navigation and docks: it sits under the menu bar as the only top
+    // tool bar.
+    auto* top = new QToolBar(this);
+    top->setObjectName(QStringLiteral("stateToolBar"));
+    top->setMovable(false);
+    top->setFloatable(false);
+    top->setContextMenuPolicy(Qt::PreventContextMenu);
+    m_stateBar->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    top->addWidget(m_stateBar);
+    addToolBar(Qt::TopToolBarArea, top);
+    addToolBar(Qt::LeftToolBarArea, m_navigation);
+    setCentralWidget(m_pages);
+    setContextMenuPolicy(Qt::NoContextMenu);
+
+    m_eventList = new EventList;
+    m_eventList->setContentsMargins(8, 0, 8, 6);
+    m_dock = new QDockWidget(this);
+    m_dock->setObjectName(QStringLiteral("eventDock"));
+    m_dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+    m_dock->setWidget(m_eventList);
+    addDockWidget(Qt::BottomDockWidgetArea, m_dock);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    resizeDocks({m_dock}, {110}, Qt::Vertical);
+
+    m_statusLine = new StatusLine(m_actions.unitMenu(), m_actions.languageMenu());
+    setStatusBar(m_statusLine);
+}
+
+void MainWindow::buildNavigation() {
+    m_navigation = new QToolBar;
+    m_navigation->setObjectName(QStringLiteral("navigation"));
+    m_navigation->setMovable(false);
+    m_navigation->setFloatable(false);
+    m_navigation->setContextMenuPolicy(Qt::PreventContextMenu);
+    m_navigation->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
+    m_navigation->setIconSize({26, 26});
+    for (int i = 0; i < kPages; ++i) {
+        m_navigation->addAction(m_actions.page(i));
+        QWidget* button = m_navigation->widgetForAction(m_actions.page(i));
+        button->setObjectName(QStringLiteral("page.%1").arg(i));
+        button->setMinimumSize(76, 60);
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+}
+
+void MainWindow::connectActions() {
+    const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
+    on(m_actions.newExperiment, [this] { m_files.newExperiment(); });
+    on(m_actions.open, [this] { m_files.askAndOpen(); });
+    on(m_actions.save, [this] { m_files.save(); });
+    on(m_actions.saveAs, [this] { m_files.saveAs(); });
+    on(m_actions.saveSession, [this] { m_files.saveSession(); });
+    on(m_actions.quit, [this] { close(); });
+    on(m_actions.about, [this] { showAbout(this); });
+    QUndoStack* stack = m_pages->objects()->undoStack();
+    on(m_actions.undo, [stack] { stack->undo(); });
+    on(m_actions.redo, [stack] { stack->redo(); });
+    connect(stack, &QUndoStack::indexChanged, this, &MainWindow::showUndo);
+    connect(&m_actions, &Actions::verbTriggered, this, &MainWindow::perform);
+    connect(&m_actions, &Actions::pageChosen, this,
+            [this](int page) { m_pages->show(static_cast<Page>(page)); });
+    connect(&m_actions, &Actions::unitChosen, this, &MainWindow::setTemperatureUnit);
+    connect(&m_actions, &Actions::themeChosen, this, &MainWindow::setTheme);
+    connect(&m_actions, &Actions::languageChosen, this, &MainWindow::setLanguage);
+    connect(&m_actions, &Actions::exampleChosen, this,
+            [this](const QString& name) { m_files.openExample(name); });
+    connect(&m_actions, &Actions::recentChosen, this, [this](const QString& path) { m_files.open(path); });
+    connect(&m_actions, &Actions::faultChosen, this,
+            [this](const SimulateFault& fault) { m_engine.send(fault); });
+}
+
+void MainWindow::connectParts() {
+    m_files.setRunGuard([this] { return !allowsEdits(m_last.state); });
+    connect(&m_engine, &EngineClient::snapshot, this, &MainWindow::apply);
+    connect(&m_engine, &EngineClient::answeringChanged, m_stateBar, &StateBar::setAnswering);
+    connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
+    connect(m_pages, &PageHost::commandIssued, &m_engine, &EngineClient::send);
+    connect(m_pages, &PageHost::pageChanged, this, [this](Page page) {
+        m_actions.showPage(static_cast<int>(page));
+        m_dock->setVisible(page != Page::Review); // there the events are those of the recorded run
+        showUndo();
+    });
+    connect(m_stateBar, &StateBar::stopRequested, this, [this] { perform(Verb::EmergencyStop); });
+    connect(m_stateBar, &StateBar::reasonActivated, this, &MainWindow::showReason);
+    connect(m_eventList, &EventList::timeChosen, m_pages, &PageHost::showMoment);
+    connect(&m_files, &SessionActions::recentChanged, this,
+            [this] { m_actions.setRecent(m_settings.recentFiles()); });
+    connect(&m_files, &SessionActions::recordingChanged, this,
+            [this] { m_actions.saveSession->setEnabled(true); });
+    connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
+    const auto names = [this] {
+        QStringList list;
+        for (const ObjectSpec& object : m_document.experiment().objects)
+            list << QString::fromStdString(object.name);
+        m_actions.setObjects(list);
+    };
+    connect(&m_document, &Document::opened, this, names);
+    connect(&m_document, &Document::edited, this, names);
+}
+
+} // namespace bask

@@ -1,0 +1,177 @@
+#include "app/page_host.h"
+
+#include "app/actions.h"
+#include "app/error_text.h"
+#include "widgets/objects/message_bar.h"
+#include "widgets/objects/objects_page.h"
+#include "widgets/review/review_page.h"
+#include "widgets/run/run_page.h"
+#include "widgets/targets/targets_page.h"
+
+#include <QEvent>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+
+namespace bask {
+
+PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
+    : QWidget(parent), m_document(document), m_files(files), m_bar(new MessageBar(this)),
+      m_pages(new QStackedWidget(this)), m_objects(new ObjectsPage), m_targets(new TargetsPage),
+      m_run(new RunPage), m_review(new ReviewPage) {
+    m_bar->setObjectName(QStringLiteral("messageBar"));
+    m_pages->setObjectName(QStringLiteral("pages"));
+    for (QWidget* page : std::initializer_list<QWidget*>{m_objects, m_targets, m_run, m_review})
+        m_pages->addWidget(page);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_bar);
+    column->addWidget(m_pages, 1);
+
+    connectObjects();
+    connectDocument();
+    connect(m_targets, &TargetsPage::targetsEdited, this, [this](const std::vector<double>& targets_K) {
+        if (const auto set = m_document.setTargets(targets_K); !set) {
+            showProblem(sentence(set.error()));
+            m_targets->setExperiment(m_document.experiment());
+        }
+    });
+    connect(m_run, &RunPage::controllerApplied, this, [this](const ControllerSettings& settings) {
+        if (const auto set = m_document.setController(settings); !set)
+            showProblem(sentence(set.error()));
+    });
+    connect(m_run, &RunPage::noteAdded, this,
+            [this](const QString& text) { emit commandIssued(AddNote{text.toStdString()}); });
+    connect(m_run, &RunPage::simulationSpeedChosen, this,
+            [this](double factor) { emit commandIssued(SetSimulationSpeed{factor}); });
+    connect(m_review, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
+    connect(m_review, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
+    connect(&m_files, &SessionActions::sessionOpened, this,
+            [this](std::shared_ptr<const SessionRecord> record) {
+                m_record = std::move(record);
+                m_bar->clear();
+                showSession();
+                show(Page::Review);
+            });
+    connect(&m_files, &SessionActions::problem, this, &PageHost::showProblem);
+    connect(&m_files, &SessionActions::told, this, &PageHost::showNote);
+}
+
+void PageHost::connectObjects() {
+    connect(m_objects, &ObjectsPage::experimentEdited, this, [this](const Experiment& experiment) {
+        const Experiment before = m_document.experiment();
+        if (const auto edited = m_document.edit(experiment); !edited) {
+            m_objects->setExperiment(before);
+            m_objects->showError(sentence(edited.error()));
+        }
+    });
+    connect(m_objects, &ObjectsPage::importRequested, this, &PageHost::importContour);
+}
+
+void PageHost::connectDocument() {
+    connect(&m_document, &Document::opened, this, [this] {
+        m_bar->clear();
+        showDocument();
+        emit commandIssued(LoadExperiment{m_document.experiment()});
+    });
+    connect(&m_document, &Document::edited, this, [this] {
+        m_targets->setExperiment(m_document.experiment());
+        m_run->setExperiment(m_document.experiment());
+        emit commandIssued(LoadExperiment{m_document.experiment()});
+    });
+    connect(&m_document, &Document::targetsChanged, this, [this] {
+        m_objects->setExperiment(m_document.experiment());
+        std::vector<double> targets_K;
+        for (const ObjectSpec& object : m_document.experiment().objects)
+            targets_K.push_back(object.target_K);
+        emit commandIssued(SetTargets{targets_K});
+    });
+    connect(&m_document, &Document::controllerChanged, this, [this] {
+        m_objects->setExperiment(m_document.experiment());
+        emit commandIssued(SetController{m_document.experiment().controller});
+    });
+    connect(&m_document, &Document::verdictsChanged, this, [this] {
+        if (m_document.verdictsStale())
+            m_targets->setStale(true);
+        else
+            m_targets->setVerdicts(m_document.verdicts());
+    });
+}
+
+void PageHost::showDocument() {
+    m_objects->setExperiment(m_document.experiment());
+    m_targets->setExperiment(m_document.experiment());
+    m_run->setExperiment(m_document.experiment());
+}
+
+void PageHost::importContour(const QString& path, const ContourImportOptions& options) {
+    m_import.run([file = path.toStdString(), options] { return readContour(file, options); },
+                 [this, path](Result<Contour> outline) {
+                     if (outline)
+                         m_objects->showImported(path, *outline);
+                     else
+                         m_objects->showImportError(sentence(outline.error()));
+                 });
+}
+
+void PageHost::showSession() {
+    if (!m_record)
+        return;
+    QStringList sentences;
+    for (const TraceEvent& event : m_record->events)
+        sentences << sentence(event.message);
+    m_review->setSession(*m_record, sentences);
+}
+
+void PageHost::showEditable() {
+    m_objects->setEditable(
+        m_editable,
+        m_editable ? QString() : tr("A run is armed or on. Objects can be changed once it has stopped."));
+}
+
+void PageHost::show(Page page) {
+    m_pages->setCurrentIndex(static_cast<int>(page));
+    emit pageChanged(page);
+}
+
+Page PageHost::page() const {
+    return static_cast<Page>(m_pages->currentIndex());
+}
+
+void PageHost::apply(const Snapshot& snapshot) {
+    m_run->apply(snapshot);
+    if (const bool editable = allowsEdits(snapshot.state); editable != m_editable) {
+        m_editable = editable;
+        showEditable();
+    }
+}
+
+void PageHost::setTemperatureUnit(TemperatureUnit unit) {
+    m_objects->setTemperatureUnit(unit);
+    m_targets->setTemperatureUnit(unit);
+    m_run->setTemperatureUnit(unit);
+    m_review->setTemperatureUnit(unit);
+}
+
+void PageHost::showMoment(double time_s) {
+    show(Page::Run);
+    m_run->showMoment(time_s);
+}
+
+void PageHost::showProblem(const QString& text) {
+    m_bar->say(MessageBar::Kind::Problem, text);
+}
+void PageHost::showNote(const QString& text) {
+    m_bar->say(MessageBar::Kind::Note, text);
+}
+
+void PageHost::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        m_bar->clear(); // it speaks the old language
+        showEditable();
+        showSession();
+    }
+}
+
+} // namespace bask

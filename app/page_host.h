@@ -1,0 +1,76 @@
+#pragma once
+// The four pages with the message bar over them, wired to the document and the engine.
+
+#include "app/document.h"
+#include "app/session_actions.h"
+#include "engine/base/units.h"
+#include "engine/runtime/command.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QStackedWidget;
+
+namespace bask {
+
+class MessageBar;
+class ObjectsPage;
+class ReviewPage;
+class RunPage;
+class TargetsPage;
+
+enum class Page { Objects, Targets, Run, Review };
+
+/// Edits go to the document, which refuses or takes them; what the engine must know goes out as
+/// commandIssued. Object names: "pages", "messageBar".
+class PageHost : public QWidget {
+    Q_OBJECT
+
+public:
+    PageHost(Document& document, SessionActions& files, QWidget* parent = nullptr);
+
+    void show(Page page);
+    Page page() const;
+    void apply(const Snapshot& snapshot);
+    void setTemperatureUnit(TemperatureUnit unit);
+    void showMoment(double time_s);
+
+    /// A sentence over the pages, until it is closed.
+    void showProblem(const QString& sentence);
+    void showNote(const QString& sentence);
+
+    ObjectsPage* objects() const { return m_objects; }
+    RunPage* run() const { return m_run; }
+    ReviewPage* review() const { return m_review; }
+
+signals:
+    void commandIssued(const bask::Command& command);
+    void pageChanged(bask::Page page);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void connectObjects();
+    void connectDocument();
+    void showDocument();
+    void importContour(const QString& path, const ContourImportOptions& options);
+    void showSession();
+    void showEditable();
+
+    Document& m_document;
+    SessionActions& m_files;
+    MessageBar* m_bar;
+    QStackedWidget* m_pages;
+    ObjectsPage* m_objects;
+    TargetsPage* m_targets;
+    RunPage* m_run;
+    ReviewPage* m_review;
+    std::shared_ptr<const SessionRecord> m_record;
+    bool m_editable = true;
+    LatestJob<Result<Contour>> m_import;
+};
+
+} // namespace bask

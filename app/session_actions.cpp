@@ -1,0 +1,235 @@
+#include "app/session_actions.h"
+
+#include "app/error_text.h"
+#include "app/examples.h"
+#include "app/settings_store.h"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace bask {
+namespace {
+
+QString withSuffix(const QString& path, const QString& suffix) {
+    return path.isEmpty() || suffix.isEmpty() || !QFileInfo(path).suffix().isEmpty() ? path
+                                                                                     : path + u'.' + suffix;
+}
+
+bool isSession(const QString& path) {
+    return QFileInfo(path).suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
+}
+
+} // namespace
+
+SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
+    : QObject(window), m_document(document), m_settings(settings), m_window(window) {}
+
+QString SessionActions::ask(const FileQuestion& question) {
+    QString path;
+    if (m_chooser) {
+        path = m_chooser(question);
+    } else if (question.kind == FileQuestion::Kind::Folder) {
+        path = QFileDialog::getExistingDirectory(m_window, question.title, question.folder);
+    } else if (question.kind == FileQuestion::Kind::OpenFile) {
+        path = QFileDialog::getOpenFileName(m_window, question.title, question.folder, question.filter);
+    } else {
+        path = QFileDialog::getSaveFileName(m_window, question.title, question.folder, question.filter);
+    }
+    path = withSuffix(path, question.suffix);
+    if (!path.isEmpty())
+        m_settings.setLastFolder(QFileInfo(path).absolutePath());
+    return path;
+}
+
+bool SessionActions::refusedByRun() {
+    if (!m_runIsOn || !m_runIsOn())
+        return false;
+    emit problem(sentence(Message{MessageCode::SessionAlreadyRunning, {}}));
+    return true;
+}
+
+bool SessionActions::mayDiscard() {
+    if (!m_document.modified())
+        return true;
+    QMessageBox box(QMessageBox::Question, tr("Unsaved experiment"),
+                    tr("\"%1\" was changed and not saved.").arg(m_document.displayName()),
+                    QMessageBox::NoButton, m_window);
+    box.setObjectName(QStringLiteral("unsavedQuestion"));
+    QPushButton* saving = box.addButton(tr("Save"), QMessageBox::AcceptRole);
+    QPushButton* discarding = box.addButton(tr("Discard changes"), QMessageBox::DestructiveRole);
+    QPushButton* staying = box.addButton(tr("Cancel"), QMessageBox::RejectRole);
+    box.setDefaultButton(saving);
+    box.setEscapeButton(staying);
+    box.exec();
+    if (box.clickedButton() == saving)
+        return save();
+    return box.clickedButton() == discarding;
+}
+
+void SessionActions::newExperiment() {
+    if (!refusedByRun() && mayDiscard())
+        m_document.open(Document::blank(), {});
+}
+
+void SessionActions::openExample(const QString& name, bool remember) {
+    if (refusedByRun() || (remember && !mayDiscard()))
+        return;
+    m_readExperiment.run([name] { return readExample(name); },
+                         [this](Result<Experiment> read) { adopt(std::move(read), {}); });
+}
+
+void SessionActions::askAndOpen() {
+    const QString path = ask({FileQuestion::Kind::OpenFile,
+                              tr("Open an experiment or a session"),
+                              m_settings.lastFolder(),
+                              tr("Experiments and sessions (*.json *.bask);;Experiments (*.json);;Sessions "
+                                 "(*.bask);;All files (*)"),
+                              {}});
+    if (!path.isEmpty())
+        open(path);
+}
+
+void SessionActions::askAndOpenSession() {
+    const QString path = ask({FileQuestion::Kind::OpenFile,
+                              tr("Open a session"),
+                              m_settings.lastFolder(),
+                              tr("Sessions (*.bask);;All files (*)"),
+                              {}});
+    if (!path.isEmpty())
+        openSession(path);
+}
+
+void SessionActions::open(const QString& path) {
+    if (isSession(path))
+        openSession(path);
+    else if (!refusedByRun() && mayDiscard())
+        openExperiment(path);
+}
+
+void SessionActions::openExperiment(const QString& path) {
+    m_readExperiment.run([file = path.toStdString()] { return readExperiment(file); },
+                         [this, path](Result<Experiment> read) { adopt(std::move(read), path); });
+}
+
+void SessionActions::adopt(Result<Experiment> read, const QString& path) {
+    if (!read) {
+        emit problem(sentence(read.error()));
+        m_settings.removeRecentFile(path);
+        emit recentChanged();
+        return;
+    }
+    if (refusedByRun()) // one may have begun while the file was read
+        return;
+    m_document.open(*read, path);
+    if (!path.isEmpty()) {
+        m_settings.addRecentFile(path);
+        emit recentChanged();
+    }
+}
+
+void SessionActions::openSession(const QString& path) {
+    m_readSession.run([file = path.toStdString()] { return readSession(file); },
+                      [this, path](Result<SessionRecord> read) {
+                          if (!read) {
+                              emit problem(sentence(read.error()));
+                              m_settings.removeRecentFile(path);
+                          } else {
+                              m_openSession = path;
+                              m_settings.addRecentFile(path);
+                              emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
+                          }
+                          emit recentChanged();
+                      });
+}
+
+bool SessionActions::write(const QString& path) {
+    if (const auto written = writeExperiment(m_document.experiment(), path.toStdString()); !written) {
+        emit problem(sentence(written.error()));
+        return false;
+    }
+    m_document.markSaved(path);
+    m_settings.addRecentFile(path);
+    emit recentChanged();
+    emit told(tr("Saved %1").arg(QFileInfo(path).fileName()));
+    return true;
+}
+
+bool SessionActions::save() {
+    return m_document.path().isEmpty() ? saveAs() : write(m_document.path());
+}
+
+bool SessionActions::saveAs() {
+    const QString proposed = m_document.path().isEmpty()
+                                 ? QDir(m_settings.lastFolder()).filePath(QStringLiteral("experiment.json"))
+                                 : m_document.path();
+    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the experiment"), proposed,
+                              tr("Experiments (*.json)"), QStringLiteral("json")});
+    return !path.isEmpty() && write(path);
+}
+
+void SessionActions::setRecording(const QString& path) {
+    if (path.isEmpty() || path == m_recording)
+        return;
+    m_recording = path;
+    emit recordingChanged();
+}
+
+void SessionActions::saveSession() {
+    if (m_recording.isEmpty())
+        return;
+    const QString proposed = QDir(m_settings.lastFolder()).filePath(QFileInfo(m_recording).fileName());
+    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the session"), proposed,
+                              tr("Sessions (*.bask)"), QStringLiteral("bask")});
+    if (path.isEmpty())
+        return;
+    m_copy.run([from = m_recording.toStdString(), to = path.toStdString()] { return copySession(from, to); },
+               [this, path](Result<void> copied) {
+                   if (!copied) {
+                       emit problem(sentence(copied.error()));
+                       return;
+                   }
+                   m_settings.addRecentFile(path);
+                   emit recentChanged();
+                   emit told(tr("Session saved as %1").arg(QFileInfo(path).fileName()));
+               });
+}
+
+void SessionActions::exportSession() {
+    if (m_openSession.isEmpty())
+        return;
+    const QString folder =
+        ask({FileQuestion::Kind::Folder, tr("Folder for the CSV files"), m_settings.lastFolder(), {}, {}});
+    if (folder.isEmpty())
+        return;
+    m_export.run(
+        [from = m_openSession.toStdString(), to = folder.toStdString()] {
+            return exportSessionCsv(from, to);
+        },
+        [this, folder](Result<std::vector<std::string>> files) {
+            if (!files)
+                emit problem(sentence(files.error()));
+            else
+                emit told(
+                    tr("%n file(s) written to %1", nullptr, static_cast<int>(files->size())).arg(folder));
+        });
+}
+
+QString SessionActions::nextRecordingPath() {
+    const QDir folder(recordingFolder());
+    if (!folder.mkpath(QStringLiteral("."))) {
+        emit problem(sentence(Error(MessageCode::FileUnwritable, folder.path().toStdString(),
+                                    {tr("the folder cannot be made").toStdString()})));
+        return {};
+    }
+    const QString stamp = QDateTime::currentDateTimeUtc().toString(QStringLiteral("yyyyMMdd'T'HHmmss'Z'"));
+    QString path = folder.filePath(stamp + QStringLiteral(".bask"));
+    for (int n = 2; QFileInfo::exists(path); ++n)
+        path = folder.filePath(QStringLiteral("%1-%2.bask").arg(stamp).arg(n));
+    return path;
+}
+
+} // namespace bask

@@ -1,0 +1,93 @@
+#pragma once
+// Files: experiments opened and saved, sessions opened, copied and exported. All but saving an experiment
+// (some 100 kB) runs off the GUI thread.
+
+#include "app/document.h"
+#include "app/latest_job.h"
+#include "engine/session/session_file.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+class QWidget;
+
+namespace bask {
+
+class SettingsStore;
+
+/// A question for a file name, so that a test can answer it.
+struct FileQuestion {
+    enum class Kind { OpenFile, SaveFile, Folder };
+    Kind kind = Kind::OpenFile;
+    QString title;
+    QString folder; ///< for SaveFile with the proposed name
+    QString filter;
+    QString suffix; ///< added to a name typed without one
+};
+
+class SessionActions : public QObject {
+    Q_OBJECT
+
+public:
+    SessionActions(Document& document, SettingsStore& settings, QWidget* window);
+
+    /// Answers file questions instead of the dialog; empty means cancelled.
+    void setFileChooser(std::function<QString(const FileQuestion&)> chooser) {
+        m_chooser = std::move(chooser);
+    }
+    /// Whether a run forbids another experiment, asked before it is put in.
+    void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
+    void setRecording(const QString& path);
+
+    void newExperiment();
+    void openExample(const QString& name, bool remember = true);
+    void askAndOpen();
+    void askAndOpenSession();
+    /// By suffix: *.bask is a session, anything else an experiment.
+    void open(const QString& path);
+    bool save(); ///< false: cancelled or refused
+    bool saveAs();
+    void saveSession();
+    void exportSession();
+
+    /// A changed experiment may be lost: asks to save. False: stay.
+    bool mayDiscard();
+
+    /// File for the run that is armed next; its folder is made. Empty when that is impossible (said as a
+    /// problem).
+    QString nextRecordingPath();
+    bool hasRecording() const { return !m_recording.isEmpty(); }
+
+signals:
+    void problem(const QString& sentence);
+    void told(const QString& sentence);
+    void sessionOpened(std::shared_ptr<const bask::SessionRecord> record);
+    void recentChanged();
+    void recordingChanged();
+
+private:
+    QString ask(const FileQuestion& question);
+    bool refusedByRun();
+    void adopt(Result<Experiment> read, const QString& path);
+    void openExperiment(const QString& path);
+    void openSession(const QString& path);
+    bool write(const QString& path);
+
+    Document& m_document;
+    SettingsStore& m_settings;
+    QWidget* m_window;
+    std::function<QString(const FileQuestion&)> m_chooser;
+    std::function<bool()> m_runIsOn;
+    QString m_recording;
+    QString m_openSession;
+    LatestJob<Result<Experiment>> m_readExperiment;
+    LatestJob<Result<SessionRecord>> m_readSession;
+    LatestJob<Result<void>> m_copy;
+    LatestJob<Result<std::vector<std::string>>> m_export;
+};
+
+} // namespace bask

@@ -1,0 +1,116 @@
+#include "app/settings_store.h"
+
+#include "app/language.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+namespace bask {
+namespace {
+
+constexpr int kWindowVersion = 1; ///< grows when docks change, so that an old layout is not restored
+
+QString overrideFolder() {
+    return qEnvironmentVariable("BASK_SETTINGS_DIR");
+}
+
+QString settingsFile() {
+    const QString folder = overrideFolder();
+    return folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) +
+                                  QStringLiteral("/bask.ini")
+                            : QDir(folder).filePath(QStringLiteral("bask.ini"));
+}
+
+QString windowKey(const char* what) {
+    return QStringLiteral("window/%1-%2").arg(what).arg(kWindowVersion);
+}
+
+} // namespace
+
+QString recordingFolder() {
+    const QString folder = overrideFolder();
+    const QString base =
+        folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) : folder;
+    return QDir(base).filePath(QStringLiteral("sessions"));
+}
+
+SettingsStore::SettingsStore() : m_settings(settingsFile(), QSettings::IniFormat) {}
+
+TemperatureUnit SettingsStore::temperatureUnit() const {
+    const QString value = m_settings.value(QStringLiteral("unit")).toString();
+    return value == QLatin1String("K")   ? TemperatureUnit::Kelvin
+           : value == QLatin1String("F") ? TemperatureUnit::Fahrenheit
+                                         : TemperatureUnit::Celsius;
+}
+
+void SettingsStore::setTemperatureUnit(TemperatureUnit unit) {
+    m_settings.setValue(QStringLiteral("unit"), unit == TemperatureUnit::Kelvin       ? QStringLiteral("K")
+                                                : unit == TemperatureUnit::Fahrenheit ? QStringLiteral("F")
+                                                                                      : QStringLiteral("C"));
+}
+
+Theme SettingsStore::theme() const {
+    const QString value = m_settings.value(QStringLiteral("theme")).toString();
+    return value == QLatin1String("light")  ? Theme::Light
+           : value == QLatin1String("dark") ? Theme::Dark
+                                            : Theme::System;
+}
+
+void SettingsStore::setTheme(Theme theme) {
+    m_settings.setValue(QStringLiteral("theme"), theme == Theme::Light  ? QStringLiteral("light")
+                                                 : theme == Theme::Dark ? QStringLiteral("dark")
+                                                                        : QStringLiteral("system"));
+}
+
+QString SettingsStore::language() const {
+    const QString value = m_settings.value(QStringLiteral("language")).toString();
+    return Language::codes().contains(value) ? value : Language::ofDesktop();
+}
+
+void SettingsStore::setLanguage(const QString& code) {
+    m_settings.setValue(QStringLiteral("language"), code);
+}
+
+QStringList SettingsStore::recentFiles() const {
+    return m_settings.value(QStringLiteral("recent")).toStringList().mid(0, kMaxRecent);
+}
+
+void SettingsStore::addRecentFile(const QString& path) {
+    const QString absolute = QFileInfo(path).absoluteFilePath();
+    QStringList files = recentFiles();
+    files.removeAll(absolute);
+    files.prepend(absolute);
+    m_settings.setValue(QStringLiteral("recent"), files.mid(0, kMaxRecent));
+}
+
+void SettingsStore::removeRecentFile(const QString& path) {
+    QStringList files = recentFiles();
+    files.removeAll(path);
+    m_settings.setValue(QStringLiteral("recent"), files);
+}
+
+QString SettingsStore::lastFolder() const {
+    const QString folder = m_settings.value(QStringLiteral("folder")).toString();
+    return !folder.isEmpty() && QFileInfo(folder).isDir()
+               ? folder
+               : QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+void SettingsStore::setLastFolder(const QString& folder) {
+    m_settings.setValue(QStringLiteral("folder"), folder);
+}
+
+QByteArray SettingsStore::windowGeometry() const {
+    return m_settings.value(windowKey("geometry")).toByteArray();
+}
+QByteArray SettingsStore::windowState() const {
+    return m_settings.value(windowKey("state")).toByteArray();
+}
+
+void SettingsStore::setWindow(const QByteArray& geometry, const QByteArray& state) {
+    m_settings.setValue(windowKey("geometry"), geometry);
+    m_settings.setValue(windowKey("state"), state);
+}
+
+} // namespace bask

@@ -1,0 +1,50 @@
+#pragma once
+// What Bask remembers between starts: recent files, units, theme, language, window places.
+
+#include "engine/base/units.h"
+#include "widgets/common/theme.h"
+
+#include <QByteArray>
+#include <QSettings>
+#include <QStringList>
+
+namespace bask {
+
+/// An INI file in the user's configuration folder, or in the folder that BASK_SETTINGS_DIR names. Unknown
+/// values read as the defaults.
+class SettingsStore {
+public:
+    static constexpr int kMaxRecent = 8;
+
+    SettingsStore();
+
+    TemperatureUnit temperatureUnit() const;
+    void setTemperatureUnit(TemperatureUnit unit);
+
+    Theme theme() const;
+    void setTheme(Theme theme);
+
+    /// "en" or "fr"; the desktop's language when it was never chosen.
+    QString language() const;
+    void setLanguage(const QString& code);
+
+    /// Newest first.
+    QStringList recentFiles() const;
+    void addRecentFile(const QString& path);
+    void removeRecentFile(const QString& path);
+
+    QString lastFolder() const;
+    void setLastFolder(const QString& folder);
+
+    QByteArray windowGeometry() const;
+    QByteArray windowState() const;
+    void setWindow(const QByteArray& geometry, const QByteArray& state);
+
+private:
+    QSettings m_settings;
+};
+
+/// Where runs are recorded: AppLocalDataLocation/sessions, or BASK_SETTINGS_DIR/sessions.
+QString recordingFolder();
+
+} // namespace bask

@@ -1,0 +1,72 @@
+#include "app/start_window.h"
+
+#include "app/main_window.h"
+#include "widgets/common/theme.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLocale>
+
+#include <clocale>
+#include <cstdio>
+#include <cstdlib>
+
+namespace bask {
+namespace {
+
+/// Says how long the start took, once the first readings were painted.
+void reportStart(MainWindow& window, const QElapsedTimer& sinceStart) {
+    auto* connection = new QMetaObject::Connection;
+    *connection =
+        QObject::connect(&window, &MainWindow::snapshotApplied, [&, connection](const Snapshot& snapshot) {
+            if (snapshot.latest.objects.empty())
+                return;
+            QObject::disconnect(*connection);
+            delete connection;
+            window.repaint();
+            std::fprintf(stderr, "first picture: %lld ms\n", static_cast<long long>(sinceStart.elapsed()));
+        });
+}
+
+/// While the QApplication is made: Qt aborts when no display answers; a sentence and exit code 1 are kinder.
+void refuseDisplay(QtMsgType type, const QMessageLogContext&, const QString& text) {
+    if (type != QtFatalMsg) {
+        if (type == QtCriticalMsg)
+            std::fprintf(stderr, "%s\n", qPrintable(text));
+        return;
+    }
+    std::fprintf(stderr,
+                 "bask: the window cannot open: no display answers (DISPLAY=%s, WAYLAND_DISPLAY=%s, "
+                 "QT_QPA_PLATFORM=%s). Work without a window: bask --help\n",
+                 qPrintable(qEnvironmentVariable("DISPLAY")),
+                 qPrintable(qEnvironmentVariable("WAYLAND_DISPLAY")),
+                 qPrintable(qEnvironmentVariable("QT_QPA_PLATFORM")));
+    std::_Exit(1);
+}
+
+} // namespace
+
+int runWindow(int& argc, char** argv, const QString& file) {
+    QElapsedTimer sinceStart;
+    sinceStart.start();
+    QCoreApplication::setApplicationName(QStringLiteral("bask"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(BASK_VERSION));
+    QGuiApplication::setDesktopFileName(QStringLiteral("bask"));
+    const QtMessageHandler usual = qInstallMessageHandler(refuseDisplay);
+    QApplication application(argc, argv);
+    qInstallMessageHandler(usual);
+    QGuiApplication::setApplicationDisplayName(QString());
+    // Qt takes the user's locale; files and sentences keep the decimal point.
+    std::setlocale(LC_NUMERIC, "C");
+    QLocale::setDefault(QLocale::c());
+    applyTheme(application, SettingsStore().theme());
+
+    MainWindow window;
+    if (qEnvironmentVariableIntValue("BASK_TIMING") == 1)
+        reportStart(window, sinceStart);
+    window.show();
+    window.begin(file);
+    return QApplication::exec();
+}
+
+} // namespace bask

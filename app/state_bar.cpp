@@ -1,0 +1,145 @@
+#include "app/state_bar.h"
+
+#include "app/error_text.h"
+#include "app/icons.h"
+#include "widgets/common/display.h"
+#include "widgets/common/run_state_chip.h"
+#include "widgets/common/stop_button.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStyle>
+#include <QToolButton>
+
+namespace bask {
+
+StateBar::StateBar(Actions& actions, QWidget* parent)
+    : QFrame(parent), m_actions(actions), m_tag(new QFrame(this)), m_tagIcon(new QLabel(m_tag)),
+      m_tagWord(new QLabel(m_tag)), m_chip(new RunStateChip(this)), m_clockCaption(new QLabel(this)),
+      m_clock(new QLabel(this)), m_emergency(new StopButton(this)) {
+    setObjectName(QStringLiteral("stateBar"));
+    auto* tagRow = new QHBoxLayout(m_tag);
+    tagRow->setContentsMargins(8, 3, 10, 3);
+    tagRow->setSpacing(6);
+    tagRow->addWidget(m_tagIcon);
+    tagRow->addWidget(m_tagWord);
+    m_tag->setObjectName(QStringLiteral("rigTag"));
+
+    m_arm = makeButton(actions.verb(Verb::Arm), "armButton");
+    m_start = makeButton(actions.verb(Verb::Start), "startButton");
+    m_hold = makeButton(actions.verb(Verb::Hold), "holdButton");
+    m_stop = makeButton(actions.verb(Verb::Stop), "stopRunButton");
+    m_reset = makeButton(actions.verb(Verb::Reset), "resetButton");
+    m_reset->hide();
+
+    m_clock->setObjectName(QStringLiteral("runClock"));
+    QFont clockFont = font();
+    clockFont.setPointSizeF(font().pointSizeF() * 1.5);
+    m_clock->setFont(clockFont);
+    m_clock->setMinimumWidth(QFontMetrics(clockFont).horizontalAdvance(QStringLiteral("00:00:00")));
+
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(10, 6, 10, 6);
+    row->setSpacing(8);
+    row->addWidget(m_tag);
+    row->addWidget(m_chip);
+    row->addSpacing(8);
+    for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_reset})
+        row->addWidget(button);
+    row->addSpacing(12);
+    row->addWidget(m_clockCaption);
+    row->addWidget(m_clock);
+    row->addStretch(1);
+    row->addWidget(m_emergency);
+
+    connect(m_emergency, &StopButton::stopRequested, this, &StateBar::stopRequested);
+    connect(m_chip, &RunStateChip::reasonActivated, this, &StateBar::reasonActivated);
+    retranslate();
+    showTag();
+    setAnswering(true);
+}
+
+QToolButton* StateBar::makeButton(QAction* action, const char* name) {
+    auto* button = new QToolButton(this);
+    button->setObjectName(QLatin1String(name));
+    button->setDefaultAction(action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    button->setIconSize({20, 20});
+    button->setMinimumHeight(38);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
+}
+
+void StateBar::apply(const Snapshot& snapshot) {
+    if (snapshot.simulated != m_simulated) {
+        m_simulated = snapshot.simulated;
+        showTag();
+    }
+    m_state = snapshot.state;
+    m_reasons = snapshot.reasons;
+    showChip();
+    QAction* hold = m_actions.verb(snapshot.state == RunState::Holding ? Verb::Resume : Verb::Hold);
+    if (m_hold->defaultAction() != hold) {
+        // A tool button collects the actions it was given; its menu must not offer the old one.
+        m_hold->removeAction(m_hold->defaultAction());
+        m_hold->setDefaultAction(hold);
+    }
+    m_reset->setVisible(snapshot.state == RunState::Fault);
+    m_clock->setText(formatDuration(snapshot.runTime_s));
+}
+
+void StateBar::setAnswering(bool answering) {
+    m_answering = answering;
+    showChip();
+}
+
+void StateBar::showChip() {
+    if (!m_answering) {
+        m_chip->setState(RunState::Fault,
+                         {tr("The engine is not answering. The devices' own watchdogs stop the heat and "
+                             "the motion. Close Bask and start it again.")});
+        return;
+    }
+    QStringList sentences;
+    for (const Message& reason : m_reasons)
+        sentences << sentence(reason);
+    m_chip->setState(m_state, sentences);
+}
+
+void StateBar::showTag() {
+    const bool dark = isDark(this);
+    const QColor colour = m_simulated ? secondaryText(dark) : accentColor(dark);
+    m_tag->setStyleSheet(
+        QStringLiteral("#rigTag { border: 2px %1 %2; border-radius: 5px; } "
+                       "#rigTag QLabel { color: %2; font-weight: 600; }")
+            .arg(m_simulated ? QStringLiteral("dashed") : QStringLiteral("solid"), colour.name()));
+    QPalette tinted = palette();
+    tinted.setColor(QPalette::ButtonText, colour);
+    m_tagIcon->setPixmap(themedIcon(m_simulated ? QStringLiteral("simulated") : QStringLiteral("run"), tinted)
+                             .pixmap(QSize(18, 18), devicePixelRatio()));
+    m_tagWord->setText(m_simulated ? tr("SIMULATED") : tr("LIVE"));
+    m_tag->setToolTip(m_simulated ? tr("The rig is simulated: no device moves or heats.")
+                                  : tr("The rig is real: Start moves it and opens the heat."));
+    m_tag->setAccessibleName(m_tagWord->text());
+}
+
+void StateBar::retranslate() {
+    m_clockCaption->setText(tr("Run"));
+    m_clock->setToolTip(tr("Time since Start"));
+    m_clock->setAccessibleName(tr("Time since Start"));
+    setAccessibleName(tr("State of the run"));
+}
+
+void StateBar::changeEvent(QEvent* event) {
+    QFrame::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange) {
+        retranslate();
+        showTag();
+        showChip();
+    } else if (event->type() == QEvent::PaletteChange) {
+        showTag();
+    }
+}
+
+} // namespace bask

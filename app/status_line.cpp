@@ -1,0 +1,97 @@
+#include "app/status_line.h"
+
+#include "app/language.h"
+#include "widgets/common/display.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+
+namespace bask {
+
+StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
+    : QStatusBar(parent), m_ageLabel(new QLabel(this)), m_loopLabel(new QLabel(this)),
+      m_recordingLabel(new QLabel(this)), m_unit(new QToolButton(this)), m_language(new QToolButton(this)) {
+    m_ageLabel->setObjectName(QStringLiteral("sampleAge"));
+    m_loopLabel->setObjectName(QStringLiteral("loopRate"));
+    m_recordingLabel->setObjectName(QStringLiteral("recording"));
+    m_unit->setObjectName(QStringLiteral("unitButton"));
+    m_language->setObjectName(QStringLiteral("languageButton"));
+    setSizeGripEnabled(false);
+    for (QLabel* label : {m_ageLabel, m_loopLabel, m_recordingLabel}) {
+        label->setContentsMargins(6, 0, 10, 0);
+        addWidget(label);
+    }
+    m_unit->setMenu(unitMenu);
+    m_language->setMenu(languageMenu);
+    for (QToolButton* button : {m_unit, m_language}) {
+        button->setPopupMode(QToolButton::InstantPopup);
+        button->setAutoRaise(true);
+        button->setFocusPolicy(Qt::TabFocus);
+        addPermanentWidget(button);
+    }
+    retranslate();
+}
+
+void StatusLine::apply(const Snapshot& snapshot) {
+    m_any = !snapshot.latest.objects.empty();
+    m_age_s = snapshot.sampleAge_s;
+    m_rate_Hz = snapshot.loopRate_Hz;
+    m_late = snapshot.lateSteps;
+    m_speed = snapshot.simulationSpeed;
+    m_rows = snapshot.recordedRows;
+    m_recording = QString::fromStdString(snapshot.recordingPath);
+    refresh();
+}
+
+void StatusLine::setAnswering(bool answering) {
+    m_answering = answering;
+    refresh();
+}
+
+void StatusLine::refresh() {
+    const auto set = [](QLabel* label, const QString& text) {
+        if (label->text() != text)
+            label->setText(text);
+    };
+    if (!m_answering) {
+        set(m_ageLabel, tr("engine not answering"));
+        return;
+    }
+    set(m_ageLabel, m_any ? tr("readings %1 s old").arg(m_age_s, 0, 'f', 1) : tr("no readings"));
+    const QString speed =
+        m_speed > 1.0 ? QStringLiteral(" ") + tr("(simulation ×%1)").arg(m_speed, 0, 'g', 3) : QString();
+    set(m_loopLabel, tr("loop %1 Hz, late %2").arg(m_rate_Hz, 0, 'f', 1).arg(m_late) + speed);
+    set(m_recordingLabel,
+        m_recording.isEmpty()
+            ? tr("not recording")
+            : tr("recording %1, %2 samples").arg(QFileInfo(m_recording).fileName()).arg(m_rows));
+    m_recordingLabel->setToolTip(m_recording);
+}
+
+void StatusLine::showTemperatureUnit(TemperatureUnit unit) {
+    m_unit->setText(temperatureUnitSymbol(unit));
+}
+void StatusLine::showLanguage(const QString& code) {
+    m_language->setText(Language::ownName(code));
+}
+
+void StatusLine::retranslate() {
+    m_ageLabel->setToolTip(tr("Age of the newest temperature readings"));
+    m_loopLabel->setToolTip(tr("Control steps a second, and how many began late"));
+    m_unit->setToolTip(tr("Temperature unit"));
+    m_unit->setAccessibleName(tr("Temperature unit"));
+    m_language->setToolTip(tr("Language"));
+    m_language->setAccessibleName(tr("Language"));
+    refresh();
+}
+
+void StatusLine::changeEvent(QEvent* event) {
+    QStatusBar::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace bask

@@ -1,0 +1,49 @@
+#pragma once
+// The line at the window's foot: age of the readings, loop rate and late steps, recording, unit, language.
+
+#include "engine/base/units.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QStatusBar>
+
+class QLabel;
+class QMenu;
+class QToolButton;
+
+namespace bask {
+
+/// Object names: "sampleAge", "loopRate", "recording", "unitButton", "languageButton".
+class StatusLine : public QStatusBar {
+    Q_OBJECT
+
+public:
+    StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent = nullptr);
+
+    void apply(const Snapshot& snapshot);
+    void setAnswering(bool answering);
+    void showTemperatureUnit(TemperatureUnit unit);
+    void showLanguage(const QString& code);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void retranslate();
+
+    bool m_answering = true;
+    bool m_any = false;
+    double m_age_s = 0.0;
+    double m_rate_Hz = 0.0;
+    std::uint64_t m_late = 0;
+    double m_speed = 1.0;
+    std::size_t m_rows = 0;
+    QString m_recording;
+    QLabel* m_ageLabel;
+    QLabel* m_loopLabel;
+    QLabel* m_recordingLabel;
+    QToolButton* m_unit;
+    QToolButton* m_language;
+};
+
+} // namespace bask

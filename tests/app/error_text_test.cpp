@@ -1,0 +1,38 @@
+#include "app/error_text.h"
+#include "app/language.h"
+#include "app/resources.h"
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+TEST(ErrorText, NamesThePlace) {
+    EXPECT_EQ(sentence(Error(MessageCode::FileEmpty, "a.json")), QStringLiteral("a.json: the file is empty"));
+    EXPECT_EQ(sentence(Error(MessageCode::FileEmpty, "")), QStringLiteral("the file is empty"));
+}
+
+// Catches: an argument with a percent sign taken for a placeholder.
+TEST(ErrorText, ArgumentsAreNotPlaceholders) {
+    EXPECT_TRUE(sentence(Message{MessageCode::FileUnreadable, {"100%1"}}).endsWith(QStringLiteral("100%1")));
+}
+
+// Catches: English words of the engine inside a translated sentence.
+TEST(ErrorText, WordsOfTheEngineAreTranslatedToo) {
+    initResources();
+    Language language;
+    language.set(QStringLiteral("fr"));
+    const QString refusal = sentence(Message{MessageCode::CommandNotNow, {"Start", "Not ready"}});
+    EXPECT_FALSE(refusal.contains(QStringLiteral("Start"))) << refusal.toStdString();
+    EXPECT_FALSE(refusal.contains(QStringLiteral("Not ready"))) << refusal.toStdString();
+    const QString fault =
+        sentence(Message{MessageCode::EventFault, {describe(Message{MessageCode::ReasonEmergencyStop, {}})}});
+    EXPECT_FALSE(fault.contains(QStringLiteral("robot stands"))) << fault.toStdString();
+    const QString nested = sentence(Message{
+        MessageCode::EventFault, {describe(Message{MessageCode::ReasonOverTemperature, {"circle"}})}});
+    EXPECT_TRUE(nested.contains(QStringLiteral("circle")));
+    EXPECT_FALSE(nested.contains(QStringLiteral("temperature limit"))) << nested.toStdString();
+}
+
+} // namespace
+} // namespace bask::test

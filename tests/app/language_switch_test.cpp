@@ -1,0 +1,216 @@
+// Switches the language while the program runs and reads everything that is on the screen.
+
+#include "tests/app/translation_file.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/common/run_state_chip.h"
+#include "widgets/plots/trace_plot.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QGroupBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QTabWidget>
+#include <QTableView>
+#include <QTreeView>
+
+namespace bask::test {
+namespace {
+
+QString bare(QString text) {
+    const auto tab = text.indexOf(u'\t');
+    return (tab < 0 ? text : text.left(tab)).remove(u'&').trimmed();
+}
+
+/// Sentences of one language that must not be seen while the other is on.
+class Sentences {
+public:
+    void add(const QString& text) {
+        if (!text.contains(u'%')) {
+            m_exact << bare(text);
+            return;
+        }
+        QString pattern = QRegularExpression::escape(bare(text));
+        static const QRegularExpression kPlaceholder(QStringLiteral("\\\\%L?[1-9n]"));
+        pattern.replace(kPlaceholder, QStringLiteral(".*"));
+        QString letters = bare(text);
+        letters.remove(QRegularExpression(QStringLiteral("%[1-9n]|[^a-zA-Z]")));
+        if (letters.size() >= 4)
+            m_patterns << QRegularExpression(QRegularExpression::anchoredPattern(pattern));
+    }
+    bool has(const QString& text) const {
+        if (m_exact.contains(text))
+            return true;
+        for (const auto& pattern : m_patterns)
+            if (pattern.match(text).hasMatch())
+                return true;
+        return false;
+    }
+
+private:
+    QSet<QString> m_exact;
+    QList<QRegularExpression> m_patterns;
+};
+
+/// What a person or a screen reader can read of a widget, each with where it stands.
+class Reader {
+public:
+    QList<QPair<QString, QString>> read(QWidget* window) {
+        one(window);
+        for (QWidget* widget : window->findChildren<QWidget*>())
+            one(widget);
+        for (QAction* action : window->findChildren<QAction*>()) {
+            const QString where = QStringLiteral("action ") + action->objectName();
+            take(where, action->text());
+            take(where, action->toolTip());
+            take(where, action->statusTip());
+        }
+        return m_texts;
+    }
+
+private:
+    void take(const QString& where, const QString& text) {
+        if (!text.trimmed().isEmpty())
+            m_texts << qMakePair(where, bare(text));
+    }
+
+    void one(QWidget* widget) {
+        const QString where = QLatin1String(widget->metaObject()->className()) + u' ' + widget->objectName();
+        take(where, widget->toolTip());
+        take(where, widget->accessibleName());
+        take(where, widget->accessibleDescription());
+        if (auto* label = qobject_cast<QLabel*>(widget))
+            take(where, label->text());
+        if (auto* button = qobject_cast<QAbstractButton*>(widget))
+            take(where, button->text());
+        if (auto* box = qobject_cast<QGroupBox*>(widget))
+            take(where, box->title());
+        if (auto* menu = qobject_cast<QMenu*>(widget))
+            take(where, menu->title());
+        if (auto* edit = qobject_cast<QLineEdit*>(widget))
+            take(where, edit->placeholderText());
+        if (auto* dock = qobject_cast<QDockWidget*>(widget))
+            take(where, dock->windowTitle());
+        if (auto* plot = qobject_cast<TracePlot*>(widget))
+            take(where, plot->valueAxisLabel());
+        if (auto* chip = qobject_cast<RunStateChip*>(widget))
+            for (const QString& reason : chip->reasons())
+                take(where, reason);
+        if (auto* combo = qobject_cast<QComboBox*>(widget))
+            for (int i = 0; i < combo->count(); ++i)
+                take(where, combo->itemText(i));
+        if (auto* tabs = qobject_cast<QTabWidget*>(widget))
+            for (int i = 0; i < tabs->count(); ++i) {
+                take(where, tabs->tabText(i));
+                take(where, tabs->tabToolTip(i));
+            }
+        if (const QVariant suffix = widget->property("suffix"); suffix.isValid())
+            take(where, suffix.toString());
+        if (auto* view = qobject_cast<QAbstractItemView*>(widget);
+            view != nullptr && view->model() != nullptr)
+            model(where, *view->model());
+    }
+
+    void model(const QString& where, const QAbstractItemModel& items) {
+        for (int column = 0; column < items.columnCount(); ++column) {
+            take(where, items.headerData(column, Qt::Horizontal).toString());
+            for (int row = 0; row < items.rowCount(); ++row) {
+                take(where, items.index(row, column).data().toString());
+                take(where, items.index(row, column).data(Qt::ToolTipRole).toString());
+            }
+        }
+    }
+
+    QList<QPair<QString, QString>> m_texts;
+};
+
+class LanguageSwitchTest : public WindowTest {
+protected:
+    void SetUp() override {
+        WindowTest::SetUp();
+        QSet<QString> englishToo, frenchToo;
+        const auto entries = readTranslations(QStringLiteral(BASK_TRANSLATIONS "/bask_fr.ts"));
+        for (const auto& entry : entries) {
+            englishToo << bare(entry.source);
+            frenchToo << bare(entry.translation);
+        }
+        for (const auto& entry : entries) {
+            // A word that is also right in the other language somewhere ("Source", "Position") proves
+            // nothing.
+            if (!frenchToo.contains(bare(entry.source)))
+                m_english.add(entry.source);
+            if (!englishToo.contains(bare(entry.translation)))
+                m_french.add(entry.translation);
+        }
+    }
+
+    void expectNone(const Sentences& unwanted) {
+        int read = 0;
+        for (int page = 0; page < kPages; ++page) {
+            window->pages().show(static_cast<Page>(page));
+            QCoreApplication::processEvents();
+            for (const auto& [where, text] : Reader().read(window.get())) {
+                ++read;
+                EXPECT_FALSE(unwanted.has(text))
+                    << "page " << page << ", " << where.toStdString() << ": " << text.toStdString();
+            }
+            if (HasFailure())
+                return;
+        }
+        EXPECT_GT(read, 400); // the reader itself works
+    }
+
+    void fillEverything() {
+        ASSERT_NO_FATAL_FAILURE(goFast());
+        ASSERT_TRUE(waitForState(RunState::Ready));
+        click("armButton");
+        ASSERT_TRUE(waitForState(RunState::Armed));
+        click("startButton");
+        ASSERT_TRUE(waitFor([this] { return samples.size() > 5; }));
+        click("holdButton");
+        ASSERT_TRUE(waitForState(RunState::Holding));
+        const QString recording = QString::fromStdString(window->lastSnapshot().recordingPath);
+        click("stopRunButton");
+        ASSERT_TRUE(waitForState(RunState::Stopped));
+        bool opened = false;
+        QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
+                         [&] { opened = true; });
+        window->files().open(recording);
+        ASSERT_TRUE(waitFor([&] { return opened; }));
+    }
+
+    Sentences m_english, m_french;
+};
+
+// Catches: a text made once in a constructor, a string outside tr(), a translation that is missing or not
+// loaded.
+TEST_F(LanguageSwitchTest, NoEnglishIsLeftInFrenchAndNoFrenchInEnglish) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(fillEverything());
+    window->setLanguage(QStringLiteral("fr"));
+    expectNone(m_english);
+    window->setLanguage(QStringLiteral("en"));
+    expectNone(m_french);
+}
+
+// Catches: sentences of the engine and of late-made widgets that miss the language in force.
+TEST_F(LanguageSwitchTest, AWholeRunInFrench) {
+    SettingsStore().setLanguage(QStringLiteral("fr"));
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(fillEverything());
+    expectNone(m_english);
+    QTest::keyClick(window.get(), Qt::Key_F12);
+    ASSERT_TRUE(waitForState(RunState::Fault));
+    expectNone(m_english);
+    keepPictures(QStringLiteral("french"));
+}
+
+} // namespace
+} // namespace bask::test

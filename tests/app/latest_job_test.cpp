@@ -1,0 +1,53 @@
+#include "app/latest_job.h"
+#include "tests/app/wait_for.h"
+
+#include <gtest/gtest.h>
+
+#include <semaphore>
+#include <thread>
+
+namespace bask::test {
+namespace {
+
+// Catches: an old answer that arrives after, or instead of, the newest.
+TEST(LatestJob, OnlyTheNewestAnswerCounts) {
+    auto gate = std::make_shared<std::binary_semaphore>(0);
+    LatestJob<int> job;
+    std::vector<int> answers;
+    const auto take = [&](int value) { answers.push_back(value); };
+    job.run([gate] { return gate->acquire(), 1; }, take);
+    job.run([] { return 2; }, take);
+    job.run([] { return 3; }, take);
+    EXPECT_TRUE(job.busy());
+    gate->release();
+    ASSERT_TRUE(waitFor([&] { return !job.busy(); }));
+    EXPECT_EQ(answers, std::vector<int>{3});
+}
+
+// Catches: an answer delivered to an owner that is gone.
+TEST(LatestJob, TheOwnerMayGoFirst) {
+    auto gate = std::make_shared<std::binary_semaphore>(0);
+    bool answered = false;
+    {
+        LatestJob<int> job;
+        job.run([gate] { return gate->acquire(), 1; }, [&](int) { answered = true; });
+    }
+    gate->release();
+    QThreadPool::globalInstance()->waitForDone();
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(answered);
+}
+
+// Catches: work on the GUI thread.
+TEST(LatestJob, WorksOnAnotherThread) {
+    LatestJob<bool> job;
+    bool other = false;
+    bool done = false;
+    job.run([gui = std::this_thread::get_id()] { return std::this_thread::get_id() != gui; },
+            [&](bool value) { other = value, done = true; });
+    ASSERT_TRUE(waitFor([&] { return done; }));
+    EXPECT_TRUE(other);
+}
+
+} // namespace
+} // namespace bask::test

@@ -1,0 +1,176 @@
+// The window's own promises: buttons follow the engine, edits are refused during a run, closing asks, starts
+// need the tick.
+
+#include "tests/app/window_fixture.h"
+#include "widgets/common/run_state_chip.h"
+#include "widgets/objects/message_bar.h"
+
+#include <QAbstractButton>
+#include <QCheckBox>
+#include <QDialog>
+#include <QFile>
+#include <QLabel>
+#include <QMenu>
+#include <QTemporaryDir>
+
+namespace bask::test {
+namespace {
+
+class MainWindowTest : public WindowTest {
+protected:
+    void arm() {
+        ASSERT_NO_FATAL_FAILURE(goFast());
+        ASSERT_TRUE(waitForState(RunState::Ready));
+        click("armButton");
+        ASSERT_TRUE(waitForState(RunState::Armed));
+    }
+    QString message() { return window->findChild<MessageBar*>(QStringLiteral("messageBar"))->sentence(); }
+};
+
+// Catches: a verb enabled by what a button hoped for rather than by the reported state.
+TEST_F(MainWindowTest, ButtonsFollowTheReportedState) {
+    openWindow();
+    for (const char* name : {"startButton", "holdButton", "stopRunButton"})
+        EXPECT_FALSE(find<QAbstractButton>(name)->isEnabled()) << name;
+    ASSERT_NO_FATAL_FAILURE(arm());
+    EXPECT_FALSE(find<QAbstractButton>("armButton")->isEnabled());
+    EXPECT_TRUE(find<QAbstractButton>("startButton")->isEnabled());
+    click("stopRunButton"); // while armed: disarm
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    EXPECT_TRUE(find<QAbstractButton>("armButton")->isEnabled());
+    EXPECT_FALSE(find<QAbstractButton>("startButton")->isEnabled());
+}
+
+TEST_F(MainWindowTest, HoldBecomesResume) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(arm());
+    click("startButton");
+    ASSERT_TRUE(waitForState(RunState::Running));
+    click("holdButton");
+    ASSERT_TRUE(waitForState(RunState::Holding));
+    EXPECT_EQ(find<QAbstractButton>("holdButton")->text().remove(u'&'), QStringLiteral("Resume"));
+    click("holdButton");
+    EXPECT_TRUE(waitForState(RunState::Running));
+}
+
+// Catches: another experiment slipped in under a run.
+TEST_F(MainWindowTest, OpeningAnExperimentDuringARunIsRefusedInWords) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(arm());
+    const Experiment before = window->document().experiment();
+    window->files().setFileChooser(
+        [](const FileQuestion&) { return QStringLiteral(BASK_EXAMPLES "/two-circles.json"); });
+    QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
+    EXPECT_TRUE(waitFor([this] { return message().contains(QStringLiteral("A run is on")); }));
+    EXPECT_EQ(window->document().experiment(), before);
+    EXPECT_EQ(state(), RunState::Armed);
+}
+
+// Catches: a bad file that replaces the experiment, or a refusal without file and reason.
+TEST_F(MainWindowTest, ABadFileIsRefusedAndNothingChanges) {
+    openWindow();
+    const Experiment before = window->document().experiment();
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("bad.json"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{\"format\": \"bask-experiment\", \"version\": 1, \"colour\": \"red\"}");
+    file.close();
+    window->files().open(path);
+    ASSERT_TRUE(waitFor([this] { return !message().isEmpty(); }));
+    EXPECT_TRUE(message().contains(QStringLiteral("bad.json"))) << message().toStdString();
+    EXPECT_TRUE(message().contains(QStringLiteral("colour"))) << message().toStdString();
+    EXPECT_EQ(window->document().experiment(), before);
+}
+
+// Catches: a run started on a target out of reach without the tick, or a tick that is not asked for.
+TEST_F(MainWindowTest, AnUnreachableTargetNeedsTheTick) {
+    openWindow();
+    ASSERT_TRUE(window->document().setTargets({kelvinFromCelsius(150.0), 313.15, 313.15}).ok());
+    ASSERT_TRUE(waitFor([this] { return !window->document().verdictsStale(); }));
+    ASSERT_NO_FATAL_FAILURE(arm());
+    click("startButton");
+    QDialog* dialog = nullptr;
+    ASSERT_TRUE(waitFor([&] {
+        dialog = window->findChild<QDialog*>(QStringLiteral("infeasibleDialog"));
+        return dialog != nullptr;
+    }));
+    EXPECT_EQ(state(), RunState::Armed);
+    auto* start = dialog->findChild<QAbstractButton*>(QStringLiteral("startAnyway"));
+    EXPECT_FALSE(start->isEnabled());
+    keepPicture(QStringLiteral("infeasible-dialog"));
+    auto* tick = dialog->findChild<QCheckBox*>(QStringLiteral("acceptInfeasible"));
+    QTest::keyClick(tick, Qt::Key_Space);
+    QTest::mouseClick(start, Qt::LeftButton);
+    EXPECT_TRUE(waitForState(RunState::Running));
+}
+
+// Catches: a window that closes over a run without asking, or whose safe answer is not to stay.
+TEST_F(MainWindowTest, ClosingDuringARunAsks) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(arm());
+    click("startButton");
+    ASSERT_TRUE(waitForState(RunState::Running));
+    bool asked = false;
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [&] {
+        if (QWidget* box = QApplication::activeModalWidget()) {
+            asked = box->objectName() == QStringLiteral("closeQuestion");
+            QTest::keyClick(box, Qt::Key_Return); // the default answer
+        }
+    });
+    answer.start(20);
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(asked);
+    EXPECT_EQ(state(), RunState::Running);
+}
+
+// Catches: an undone or refused edit that the engine still has, and edits that are possible while armed.
+TEST_F(MainWindowTest, ObjectsCannotBeChangedWhileArmed) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(arm());
+    window->pages().show(Page::Objects);
+    EXPECT_FALSE(find<QAbstractButton>("addDisk")->isEnabled());
+    EXPECT_FALSE(window->actions().newExperiment->isEnabled());
+}
+
+TEST_F(MainWindowTest, TheChipSaysWhyNotReady) {
+    openWindow();
+    auto* chip = find<RunStateChip>("runStateChip");
+    if (state() == RunState::NotReady) {
+        ASSERT_FALSE(chip->reasons().isEmpty());
+        EXPECT_TRUE(chip->reasons().first().contains(QStringLiteral("estimator")))
+            << chip->reasons().first().toStdString();
+    }
+    EXPECT_TRUE(waitForState(RunState::Ready));
+    EXPECT_TRUE(chip->reasons().isEmpty());
+}
+
+TEST_F(MainWindowTest, KeysSwitchPages) {
+    openWindow();
+    for (int i = 0; i < kPages; ++i) {
+        QTest::keyClick(window.get(), static_cast<Qt::Key>(Qt::Key_1 + i), Qt::ControlModifier);
+        EXPECT_EQ(static_cast<int>(window->pages().page()), i);
+        EXPECT_TRUE(window->actions().page(i)->isChecked());
+    }
+}
+
+// Catches: a change lost by closing.
+TEST_F(MainWindowTest, AChangedExperimentIsSavedAndRemembered) {
+    openWindow();
+    ASSERT_TRUE(window->document().setTargets({318.15, 313.15, 313.15}).ok());
+    EXPECT_TRUE(window->isWindowModified());
+    const QTemporaryDir folder;
+    window->files().setFileChooser(
+        [&](const FileQuestion&) { return folder.filePath(QStringLiteral("mine")); });
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier);
+    EXPECT_FALSE(window->isWindowModified());
+    EXPECT_TRUE(window->windowTitle().contains(QStringLiteral("mine.json")));
+    const auto read = readExperiment(folder.filePath(QStringLiteral("mine.json")).toStdString());
+    ASSERT_TRUE(read.ok());
+    EXPECT_NEAR(read->objects[0].target_K, 318.15, 1e-9);
+    EXPECT_EQ(SettingsStore().recentFiles().value(0), folder.filePath(QStringLiteral("mine.json")));
+}
+
+} // namespace
+} // namespace bask::test

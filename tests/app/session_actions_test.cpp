@@ -1,0 +1,78 @@
+#include "app/examples.h"
+#include "app/resources.h"
+#include "app/session_actions.h"
+#include "app/settings_store.h"
+#include "tests/app/wait_for.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+class SessionActionsTest : public testing::Test {
+protected:
+    void SetUp() override {
+        initResources();
+        QObject::connect(&files, &SessionActions::problem,
+                         [this](const QString& sentence) { problems << sentence; });
+    }
+    Document document;
+    SettingsStore settings;
+    SessionActions files{document, settings, nullptr};
+    QStringList problems;
+};
+
+// Catches: an example that was changed and can no longer be read, or whose contours are not in the binary.
+TEST_F(SessionActionsTest, EveryExampleReads) {
+    const QStringList names = exampleNames();
+    ASSERT_FALSE(names.isEmpty());
+    EXPECT_EQ(names.first(), QStringLiteral("three-objects"));
+    for (const QString& name : names) {
+        const auto read = readExample(name);
+        EXPECT_TRUE(read.ok()) << name.toStdString() << ": " << (read.ok() ? "" : describe(read.error()));
+    }
+}
+
+TEST_F(SessionActionsTest, TheFirstExampleIsTheOneOfTheManual) {
+    files.openExample(QStringLiteral("three-objects"));
+    ASSERT_TRUE(waitFor([&] { return document.experiment().objects.size() == 3; }));
+    EXPECT_EQ(document.experiment().objects[0].name, "circle");
+    EXPECT_EQ(document.experiment().objects[1].name, "bunny");
+    EXPECT_EQ(document.experiment().objects[2].name, "hand");
+    EXPECT_TRUE(document.path().isEmpty());
+}
+
+// Catches: a truncated or foreign session shown as a run.
+TEST_F(SessionActionsTest, WhatIsNoSessionIsRefusedByName) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("cut.bask"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("SQLite format 3");
+    file.close();
+    files.open(path);
+    ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
+    EXPECT_TRUE(problems[0].contains(QStringLiteral("cut.bask"))) << problems[0].toStdString();
+}
+
+TEST_F(SessionActionsTest, AMissingFileLeavesTheRecentList) {
+    settings.addRecentFile(QStringLiteral("/nowhere/gone.json"));
+    files.open(QStringLiteral("/nowhere/gone.json"));
+    ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
+    EXPECT_FALSE(settings.recentFiles().contains(QStringLiteral("/nowhere/gone.json")));
+}
+
+// Catches: two runs armed in one second recorded over each other.
+TEST_F(SessionActionsTest, RecordingsNeverShareAName) {
+    const QString first = files.nextRecordingPath();
+    ASSERT_FALSE(first.isEmpty());
+    QFile file(first);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    EXPECT_NE(files.nextRecordingPath(), first);
+}
+
+} // namespace
+} // namespace bask::test

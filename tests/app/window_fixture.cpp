@@ -1,0 +1,88 @@
+#include "tests/app/window_fixture.h"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QDir>
+#include <QScreen>
+
+namespace bask::test {
+
+void WindowTest::SetUp() {
+    QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QStringLiteral("/bask.ini"));
+}
+
+void WindowTest::TearDown() {
+    if (window)
+        closeWindow();
+    applyTheme(*qApp, Theme::Light);
+}
+
+void WindowTest::openWindow(QSize size) {
+    window = std::make_unique<MainWindow>();
+    window->resize(size);
+    window->move(0, 0);
+    QObject::connect(window.get(), &MainWindow::snapshotApplied, window.get(),
+                     [this, runId = std::uint64_t{0}](const Snapshot& snapshot) mutable {
+                         if (snapshot.runId != runId)
+                             samples.clear();
+                         runId = snapshot.runId;
+                         samples.insert(samples.end(), snapshot.newSamples.begin(),
+                                        snapshot.newSamples.end());
+                     });
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    window->activateWindow(); // keys go nowhere otherwise, with no window manager
+    ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+    window->begin({});
+    ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().latest.objects.size() == 3; }));
+}
+
+void WindowTest::closeWindow() {
+    window->setCloseQuestion([] { return true; });
+    window->document().markSaved(window->document().path()); // no question about changes
+    EXPECT_TRUE(window->close());
+    window.reset();
+}
+
+void WindowTest::goFast() {
+    QTest::keyClick(window.get(), Qt::Key_3, Qt::ControlModifier);
+    auto* speed = find<QComboBox>("simulationSpeed");
+    speed->setFocus();
+    QTest::keyClick(speed, Qt::Key_End);
+    ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().simulationSpeed == 20.0; }));
+}
+
+void WindowTest::click(const char* name) {
+    auto* button = find<QAbstractButton>(name);
+    ASSERT_NE(button, nullptr);
+    ASSERT_TRUE(button->isVisible()) << name;
+    ASSERT_TRUE(waitFor([button] { return button->isEnabled(); })) << name;
+    QTest::mouseClick(button, Qt::LeftButton);
+}
+
+bool WindowTest::waitForState(RunState wanted, int limit_ms) {
+    return waitFor([&] { return state() == wanted; }, limit_ms);
+}
+
+void WindowTest::keepPicture(const QString& name) {
+    QDir().mkpath(QStringLiteral(BASK_SCREENSHOTS));
+    // Two rounds of events: layouts settle, then the last paint is on the screen.
+    for (int i = 0; i < 2; ++i) {
+        window->repaint();
+        const QDeadlineTimer painted(150);
+        waitFor([&] { return painted.hasExpired(); });
+    }
+    const QPixmap picture = window->screen()->grabWindow(window->winId());
+    EXPECT_TRUE(picture.save(QStringLiteral(BASK_SCREENSHOTS "/%1.png").arg(name)));
+}
+
+void WindowTest::keepPictures(const QString& prefix) {
+    const std::array names{"objects", "targets", "run", "review"};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        window->pages().show(static_cast<Page>(i));
+        keepPicture(prefix + u'-' + QLatin1String(names[i]));
+    }
+}
+
+} // namespace bask::test

@@ -1,0 +1,47 @@
+#pragma once
+// The whole window on the simulated rig, driven as a person would: by mouse and keys.
+
+#include "app/main_window.h"
+#include "tests/app/wait_for.h"
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace bask::test {
+
+class WindowTest : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    /// A shown window with the first example loaded. Settings are new unless kept from before.
+    void openWindow(QSize size = {1280, 800});
+    void closeWindow();
+    /// Simulated time runs 20 times as fast, chosen with the keyboard on the Run page.
+    void goFast();
+
+    template <class Widget> Widget* find(const char* name) {
+        auto* found = window->findChild<Widget*>(QLatin1String(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void click(const char* name);
+    bool waitForState(RunState state, int limit_ms = 60000);
+    RunState state() const { return window->lastSnapshot().state; }
+
+    /// Keeps a picture of the window as it is on the screen, in BASK_SCREENSHOTS.
+    void keepPicture(const QString& name);
+    void keepPictures(const QString& prefix);
+
+    std::unique_ptr<MainWindow> window;
+    std::vector<TraceSample> samples; ///< of the present run, from snapshots
+
+private:
+    QTemporaryDir m_settings; ///< one a test
+};
+
+} // namespace bask::test

@@ -1,0 +1,2189 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="fr" sourcelanguage="en">
+    <context>
+        <name>MaterialPreset</name>
+        <message>
+            <source>aluminium, painted</source>
+            <translation>aluminium peint</translation>
+        </message>
+        <message>
+            <source>aluminium, bare</source>
+            <translation>aluminium nu</translation>
+        </message>
+        <message>
+            <source>PLA, 30 % infill</source>
+            <translation>PLA, remplissage 30 %</translation>
+        </message>
+        <message>
+            <source>PLA, 50 % infill</source>
+            <translation>PLA, remplissage 50 %</translation>
+        </message>
+        <message>
+            <source>PLA, solid</source>
+            <translation>PLA plein</translation>
+        </message>
+        <message>
+            <source>ABS, solid</source>
+            <translation>ABS plein</translation>
+        </message>
+        <message>
+            <source>steel, oxidised</source>
+            <translation>acier oxydé</translation>
+        </message>
+        <message>
+            <source>copper, oxidised</source>
+            <translation>cuivre oxydé</translation>
+        </message>
+        <message>
+            <source>glass</source>
+            <translation>verre</translation>
+        </message>
+    </context>
+    <context>
+        <name>Message</name>
+        <message>
+            <source>there is no such file; check the path</source>
+            <translation>ce fichier n’existe pas ; vérifiez le chemin</translation>
+        </message>
+        <message>
+            <source>the file cannot be read: %1</source>
+            <translation>le fichier ne peut pas être lu : %1</translation>
+        </message>
+        <message>
+            <source>the file cannot be written: %1</source>
+            <translation>le fichier ne peut pas être écrit : %1</translation>
+        </message>
+        <message>
+            <source>the file is empty</source>
+            <translation>le fichier est vide</translation>
+        </message>
+        <message>
+            <source>the file has %1, more than the %2 that are read</source>
+            <translation>le fichier contient %1, plus que les %2 qui peuvent être lus</translation>
+        </message>
+        <message>
+            <source>not valid JSON: %1</source>
+            <translation>JSON non valide : %1</translation>
+        </message>
+        <message>
+            <source>unknown key "%1"; known here: %2</source>
+            <translation>clé « %1 » inconnue ; clés connues ici : %2</translation>
+        </message>
+        <message>
+            <source>the key "%1" is missing</source>
+            <translation>la clé « %1 » manque</translation>
+        </message>
+        <message>
+            <source>%1 expected, %2 found</source>
+            <translation>%1 attendu, %2 trouvé</translation>
+        </message>
+        <message>
+            <source>the key "%1" is given twice</source>
+            <translation>la clé « %1 » figure deux fois</translation>
+        </message>
+        <message>
+            <source>nested more than %1 levels deep</source>
+            <translation>imbriqué sur plus de %1 niveaux</translation>
+        </message>
+        <message>
+            <source>"%1" and "%2" say the same thing; give one of them</source>
+            <translation>« %1 » et « %2 » disent la même chose ; n’en donnez qu’un</translation>
+        </message>
+        <message>
+            <source>%1 is out of range; allowed: %2 to %3 %4</source>
+            <translation>%1 est hors limites ; admis : de %2 à %3 %4</translation>
+        </message>
+        <message>
+            <source>%1 is not allowed; it must be greater than zero</source>
+            <translation>%1 n’est pas admis ; il faut une valeur supérieure à zéro</translation>
+        </message>
+        <message>
+            <source>"%1" is not known; known: %2</source>
+            <translation>« %1 » est inconnu ; connus : %2</translation>
+        </message>
+        <message>
+            <source>made by a newer version of Bask (format %1, this one knows up to %2); update Bask to open it</source>
+            <translation>créé par une version plus récente de Bask (format %1, celle-ci connaît jusqu’au %2) ; mettez Bask à jour pour l’ouvrir</translation>
+        </message>
+        <message>
+            <source>%1 objects, but the robot has only %2 free degrees of freedom; remove objects or free more axes</source>
+            <translation>%1 objets, mais le robot n’a que %2 degrés de liberté libres ; retirez des objets ou libérez des axes</translation>
+        </message>
+        <message>
+            <source>there is no object; add at least one</source>
+            <translation>il n’y a aucun objet ; ajoutez-en au moins un</translation>
+        </message>
+        <message>
+            <source>the name "%1" is used twice; give each object its own</source>
+            <translation>le nom « %1 » est utilisé deux fois ; donnez à chaque objet le sien</translation>
+        </message>
+        <message>
+            <source>an object needs a name</source>
+            <translation>un objet doit avoir un nom</translation>
+        </message>
+        <message>
+            <source>%1 targets given for %2 objects</source>
+            <translation>%1 consignes données pour %2 objets</translation>
+        </message>
+        <message>
+            <source>the start's %1 is %2, outside the workspace of %3 to %4</source>
+            <translation>la coordonnée %1 du départ vaut %2, hors de l’espace de travail de %3 à %4</translation>
+        </message>
+        <message>
+            <source>at the start "%1" is %2 mm from the source plane; at least %3 mm are needed</source>
+            <translation>au départ, « %1 » est à %2 mm du plan de la source ; il faut au moins %3 mm</translation>
+        </message>
+        <message>
+            <source>the lower limit %1 must be less than the upper limit %2</source>
+            <translation>la limite inférieure %1 doit être plus petite que la limite supérieure %2</translation>
+        </message>
+        <message>
+            <source>no axis of the robot is free; free at least one</source>
+            <translation>aucun axe du robot n’est libre ; libérez-en au moins un</translation>
+        </message>
+        <message>
+            <source>this source cannot heat: its net power is %1 W/m2; raise its temperature or emittance, or use the gray source model</source>
+            <translation>cette source ne peut pas chauffer : sa puissance nette est de %1 W/m2 ; augmentez sa température ou son émissivité, ou utilisez le modèle de source grise</translation>
+        </message>
+        <message>
+            <source>only %1 points; an outline needs at least %2</source>
+            <translation>%1 points seulement ; un contour en demande au moins %2</translation>
+        </message>
+        <message>
+            <source>%1 has a coordinate that is not a finite number</source>
+            <translation>%1 a une coordonnée qui n’est pas un nombre fini</translation>
+        </message>
+        <message>
+            <source>"%1" in line %2 is not a number</source>
+            <translation>« %1 » à la ligne %2 n’est pas un nombre</translation>
+        </message>
+        <message>
+            <source>line %1 has %2 column(s); an x and a y are needed</source>
+            <translation>la ligne %1 a %2 colonne(s) ; il faut un x et un y</translation>
+        </message>
+        <message>
+            <source>the outline is open: its ends are %1 mm apart (at most %2 mm)</source>
+            <translation>le contour est ouvert : ses extrémités sont distantes de %1 mm (%2 mm au plus)</translation>
+        </message>
+        <message>
+            <source>the outline crosses itself: edges %1 and %2 meet near (%3, %4) mm</source>
+            <translation>le contour se recoupe : les arêtes %1 et %2 se rencontrent près de (%3, %4) mm</translation>
+        </message>
+        <message>
+            <source>the outline encloses no area</source>
+            <translation>le contour n’entoure aucune surface</translation>
+        </message>
+        <message>
+            <source>the unit of length is not known; give it (mm, cm, m or in)</source>
+            <translation>l’unité de longueur n’est pas connue ; indiquez-la (mm, cm, m ou in)</translation>
+        </message>
+        <message>
+            <source>no silhouette found; the picture needs one dark object on a light ground or the reverse</source>
+            <translation>aucune silhouette trouvée ; l’image doit montrer un objet sombre sur fond clair, ou l’inverse</translation>
+        </message>
+        <message>
+            <source>the silhouette touches the picture's border; take the picture with a margin all round</source>
+            <translation>la silhouette touche le bord de l’image ; refaites la photo avec une marge tout autour</translation>
+        </message>
+        <message>
+            <source>not a picture that can be read, or a damaged one</source>
+            <translation>ce n’est pas une image lisible, ou elle est endommagée</translation>
+        </message>
+        <message>
+            <source>the scale is %1 pixels per mm; it must be greater than zero</source>
+            <translation>l’échelle est de %1 pixels par mm ; elle doit être supérieure à zéro</translation>
+        </message>
+        <message>
+            <source>the scale of the picture is not known; give it in pixels per mm</source>
+            <translation>l’échelle de l’image n’est pas connue ; indiquez-la en pixels par mm</translation>
+        </message>
+        <message>
+            <source>%1 harmonics; between %2 and %3 can be used</source>
+            <translation>%1 harmoniques ; on peut en utiliser de %2 à %3</translation>
+        </message>
+        <message>
+            <source>files of type "%1" are not read; known: %2</source>
+            <translation>les fichiers de type « %1 » ne sont pas lus ; connus : %2</translation>
+        </message>
+        <message>
+            <source>a source of type "%1" is not supported; use a disk</source>
+            <translation>une source de type « %1 » n’est pas prise en charge ; utilisez un disque</translation>
+        </message>
+        <message>
+            <source>not a Bask session file</source>
+            <translation>ce n’est pas un fichier de session Bask</translation>
+        </message>
+        <message>
+            <source>the session file is damaged: %1</source>
+            <translation>le fichier de session est endommagé : %1</translation>
+        </message>
+        <message>
+            <source>the session file is in use: %1</source>
+            <translation>le fichier de session est en cours d’utilisation : %1</translation>
+        </message>
+        <message>
+            <source>No experiment is loaded. Open one or make a new one.</source>
+            <translation>Aucune expérience n’est chargée. Ouvrez-en une ou créez-en une nouvelle.</translation>
+        </message>
+        <message>
+            <source>The rate estimator has %1 of %2 samples. Wait a moment.</source>
+            <translation>L’estimateur de vitesse a %1 échantillons sur %2. Patientez un instant.</translation>
+        </message>
+        <message>
+            <source>The objects are not at rest at the room's temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment's temperature.</source>
+            <translation>Les objets ne sont pas stables à la température ambiante (%1 °C), les capteurs ne peuvent donc pas être ajustés. Laissez-les refroidir ou corrigez la température ambiante.</translation>
+        </message>
+        <message>
+            <source>Held by the operator. Resume or stop.</source>
+            <translation>Mis en pause par l’opérateur. Reprenez ou arrêtez.</translation>
+        </message>
+        <message>
+            <source>The target of "%1" cannot be reached. Change it on the Targets page.</source>
+            <translation>La consigne de « %1 » ne peut pas être atteinte. Modifiez-la sur la page Consignes.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" has given nothing new for %2 s. Check its cable, then resume.</source>
+            <translation>Le capteur de « %1 » n’a rien donné depuis %2 s. Vérifiez son câble, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" gives no plausible value. Check it, then resume.</source>
+            <translation>Le capteur de « %1 » ne donne aucune valeur plausible. Vérifiez-le, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The robot does not answer: %1. Check its link, then reset.</source>
+            <translation>Le robot ne répond pas : %1. Vérifiez sa liaison, puis réinitialisez.</translation>
+        </message>
+        <message>
+            <source>The heat source does not answer: %1. Check its link, then reset.</source>
+            <translation>La source de chaleur ne répond pas : %1. Vérifiez sa liaison, puis réinitialisez.</translation>
+        </message>
+        <message>
+            <source>"%1" is over its temperature limit.</source>
+            <translation>« %1 » dépasse sa limite de température.</translation>
+        </message>
+        <message>
+            <source>STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.</source>
+            <translation>STOP a été pressé : le robot est immobile et le chauffage coupé. Réinitialisez quand tout est sûr.</translation>
+        </message>
+        <message>
+            <source>The recording failed: %1. Free disk space or choose another folder, then reset.</source>
+            <translation>L’enregistrement a échoué : %1. Libérez de l’espace disque ou choisissez un autre dossier, puis réinitialisez.</translation>
+        </message>
+        <message>
+            <source>The engine met an internal fault: %1. Reset, and report it if it comes again.</source>
+            <translation>Le moteur a rencontré un défaut interne : %1. Réinitialisez, et signalez-le s’il revient.</translation>
+        </message>
+        <message>
+            <source>Armed</source>
+            <translation>Armé</translation>
+        </message>
+        <message>
+            <source>Started</source>
+            <translation>Démarré</translation>
+        </message>
+        <message>
+            <source>Held</source>
+            <translation>Mis en pause</translation>
+        </message>
+        <message>
+            <source>Resumed</source>
+            <translation>Repris</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>Arrêté</translation>
+        </message>
+        <message>
+            <source>STOP pressed</source>
+            <translation>STOP pressé</translation>
+        </message>
+        <message>
+            <source>Reset</source>
+            <translation>Réinitialisé</translation>
+        </message>
+        <message>
+            <source>All objects settled</source>
+            <translation>Tous les objets sont stabilisés</translation>
+        </message>
+        <message>
+            <source>Not settled: %1</source>
+            <translation>Non stabilisés : %1</translation>
+        </message>
+        <message>
+            <source>Targets changed</source>
+            <translation>Consignes modifiées</translation>
+        </message>
+        <message>
+            <source>Controller or gains changed</source>
+            <translation>Régulateur ou gains modifiés</translation>
+        </message>
+        <message>
+            <source>Sensors zeroed at ambient</source>
+            <translation>Capteurs ajustés à l’ambiante</translation>
+        </message>
+        <message>
+            <source>Fault: %1</source>
+            <translation>Défaut : %1</translation>
+        </message>
+        <message>
+            <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets</source>
+            <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" is back</source>
+            <translation>Le capteur de « %1 » est de retour</translation>
+        </message>
+        <message>
+            <source>"%1" cannot be done in the state "%2"</source>
+            <translation>« %1 » est impossible dans l’état « %2 »</translation>
+        </message>
+        <message>
+            <source>A run is on; stop it first</source>
+            <translation>Un essai est en cours ; arrêtez-le d’abord</translation>
+        </message>
+    </context>
+    <context>
+        <name>OutlinePainting</name>
+        <message>
+            <source>1 harmonic</source>
+            <translation>1 harmonique</translation>
+        </message>
+        <message>
+            <source>%1 harmonics</source>
+            <translation>%1 harmoniques</translation>
+        </message>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 mm</translation>
+        </message>
+    </context>
+    <context>
+        <name>Verb</name>
+        <message>
+            <source>Arm</source>
+            <translation>Armer</translation>
+        </message>
+        <message>
+            <source>Disarm</source>
+            <translation>Désarmer</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Démarrer</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>Resume</source>
+            <translation>Reprendre</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Arrêter</translation>
+        </message>
+        <message>
+            <source>Reset</source>
+            <translation>Réinitialiser</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Actions</name>
+        <message>
+            <source>&amp;File</source>
+            <translation>&amp;Fichier</translation>
+        </message>
+        <message>
+            <source>&amp;Examples</source>
+            <translation>E&amp;xemples</translation>
+        </message>
+        <message>
+            <source>&amp;Recent files</source>
+            <translation>Fichiers &amp;récents</translation>
+        </message>
+        <message>
+            <source>&amp;Edit</source>
+            <translation>É&amp;dition</translation>
+        </message>
+        <message>
+            <source>&amp;Help</source>
+            <translation>&amp;Aide</translation>
+        </message>
+        <message>
+            <source>&amp;New experiment</source>
+            <translation>&amp;Nouvelle expérience</translation>
+        </message>
+        <message>
+            <source>&amp;Open…</source>
+            <translation>&amp;Ouvrir…</translation>
+        </message>
+        <message>
+            <source>Open an experiment (*.json) or a recorded session (*.bask)</source>
+            <translation>Ouvrir une expérience (*.json) ou une session enregistrée (*.bask)</translation>
+        </message>
+        <message>
+            <source>&amp;Save experiment</source>
+            <translation>&amp;Enregistrer l’expérience</translation>
+        </message>
+        <message>
+            <source>Save experiment &amp;as…</source>
+            <translation>Enregistrer l’expérience &amp;sous…</translation>
+        </message>
+        <message>
+            <source>Save s&amp;ession…</source>
+            <translation>Enregistrer la sess&amp;ion…</translation>
+        </message>
+        <message>
+            <source>Copy the recording of the present or last run to a file of your choice</source>
+            <translation>Copier l’enregistrement de l’essai en cours ou du dernier dans un fichier de votre choix</translation>
+        </message>
+        <message>
+            <source>&amp;Quit</source>
+            <translation>&amp;Quitter</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Annuler</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Rétablir</translation>
+        </message>
+        <message>
+            <source>&amp;About Bask</source>
+            <translation>À &amp;propos de Bask</translation>
+        </message>
+        <message>
+            <source>&amp;Run</source>
+            <translation>&amp;Essai</translation>
+        </message>
+        <message>
+            <source>&amp;Arm</source>
+            <translation>&amp;Armer</translation>
+        </message>
+        <message>
+            <source>Zero the sensors at ambient and open the recording. Nothing moves or heats yet.</source>
+            <translation>Ajuster les capteurs à l’ambiante et ouvrir l’enregistrement. Rien ne bouge ni ne chauffe encore.</translation>
+        </message>
+        <message>
+            <source>S&amp;tart</source>
+            <translation>&amp;Démarrer</translation>
+        </message>
+        <message>
+            <source>Open the heat and servo every object to its target.</source>
+            <translation>Ouvrir le chauffage et asservir chaque objet à sa consigne.</translation>
+        </message>
+        <message>
+            <source>&amp;Hold</source>
+            <translation>&amp;Pause</translation>
+        </message>
+        <message>
+            <source>Zero velocity; the controller keeps its state and Resume goes on from here.</source>
+            <translation>Vitesse nulle ; le régulateur garde son état et Reprendre continue d’ici.</translation>
+        </message>
+        <message>
+            <source>R&amp;esume</source>
+            <translation>&amp;Reprendre</translation>
+        </message>
+        <message>
+            <source>Go on from where the run was held.</source>
+            <translation>Continuer là où l’essai a été mis en pause.</translation>
+        </message>
+        <message>
+            <source>Sto&amp;p</source>
+            <translation>A&amp;rrêter</translation>
+        </message>
+        <message>
+            <source>End the run: heat off, retreat upwards, close the recording. While armed: disarm.</source>
+            <translation>Terminer l’essai : chauffage coupé, retrait vers le haut, enregistrement clos. Si armé : désarmer.</translation>
+        </message>
+        <message>
+            <source>STOP now</source>
+            <translation>STOP immédiat</translation>
+        </message>
+        <message>
+            <source>Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop.</source>
+            <translation>Vitesse nulle et chauffage coupé immédiatement, verrouillé. Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
+        </message>
+        <message>
+            <source>Rese&amp;t</source>
+            <translation>Réin&amp;itialiser</translation>
+        </message>
+        <message>
+            <source>Clear a latched stop or fault. It never starts anything.</source>
+            <translation>Lever un arrêt ou un défaut verrouillé. Ne démarre jamais rien.</translation>
+        </message>
+        <message>
+            <source>&amp;View</source>
+            <translation>&amp;Affichage</translation>
+        </message>
+        <message>
+            <source>Objects</source>
+            <translation>Objets</translation>
+        </message>
+        <message>
+            <source>Targets</source>
+            <translation>Consignes</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Essai</translation>
+        </message>
+        <message>
+            <source>Review</source>
+            <translation>Relecture</translation>
+        </message>
+        <message>
+            <source>What is held in front of the source: outlines, materials, mounting</source>
+            <translation>Ce qui est tenu devant la source : contours, matériaux, montage</translation>
+        </message>
+        <message>
+            <source>What temperature each object shall have, and whether it can be reached</source>
+            <translation>La température que chaque objet doit avoir, et si elle peut être atteinte</translation>
+        </message>
+        <message>
+            <source>Temperatures, the scene and the controller during a run</source>
+            <translation>Températures, scène et régulateur pendant un essai</translation>
+        </message>
+        <message>
+            <source>A recorded run, opened again</source>
+            <translation>Un essai enregistré, rouvert</translation>
+        </message>
+        <message>
+            <source>Temperature &amp;unit</source>
+            <translation>&amp;Unité de température</translation>
+        </message>
+        <message>
+            <source>Degrees Celsius (°C)</source>
+            <translation>Degrés Celsius (°C)</translation>
+        </message>
+        <message>
+            <source>Kelvin (K)</source>
+            <translation>Kelvins (K)</translation>
+        </message>
+        <message>
+            <source>Degrees Fahrenheit (°F)</source>
+            <translation>Degrés Fahrenheit (°F)</translation>
+        </message>
+        <message>
+            <source>&amp;Theme</source>
+            <translation>&amp;Thème</translation>
+        </message>
+        <message>
+            <source>As the desktop</source>
+            <translation>Comme le bureau</translation>
+        </message>
+        <message>
+            <source>Light</source>
+            <translation>Clair</translation>
+        </message>
+        <message>
+            <source>Dark</source>
+            <translation>Sombre</translation>
+        </message>
+        <message>
+            <source>&amp;Language</source>
+            <translation>&amp;Langue</translation>
+        </message>
+        <message>
+            <source>&amp;Tools</source>
+            <translation>&amp;Outils</translation>
+        </message>
+        <message>
+            <source>&amp;Simulate fault</source>
+            <translation>&amp;Simuler un défaut</translation>
+        </message>
+        <message>
+            <source>Sensor lost</source>
+            <translation>Perte d’un capteur</translation>
+        </message>
+        <message>
+            <source>Robot lost</source>
+            <translation>Perte du robot</translation>
+        </message>
+        <message>
+            <source>Heat source lost</source>
+            <translation>Perte de la source de chaleur</translation>
+        </message>
+        <message>
+            <source>Restore all devices</source>
+            <translation>Rétablir tous les appareils</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ControllerPanel</name>
+        <message>
+            <source>Not applied: %1</source>
+            <comment>number of changes</comment>
+            <translation>Non appliqué : %1</translation>
+        </message>
+        <message>
+            <source>Controller and gains</source>
+            <translation>Régulateur et gains</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Régulateur</translation>
+        </message>
+        <message>
+            <source>Moves to the view factor each object needs; learns the rates on the way.</source>
+            <translation>Rejoint le facteur de forme dont chaque objet a besoin ; apprend les vitesses en chemin.</translation>
+        </message>
+        <message>
+            <source>The paper's law with adapted heat rates.</source>
+            <translation>La loi de l’article à coefficients thermiques adaptés.</translation>
+        </message>
+        <message>
+            <source>Time constant</source>
+            <translation>Constante de temps</translation>
+        </message>
+        <message>
+            <source>s</source>
+            <translation>s</translation>
+        </message>
+        <message>
+            <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
+            <translation>Vitesse voulue = écart / constante de temps : plus courte, plus rapide et plus brusque.</translation>
+        </message>
+        <message>
+            <source>Integral time</source>
+            <translation>Temps intégral</translation>
+        </message>
+        <message>
+            <source>Of the slow integral action near the target.</source>
+            <translation>De l’action intégrale lente près de la consigne.</translation>
+        </message>
+        <message>
+            <source>Damping D</source>
+            <translation>Amortissement D</translation>
+        </message>
+        <message>
+            <source>1/s</source>
+            <translation>1/s</translation>
+        </message>
+        <message>
+            <source>Stiffness K</source>
+            <translation>Raideur K</translation>
+        </message>
+        <message>
+            <source>1/s²</source>
+            <translation>1/s²</translation>
+        </message>
+        <message>
+            <source>Weight of the error μ</source>
+            <translation>Poids de l’écart μ</translation>
+        </message>
+        <message>
+            <source>ζ = v + μ Δτ</source>
+            <translation>ζ = v + μ Δτ</translation>
+        </message>
+        <message>
+            <source>Feedback K</source>
+            <translation>Rétroaction K</translation>
+        </message>
+        <message>
+            <source>1/K</source>
+            <translation>1/K</translation>
+        </message>
+        <message>
+            <source>Of ζ in the velocity command</source>
+            <translation>De ζ dans la commande de vitesse</translation>
+        </message>
+        <message>
+            <source>Adaptation γ₁</source>
+            <translation>Adaptation γ₁</translation>
+        </message>
+        <message>
+            <source>s³/K³</source>
+            <translation>s³/K³</translation>
+        </message>
+        <message>
+            <source>Speed at which 1/λ₁ is adapted</source>
+            <translation>Rapidité d’adaptation de 1/λ₁</translation>
+        </message>
+        <message>
+            <source>Adaptation γ₂</source>
+            <translation>Adaptation γ₂</translation>
+        </message>
+        <message>
+            <source>s/K⁹</source>
+            <translation>s/K⁹</translation>
+        </message>
+        <message>
+            <source>Speed at which λ₂/λ₁ is adapted</source>
+            <translation>Rapidité d’adaptation de λ₂/λ₁</translation>
+        </message>
+        <message>
+            <source>Apply</source>
+            <translation>Appliquer</translation>
+        </message>
+        <message>
+            <source>Use these settings from the next control step on; noted in the run's log.</source>
+            <translation>Utiliser ces réglages dès le prochain pas de commande ; noté dans le journal de l’essai.</translation>
+        </message>
+        <message>
+            <source>Revert</source>
+            <translation>Revenir</translation>
+        </message>
+        <message>
+            <source>Back to the settings in use.</source>
+            <translation>Revenir aux réglages en service.</translation>
+        </message>
+        <message>
+            <source>The paper's law with known heat rates: dv/dt = −D v − K Δτ.</source>
+            <translation>La loi de l’article à coefficients thermiques connus : dv/dt = −D v − K Δτ.</translation>
+        </message>
+        <message>
+            <source>dv/dt = −D v − K Δτ</source>
+            <translation>dv/dt = −D v − K Δτ</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Display</name>
+        <message>
+            <source>%1/min</source>
+            <comment>a rate; %1 is K or °F</comment>
+            <translation>%1/min</translation>
+        </message>
+        <message>
+            <source>Idle</source>
+            <translation>Au repos</translation>
+        </message>
+        <message>
+            <source>Not ready</source>
+            <translation>Pas prêt</translation>
+        </message>
+        <message>
+            <source>Ready</source>
+            <translation>Prêt</translation>
+        </message>
+        <message>
+            <source>Armed</source>
+            <translation>Armé</translation>
+        </message>
+        <message>
+            <source>Running</source>
+            <translation>En marche</translation>
+        </message>
+        <message>
+            <source>Holding</source>
+            <translation>En pause</translation>
+        </message>
+        <message>
+            <source>Settled</source>
+            <translation>Stabilisé</translation>
+        </message>
+        <message>
+            <source>Stopping</source>
+            <translation>Arrêt en cours</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>Arrêté</translation>
+        </message>
+        <message>
+            <source>Fault (latched)</source>
+            <translation>Défaut (verrouillé)</translation>
+        </message>
+        <message>
+            <source>Nothing is armed. Heat and motion are off.</source>
+            <translation>Rien n’est armé. Chauffage et mouvement sont coupés.</translation>
+        </message>
+        <message>
+            <source>The rig cannot be armed or started yet.</source>
+            <translation>Le banc ne peut pas encore être armé ni démarré.</translation>
+        </message>
+        <message>
+            <source>Nothing stands in the way: press Arm.</source>
+            <translation>Rien ne s’y oppose : pressez Armer.</translation>
+        </message>
+        <message>
+            <source>The sensors are zeroed and the recording is open: press Start.</source>
+            <translation>Les capteurs sont ajustés et l’enregistrement est ouvert : pressez Démarrer.</translation>
+        </message>
+        <message>
+            <source>The robot moves the objects towards their targets.</source>
+            <translation>Le robot amène les objets vers leurs consignes.</translation>
+        </message>
+        <message>
+            <source>Zero velocity; the controller's state is kept. Press Resume to go on.</source>
+            <translation>Vitesse nulle ; l’état du régulateur est conservé. Pressez Reprendre pour continuer.</translation>
+        </message>
+        <message>
+            <source>All objects stay within their tolerance band. The controller keeps working.</source>
+            <translation>Tous les objets restent dans leur bande de tolérance. Le régulateur continue.</translation>
+        </message>
+        <message>
+            <source>The run is ending: the robot retreats and the heat is off.</source>
+            <translation>L’essai se termine : le robot se retire et le chauffage est coupé.</translation>
+        </message>
+        <message>
+            <source>The run has ended. Heat and motion are off.</source>
+            <translation>L’essai est terminé. Chauffage et mouvement sont coupés.</translation>
+        </message>
+        <message>
+            <source>Heat and motion are off. Remove the cause, then press Reset.</source>
+            <translation>Chauffage et mouvement sont coupés. Supprimez la cause, puis pressez Réinitialiser.</translation>
+        </message>
+        <message>
+            <source>Level servo</source>
+            <translation>Asservissement de niveau</translation>
+        </message>
+        <message>
+            <source>Model-based</source>
+            <translation>À modèle</translation>
+        </message>
+        <message>
+            <source>Adaptive</source>
+            <translation>Adaptatif</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Document</name>
+        <message>
+            <source>Untitled</source>
+            <translation>Sans titre</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::EventList</name>
+        <message>
+            <source>Priority %1</source>
+            <translation>Priorité %1</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Note</translation>
+        </message>
+        <message>
+            <source>Event</source>
+            <translation>Événement</translation>
+        </message>
+        <message>
+            <source>Events and notes</source>
+            <translation>Événements et notes</translation>
+        </message>
+        <message>
+            <source>Time</source>
+            <translation>Temps</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Nature</translation>
+        </message>
+        <message>
+            <source>What happened</source>
+            <translation>Ce qui s’est passé</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::FinalValuesTable</name>
+        <message>
+            <source>Final values</source>
+            <translation>Valeurs finales</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Final, true</source>
+            <translation>Finale, vraie</translation>
+        </message>
+        <message>
+            <source>Final, estimated</source>
+            <translation>Finale, estimée</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Écart</translation>
+        </message>
+        <message>
+            <source>Settled after</source>
+            <translation>Stabilisé après</translation>
+        </message>
+        <message>
+            <source>The simulated plant's own temperature when the run was stopped</source>
+            <translation>La température propre de l’installation simulée à l’arrêt de l’essai</translation>
+        </message>
+        <message>
+            <source>The estimate from the sensor when the run was stopped</source>
+            <translation>L’estimation tirée du capteur à l’arrêt de l’essai</translation>
+        </message>
+        <message>
+            <source>Time from which the object stays within %1 of its target until the end</source>
+            <translation>Instant à partir duquel l’objet reste à moins de %1 de sa consigne jusqu’à la fin</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>not settled</source>
+            <translation>non stabilisé</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::HarmonicsPanel</name>
+        <message>
+            <source>&amp;Harmonics</source>
+            <translation>&amp;Harmoniques</translation>
+        </message>
+        <message>
+            <source>Number of harmonics</source>
+            <translation>Nombre d’harmoniques</translation>
+        </message>
+        <message>
+            <source>Residual</source>
+            <translation>Résidu</translation>
+        </message>
+        <message>
+            <source>With this number of harmonics the outline crosses itself; choose another.</source>
+            <translation>Avec ce nombre d’harmoniques, le contour se recoupe ; choisissez-en un autre.</translation>
+        </message>
+        <message>
+            <source>Fitting…</source>
+            <translation>Ajustement en cours…</translation>
+        </message>
+        <message>
+            <source>Residual: &lt;b&gt;%1 mm&lt;/b&gt; rms, &lt;b&gt;%2 mm&lt;/b&gt; at most</source>
+            <translation>Résidu : &lt;b&gt;%1 mm&lt;/b&gt; efficace, &lt;b&gt;%2 mm&lt;/b&gt; au plus</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ImportBar</name>
+        <message>
+            <source>How many pixels are one millimetre?</source>
+            <translation>Combien de pixels font un millimètre ?</translation>
+        </message>
+        <message>
+            <source>In which unit are its coordinates?</source>
+            <translation>Dans quelle unité sont ses coordonnées ?</translation>
+        </message>
+        <message>
+            <source>as its header says</source>
+            <translation>selon son en-tête</translation>
+        </message>
+        <message>
+            <source> px/mm</source>
+            <translation> px/mm</translation>
+        </message>
+        <message>
+            <source>Import</source>
+            <translation>Importer</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Unit of the coordinates</source>
+            <translation>Unité des coordonnées</translation>
+        </message>
+        <message>
+            <source>Scale of the picture, pixels per millimetre</source>
+            <translation>Échelle de l’image, pixels par millimètre</translation>
+        </message>
+        <message>
+            <source>Import an outline</source>
+            <translation>Importer un contour</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::InfeasibleDialog</name>
+        <message>
+            <source>Target out of reach</source>
+            <translation>Consigne hors d’atteinte</translation>
+        </message>
+        <message>
+            <source>The target of %1 is outside of what this rig can hold. The run would end at the best compromise it finds.
+The Targets page shows the range and offers the nearest target that can be reached.</source>
+            <translation>La consigne de %1 est hors de ce que ce banc peut tenir. L’essai finirait au meilleur compromis trouvé.
+La page Consignes montre la plage et propose la consigne atteignable la plus proche.</translation>
+        </message>
+        <message>
+            <source>Start all the same; the recording says so</source>
+            <translation>Démarrer malgré tout ; l’enregistrement le mentionne</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Démarrer</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::MainWindow</name>
+        <message>
+            <source>Events and notes</source>
+            <translation>Événements et notes</translation>
+        </message>
+        <message>
+            <source>Pages</source>
+            <translation>Pages</translation>
+        </message>
+        <message>
+            <source>A run is on</source>
+            <translation>Un essai est en cours</translation>
+        </message>
+        <message>
+            <source>Closing ends the run: the heat goes off and the robot stands still. What is recorded stays.</source>
+            <translation>Fermer termine l’essai : le chauffage est coupé et le robot s’immobilise. Ce qui est enregistré reste.</translation>
+        </message>
+        <message>
+            <source>End the run and close</source>
+            <translation>Terminer l’essai et fermer</translation>
+        </message>
+        <message>
+            <source>Keep running</source>
+            <translation>Continuer l’essai</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::MessageBar</name>
+        <message>
+            <source>Close the message</source>
+            <translation>Fermer le message</translation>
+        </message>
+        <message>
+            <source>Problem</source>
+            <translation>Problème</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Note</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::MountingPlan</name>
+        <message>
+            <source>Plan of the objects on the end-effector</source>
+            <translation>Plan des objets sur l’effecteur</translation>
+        </message>
+        <message>
+            <source>The objects on the end-effector, to scale; click one to select it.</source>
+            <translation>Les objets sur l’effecteur, à l’échelle ; cliquez pour en sélectionner un.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ObjectList</name>
+        <message>
+            <source>disk, %1 cm</source>
+            <translation>disque, %1 cm</translation>
+        </message>
+        <message>
+            <source>polygon</source>
+            <translation>polygone</translation>
+        </message>
+        <message>
+            <source>Objects</source>
+            <translation>Objets</translation>
+        </message>
+        <message>
+            <source>%1 · %2</source>
+            <comment>kind and target of an object</comment>
+            <translation>%1 · %2</translation>
+        </message>
+        <message>
+            <source>%1: %2. Press F2 to rename.</source>
+            <translation>%1 : %2. F2 pour renommer.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ObjectProperties</name>
+        <message>
+            <source>typed values</source>
+            <translation>valeurs saisies</translation>
+        </message>
+        <message>
+            <source>typed values (%1)</source>
+            <translation>valeurs saisies (%1)</translation>
+        </message>
+        <message>
+            <source>Disk</source>
+            <translation>Disque</translation>
+        </message>
+        <message>
+            <source>Fourier outline, %1</source>
+            <translation>Contour de Fourier, %1</translation>
+        </message>
+        <message>
+            <source>Polygon</source>
+            <translation>Polygone</translation>
+        </message>
+        <message>
+            <source>%1 cm²</source>
+            <translation>%1 cm²</translation>
+        </message>
+        <message>
+            <source>%1 cm</source>
+            <translation>%1 cm</translation>
+        </message>
+        <message>
+            <source>%1 J/(m²·K); time constant %2 at the target</source>
+            <translation>%1 J/(m²·K) ; constante de temps %2 à la consigne</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Matériau</translation>
+        </message>
+        <message>
+            <source>Mounting on the end-effector</source>
+            <translation>Montage sur l’effecteur</translation>
+        </message>
+        <message>
+            <source>Name</source>
+            <translation>Nom</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Radius</source>
+            <translation>Rayon</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Aire</translation>
+        </message>
+        <message>
+            <source>Perimeter</source>
+            <translation>Périmètre</translation>
+        </message>
+        <message>
+            <source>Preset</source>
+            <translation>Préréglage</translation>
+        </message>
+        <message>
+            <source>Emittance</source>
+            <translation>Émissivité</translation>
+        </message>
+        <message>
+            <source>Absorptance</source>
+            <translation>Absorptivité</translation>
+        </message>
+        <message>
+            <source>Specific heat</source>
+            <translation>Chaleur massique</translation>
+        </message>
+        <message>
+            <source>Density</source>
+            <translation>Masse volumique</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>Épaisseur</translation>
+        </message>
+        <message>
+            <source>Infill</source>
+            <translation>Remplissage</translation>
+        </message>
+        <message>
+            <source>x</source>
+            <translation>x</translation>
+        </message>
+        <message>
+            <source>y</source>
+            <translation>y</translation>
+        </message>
+        <message>
+            <source>z</source>
+            <translation>z</translation>
+        </message>
+        <message>
+            <source>Rotation about z</source>
+            <translation>Rotation autour de z</translation>
+        </message>
+        <message>
+            <source>Mounting x</source>
+            <translation>Montage x</translation>
+        </message>
+        <message>
+            <source>Mounting y</source>
+            <translation>Montage y</translation>
+        </message>
+        <message>
+            <source>Mounting z</source>
+            <translation>Montage z</translation>
+        </message>
+        <message>
+            <source> cm</source>
+            <translation> cm</translation>
+        </message>
+        <message>
+            <source> mm</source>
+            <translation> mm</translation>
+        </message>
+        <message>
+            <source> J/(kg·K)</source>
+            <translation> J/(kg·K)</translation>
+        </message>
+        <message>
+            <source> kg/m³</source>
+            <translation> kg/m³</translation>
+        </message>
+        <message>
+            <source> %</source>
+            <translation> %</translation>
+        </message>
+        <message>
+            <source> °</source>
+            <translation> °</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ObjectTile</name>
+        <message>
+            <source>No reading yet</source>
+            <translation>Pas encore de mesure</translation>
+        </message>
+        <message>
+            <source>Sensor invalid</source>
+            <translation>Capteur non valide</translation>
+        </message>
+        <message>
+            <source>Heating</source>
+            <translation>Chauffe</translation>
+        </message>
+        <message>
+            <source>Cooling</source>
+            <translation>Refroidit</translation>
+        </message>
+        <message>
+            <source>Off target</source>
+            <comment>steady, outside the tolerance band</comment>
+            <translation>Hors consigne</translation>
+        </message>
+        <message>
+            <source>Settling</source>
+            <translation>Se stabilise</translation>
+        </message>
+        <message>
+            <source>Settled</source>
+            <translation>Stabilisé</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Écart</translation>
+        </message>
+        <message>
+            <source>Measured minus target</source>
+            <translation>Mesure moins consigne</translation>
+        </message>
+        <message>
+            <source>Rate</source>
+            <translation>Vitesse</translation>
+        </message>
+        <message>
+            <source>Object %1</source>
+            <translation>Objet %1</translation>
+        </message>
+        <message>
+            <source>Measured temperature of %1</source>
+            <translation>Température mesurée de %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ObjectsPage</name>
+        <message>
+            <source>rename</source>
+            <translation>renommage</translation>
+        </message>
+        <message>
+            <source>change of “%1”</source>
+            <translation>modification de « %1 »</translation>
+        </message>
+        <message>
+            <source>Reading %1…</source>
+            <translation>Lecture de %1…</translation>
+        </message>
+        <message>
+            <source>disk</source>
+            <translation>disque</translation>
+        </message>
+        <message>
+            <source>add disk</source>
+            <translation>ajout d’un disque</translation>
+        </message>
+        <message>
+            <source>duplicate</source>
+            <translation>duplication</translation>
+        </message>
+        <message>
+            <source>remove “%1”</source>
+            <translation>suppression de « %1 »</translation>
+        </message>
+        <message>
+            <source>“%1” was removed.</source>
+            <translation>« %1 » a été supprimé.</translation>
+        </message>
+        <message>
+            <source>Undo</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>%1 cannot be fitted.</source>
+            <translation>%1 ne peut pas être ajusté.</translation>
+        </message>
+        <message>
+            <source>import</source>
+            <translation>importation</translation>
+        </message>
+        <message>
+            <source>%1 is not a kind of file that can be imported. Use a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
+            <translation>%1 n’est pas un type de fichier importable. Utilisez un CSV de points x, y ou l’image d’une silhouette (PNG, JPEG, BMP, TIFF).</translation>
+        </message>
+        <message>
+            <source>Import an outline</source>
+            <translation>Importer un contour</translation>
+        </message>
+        <message>
+            <source>Outlines (%1);;All files (*)</source>
+            <translation>Contours (%1);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>harmonics</source>
+            <translation>harmoniques</translation>
+        </message>
+        <message>
+            <source>A disk is used as it is; it needs no fit.</source>
+            <translation>Un disque est utilisé tel quel ; il n’a pas besoin d’ajustement.</translation>
+        </message>
+        <message>
+            <source>No imported outline is kept with this object, so it cannot be fitted again.</source>
+            <translation>Aucun contour importé n’est conservé avec cet objet ; il ne peut donc pas être réajusté.</translation>
+        </message>
+        <message>
+            <source>Each object needs a free axis of the robot of its own; all are used. Remove an object first.</source>
+            <translation>Chaque objet demande un axe libre du robot ; tous sont pris. Supprimez d’abord un objet.</translation>
+        </message>
+        <message>
+            <source>Undo: %1</source>
+            <translation>Annuler : %1</translation>
+        </message>
+        <message>
+            <source>Nothing to undo</source>
+            <translation>Rien à annuler</translation>
+        </message>
+        <message>
+            <source>Redo: %1</source>
+            <translation>Rétablir : %1</translation>
+        </message>
+        <message>
+            <source>Nothing to redo</source>
+            <translation>Rien à rétablir</translation>
+        </message>
+        <message>
+            <source>&amp;Objects</source>
+            <translation>&amp;Objets</translation>
+        </message>
+        <message>
+            <source>Add &amp;disk</source>
+            <translation>Ajouter un &amp;disque</translation>
+        </message>
+        <message>
+            <source>&amp;Import outline…</source>
+            <translation>&amp;Importer un contour…</translation>
+        </message>
+        <message>
+            <source>Du&amp;plicate</source>
+            <translation>Du&amp;pliquer</translation>
+        </message>
+        <message>
+            <source>&amp;Remove</source>
+            <translation>&amp;Supprimer</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Annuler</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>Rétablir</translation>
+        </message>
+        <message>
+            <source>%1 of %2 degrees of freedom used</source>
+            <translation>%1 degrés de liberté utilisés sur %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::OutlinePreview</name>
+        <message>
+            <source>Outline</source>
+            <translation>Contour</translation>
+        </message>
+        <message>
+            <source>%1, %2 mm wide and %3 mm high</source>
+            <translation>%1, largeur %2 mm et hauteur %3 mm</translation>
+        </message>
+        <message>
+            <source>Imported outline, %1 points</source>
+            <translation>Contour importé, %1 points</translation>
+        </message>
+        <message>
+            <source>Fourier outline, %1</source>
+            <translation>Contour de Fourier, %1</translation>
+        </message>
+        <message>
+            <source>Outline used</source>
+            <translation>Contour utilisé</translation>
+        </message>
+        <message>
+            <source>Drop a CSV or a picture of a silhouette here, or add a disk.</source>
+            <translation>Déposez ici un CSV ou l’image d’une silhouette, ou ajoutez un disque.</translation>
+        </message>
+        <message>
+            <source>%1 mm × %2 mm</source>
+            <translation>%1 mm × %2 mm</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::PageHost</name>
+        <message>
+            <source>A run is armed or on. Objects can be changed once it has stopped.</source>
+            <translation>Un essai est armé ou en cours. Les objets pourront être modifiés après son arrêt.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ReachBar</name>
+        <message>
+            <source>Reachable temperatures</source>
+            <translation>Températures atteignables</translation>
+        </message>
+        <message>
+            <source>The range is being worked out.</source>
+            <translation>La plage est en cours de calcul.</translation>
+        </message>
+        <message>
+            <source>Target %1. Here it can be held between %2 and %3; with nothing but the source in view, up to %4.</source>
+            <translation>Consigne %1. Ici, elle peut être tenue entre %2 et %3 ; avec la source seule en vue, jusqu’à %4.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ResidualPlot</name>
+        <message>
+            <source>Residual against the number of harmonics</source>
+            <translation>Résidu selon le nombre d’harmoniques</translation>
+        </message>
+        <message>
+            <source>Distance between the imported outline and the Fourier outline. Click to choose a number of harmonics.</source>
+            <translation>Distance entre le contour importé et le contour de Fourier. Cliquez pour choisir un nombre d’harmoniques.</translation>
+        </message>
+        <message>
+            <source>Residual, mm: rms (line), largest (dashes)</source>
+            <translation>Résidu, mm : efficace (trait), maximal (tirets)</translation>
+        </message>
+        <message>
+            <source>harmonics</source>
+            <translation>harmoniques</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ReviewPage</name>
+        <message>
+            <source>Interrupted: the recording ended without a Stop. What had been written is here.</source>
+            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt. Ce qui avait été écrit est ici.</translation>
+        </message>
+        <message>
+            <source>All objects settled</source>
+            <translation>Tous les objets sont stabilisés</translation>
+        </message>
+        <message>
+            <source>Not all objects settled</source>
+            <translation>Tous les objets ne sont pas stabilisés</translation>
+        </message>
+        <message>
+            <source>Stopped by the operator</source>
+            <translation>Arrêté par l’opérateur</translation>
+        </message>
+        <message>
+            <source>Ended by a fault</source>
+            <translation>Terminé par un défaut</translation>
+        </message>
+        <message>
+            <source>No session open</source>
+            <translation>Aucune session ouverte</translation>
+        </message>
+        <message>
+            <source>Open a recorded run to see its traces, events and final errors.</source>
+            <translation>Ouvrez un essai enregistré pour voir ses courbes, ses événements et ses écarts finaux.</translation>
+        </message>
+        <message>
+            <source>&amp;Open session…</source>
+            <translation>&amp;Ouvrir une session…</translation>
+        </message>
+        <message>
+            <source>&amp;Export CSV…</source>
+            <translation>&amp;Exporter en CSV…</translation>
+        </message>
+        <message>
+            <source>Write one CSV file per table, units in the headers</source>
+            <translation>Écrire un fichier CSV par table, unités dans les en-têtes</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>Température</translation>
+        </message>
+        <message>
+            <source>Error</source>
+            <translation>Écart</translation>
+        </message>
+        <message>
+            <source>Final values</source>
+            <translation>Valeurs finales</translation>
+        </message>
+        <message>
+            <source>Events and notes</source>
+            <translation>Événements et notes</translation>
+        </message>
+        <message>
+            <source>Temperatures of the run</source>
+            <translation>Températures de l’essai</translation>
+        </message>
+        <message>
+            <source>Errors of the run</source>
+            <translation>Écarts de l’essai</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Issue</translation>
+        </message>
+        <message>
+            <source>Duration</source>
+            <translation>Durée</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Régulateur</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Enregistré</translation>
+        </message>
+        <message>
+            <source>Software</source>
+            <translation>Logiciel</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>SIMULÉ</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>RÉEL</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RunPage</name>
+        <message>
+            <source>Hold</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>Resume</source>
+            <translation>Reprise</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Arrêt</translation>
+        </message>
+        <message>
+            <source>STOP</source>
+            <translation>STOP</translation>
+        </message>
+        <message>
+            <source>Settled</source>
+            <translation>Stabilisé</translation>
+        </message>
+        <message>
+            <source>New targets</source>
+            <translation>Nouvelles consignes</translation>
+        </message>
+        <message>
+            <source>New gains</source>
+            <translation>Nouveaux gains</translation>
+        </message>
+        <message>
+            <source>Fault</source>
+            <translation>Défaut</translation>
+        </message>
+        <message>
+            <source>Compromise</source>
+            <translation>Compromis</translation>
+        </message>
+        <message>
+            <source>Sensor back</source>
+            <translation>Capteur de retour</translation>
+        </message>
+        <message>
+            <source>Behind by %1 — jump to live</source>
+            <translation>En retard de %1 — revenir au direct</translation>
+        </message>
+        <message>
+            <source>Jump to live</source>
+            <translation>Revenir au direct</translation>
+        </message>
+        <message>
+            <source>Follow live</source>
+            <translation>Suivre le direct</translation>
+        </message>
+        <message>
+            <source>Keep the newest samples in view. Zooming or dragging a plot turns it off; no sample is lost.</source>
+            <translation>Garder les derniers échantillons en vue. Zoomer ou déplacer une courbe y met fin ; aucun échantillon n’est perdu.</translation>
+        </message>
+        <message>
+            <source>Show</source>
+            <translation>Montrer</translation>
+        </message>
+        <message>
+            <source>whole run</source>
+            <translation>tout l’essai</translation>
+        </message>
+        <message>
+            <source>last minute</source>
+            <translation>dernière minute</translation>
+        </message>
+        <message>
+            <source>last 5 minutes</source>
+            <translation>5 dernières minutes</translation>
+        </message>
+        <message>
+            <source>last 30 minutes</source>
+            <translation>30 dernières minutes</translation>
+        </message>
+        <message>
+            <source>Stretch of time shown while following</source>
+            <translation>Durée montrée pendant le suivi</translation>
+        </message>
+        <message>
+            <source>Show the newest samples again and follow them.</source>
+            <translation>Montrer de nouveau les derniers échantillons et les suivre.</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>Écarts</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>Facteurs de forme</translation>
+        </message>
+        <message>
+            <source>Command speed</source>
+            <translation>Vitesse commandée</translation>
+        </message>
+        <message>
+            <source>Rates</source>
+            <translation>Vitesses</translation>
+        </message>
+        <message>
+            <source>Estimates</source>
+            <translation>Estimations</translation>
+        </message>
+        <message>
+            <source>Further traces</source>
+            <translation>Autres courbes</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>Scène</translation>
+        </message>
+        <message>
+            <source>Top</source>
+            <translation>Dessus</translation>
+        </message>
+        <message>
+            <source>Look along −z of the source, from above.</source>
+            <translation>Regarder selon −z de la source, d’en haut.</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Côté</translation>
+        </message>
+        <message>
+            <source>Look along x of the source, from the side.</source>
+            <translation>Regarder selon x de la source, de côté.</translation>
+        </message>
+        <message>
+            <source>Isometric</source>
+            <translation>Isométrique</translation>
+        </message>
+        <message>
+            <source>Look from above at an angle.</source>
+            <translation>Regarder d’en haut, en biais.</translation>
+        </message>
+        <message>
+            <source>View: %1</source>
+            <translation>Vue : %1</translation>
+        </message>
+        <message>
+            <source>3-D scene: source, objects and their paths</source>
+            <translation>Scène 3D : source, objets et trajectoires</translation>
+        </message>
+        <message>
+            <source>Note</source>
+            <translation>Note</translation>
+        </message>
+        <message>
+            <source>Press N, type, Enter: noted at this moment of the run</source>
+            <translation>N, texte, Entrée : noté à cet instant de l’essai</translation>
+        </message>
+        <message>
+            <source>Note at this moment of the run</source>
+            <translation>Note à cet instant de l’essai</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Ajouter</translation>
+        </message>
+        <message>
+            <source>Record the note with the present time.</source>
+            <translation>Enregistrer la note à l’instant présent.</translation>
+        </message>
+        <message>
+            <source>Add the note</source>
+            <translation>Ajouter la note</translation>
+        </message>
+        <message>
+            <source>Simulation speed</source>
+            <translation>Vitesse de simulation</translation>
+        </message>
+        <message>
+            <source>Simulated seconds a second; only on the simulated rig.</source>
+            <translation>Secondes simulées par seconde ; banc simulé seulement.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RunStateChip</name>
+        <message>
+            <source>Click for the reasons and what to do.</source>
+            <translation>Cliquez pour les raisons et les remèdes.</translation>
+        </message>
+        <message>
+            <source>State of the run: %1</source>
+            <translation>État de l’essai : %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SceneOverlay</name>
+        <message>
+            <source>x (cm)</source>
+            <translation>x (cm)</translation>
+        </message>
+        <message>
+            <source>y (cm)</source>
+            <translation>y (cm)</translation>
+        </message>
+        <message>
+            <source>z (cm)</source>
+            <translation>z (cm)</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SceneView</name>
+        <message>
+            <source>Source</source>
+            <translation>Source</translation>
+        </message>
+        <message>
+            <source>3-D scene</source>
+            <translation>Scène 3D</translation>
+        </message>
+        <message>
+            <source>The 3-D scene needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
+            <translation>La scène 3D demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SessionActions</name>
+        <message>
+            <source>Unsaved experiment</source>
+            <translation>Expérience non enregistrée</translation>
+        </message>
+        <message>
+            <source>"%1" was changed and not saved.</source>
+            <translation>« %1 » a été modifié et n’est pas enregistré.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Enregistrer</translation>
+        </message>
+        <message>
+            <source>Discard changes</source>
+            <translation>Abandonner les modifications</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Open an experiment or a session</source>
+            <translation>Ouvrir une expérience ou une session</translation>
+        </message>
+        <message>
+            <source>Experiments and sessions (*.json *.bask);;Experiments (*.json);;Sessions (*.bask);;All files (*)</source>
+            <translation>Expériences et sessions (*.json *.bask);;Expériences (*.json);;Sessions (*.bask);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>Open a session</source>
+            <translation>Ouvrir une session</translation>
+        </message>
+        <message>
+            <source>Sessions (*.bask);;All files (*)</source>
+            <translation>Sessions (*.bask);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>Saved %1</source>
+            <translation>%1 enregistré</translation>
+        </message>
+        <message>
+            <source>Save the experiment</source>
+            <translation>Enregistrer l’expérience</translation>
+        </message>
+        <message>
+            <source>Experiments (*.json)</source>
+            <translation>Expériences (*.json)</translation>
+        </message>
+        <message>
+            <source>Save the session</source>
+            <translation>Enregistrer la session</translation>
+        </message>
+        <message>
+            <source>Sessions (*.bask)</source>
+            <translation>Sessions (*.bask)</translation>
+        </message>
+        <message>
+            <source>Session saved as %1</source>
+            <translation>Session enregistrée sous %1</translation>
+        </message>
+        <message>
+            <source>Folder for the CSV files</source>
+            <translation>Dossier des fichiers CSV</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) written to %1</source>
+            <translation>
+                <numerusform>%n fichier écrit dans %1</numerusform>
+                <numerusform>%n fichiers écrits dans %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>the folder cannot be made</source>
+            <translation>le dossier ne peut pas être créé</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::StateBar</name>
+        <message>
+            <source>The engine is not answering. The devices' own watchdogs stop the heat and the motion. Close Bask and start it again.</source>
+            <translation>Le moteur ne répond pas. Les chiens de garde des appareils coupent le chauffage et le mouvement. Fermez Bask et relancez-le.</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>SIMULÉ</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>RÉEL</translation>
+        </message>
+        <message>
+            <source>The rig is simulated: no device moves or heats.</source>
+            <translation>Le banc est simulé : aucun appareil ne bouge ni ne chauffe.</translation>
+        </message>
+        <message>
+            <source>The rig is real: Start moves it and opens the heat.</source>
+            <translation>Le banc est réel : Démarrer le met en mouvement et ouvre le chauffage.</translation>
+        </message>
+        <message>
+            <source>Run</source>
+            <translation>Essai</translation>
+        </message>
+        <message>
+            <source>Time since Start</source>
+            <translation>Temps depuis le démarrage</translation>
+        </message>
+        <message>
+            <source>State of the run</source>
+            <translation>État de l’essai</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::StatusLine</name>
+        <message>
+            <source>engine not answering</source>
+            <translation>le moteur ne répond pas</translation>
+        </message>
+        <message>
+            <source>readings %1 s old</source>
+            <translation>mesures âgées de %1 s</translation>
+        </message>
+        <message>
+            <source>no readings</source>
+            <translation>aucune mesure</translation>
+        </message>
+        <message>
+            <source>(simulation ×%1)</source>
+            <translation>(simulation ×%1)</translation>
+        </message>
+        <message>
+            <source>loop %1 Hz, late %2</source>
+            <translation>boucle %1 Hz, retards %2</translation>
+        </message>
+        <message>
+            <source>not recording</source>
+            <translation>pas d’enregistrement</translation>
+        </message>
+        <message>
+            <source>recording %1, %2 samples</source>
+            <translation>enregistre %1, %2 échantillons</translation>
+        </message>
+        <message>
+            <source>Age of the newest temperature readings</source>
+            <translation>Âge des dernières mesures de température</translation>
+        </message>
+        <message>
+            <source>Control steps a second, and how many began late</source>
+            <translation>Pas de commande par seconde, et combien ont commencé en retard</translation>
+        </message>
+        <message>
+            <source>Temperature unit</source>
+            <translation>Unité de température</translation>
+        </message>
+        <message>
+            <source>Language</source>
+            <translation>Langue</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::StopButton</name>
+        <message>
+            <source>STOP</source>
+            <translation>STOP</translation>
+        </message>
+        <message>
+            <source>Zero velocity and heater off now; latched until reset (F12).
+This is a software stop, not a safety-rated emergency stop.</source>
+            <translation>Vitesse nulle et chauffage coupé immédiatement ; verrouillé jusqu’à réinitialisation (F12).
+C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</translation>
+        </message>
+        <message>
+            <source>STOP: zero velocity and heater off now (F12)</source>
+            <translation>STOP : vitesse nulle et chauffage coupé immédiatement (F12)</translation>
+        </message>
+        <message>
+            <source>Software stop, not a safety-rated emergency stop.</source>
+            <translation>Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::TargetsPage</name>
+        <message>
+            <source>Target of %1</source>
+            <translation>Consigne de %1</translation>
+        </message>
+        <message>
+            <source>Checking…</source>
+            <translation>Vérification…</translation>
+        </message>
+        <message>
+            <source>Nearest reachable</source>
+            <translation>La plus proche</translation>
+        </message>
+        <message>
+            <source>Set the target of %1 to the nearest reachable one</source>
+            <translation>Régler la consigne de %1 sur la plus proche atteignable</translation>
+        </message>
+        <message>
+            <source>Set the target to %1</source>
+            <translation>Régler la consigne sur %1</translation>
+        </message>
+        <message>
+            <source>The target is within reach already.</source>
+            <translation>La consigne est déjà atteignable.</translation>
+        </message>
+        <message>
+            <source>There is no object yet. Add one on the Objects page.</source>
+            <translation>Il n’y a pas encore d’objet. Ajoutez-en un sur la page Objets.</translation>
+        </message>
+        <message>
+            <source>Cannot be held anywhere in the workspace: %1. A run would end at a compromise.</source>
+            <translation>Impossible à tenir où que ce soit dans l’espace de travail : %1. Un essai finirait par un compromis.</translation>
+        </message>
+        <message>
+            <source>, </source>
+            <comment>between names</comment>
+            <translation>, </translation>
+        </message>
+        <message>
+            <source>Checking the targets…</source>
+            <translation>Vérification des consignes…</translation>
+        </message>
+        <message>
+            <source>The target can be held somewhere in the workspace.</source>
+            <translation>La consigne peut être tenue quelque part dans l’espace de travail.</translation>
+        </message>
+        <message>
+            <source>Each target alone can be held somewhere in the workspace; whether all can be held together is not checked yet.</source>
+            <translation>Chaque consigne seule peut être tenue quelque part dans l’espace de travail ; qu’elles le soient ensemble n’est pas encore vérifié.</translation>
+        </message>
+        <message>
+            <source>Targets</source>
+            <translation>Consignes</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Can be held here, %1</source>
+            <translation>Tenable ici, %1</translation>
+        </message>
+        <message>
+            <source>Verdict</source>
+            <translation>Verdict</translation>
+        </message>
+        <message>
+            <source>What is checked</source>
+            <translation>Ce qui est vérifié</translation>
+        </message>
+        <message>
+            <source>To stay at its target an object must take up as much heat as it gives off. That fixes its view factor F, the share of its sight that the source fills: near 0 far away, near 1 close to the source and facing it. A target is reachable if its F occurs somewhere in the robot's workspace with the clearance kept. In the bars, solid is what can be held here, outlined what the source could hold at F = 1.</source>
+            <translation>Pour rester à sa consigne, un objet doit recevoir autant de chaleur qu’il en cède. Cela fixe son facteur de forme F, la part de son champ de vue que la source remplit : proche de 0 au loin, proche de 1 tout près et face à elle. Une consigne est atteignable si son F existe quelque part dans l’espace de travail du robot, la garde étant respectée. Dans les barres, le plein est ce qui peut être tenu ici, le contour ce que la source pourrait tenir à F = 1.</translation>
+        </message>
+        <message>
+            <source>Starting out of reach</source>
+            <translation>Démarrer hors d’atteinte</translation>
+        </message>
+        <message>
+            <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed.</source>
+            <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis trouvé, le dit, et la session consigne votre accord.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::TracePlot</name>
+        <message>
+            <source>translation</source>
+            <translation>translation</translation>
+        </message>
+        <message>
+            <source>rotation</source>
+            <translation>rotation</translation>
+        </message>
+        <message>
+            <source>%1 cm/s</source>
+            <translation>%1 cm/s</translation>
+        </message>
+        <message>
+            <source>%1 °/s</source>
+            <translation>%1 °/s</translation>
+        </message>
+        <message>
+            <source>%1 K/s</source>
+            <translation>%1 K/s</translation>
+        </message>
+        <message>
+            <source>Time since start (h:min:s)</source>
+            <translation>Temps depuis le démarrage (h:min:s)</translation>
+        </message>
+        <message>
+            <source>Time since start (min:s)</source>
+            <translation>Temps depuis le démarrage (min:s)</translation>
+        </message>
+        <message>
+            <source>Temperature (%1)</source>
+            <translation>Température (%1)</translation>
+        </message>
+        <message>
+            <source>Error (%1)</source>
+            <comment>measured minus target</comment>
+            <translation>Écart (%1)</translation>
+        </message>
+        <message>
+            <source>View factor</source>
+            <translation>Facteur de forme</translation>
+        </message>
+        <message>
+            <source>Rate (%1/min)</source>
+            <translation>Vitesse (%1/min)</translation>
+        </message>
+        <message>
+            <source>Speed (% of limit)</source>
+            <translation>Vitesse (% de la limite)</translation>
+        </message>
+        <message>
+            <source>Estimated λ₁ (K/s)</source>
+            <translation>λ₁ estimé (K/s)</translation>
+        </message>
+        <message>
+            <source>Plot against time: %1</source>
+            <translation>Courbe temporelle : %1</translation>
+        </message>
+        <message>
+            <source>Arrow keys move, plus and minus zoom, Home shows the whole run, End goes back to live.</source>
+            <translation>Les flèches déplacent, plus et moins zooment, Origine montre tout l’essai, Fin revient au direct.</translation>
+        </message>
+        <message>
+            <source>No samples yet. Traces begin with Start.</source>
+            <translation>Pas encore d’échantillon. Les courbes commencent au démarrage.</translation>
+        </message>
+        <message>
+            <source>This controller does not estimate λ₁.</source>
+            <translation>Ce régulateur n’estime pas λ₁.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::VerdictText</name>
+        <message>
+            <source>Too hot</source>
+            <translation>Trop chaud</translation>
+        </message>
+        <message>
+            <source>Too cold</source>
+            <translation>Trop froid</translation>
+        </message>
+        <message>
+            <source>Reachable</source>
+            <translation>Atteignable</translation>
+        </message>
+        <message>
+            <source>needs F = %1, at most %2 here; at most %3</source>
+            <translation>demande F = %1, au plus %2 ici ; au plus %3</translation>
+        </message>
+        <message>
+            <source>below the room's %1</source>
+            <translation>sous les %1 de l’ambiante</translation>
+        </message>
+        <message>
+            <source>below the %1 it settles at far from the source</source>
+            <translation>sous les %1 où il se stabilise loin de la source</translation>
+        </message>
+        <message>
+            <source>needs F = %1, at least %2 here; at least %3</source>
+            <translation>demande F = %1, au moins %2 ici ; au moins %3</translation>
+        </message>
+        <message>
+            <source>needs F = %1, up to %2 here</source>
+            <translation>demande F = %1, jusqu’à %2 ici</translation>
+        </message>
+    </context>
+</TS>
