@@ -4,10 +4,8 @@
 #include "widgets/common/display.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <array>
-#include <vector>
 
 namespace bask {
 namespace {
@@ -37,45 +35,9 @@ std::string translatedState(const std::string& name) {
     return name;
 }
 
-/// Templates as patterns, to recognise a sentence that the engine put into another one.
-struct Pattern {
-    MessageCode code;
-    QRegularExpression expression;
-};
-
-std::vector<Pattern> makePatterns() {
-    std::vector<Pattern> patterns;
-    for (int i = 1;; ++i) {
-        const auto code = static_cast<MessageCode>(i);
-        if (messageCodeFromName(messageName(code)) != code)
-            return patterns; // past the last one
-        QString text = QRegularExpression::escape(QString::fromUtf8(messageTemplate(code)));
-        text.replace(QRegularExpression(QStringLiteral("\\\\%([1-9])")), QStringLiteral("(?<a\\1>.*)"));
-        patterns.push_back({code, QRegularExpression(QRegularExpression::anchoredPattern(text))});
-    }
-}
-
-/// An English sentence of the engine in the window's language; anything else as it is.
-QString translatedSentence(const std::string& english) {
-    static const std::vector<Pattern> patterns = makePatterns();
-    const QString text = QString::fromStdString(english);
-    for (const Pattern& pattern : patterns) {
-        const auto match = pattern.expression.match(text);
-        if (!match.hasMatch())
-            continue;
-        Message message{pattern.code, {}};
-        for (int i = 1; i <= pattern.expression.captureCount(); ++i)
-            message.args.push_back(match.captured(QStringLiteral("a%1").arg(i)).toStdString());
-        return messageText(message);
-    }
-    return text;
-}
-
 } // namespace
 
 QString sentence(const Message& message) {
-    if (message.code == MessageCode::EventFault && message.args.size() == 1)
-        return messageText({message.code, {translatedSentence(message.args[0]).toStdString()}});
     if (message.code != MessageCode::CommandNotNow || message.args.size() != 2)
         return messageText(message);
     return messageText({message.code, {translatedVerb(message.args[0]), translatedState(message.args[1])}});

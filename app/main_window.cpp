@@ -22,19 +22,6 @@
 namespace bask {
 namespace {
 
-EventKind kindOf(MessageCode code) {
-    switch (code) {
-    case MessageCode::EventFault:
-    case MessageCode::EventEmergencyStop:
-        return EventKind::Alarm1;
-    case MessageCode::EventCompromise:
-    case MessageCode::EventNotSettled:
-        return EventKind::Alarm3;
-    default:
-        return EventKind::Event;
-    }
-}
-
 QString droppedFile(const QMimeData* data) {
     const QList<QUrl> urls = data->urls();
     if (urls.size() != 1 || !urls.first().isLocalFile())
@@ -113,7 +100,7 @@ void MainWindow::takeRows(const Snapshot& snapshot) {
 }
 
 void MainWindow::addEvent(const TraceEvent& event) {
-    m_eventList->add(event.time_s, sentence(event.message), kindOf(event.message.code));
+    m_eventList->add(event.time_s, sentence(event.message), eventKind(event.message.code));
 }
 
 void MainWindow::showEvents() {

@@ -181,8 +181,7 @@ int runExperimentCommand(const QStringList& arguments) {
     }
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     for (const TraceEvent& event : outcome->events)
-        if (event.message.code == MessageCode::EventCompromise ||
-            event.message.code == MessageCode::EventFault)
+        if (alarmPriority(event.message.code) > 0)
             std::fprintf(stderr, "bask run: at %.0f s: %s\n", event.time_s, describe(event.message).c_str());
     printOutcome(*outcome, wall_s);
     if (!request->summaryPath.empty() && !writeFile(request->summaryPath, summaryJson(*outcome, wall_s)))

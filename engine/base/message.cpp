@@ -78,7 +78,6 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(ReasonSensorInvalid, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" gives no plausible value. Check it, then resume.")),
     Entry BASK_MESSAGE(ReasonRobotLost, QT_TRANSLATE_NOOP("Message", "The robot does not answer: %1. Check its link, then reset.")),
     Entry BASK_MESSAGE(ReasonSourceLost, QT_TRANSLATE_NOOP("Message", "The heat source does not answer: %1. Check its link, then reset.")),
-    Entry BASK_MESSAGE(ReasonOverTemperature, QT_TRANSLATE_NOOP("Message", "\"%1\" is over its temperature limit.")),
     Entry BASK_MESSAGE(ReasonEmergencyStop, QT_TRANSLATE_NOOP("Message", "STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.")),
     Entry BASK_MESSAGE(ReasonRecorderFailed, QT_TRANSLATE_NOOP("Message", "The recording failed: %1. Free disk space or choose another folder, then reset.")),
     Entry BASK_MESSAGE(ReasonInternalFault, QT_TRANSLATE_NOOP("Message", "The engine met an internal fault: %1. Reset, and report it if it comes again.")),
@@ -94,7 +93,6 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(EventTargetsChanged, QT_TRANSLATE_NOOP("Message", "Targets changed")),
     Entry BASK_MESSAGE(EventGainsChanged, QT_TRANSLATE_NOOP("Message", "Controller or gains changed")),
     Entry BASK_MESSAGE(EventZeroed, QT_TRANSLATE_NOOP("Message", "Sensors zeroed at ambient")),
-    Entry BASK_MESSAGE(EventFault, QT_TRANSLATE_NOOP("Message", "Fault: %1")),
     Entry BASK_MESSAGE(EventCompromise, QT_TRANSLATE_NOOP("Message", "No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets")),
     Entry BASK_MESSAGE(EventSensorBack, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is back")),
     Entry BASK_MESSAGE(CommandNotNow, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be done in the state \"%2\"")),
@@ -120,6 +118,25 @@ const char* messageName(MessageCode code) {
 MessageCode messageCodeFromName(const std::string& name) {
     const auto it = std::ranges::find_if(kMessages, [&](const Entry& e) { return name == e.name; });
     return it == kMessages.end() ? MessageCode::None : it->code;
+}
+
+int alarmPriority(MessageCode code) {
+    switch (code) {
+    case MessageCode::ReasonSensorStale:
+    case MessageCode::ReasonSensorInvalid:
+    case MessageCode::ReasonRobotLost:
+    case MessageCode::ReasonSourceLost:
+    case MessageCode::ReasonRecorderFailed:
+    case MessageCode::ReasonInternalFault:
+    case MessageCode::ReasonEmergencyStop:
+    case MessageCode::EventEmergencyStop:
+        return 1;
+    case MessageCode::EventCompromise:
+    case MessageCode::EventNotSettled:
+        return 3;
+    default:
+        return 0;
+    }
 }
 
 std::string describe(const Message& message) {

@@ -70,7 +70,6 @@ enum class MessageCode {
     ReasonSensorInvalid,    ///< %1 object
     ReasonRobotLost,        ///< %1 words
     ReasonSourceLost,       ///< %1 words
-    ReasonOverTemperature,  ///< %1 object
     ReasonEmergencyStop,    ///< no args
     ReasonRecorderFailed,   ///< %1 words
     ReasonInternalFault,    ///< %1 words
@@ -87,7 +86,6 @@ enum class MessageCode {
     EventTargetsChanged,
     EventGainsChanged,
     EventZeroed,
-    EventFault,      ///< %1 words
     EventCompromise, ///< %1 words: objects with residuals
     EventSensorBack, ///< %1 object
     // Commands refused
@@ -108,6 +106,9 @@ const char* messageTemplate(MessageCode code);
 
 /// English sentence with the arguments put in.
 std::string describe(const Message& message);
+
+/// Priority as an alarm, 1 the highest (a person must act), 3 a notice; 0: not an alarm.
+int alarmPriority(MessageCode code);
 
 /// Stable name of a code ("FileNotFound"), as recorded in session files; and back (None when unknown).
 const char* messageName(MessageCode code);

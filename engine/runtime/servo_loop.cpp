@@ -83,7 +83,7 @@ void ServoLoop::endRun(const std::string& outcome) {
 
 void ServoLoop::fault(Message reason) {
     if (std::ranges::find(m_faults, reason) == m_faults.end()) {
-        event(MessageCode::EventFault, {describe(reason)});
+        event(reason.code, reason.args);
         m_faults.push_back(std::move(reason));
     }
     if (m_state != RunState::Fault)

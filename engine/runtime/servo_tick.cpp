@@ -91,8 +91,11 @@ void ServoLoop::watchSensors() {
     bool lost = false;
     for (std::size_t i = 0; i < m_sensors.size(); ++i) {
         const bool fresh = m_sensors.fresh(i, m_clock.now_s());
+        const std::string& name = m_experiment.objects[i].name;
         if (fresh && m_sensorLost[i])
-            event(MessageCode::EventSensorBack, {m_experiment.objects[i].name});
+            event(MessageCode::EventSensorBack, {name});
+        else if (!fresh && !m_sensorLost[i])
+            event(MessageCode::ReasonSensorInvalid, {name});
         m_sensorLost[i] = !fresh;
         lost = lost || !fresh;
     }

@@ -25,13 +25,6 @@ TEST(ErrorText, WordsOfTheEngineAreTranslatedToo) {
     const QString refusal = sentence(Message{MessageCode::CommandNotNow, {"Start", "Not ready"}});
     EXPECT_FALSE(refusal.contains(QStringLiteral("Start"))) << refusal.toStdString();
     EXPECT_FALSE(refusal.contains(QStringLiteral("Not ready"))) << refusal.toStdString();
-    const QString fault =
-        sentence(Message{MessageCode::EventFault, {describe(Message{MessageCode::ReasonEmergencyStop, {}})}});
-    EXPECT_FALSE(fault.contains(QStringLiteral("robot stands"))) << fault.toStdString();
-    const QString nested = sentence(Message{
-        MessageCode::EventFault, {describe(Message{MessageCode::ReasonOverTemperature, {"circle"}})}});
-    EXPECT_TRUE(nested.contains(QStringLiteral("circle")));
-    EXPECT_FALSE(nested.contains(QStringLiteral("temperature limit"))) << nested.toStdString();
 }
 
 } // namespace

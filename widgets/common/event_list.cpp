@@ -31,6 +31,19 @@ int priorityOf(EventKind kind) {
 
 } // namespace
 
+EventKind eventKind(MessageCode code) {
+    switch (alarmPriority(code)) {
+    case 1:
+        return EventKind::Alarm1;
+    case 2:
+        return EventKind::Alarm2;
+    case 3:
+        return EventKind::Alarm3;
+    default:
+        return EventKind::Event;
+    }
+}
+
 EventList::EventList(QWidget* parent) : QWidget(parent), m_tree(new QTreeWidget(this)) {
     setObjectName(QStringLiteral("eventList"));
     m_tree->setObjectName(QStringLiteral("eventListTree"));

@@ -1,6 +1,8 @@
 #pragma once
 // What happened and what was noted during a run, each with its time.
 
+#include "engine/base/message.h"
+
 #include <QList>
 #include <QWidget>
 
@@ -11,6 +13,7 @@ namespace bask {
 
 /// Kind of a row; the alarms carry their priority as figure, shape and colour.
 enum class EventKind { Event, Note, Alarm1, Alarm2, Alarm3 };
+EventKind eventKind(MessageCode code);
 
 /// Newest row last; it stays in view unless a person scrolled up. Object names: "eventList", its tree
 /// "eventListTree".

@@ -31,19 +31,6 @@ QLabel* bold(QWidget* parent, double scale = 1.0) {
     return label;
 }
 
-EventKind kindOf(MessageCode code) {
-    switch (code) {
-    case MessageCode::EventFault:
-    case MessageCode::EventEmergencyStop:
-        return EventKind::Alarm1;
-    case MessageCode::EventNotSettled:
-    case MessageCode::EventCompromise:
-        return EventKind::Alarm3;
-    default:
-        return EventKind::Event;
-    }
-}
-
 bool isMarked(MessageCode code) {
     switch (code) {
     case MessageCode::EventHeld:
@@ -51,12 +38,9 @@ bool isMarked(MessageCode code) {
     case MessageCode::EventSettled:
     case MessageCode::EventTargetsChanged:
     case MessageCode::EventGainsChanged:
-    case MessageCode::EventFault:
-    case MessageCode::EventEmergencyStop:
-    case MessageCode::EventCompromise:
         return true;
     default:
-        return false;
+        return alarmPriority(code) > 0;
     }
 }
 
@@ -256,7 +240,7 @@ void ReviewPage::showEvents() {
     for (std::size_t i = 0; i < m_session->events.size(); ++i) {
         const TraceEvent& event = m_session->events[i];
         lines.push_back(
-            {event.time_s, m_sentences.value(static_cast<qsizetype>(i)), kindOf(event.message.code)});
+            {event.time_s, m_sentences.value(static_cast<qsizetype>(i)), eventKind(event.message.code)});
     }
     for (const TraceNote& note : m_session->notes)
         lines.push_back({note.time_s, QString::fromStdString(note.text), EventKind::Note});

@@ -42,14 +42,14 @@ QString markerWord(MessageCode code) {
         return RunPage::tr("New targets");
     case MessageCode::EventGainsChanged:
         return RunPage::tr("New gains");
-    case MessageCode::EventFault:
-        return RunPage::tr("Fault");
     case MessageCode::EventCompromise:
         return RunPage::tr("Compromise");
+    case MessageCode::ReasonSensorInvalid:
+        return RunPage::tr("Sensor lost");
     case MessageCode::EventSensorBack:
         return RunPage::tr("Sensor back");
     default:
-        return {};
+        return alarmPriority(code) == 1 ? RunPage::tr("Fault") : QString();
     }
 }
 

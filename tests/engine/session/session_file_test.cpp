@@ -64,7 +64,7 @@ TEST_F(SessionFile, GivesBackWhatWasRecorded) {
         ASSERT_TRUE(writer) << describe(writer.error());
         for (int k = 0; k < 50; ++k)
             ASSERT_TRUE((*writer)->add(madeUpSample(experiment, k)));
-        ASSERT_TRUE((*writer)->add(TraceEvent{3.5, {MessageCode::EventFault, {"a \"b\", \xC3\xA9"}}}));
+        ASSERT_TRUE((*writer)->add(TraceEvent{3.5, {MessageCode::ReasonInternalFault, {"a \"b\", \xC3\xA9"}}}));
         ASSERT_TRUE((*writer)->add(TraceEvent{4.5, {MessageCode::EventHeld, {}}}));
         ASSERT_TRUE((*writer)->add(TraceNote{5.25, "plate moved, \"slightly\"\nsecond line"}));
         ASSERT_TRUE((*writer)->add(CommandRow{6.5, "targets", "[313.15,320]"}));
@@ -86,7 +86,7 @@ TEST_F(SessionFile, GivesBackWhatWasRecorded) {
             << k;
     ASSERT_EQ(record->events.size(), 2u);
     EXPECT_EQ(record->events[0].time_s, 3.5);
-    EXPECT_EQ(record->events[0].message, (Message{MessageCode::EventFault, {"a \"b\", \xC3\xA9"}}));
+    EXPECT_EQ(record->events[0].message, (Message{MessageCode::ReasonInternalFault, {"a \"b\", \xC3\xA9"}}));
     ASSERT_EQ(record->notes.size(), 1u);
     EXPECT_EQ(record->notes[0].text, "plate moved, \"slightly\"\nsecond line");
     ASSERT_EQ(record->commands.size(), 1u);
