@@ -43,6 +43,10 @@
     <context>
         <name>Message</name>
         <message>
+            <source>At rest the sensors' readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
+            <translation>Au repos, les mesures des capteurs s’écartent de %1 K de leur moyenne ; le zéro n’en corrige que %2 K au plus. Vérifiez les capteurs et leur bruit.</translation>
+        </message>
+        <message>
             <source>there is no such file; check the path</source>
             <translation>ce fichier n’existe pas ; vérifiez le chemin</translation>
         </message>
@@ -107,6 +111,26 @@
             <translation>créé par une version plus récente de Bask (format %1, celle-ci connaît jusqu’au %2) ; mettez Bask à jour pour l’ouvrir</translation>
         </message>
         <message>
+            <source>not a regular file; choose another name</source>
+            <translation>ce n’est pas un fichier ordinaire ; choisissez un autre nom</translation>
+        </message>
+        <message>
+            <source>this file is also an input; choose another name for the output</source>
+            <translation>ce fichier est aussi une entrée ; choisissez un autre nom pour la sortie</translation>
+        </message>
+        <message>
+            <source>another output goes there; give each its own name</source>
+            <translation>une autre sortie y va déjà ; donnez à chacune son propre nom</translation>
+        </message>
+        <message>
+            <source>a file of that name exists and is not %1; choose another name</source>
+            <translation>un fichier de ce nom existe et n’est pas %1 ; choisissez un autre nom</translation>
+        </message>
+        <message>
+            <source>a file of that name exists and is not an export of this table; choose another folder</source>
+            <translation>un fichier de ce nom existe et n’est pas un export de cette table ; choisissez un autre dossier</translation>
+        </message>
+        <message>
             <source>%1 objects, but the robot has only %2 free degrees of freedom; remove objects or free more axes</source>
             <translation>%1 objets, mais le robot n’a que %2 degrés de liberté libres ; retirez des objets ou libérez des axes</translation>
         </message>
@@ -121,6 +145,14 @@
         <message>
             <source>an object needs a name</source>
             <translation>un objet doit avoir un nom</translation>
+        </message>
+        <message>
+            <source>control characters, and spaces at either end, are not allowed in a name</source>
+            <translation>les caractères de contrôle et les espaces aux extrémités ne sont pas admis dans un nom</translation>
+        </message>
+        <message>
+            <source>the axis "%1" is given twice</source>
+            <translation>l’axe « %1 » est donné deux fois</translation>
         </message>
         <message>
             <source>%1 targets given for %2 objects</source>
@@ -1592,6 +1624,10 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
     </context>
     <context>
         <name>bask::RunPage</name>
+        <message>
+            <source>Sensor lost</source>
+            <translation>Capteur perdu</translation>
+        </message>
         <message>
             <source>Hold</source>
             <translation>Pause</translation>

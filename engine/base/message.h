@@ -27,11 +27,18 @@ enum class MessageCode {
     ValueNotPositive, ///< %1 value
     ValueUnknown,     ///< %1 value, %2 known values
     VersionTooNew,    ///< %1 found, %2 newest known
+    OutputNotAFile,   ///< no args
+    OutputIsInput,    ///< no args
+    OutputTwice,      ///< no args
+    OutputForeign,    ///< %1 what may be replaced
+    ExportForeign,    ///< no args
     // Experiment
     TooManyObjects,        ///< %1 objects, %2 degrees of freedom
     NoObjects,             ///< no args
     DuplicateName,         ///< %1 name
     NameEmpty,             ///< no args
+    NameNotPlain,          ///< no args
+    AxisTwice,             ///< %1 axis
     TargetCountWrong,      ///< %1 given, %2 objects
     StartOutsideWorkspace, ///< %1 coordinate, %2 value, %3 least, %4 most
     StartTooClose,         ///< %1 object, %2 distance mm, %3 clearance mm
@@ -64,6 +71,7 @@ enum class MessageCode {
     ReasonNoExperiment,     ///< no args
     ReasonEstimatorFilling, ///< %1 samples so far, %2 needed
     ReasonNotAtAmbient,     ///< %1 degC expected
+    ReasonSensorsDisagree,  ///< %1 K apart at rest, %2 K allowed
     ReasonHeldByOperator,
     ReasonTargetInfeasible, ///< %1 object
     ReasonSensorStale,      ///< %1 object, %2 age s

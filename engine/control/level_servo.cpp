@@ -70,7 +70,8 @@ PoseQuery LevelServo::query(const Observation& observation, double dt_s) {
         const double error_K = m_aim_K[k] - T;
         const double strength = rates.lambda1 * observation.sourceStrength;
         const double cooling = rates.lambda2 * std::pow(T, 4) - rates.lambda3;
-        const double timeConstant_s = std::max(gains.timeConstant_s, 1.0 / (kLargestGain_1_K * strength));
+        const double timeConstant_s =
+            std::max({gains.timeConstant_s, 2.0 * dt_s, 1.0 / (kLargestGain_1_K * strength)});
         // A wanted F that the last pose could not give must not wind the integral up.
         const bool met = std::abs(m_unmet[i]) < 0.02;
         if (std::abs(error_K) < kIntegralBand_K && met)

@@ -4,6 +4,7 @@
 
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -15,6 +16,15 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
     const double heating = F * sourceStrength;
     const double rest = m_start.lambda3 / m_start.lambda2;
     const double cooling = std::pow(temperature_K, 4) - rest;
+    if (!std::isfinite(temperature_K) || !std::isfinite(heating))
+        return;
+    // After a pause one trapezoid would have to stand for all that happened.
+    const auto count = m_samples.size();
+    if (count >= 2) {
+        const double usual_s = m_samples[count - 1].time_s - m_samples[count - 2].time_s;
+        if (time_s - m_samples.back().time_s > std::max(kWindow_s, 3.0 * usual_s))
+            m_samples.clear();
+    }
     Sample sample{time_s, temperature_K, 0.0, 0.0};
     if (!m_samples.empty()) {
         const Sample& last = m_samples.back();
@@ -27,7 +37,7 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
     }
     m_lastF = heating;
     m_samples.push_back(sample);
-    while (m_samples.size() > 2 && time_s - m_samples[1].time_s >= kWindow_s)
+    while (m_samples.size() > 3 && time_s - m_samples[1].time_s >= kWindow_s)
         m_samples.pop_front();
     if (m_samples.size() >= 3)
         update(m_samples.front(), m_samples.back());

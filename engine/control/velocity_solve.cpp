@@ -141,8 +141,9 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
 }
 
 double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d& b) {
+    const Eigen::Vector3d rotation = rotationAxes(a) * (b - a).tail<3>();
     return std::max((b - a).head<3>().norm() / limits.maxSpeed_m_s,
-                    (b - a).tail<3>().norm() / limits.maxRotation_rad_s);
+                    rotation.norm() / limits.maxRotation_rad_s);
 }
 
 VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q, const Vector6d& goal,

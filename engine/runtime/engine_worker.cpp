@@ -13,6 +13,7 @@ constexpr double kPublish_s = 0.05;
 constexpr double kLongestGap_s =
     1.0; ///< of wall time that is made up for, after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
+constexpr int kLongestStep_ms = 50; ///< of the rig, between looks at the command queue
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
@@ -69,6 +70,7 @@ void EngineWorker::post(const bask::Command& command) {
     }
     m_pending.refusal = result ? Message{} : result.error().message;
     record();
+    closeFinished();
     publish();
 }
 
@@ -144,7 +146,11 @@ void EngineWorker::onTimer() {
         const double period_s = m_session->loop.experiment().sampling.period_s;
         if (wall_s * m_speed > m_untilTick_s + 0.5 * period_s && wall_s > 3e-3 * kTimer_ms)
             ++m_lateSteps;
-        advanceRig(wall_s * m_speed);
+        try {
+            advanceRig(wall_s * m_speed);
+        } catch (const std::exception& exception) {
+            m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
+        }
     }
     m_rateWindow_s += wall_s;
     if (m_rateWindow_s >= 2.0) {
@@ -159,7 +165,11 @@ void EngineWorker::onTimer() {
 }
 
 void EngineWorker::advanceRig(double dt_s) {
-    while (dt_s > 0.0) {
+    QElapsedTimer spent;
+    spent.start();
+    // What does not fit is dropped: simulated time then runs slower than asked, and commands are never kept
+    // waiting.
+    while (dt_s > 0.0 && spent.elapsed() < kLongestStep_ms) {
         const double step_s = std::min(dt_s, m_untilTick_s);
         m_session->rig.advance(step_s);
         dt_s -= step_s;
@@ -168,16 +178,14 @@ void EngineWorker::advanceRig(double dt_s) {
             m_session->loop.tick();
             ++m_ticksSinceRate;
             m_untilTick_s = m_session->loop.experiment().sampling.period_s;
-            finishTick();
+            record();
+            closeFinished();
         }
     }
 }
 
-void EngineWorker::finishTick() {
-    record();
-    const RunState state = m_session->loop.state();
-    const bool over = state == RunState::Stopped || state == RunState::Fault;
-    if (over)
+void EngineWorker::closeFinished() {
+    if (m_session && !m_session->loop.running() && m_session->loop.state() != RunState::Armed)
         closeRecording();
 }
 
@@ -189,7 +197,7 @@ void EngineWorker::record() {
         const Result<void> result = write(rows, *m_writer);
         if (!result) {
             m_writer.reset();
-            m_session->loop.fault({MessageCode::ReasonRecorderFailed, {describe(result.error())}});
+            m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(result.error())}});
         }
     }
     std::ranges::move(rows.samples, std::back_inserter(m_pending.newSamples));

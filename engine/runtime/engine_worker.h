@@ -41,7 +41,7 @@ private:
 
     void onTimer();
     void advanceRig(double dt_s);
-    void finishTick();
+    void closeFinished();
     void record();
     void closeRecording();
     void publish();

@@ -1,5 +1,7 @@
 #include "engine/runtime/sensor_channels.h"
 
+#include "engine/base/units.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -74,19 +76,24 @@ int SensorChannels::leastCount() const {
     return least;
 }
 
-bool SensorChannels::zero(double expectedEnvironment_K) {
+Result<void> SensorChannels::zero(double expectedEnvironment_K) {
     if (!full())
-        return false;
+        return Error(MessageCode::ReasonEstimatorFilling, {},
+                     {std::to_string(leastCount()), std::to_string(m_sampling.window)});
     double total = 0.0;
     for (const Channel& channel : m_channels)
         total += mean(channel.window);
     const double common = total / static_cast<double>(m_channels.size());
     if (std::abs(common - expectedEnvironment_K) > kAmbientDistance_K)
-        return false;
+        return Error(MessageCode::ReasonNotAtAmbient, {},
+                     {formatNumber(celsiusFromKelvin(expectedEnvironment_K))});
+    double spread_K = 0.0;
     for (const Channel& channel : m_channels)
         for (const Reading& reading : channel.window)
-            if (std::abs(reading.value_K - common) > kAmbientSpread_K)
-                return false;
+            spread_K = std::max(spread_K, std::abs(reading.value_K - common));
+    if (spread_K > kAmbientSpread_K)
+        return Error(MessageCode::ReasonSensorsDisagree, {},
+                     {formatNumber(spread_K, 2), formatNumber(kAmbientSpread_K, 2)});
     for (Channel& channel : m_channels) {
         channel.offset_K = common - mean(channel.window);
         channel.estimator.reset();
@@ -94,7 +101,7 @@ bool SensorChannels::zero(double expectedEnvironment_K) {
             channel.estimator.add(reading.time_s, reading.value_K + channel.offset_K);
     }
     m_environment_K = common;
-    return true;
+    return {};
 }
 
 } // namespace bask

@@ -2,6 +2,7 @@
 // The thermometers as the loop sees them: zeroed against each other, checked for age and plausibility, with
 // their estimators.
 
+#include "engine/base/result.h"
 #include "engine/devices/thermometer.h"
 #include "engine/session/experiment.h"
 #include "engine/thermal/rate_estimator.h"
@@ -35,7 +36,7 @@ public:
     bool zeroed() const { return m_environment_K.has_value(); }
     /// Sets the offsets so that all channels agree at ambient, from the window's readings; also gives T3.
     /// Refuses when the window is not full or the readings are not those of objects at rest at ambient.
-    bool zero(double expectedEnvironment_K);
+    Result<void> zero(double expectedEnvironment_K);
     /// T3 from zeroing, K.
     std::optional<double> environment_K() const { return m_environment_K; }
 

@@ -95,11 +95,16 @@ Result<void> ServoLoop::arm() {
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal("Arm");
     if (!m_sensors.zeroed()) {
-        if (!m_sensors.zero(m_experiment.environment_K))
-            return Error(MessageCode::ReasonNotAtAmbient, {},
-                         {formatNumber(celsiusFromKelvin(m_experiment.environment_K))});
+        if (const auto zeroed = m_sensors.zero(m_experiment.environment_K); !zeroed)
+            return zeroed;
         event(MessageCode::EventZeroed);
     }
+    const SourceSpec& source = m_experiment.source;
+    const double power_W_m2 = netSourcePower_W_m2(source.model, source.temperature_K, source.emittance,
+                                                  m_sensors.environment_K().value());
+    if (!(power_W_m2 > 0.0))
+        return Error(MessageCode::SourceTooWeak, {}, {formatNumber(power_W_m2, 3)});
+    m_outcome.clear();
     m_latest.time_s = 0.0;
     m_state = RunState::Armed;
     command("arm");
@@ -118,6 +123,8 @@ Result<void> ServoLoop::disarm() {
 Result<void> ServoLoop::start(bool acceptInfeasible) {
     if (m_state != RunState::Armed)
         return refusal("Start");
+    if (const auto fresh = requireFreshSensors(); !fresh)
+        return fresh;
     if (!acceptInfeasible) {
         const std::vector<TargetVerdict> verdicts = targetVerdicts(m_experiment);
         for (std::size_t i = 0; i < verdicts.size(); ++i)
@@ -128,7 +135,8 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_withinBandSince_s = m_startTime_s;
     m_compromise.clear();
     m_compromiseTold = false;
-    m_outcome.clear();
+    m_retreatRaised = false;
+    m_retreatStill = 0;
     m_sensorLost.assign(m_sensors.size(), false);
     ControlModel model;
     model.geometry = m_geometry;
@@ -158,12 +166,18 @@ Result<void> ServoLoop::hold() {
     return {};
 }
 
-Result<void> ServoLoop::resume() {
-    if (m_state != RunState::Holding)
-        return refusal("Resume");
+Result<void> ServoLoop::requireFreshSensors() const {
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
         if (!m_sensors.fresh(i, m_clock.now_s()))
             return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
+    return {};
+}
+
+Result<void> ServoLoop::resume() {
+    if (m_state != RunState::Holding)
+        return refusal("Resume");
+    if (const auto fresh = requireFreshSensors(); !fresh)
+        return fresh;
     m_state = RunState::Running;
     m_heldBySensor = false;
     m_withinBandSince_s = m_clock.now_s();
@@ -177,7 +191,7 @@ Result<void> ServoLoop::stop() {
         return disarm();
     if (m_state != RunState::Running && m_state != RunState::Holding && m_state != RunState::Settled)
         return refusal("Stop");
-    m_outcome = allWithinBand() ? "settled" : "stopped";
+    m_outcome = m_state == RunState::Settled ? "settled" : "stopped";
     if (!allWithinBand())
         event(MessageCode::EventNotSettled, {objectsOffTarget()});
     m_state = RunState::Stopping;
@@ -186,6 +200,19 @@ Result<void> ServoLoop::stop() {
     event(MessageCode::EventStopped);
     retreat(); // at once: the last velocity must not go on sideways
     return {};
+}
+
+void ServoLoop::stopFor(Message reason) {
+    if (!running()) {
+        fault(std::move(reason));
+        return;
+    }
+    if (std::ranges::find(m_faults, reason) == m_faults.end()) {
+        event(reason.code, reason.args);
+        m_faults.push_back(std::move(reason));
+    }
+    if (m_state != RunState::Stopping)
+        (void)stop();
 }
 
 void ServoLoop::emergencyStop() {
@@ -210,6 +237,8 @@ Result<void> ServoLoop::reset() {
 }
 
 Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
+    if (m_state == RunState::Stopping)
+        return refusal("Set targets");
     Experiment changed = m_experiment;
     if (const auto result = bask::setTargets(changed, targets_K); !result)
         return result;
@@ -259,7 +288,7 @@ void ServoLoop::addNote(const std::string& text) {
 std::vector<Message> ServoLoop::reasons() const {
     if (m_state == RunState::Fault)
         return m_faults;
-    std::vector<Message> out;
+    std::vector<Message> out = m_faults; // those that a retreat will end in
     const double now_s = m_clock.now_s();
     for (std::size_t i = 0; i < m_sensors.size(); ++i) {
         const std::string& name = m_experiment.objects[i].name;

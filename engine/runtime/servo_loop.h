@@ -51,6 +51,8 @@ public:
     void addNote(const std::string& text);
     /// Safe state, latched: for failures that the loop does not see itself (the recorder).
     void fault(Message reason);
+    /// Retreat first, then the latched fault: for failures that leave the robot able to move.
+    void stopFor(Message reason);
 
     RunState state() const { return m_state; }
     std::vector<Message> reasons() const;
@@ -79,6 +81,7 @@ private:
     void makeSafe();
     void endRun(const std::string& outcome);
     void updateReadiness();
+    Result<void> requireFreshSensors() const;
     void trace();
     void event(MessageCode code, std::vector<std::string> args = {});
     void command(const std::string& name, const std::string& value = {});
@@ -96,7 +99,10 @@ private:
     std::vector<Message> m_faults;  ///< latched
     std::vector<bool> m_sensorLost; ///< at the last sample of the run
     bool m_heldBySensor = false;
-    double m_heldSince_s = 0.0;
+    double m_lostSince_s = 0.0;   ///< when all sensors were last fresh, while one is lost
+    bool m_retreatRaised = false; ///< the retreat's way up is done
+    int m_retreatStill = 0;       ///< periods of the retreat without a move
+    Vector6d m_retreatFrom = Vector6d::Zero();
     double m_withinBandSince_s = 0.0;
     std::string m_compromise; ///< predicted errors of the compromise aimed at; empty: none
     bool m_compromiseTold = false;

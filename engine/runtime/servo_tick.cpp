@@ -75,7 +75,7 @@ void ServoLoop::readRobotAndSource() {
     }
     const auto source = m_devices.source.read();
     if (!source) {
-        fault(source.error().message);
+        stopFor(source.error().message); // the robot can still take the objects away
     } else if (source->valid) {
         m_latest.source_K = source->value_K;
         const SourceSpec& spec = m_experiment.source;
@@ -89,6 +89,7 @@ void ServoLoop::watchSensors() {
     if (m_state == RunState::Stopping)
         return;
     bool lost = false;
+    const bool lostBefore = std::ranges::find(m_sensorLost, true) != m_sensorLost.end();
     for (std::size_t i = 0; i < m_sensors.size(); ++i) {
         const bool fresh = m_sensors.fresh(i, m_clock.now_s());
         const std::string& name = m_experiment.objects[i].name;
@@ -99,12 +100,13 @@ void ServoLoop::watchSensors() {
         m_sensorLost[i] = !fresh;
         lost = lost || !fresh;
     }
+    if (lost && !lostBefore)
+        m_lostSince_s = m_clock.now_s();
     if (lost && m_state != RunState::Holding) {
         (void)hold();
         m_heldBySensor = true;
-        m_heldSince_s = m_clock.now_s();
-    } else if (lost && m_heldBySensor && m_clock.now_s() - m_heldSince_s > kHeldLimit_s) {
-        (void)stop();
+    } else if (lost && m_clock.now_s() - m_lostSince_s > kHeldLimit_s) {
+        (void)stop(); // whoever holds: nobody sees how hot the object is
     }
 }
 
@@ -112,13 +114,19 @@ void ServoLoop::keepHeating() {
     if (const auto result = m_devices.source.keepHeating(m_experiment.source.temperature_K,
                                                          kHeatPeriods * m_experiment.sampling.period_s);
         !result)
-        fault(result.error().message);
+        stopFor(result.error().message);
 }
 
 void ServoLoop::control() {
     keepHeating();
-    if (m_state == RunState::Fault || !m_sensors.full() || !(m_sourceStrength > 0.0))
+    const bool known = std::ranges::all_of(m_latest.objects, [](const ObjectSample& object) {
+        return std::isfinite(object.estimated_K) && std::isfinite(object.rate_K_s);
+    });
+    if (m_state == RunState::Fault || !known || !(m_sourceStrength > 0.0)) {
+        (void)m_devices.robot.halt();
+        m_latest.twist.setZero();
         return;
+    }
     Observation observation;
     observation.time_s = m_clock.now_s() - m_startTime_s;
     observation.coordinates = m_coordinates;
@@ -165,24 +173,35 @@ void ServoLoop::noteCompromise(const ControlOutput& output) {
 }
 
 void ServoLoop::retreat() {
-    // Up first, then level: never sideways near the source.
+    // Up first, then level: never sideways near the source. A robot that cannot come nearer has arrived.
     const RobotLimits& limits = m_experiment.robot;
     constexpr double kThere = 1e-3;
+    constexpr int kStillPeriods = 3;
+    m_retreatStill = m_coordinates == m_retreatFrom ? m_retreatStill + 1 : 0;
+    m_retreatFrom = m_coordinates;
+    const auto arrived = [&](const Vector6d& goal) {
+        return (goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere || m_retreatStill >= kStillPeriods;
+    };
     Vector6d goal = m_coordinates;
-    if (limits.free[kZ] && limits.upper[kZ] - m_coordinates[kZ] > kThere) {
+    if (limits.free[kZ])
         goal[kZ] = limits.upper[kZ];
-    } else {
+    if (!m_retreatRaised && arrived(goal)) {
+        m_retreatRaised = true;
+        m_retreatStill = 0;
+    }
+    if (m_retreatRaised) {
+        goal = m_coordinates;
         for (int k = kThetaX; k <= kThetaZ; ++k)
             if (limits.free[static_cast<std::size_t>(k)])
                 goal[k] = std::clamp(0.0, limits.lower[k], limits.upper[k]);
     }
     const double period_s = m_experiment.sampling.period_s;
-    if ((goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere) {
-        const std::string outcome = m_outcome;
+    if (m_retreatRaised && arrived(goal)) {
+        const std::string outcome = m_faults.empty() ? m_outcome : "fault";
         trace();
         endRun(outcome);
         m_latest.time_s = m_clock.now_s() - m_startTime_s;
-        m_state = RunState::Stopped;
+        m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
         return;
     }
     const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, goal, period_s).rates;

@@ -16,7 +16,7 @@ public:
     void add(const TraceSample& sample) {
         for (std::size_t i = 0; i < m_since_s.size(); ++i) {
             const ObjectSample& object = sample.objects[i];
-            if (std::abs(object.true_K - object.target_K) > kSettledBand_K)
+            if (!(std::abs(object.true_K - object.target_K) <= kSettledBand_K)) // also when not a number
                 m_since_s[i].reset();
             else if (!m_since_s[i])
                 m_since_s[i] = sample.time_s;
@@ -59,13 +59,6 @@ private:
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options) {
     if (const auto valid = validate(experiment); !valid)
         return valid.error();
-    std::unique_ptr<SessionWriter> writer;
-    if (!options.sessionPath.empty()) {
-        auto created = SessionWriter::create(options.sessionPath, experiment, true);
-        if (!created)
-            return created.error();
-        writer = std::move(*created);
-    }
     SimulatedRig rig(simulatedRigConfig(experiment));
     Drive drive(experiment, rig);
     ServoLoop& loop = drive.loop();
@@ -73,6 +66,13 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         drive.period();
     if (const auto armed = loop.arm(); !armed)
         return armed.error();
+    std::unique_ptr<SessionWriter> writer;
+    if (!options.sessionPath.empty()) {
+        auto created = SessionWriter::create(options.sessionPath, experiment, true);
+        if (!created)
+            return created.error();
+        writer = std::move(*created);
+    }
     if (const auto started = loop.start(true); !started)
         return started.error();
 
@@ -94,14 +94,15 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         }
         std::ranges::move(rows.events, std::back_inserter(outcome.events));
         const bool settledLongEnough = !options.duration_s && watch.allFor(kSettledFor_s, last.time_s);
-        if (loop.state() == RunState::Fault || last.time_s >= end_s || settledLongEnough)
+        const bool over = loop.state() == RunState::Fault || loop.state() == RunState::Stopped;
+        if (over || last.time_s >= end_s || settledLongEnough)
             break;
         drive.period();
     }
 
     outcome.fault = loop.state() == RunState::Fault;
     outcome.simulated_s = last.time_s;
-    outcome.settled = !outcome.fault;
+    outcome.settled = loop.state() == RunState::Running || loop.state() == RunState::Settled;
     const double heldFor_s = std::min(kHeldFor_s, last.time_s);
     for (std::size_t i = 0; i < last.objects.size(); ++i) {
         const ObjectSample& object = last.objects[i];

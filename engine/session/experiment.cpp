@@ -17,6 +17,7 @@ using std::to_string;
 constexpr int kOutlineSamples = 256;
 constexpr std::size_t kMaxNameLength = 64;
 constexpr std::size_t kMaxTitleLength = 1000;
+constexpr double kMaxBelievedRateErrorFactor = 8.0; // identification is bounded at 10
 constexpr std::size_t kMaxOutlinePoints = 200'000;
 
 /// Collects the first complaint; later checks are skipped.
@@ -126,6 +127,19 @@ void checkMaterial(Checker& check, const std::string& path, const Material& mate
     check.positive(path + ".infill", material.infill, 1.0);
 }
 
+/// No control characters (C0, DEL and, in UTF-8, C1) and no space at either end.
+bool isPlain(const std::string& name) {
+    if (name.front() == ' ' || name.back() == ' ')
+        return false;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(name[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < name.size() ? name[i + 1] : '\0');
+        if (byte < 0x20 || byte == 0x7f || (byte == 0xc2 && next >= 0x80 && next < 0xa0))
+            return false;
+    }
+    return true;
+}
+
 void checkObject(Checker& check, const std::string& path, const ObjectSpec& object,
                  std::set<std::string>& names) {
     const bool blank = object.name.find_first_not_of(" \t\r\n") == std::string::npos;
@@ -134,6 +148,8 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
     else if (object.name.size() > kMaxNameLength)
         check.range(path + ".name", static_cast<double>(object.name.size()), 1.0, kMaxNameLength,
                     "characters");
+    else if (!isPlain(object.name))
+        check.fail(MessageCode::NameNotPlain, path + ".name");
     else if (!names.insert(object.name).second)
         check.fail(MessageCode::DuplicateName, path + ".name", {object.name});
     checkShape(check, path + ".contour", object);
@@ -229,7 +245,8 @@ void checkController(Checker& check, const ControllerSettings& c) {
     check.range("controller.adaptive.gamma2_s_K9", c.adaptive.gamma2, 0.0, 1.0, "s/K9");
     check.positiveQuantity("controller.", "rotation_length", EdgeUnit::LengthCm, c.rotationLength_m, 1000.0);
     check.range("controller.damping", c.damping, 0.0, 1.0);
-    check.range("controller.believed_rate_error_factor", c.believedRateErrorFactor, 1.0, 100.0);
+    check.range("controller.believed_rate_error_factor", c.believedRateErrorFactor, 1.0,
+                kMaxBelievedRateErrorFactor);
 }
 
 void checkSampling(Checker& check, const SamplingSpec& s) {
@@ -238,7 +255,7 @@ void checkSampling(Checker& check, const SamplingSpec& s) {
     check.range("sampling.window", s.window, s.order + 1, 1000, "samples");
 }
 
-void checkSimulation(Checker& check, const SimulationSpec& s) {
+void checkSimulation(Checker& check, const SimulationSpec& s, double period_s) {
     check.range("simulation.sensor_noise_K", s.sensorNoise_K, 0.0, 10.0, "K");
     check.range("simulation.sensor_resolution_K", s.sensorResolution_K, 0.0, 10.0, "K");
     check.range("simulation.sensor_delay_s", s.sensorDelay_s, 0.0, 60.0, "s");
@@ -246,7 +263,10 @@ void checkSimulation(Checker& check, const SimulationSpec& s) {
     check.range("simulation.convection_W_m2K", s.convection_W_m2K, 0.0, 1000.0, "W/(m2 K)");
     check.quantity("simulation.", "robot_step", EdgeUnit::LengthMm, s.robotStep_m, 0.0, 10.0);
     check.range("simulation.robot_step_rad", s.robotStep_rad, 0.0, 0.1, "rad");
-    check.positive("simulation.duration_limit_s", s.durationLimit_s, 1e7, "s");
+    if (s.durationLimit_s <= 0.0)
+        check.fail(MessageCode::ValueNotPositive, "simulation.duration_limit_s",
+                   {formatNumber(s.durationLimit_s, 10)});
+    check.range("simulation.duration_limit_s", s.durationLimit_s, period_s, 1e7, "s");
 }
 
 } // namespace
@@ -260,7 +280,7 @@ Result<void> validate(const Experiment& e) {
     checkRobot(check, e);
     checkController(check, e.controller);
     checkSampling(check, e.sampling);
-    checkSimulation(check, e.simulation);
+    checkSimulation(check, e.simulation, e.sampling.period_s);
     if (!check.failed())
         checkStart(check, e);
     if (check.failed())

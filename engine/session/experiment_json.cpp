@@ -406,7 +406,7 @@ void readFree(Fields& fields, RobotLimits& out) {
                                {plainWords(name), "x, y, z, theta_x, theta_y, theta_z"});
         bool& free = out.free[static_cast<std::size_t>(it - kCoordinateNames.begin())];
         if (free)
-            return fields.fail(MessageCode::DuplicateName, where, {name});
+            return fields.fail(MessageCode::AxisTwice, where, {name});
         free = true;
     }
 }

@@ -2,6 +2,7 @@
 #include "engine/session/session_store.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QSaveFile>
 
 #include <algorithm>
@@ -44,6 +45,26 @@ void appendRow(QByteArray& out, SessionStore::Row row) {
 /// A table's name becomes a file's name: nothing but letters, digits and underscores.
 bool isPlainName(const std::string& name) {
     return std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
+}
+
+/// Refuses to write over what is no earlier export of the same table.
+Result<void> checkOldExport(const SessionStore& store, const std::string& table, const std::string& file) {
+    const QFileInfo info(QString::fromStdString(file));
+    if (!info.exists())
+        return {};
+    if (!info.isFile())
+        return Error(MessageCode::OutputNotAFile, file);
+    if (info.size() == 0)
+        return {};
+    const auto columns = store.columns(table);
+    if (!columns)
+        return columns.error();
+    QByteArray header;
+    appendRow(header, std::vector<SqlValue>(columns->begin(), columns->end()));
+    QFile old(info.filePath());
+    if (!old.open(QIODevice::ReadOnly) || old.read(header.size()) != header)
+        return Error(MessageCode::ExportForeign, file);
+    return {};
 }
 
 Result<void> exportTable(const SessionStore& store, const std::string& table, const std::string& file) {
@@ -89,14 +110,18 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
         return Error(MessageCode::FileUnwritable, folder, {"the folder cannot be made"});
     if (auto begun = (*store)->execute("BEGIN"); !begun)
         return begun.error();
-    std::vector<std::string> files;
+    std::vector<std::string> names, files;
     for (const std::string& table : *tables) {
         if (!isPlainName(table))
             continue;
+        names.push_back(table);
         files.push_back(target.filePath(QString::fromStdString(table + ".csv")).toStdString());
-        if (auto done = exportTable(**store, table, files.back()); !done)
-            return done.error();
+        if (auto place = checkOldExport(**store, table, files.back()); !place)
+            return place.error();
     }
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (auto done = exportTable(**store, names[i], files[i]); !done)
+            return done.error();
     return files;
 }
 

@@ -65,7 +65,8 @@ struct SessionRecord {
     std::vector<CommandRow> commands;
 
     bool interrupted() const { return outcome.empty(); }
-    /// Samples until Stop or STOP; what comes after is the retreat and cool-down. All of them when there was none.
+    /// Samples until Stop or STOP; what comes after is the retreat and cool-down. All of them when there was
+    /// none.
     std::vector<TraceSample> controlledSamples() const;
 };
 

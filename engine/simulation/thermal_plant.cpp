@@ -1,5 +1,7 @@
 #include "engine/simulation/thermal_plant.h"
 
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace bask {
@@ -17,12 +19,19 @@ void ThermalPlant::advance(double dt_s, const std::vector<double>& F, double net
         const auto rate = [&](double T_K) {
             return rates.rate_K_s(F[i], T_K) - loss * (T_K - m_environment_K);
         };
-        const double T = object.temperature_K;
-        const double k1 = rate(T);
-        const double k2 = rate(T + 0.5 * dt_s * k1);
-        const double k3 = rate(T + 0.5 * dt_s * k2);
-        const double k4 = rate(T + dt_s * k3);
-        object.temperature_K = T + dt_s * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
+        // Thin objects are stiff: the step stays well under their time constant at the hottest they can be.
+        const double hottest_K = std::max(object.temperature_K, rates.steadyTemperature_K(1.0));
+        const double stiffness = 4.0 * rates.lambda2 * std::pow(hottest_K, 3) + loss;
+        const int steps = std::clamp(static_cast<int>(std::ceil(2.0 * dt_s * stiffness)), 1, 20000);
+        const double h_s = dt_s / steps;
+        for (int k = 0; k < steps; ++k) {
+            const double T = object.temperature_K;
+            const double k1 = rate(T);
+            const double k2 = rate(T + 0.5 * h_s * k1);
+            const double k3 = rate(T + 0.5 * h_s * k2);
+            const double k4 = rate(T + h_s * k3);
+            object.temperature_K = T + h_s * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
+        }
     }
 }
 

@@ -20,8 +20,8 @@ class ThermalPlant {
 public:
     ThermalPlant(std::vector<PlantObject> objects, double environment_K, double convection_W_m2K);
 
-    /// Advances by dt_s (small against the time constants) under constant view factors F and net source power
-    /// J (W/m2).
+    /// Advances by dt_s, in as many steps as the thinnest object needs, under constant view factors F and net
+    /// source power J (W/m2).
     void advance(double dt_s, const std::vector<double>& F, double netSourcePower_W_m2);
     double temperature_K(std::size_t i) const { return m_objects[i].temperature_K; }
     std::size_t size() const { return m_objects.size(); }

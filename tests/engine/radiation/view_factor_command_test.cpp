@@ -102,7 +102,7 @@ TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
         {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[1,0.01,0]]})"), "object.coefficients"},
         {withObject(R"({"type":"fourier","coefficients":[[1.5,0.01,0]]})"), "object.coefficients"},
         {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[500,0.001,0]]})"), "harmonics"},
-        {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[2,0.02,0]]})"), "crosses"},
+        {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[-1,0.01,0]]})"), "no area"},
         {withObject(R"({"type":"fourier","coefficients":[[1,0.01]]})"), "object.coefficients[0]"},
         {caseWith(R"("type":"disk","radius_m":0.15)", R"("type":"polygon","points_m":[[0,0],[1,0],[0,1]])"),
          "polygon"},
@@ -138,6 +138,36 @@ TEST_F(ViewFactorCommand, reversesClockwiseOutlinesAndLeavesThemWhereTheyAre) {
     EXPECT_NEAR(value(0), value(1), 1e-14);
     EXPECT_NEAR(value(2), value(3), 1e-12);
     EXPECT_NEAR(value(2), value(4), 1e-12);
+}
+
+// Catches: a contour that Bask fits itself refused because it crosses itself a little.
+TEST_F(ViewFactorCommand, answersTheHandFittedWithFewHarmonics) {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+    const int fitted = fitContourCommand({BASK_EXAMPLES "/contours/hand_1200.png", "--scale", "15",
+                                          "--harmonics", "5", "-o", path("hand.json")});
+    testing::internal::GetCapturedStdout();
+    EXPECT_NE(testing::internal::GetCapturedStderr().find("crosses itself"), std::string::npos);
+    ASSERT_EQ(fitted, kExitDone);
+    std::ifstream file(path("hand.json").toStdString());
+    std::stringstream hand;
+    hand << file.rdbuf();
+    ASSERT_EQ(run(R"({"cases":[)" + withObject(hand.str()) + "]}"), kExitDone);
+    const json answers = results();
+    ASSERT_TRUE(answers[0].contains("view_factor")) << answers;
+    // The same height over the middle of the source as the disk of the first test, and about its size.
+    EXPECT_NEAR(answers[0]["view_factor"].get<double>(), 0.89, 0.02);
+}
+
+// Catches: the cases, or a file that is something else, lost to the results.
+TEST_F(ViewFactorCommand, replacesNothingButResults) {
+    ASSERT_EQ(run("{\"cases\":[]}"), kExitDone);
+    EXPECT_EQ(run("{\"cases\":[]}"), kExitDone) << "its own results are replaced";
+    EXPECT_EQ(viewFactorCommand({path("cases.json"), "-o", path("cases.json")}), kExitBadInput);
+    std::ofstream(path("other.json").toStdString()) << "{\"cases\":[1]}";
+    EXPECT_EQ(viewFactorCommand({path("cases.json"), "-o", path("other.json")}), kExitBadInput);
+    EXPECT_EQ(QFile(path("other.json")).size(), 13);
+    EXPECT_EQ(viewFactorCommand({path("cases.json"), "-o", "/dev/null"}), kExitBadInput);
 }
 
 // Catches: success reported, or a crash, for a file that holds no cases; a result file left behind by it.

@@ -226,4 +226,84 @@ TEST_F(ServoLoopTest, SamplesAreRecordedOncePerPeriodFromStart) {
     EXPECT_TRUE(loop.takeRecord().samples.empty());
 }
 
+TEST_F(ServoLoopTest, StartIsRefusedWhileASensorIsLost) {
+    periods(10);
+    ASSERT_TRUE(loop.arm());
+    rig.simulatedThermometer().setLost(0, true);
+    periods(1);
+    const auto refused = loop.start(false);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::ReasonSensorInvalid);
+    EXPECT_FALSE(loop.heatOn());
+    rig.simulatedThermometer().setLost(0, false);
+    periods(1);
+    EXPECT_TRUE(loop.start(false));
+}
+
+TEST_F(ServoLoopTest, ASensorLostDuringAnOperatorsHoldEndsInARetreatToo) {
+    startRun();
+    periods(5);
+    ASSERT_TRUE(loop.hold());
+    rig.simulatedThermometer().setLost(0, true);
+    periods(18);
+    EXPECT_EQ(loop.state(), RunState::Stopping);
+    EXPECT_FALSE(loop.heatOn());
+}
+
+TEST_F(ServoLoopTest, EveryLossGetsItsOwnShortHold) {
+    startRun();
+    periods(5);
+    rig.simulatedThermometer().setLost(0, true);
+    periods(5);
+    rig.simulatedThermometer().setLost(0, false);
+    periods(60); // back, still held
+    rig.simulatedThermometer().setLost(0, true);
+    periods(10);
+    EXPECT_EQ(loop.state(), RunState::Holding);
+    periods(8);
+    EXPECT_EQ(loop.state(), RunState::Stopping);
+}
+
+TEST_F(ServoLoopTest, ALostSourceLinkRetreatsBeforeTheFault) {
+    startRun();
+    periods(8);
+    rig.simulatedHeatSource().setLinkLost(true);
+    periods(1);
+    EXPECT_EQ(loop.state(), RunState::Stopping);
+    EXPECT_TRUE(reasonGiven(MessageCode::ReasonSourceLost));
+    periods(40);
+    EXPECT_EQ(loop.state(), RunState::Fault);
+    EXPECT_NEAR(rig.simulatedRobot().coordinates()[kZ], experiment.robot.upper[kZ], 2e-3);
+    EXPECT_FALSE(rig.heatSource().heating());
+}
+
+TEST_F(ServoLoopTest, PassingThroughTheBandIsNotASettledOutcome) {
+    startRun();
+    for (int i = 0; i < 200 && !loop.allWithinBand(); ++i)
+        periods(1);
+    ASSERT_TRUE(loop.stop());
+    EXPECT_EQ(loop.outcome(), "stopped");
+}
+
+TEST(ServoLoop, ARetreatEndsAlsoWhenTheRobotsStepsMissTheTop) {
+    Experiment experiment = twoDisks();
+    experiment.simulation.robotStep_m = 0.005;
+    experiment.robot.upper[kZ] = 0.292;
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), {}}, rig.clock());
+    const auto periods = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    };
+    periods(10);
+    ASSERT_TRUE(loop.arm());
+    ASSERT_TRUE(loop.start(false));
+    periods(5);
+    ASSERT_TRUE(loop.stop());
+    periods(40);
+    EXPECT_EQ(loop.state(), RunState::Stopped);
+}
+
 } // namespace bask

@@ -3,6 +3,8 @@
 #include "engine/base/units.h"
 #include "engine/runtime/simulated_run.h"
 
+#include <QTemporaryDir>
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -110,6 +112,33 @@ TEST(SimulatedRun, PassingThroughTheBandAtTheEndIsNotSettled) {
     const RunOutcome outcome = run(experiment, 85.0); // all are within the band from about 78 s on
     EXPECT_TRUE(outcome.objects[0].settlingTime_s);
     EXPECT_FALSE(outcome.settled);
+}
+
+TEST(SimulatedRun, EndsWhenTheRunIsStoppedByALostSensor) {
+    Experiment experiment = example("three-objects.json");
+    experiment.source.temperature_K = 2200.0; // objects leave the range that a sensor can plausibly show
+    experiment.source.emittance = 1.0;
+    for (ObjectSpec& object : experiment.objects)
+        object.target_K = kelvinFromCelsius(1300.0);
+    const RunOutcome outcome = run(experiment);
+    EXPECT_FALSE(outcome.settled);
+    EXPECT_LT(outcome.simulated_s, experiment.simulation.durationLimit_s);
+}
+
+TEST(SimulatedRun, AnImpossibleStartLeavesAnOlderSessionAlone) {
+    const QTemporaryDir folder;
+    SimulatedRunOptions options;
+    options.sessionPath = folder.filePath("keep.bask").toStdString();
+    options.duration_s = 20.0;
+    Experiment experiment = example("three-objects.json");
+    ASSERT_TRUE(runSimulated(experiment, options));
+    experiment.simulation.sensorNoise_K = 1.0; // cannot be zeroed
+    const auto refused = runSimulated(experiment, options);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::ReasonSensorsDisagree);
+    const auto kept = readSession(options.sessionPath);
+    ASSERT_TRUE(kept);
+    EXPECT_GT(kept->samples.size(), 10U);
 }
 
 } // namespace bask

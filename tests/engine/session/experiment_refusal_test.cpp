@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Change{"/objects/1/target_degC", "null", JsonWrongType, "objects[1].target_degC"},
                       Change{"/robot/free", "\"x\"", JsonWrongType, "robot.free"},
                       Change{"/robot/free/0", "\"w\"", ValueUnknown, "robot.free[0]"},
-                      Change{"/robot/free/0", "\"y\"", DuplicateName, "robot.free[1]"},
+                      Change{"/robot/free/0", "\"y\"", AxisTwice, "robot.free[1]"},
                       Change{"/format", "\"cake\"", ValueUnknown, "format"},
                       Change{"/version", "2", VersionTooNew, "version"},
                       Change{"/version", "0", ValueOutOfRange, "version"},
@@ -120,8 +120,17 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"/source/temperature_degC", "20", SourceTooWeak, "source"},
         Change{"/sampling/window", "3", ValueOutOfRange, "sampling.window"},
         Change{"/sampling/period_s", "0", ValueOutOfRange, "sampling.period_s"},
+        Change{"/objects/1/name", R"("a\u001b[31m")", NameNotPlain, "objects[1].name"},
+        Change{"/objects/1/name", R"("a\nb")", NameNotPlain, "objects[1].name"},
+        Change{"/objects/1/name", R"("a\u0085")", NameNotPlain, "objects[1].name"},
+        Change{"/objects/1/name", R"("\u007fa")", NameNotPlain, "objects[1].name"},
+        Change{"/objects/1/name", "\" a\"", NameNotPlain, "objects[1].name"},
+        Change{"/objects/1/name", "\"a \"", NameNotPlain, "objects[1].name"},
         Change{"/controller/believed_rate_error_factor", "0.5", ValueOutOfRange,
                "controller.believed_rate_error_factor"},
+        Change{"/controller/believed_rate_error_factor", "8.01", ValueOutOfRange,
+               "controller.believed_rate_error_factor"},
+        Change{"/simulation/duration_limit_s", "0.01", ValueOutOfRange, "simulation.duration_limit_s"},
         Change{"/simulation/duration_limit_s", "-1", ValueNotPositive, "simulation.duration_limit_s"}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -170,6 +179,14 @@ TEST(Refusal, NamesTheAllowedRangeAndTheKnownKeys) {
     j["sampling"]["periode_s"] = 2;
     EXPECT_NE(describe(refused(j.dump())).find("\"periode_s\"; known here: order, period_s, window"),
               std::string::npos);
+}
+
+TEST(Refusal, TakesNamesInAnyScriptAndTheLargestDoubtInTheRates) {
+    json j = base();
+    j["objects"][0]["name"] = "pièce à gauche 左";
+    j["controller"]["believed_rate_error_factor"] = 8;
+    j["simulation"]["duration_limit_s"] = j["sampling"]["period_s"];
+    EXPECT_TRUE(experimentFromJson(j.dump(), "e.json", "/nowhere"));
 }
 
 TEST(Refusal, HostileTexts) {

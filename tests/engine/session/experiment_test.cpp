@@ -114,7 +114,7 @@ public:
         e.controller.adaptive = {real(0.01, 1), real(0.01, 1), real(0, 0.1), real(0, 1e-20)};
         e.controller.rotationLength_m = real(0.01, 1);
         e.controller.damping = real(0, 1);
-        e.controller.believedRateErrorFactor = real(1, 10);
+        e.controller.believedRateErrorFactor = real(1, 8);
         e.sampling = {real(0.01, 2), 12, 2};
         e.simulation = {m_random(),  real(0, 1),     real(0, 1),    real(0, 1),  real(0, 1),
                         real(0, 10), real(0, 0.001), real(0, 0.01), real(1, 1e5)};

@@ -40,7 +40,27 @@ TEST(ExportCommand, WritesTheTablesAndNamesThem) {
 
     QFile blocked(folder.filePath("blocked"));
     ASSERT_TRUE(blocked.open(QIODevice::WriteOnly));
-    EXPECT_EQ(run({session, "--csv", blocked.fileName()}).code, kExitFault);
+    EXPECT_EQ(run({session, "--csv", blocked.fileName()}).code, kExitBadInput);
+}
+
+// Catches: a user's table of the same name lost to an export, or the others written before it is seen.
+TEST(ExportCommand, ReplacesNothingButItsOwnTables) {
+    const QTemporaryDir folder;
+    const QString session = folder.filePath("run.bask");
+    ASSERT_TRUE(SessionWriter::create(session.toStdString(), testing::twoDisks(), true));
+    QFile mine(folder.filePath("sample.csv"));
+    ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("my own figures\n") > 0);
+    mine.close();
+    const Outcome outcome = run({session, "--csv", folder.path()});
+    EXPECT_EQ(outcome.code, kExitBadInput);
+    EXPECT_NE(outcome.err.find("sample.csv: a file of that name exists"), std::string::npos) << outcome.err;
+    ASSERT_TRUE(mine.open(QIODevice::ReadOnly));
+    EXPECT_EQ(mine.readAll(), "my own figures\n");
+    EXPECT_FALSE(QFile::exists(folder.filePath("pose.csv")));
+
+    ASSERT_TRUE(mine.remove());
+    EXPECT_EQ(run({session, "--csv", folder.path()}).code, kExitDone);
+    EXPECT_EQ(run({session, "--csv", folder.path()}).code, kExitDone) << "its own tables are replaced";
 }
 
 TEST(ExportCommand, RefusesBadInputOnStandardError) {

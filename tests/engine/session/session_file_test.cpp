@@ -64,7 +64,8 @@ TEST_F(SessionFile, GivesBackWhatWasRecorded) {
         ASSERT_TRUE(writer) << describe(writer.error());
         for (int k = 0; k < 50; ++k)
             ASSERT_TRUE((*writer)->add(madeUpSample(experiment, k)));
-        ASSERT_TRUE((*writer)->add(TraceEvent{3.5, {MessageCode::ReasonInternalFault, {"a \"b\", \xC3\xA9"}}}));
+        ASSERT_TRUE(
+            (*writer)->add(TraceEvent{3.5, {MessageCode::ReasonInternalFault, {"a \"b\", \xC3\xA9"}}}));
         ASSERT_TRUE((*writer)->add(TraceEvent{4.5, {MessageCode::EventHeld, {}}}));
         ASSERT_TRUE((*writer)->add(TraceNote{5.25, "plate moved, \"slightly\"\nsecond line"}));
         ASSERT_TRUE((*writer)->add(CommandRow{6.5, "targets", "[313.15,320]"}));

@@ -87,6 +87,33 @@ TEST(FitContourCommand, WritesTheSeriesInMetres) {
     std::filesystem::remove(path);
 }
 
+// Catches: a file of the user's, the input itself or a device replaced by the contour.
+TEST(FitContourCommand, ReplacesNothingButAContour) {
+    const std::string outline = test::writeFile(".csv", "x_mm,y_mm\n0,0\n50,0\n40,30\n0,40\n");
+    const std::string notes = test::writeFile(".json", "{\"notes\": 1}");
+    const std::string link = notes + ".link";
+    std::filesystem::create_symlink(outline, link);
+    for (const std::string& output : {outline, link, notes, std::string("/dev/null"),
+                                      std::string("/dev/stdout"), std::string("/tmp"), std::string()}) {
+        const auto before = std::filesystem::file_size(notes) + std::filesystem::file_size(outline);
+        const Outcome outcome =
+            run({QString::fromStdString(outline), "--harmonics", "1", "-o", QString::fromStdString(output)});
+        EXPECT_EQ(outcome.code, kExitBadInput) << output;
+        EXPECT_EQ(outcome.out, "") << output;
+        EXPECT_NE(outcome.err.find(output), std::string::npos) << outcome.err;
+        EXPECT_EQ(std::filesystem::file_size(notes) + std::filesystem::file_size(outline), before) << output;
+    }
+    const std::string contour = test::writeFile(".json", "");
+    for (int i = 0; i < 2; ++i)
+        EXPECT_EQ(
+            run({QString::fromStdString(outline), "--harmonics", "1", "-o", QString::fromStdString(contour)})
+                .code,
+            kExitDone)
+            << "its own contour is replaced";
+    for (const std::string& path : {outline, link, notes, contour})
+        std::filesystem::remove(path);
+}
+
 TEST(FitContourCommand, WarnsOfACurveThatCrossesItself) {
     const Outcome outcome = run({example("hand_mm.csv"), "--harmonics", "5"});
     EXPECT_EQ(outcome.code, kExitDone);

@@ -40,6 +40,18 @@ TEST(ThermalPlant, ConvectionTakesAwayWhatItShould) {
     EXPECT_NEAR(balance, 0.0, 1e-6);
 }
 
+TEST(ThermalPlant, AFoilIsStiffButNotUnstable) {
+    Material foil = kPainted;
+    foil.thickness_m = 5e-6;
+    ThermalPlant plant({{foil, kRoom_K}}, kRoom_K, 1000.0);
+    for (int i = 0; i < 100; ++i)
+        plant.advance(0.1, {1.0}, 2000.0);
+    const double T = plant.temperature_K(0);
+    const double balance = 0.9 * 2000.0 - 0.9 * 5.670374419e-8 * (std::pow(T, 4) - std::pow(kRoom_K, 4)) -
+                           1000.0 * (T - kRoom_K);
+    EXPECT_NEAR(balance, 0.0, 1e-6);
+}
+
 TEST(SimulatedRobot, MovesAtTheAskedVelocityUntilItExpires) {
     ManualClock clock;
     SimulatedRobot robot(robotConfig(), clock);
