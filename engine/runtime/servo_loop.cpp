@@ -319,9 +319,11 @@ std::string ServoLoop::objectsOffTarget() const {
     std::string words;
     for (std::size_t i = 0; i < m_latest.objects.size(); ++i) {
         const double error_K = m_latest.objects[i].estimated_K - m_latest.objects[i].target_K;
-        if (!(std::abs(error_K) <= kSettledBand_K))
-            words += (words.empty() ? "" : ", ") + m_experiment.objects[i].name +
-                     (error_K > 0.0 ? " +" : " ") + formatNumber(error_K, 2) + " K";
+        if (std::abs(error_K) <= kSettledBand_K)
+            continue;
+        const std::string error =
+            std::isfinite(error_K) ? (error_K > 0.0 ? "+" : "") + formatNumber(error_K, 2) : "?";
+        words += (words.empty() ? "" : ", ") + m_experiment.objects[i].name + " " + error + " K";
     }
     return words;
 }

@@ -134,6 +134,8 @@ TEST_F(ServoLoopTest, ALostSensorHoldsAndThenEndsTheRunWithARetreat) {
     periods(16);
     EXPECT_EQ(loop.state(), RunState::Stopping);
     EXPECT_FALSE(loop.heatOn());
+    for (const TraceEvent& event : loop.takeRecord().events)
+        EXPECT_EQ(describe(event.message).find("nan"), std::string::npos) << describe(event.message);
 }
 
 TEST_F(ServoLoopTest, ASensorThatComesBackAllowsResume) {
