@@ -7,7 +7,9 @@
 #include <QFileInfo>
 
 #include <array>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <string>
 
 namespace bask {
@@ -23,13 +25,43 @@ std::string subcommandList() {
     return text;
 }
 
+/// The end of everything that prints: figures that did not get out are no success.
+int finished(int exitCode) {
+    const char* reason = std::fflush(stdout) != 0   ? std::strerror(errno)
+                         : std::ferror(stdout) != 0 ? "a part of the text was lost"
+                                                    : nullptr;
+    if (reason == nullptr)
+        return exitCode;
+    std::fprintf(stderr, "bask: standard output cannot be written: %s\n", reason);
+    return kExitBadInput;
+}
+
+/// Empty, or what is wrong with an argument that is not UTF-8: it would come out of Qt as another name.
+std::string notUtf8(int argc, char** argv) {
+    for (int i = 1; i < argc; ++i) {
+        if (QUtf8StringView(argv[i]).isValidUtf8())
+            continue;
+        std::string text;
+        for (const char* c = argv[i]; *c != '\0'; ++c) {
+            std::array<char, 8> piece{*c};
+            if (*c < ' ' || *c > '~')
+                std::snprintf(piece.data(), piece.size(), "\\x%02x", static_cast<unsigned char>(*c));
+            text += piece.data();
+        }
+        return "argument " + std::to_string(i) + ", \"" + text +
+               "\", is not valid UTF-8; rename the file and try again";
+    }
+    return {};
+}
+
 int printHelp() {
-    std::printf("Usage: bask [FILE]                open the window, with an experiment (*.json) or a session "
-                "(*.bask)\n"
-                "       bask SUBCOMMAND [options]  work without a display\n\n"
-                "%s\nOptions:\n  -h, --help     this text\n  -v, --version  the exact version\n\n"
-                "Exit codes: 0 done and positive, 1 fault, 2 bad input, 3 a negative verdict.\n",
-                subcommandList().c_str());
+    std::printf(
+        "Usage: bask [FILE]                open the window, with an experiment (*.json) or a session "
+        "(*.bask)\n"
+        "       bask SUBCOMMAND [options]  work without a display\n\n"
+        "%s\nOptions:\n  -h, --help     this text\n  -v, --version  the exact version\n\n"
+        "Exit codes: 0 done and positive, 1 fault, 2 bad input or unwritable output, 3 a negative verdict.\n",
+        subcommandList().c_str());
     return kExitDone;
 }
 
@@ -53,13 +85,17 @@ int unknown(const QString& word) {
 int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
     const QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("bask"));
-    return subcommand.run(QCoreApplication::arguments().mid(2));
+    return finished(subcommand.run(QCoreApplication::arguments().mid(2)));
 }
 
 } // namespace
 
 Dispatch dispatch(int& argc, char** argv) {
     Dispatch result;
+    if (const std::string sentence = notUtf8(argc, argv); !sentence.empty()) {
+        std::fprintf(stderr, "bask: %s\n", sentence.c_str());
+        return {kExitBadInput, {}};
+    }
     for (int i = 1; i < argc; ++i) {
         const QString word = QString::fromLocal8Bit(argv[i]);
         if (isQtOptionWithValue(word)) {
@@ -71,10 +107,10 @@ Dispatch dispatch(int& argc, char** argv) {
                 if (word == QLatin1String(each.name))
                     return {runSubcommand(each, argc, argv), {}};
         if (word == QLatin1String("-h") || word == QLatin1String("--help"))
-            return {printHelp(), {}};
+            return {finished(printHelp()), {}};
         if (word == QLatin1String("-v") || word == QLatin1String("--version")) {
             std::printf("Bask %s\n", qPrintable(exactVersion()));
-            return {kExitDone, {}};
+            return {finished(kExitDone), {}};
         }
         const bool isFile = word.endsWith(QLatin1String(".json")) || word.endsWith(QLatin1String(".bask")) ||
                             QFileInfo(word).isFile();

@@ -8,7 +8,7 @@
 
 namespace bask {
 
-/// Exit codes of every subcommand.
+/// Exit codes of every subcommand. An output that cannot be written, standard output too, is bad input.
 enum ExitCode { kExitDone = 0, kExitFault = 1, kExitBadInput = 2, kExitNegative = 3 };
 
 /// A subcommand; `run` gets the arguments after its name and returns an ExitCode.

@@ -1,12 +1,12 @@
 // bask fit-contour: reads an outline, fits a Fourier contour and prints what the fit is worth.
 
 #include "app/commands/command_line.h"
+#include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/fourier_contour.h"
 
 #include <QCommandLineParser>
-#include <QSaveFile>
 
 #include <nlohmann/json.hpp>
 
@@ -19,7 +19,7 @@ struct Request {
     std::string path;
     ContourImportOptions import;
     int harmonics = 0;
-    QString output;
+    std::vector<OutputFile> outputs; ///< none or one
 };
 
 int refuse(const std::string& words) {
@@ -47,7 +47,8 @@ void setUp(QCommandLineParser& parser) {
 Result<Request> readRequest(const QCommandLineParser& parser) {
     Request request;
     request.path = parser.positionalArguments().front().toStdString();
-    request.output = parser.value("output");
+    if (parser.isSet("output"))
+        request.outputs = {{parser.value("output").toStdString(), "type", "a contour written by Bask"}};
     bool isNumber = false;
     request.harmonics = parser.value("harmonics").toInt(&isNumber);
     if (!isNumber)
@@ -69,16 +70,12 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     return request;
 }
 
-Result<void> writeContour(const FourierContour& contour, const QString& path) {
+Result<void> writeContour(const FourierContour& contour, const std::string& path) {
     nlohmann::ordered_json coefficients = nlohmann::ordered_json::array();
     for (int j = -contour.harmonics(); j <= contour.harmonics(); ++j)
         coefficients.push_back({j, contour.coefficient(j).real(), contour.coefficient(j).imag()});
     const nlohmann::ordered_json json{{"type", "fourier"}, {"coefficients", std::move(coefficients)}};
-    QSaveFile file(path);
-    const QByteArray text = QByteArray::fromStdString(json.dump(1)) + '\n';
-    if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size() || !file.commit())
-        return Error{MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()}};
-    return {};
+    return writeOutput(path, json.dump(1) + '\n');
 }
 
 void printFigures(const Contour& outline, const FourierFit& fit) {
@@ -104,6 +101,8 @@ int fitContourCommand(const QStringList& arguments) {
     if (!request)
         return refuse(describe(request.error()));
 
+    if (const auto place = checkOutputs({request->path}, request->outputs); !place)
+        return refuse(describe(place.error()));
     const auto outline = readContour(request->path, request->import);
     if (!outline)
         return refuse(describe(outline.error()));
@@ -112,8 +111,8 @@ int fitContourCommand(const QStringList& arguments) {
         return refuse(describe(fit.error()));
     if (fit->crossesItself)
         std::fprintf(stderr, "bask fit-contour: the fitted contour crosses itself; use more harmonics\n");
-    if (!request->output.isEmpty())
-        if (const auto written = writeContour(fit->contour, request->output); !written)
+    for (const OutputFile& output : request->outputs)
+        if (const auto written = writeContour(fit->contour, output.path); !written)
             return refuse(describe(written.error()));
     printFigures(*outline, *fit);
     return kExitDone;

@@ -1,5 +1,6 @@
 #include "app/commands/command_line.h"
 
+#include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/base/units.h"
 #include "engine/runtime/rig_setup.h"
@@ -9,10 +10,10 @@
 
 #include <QCommandLineParser>
 #include <QElapsedTimer>
-#include <QSaveFile>
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <unistd.h>
 
 namespace bask {
@@ -42,8 +43,30 @@ Result<std::vector<double>> parseTargets(const QString& text) {
     return out;
 }
 
+/// What the run reads: the experiment and the outlines in files beside it.
+std::vector<std::string> inputsOf(const std::string& path, const Experiment& experiment) {
+    std::vector<std::string> inputs{path};
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    for (const ObjectSpec& object : experiment.objects)
+        if (!object.origin.file.empty())
+            inputs.push_back((folder / object.origin.file).string());
+    return inputs;
+}
+
+Result<void> readOutputs(const QCommandLineParser& parser, const std::string& path, Request& request) {
+    request.options.sessionPath = parser.value("o").toStdString();
+    request.summaryPath = parser.value("summary").toStdString();
+    std::vector<OutputFile> outputs;
+    if (parser.isSet("o"))
+        outputs.push_back({request.options.sessionPath}); // SessionWriter has its rule for what is replaced
+    if (parser.isSet("summary"))
+        outputs.push_back({request.summaryPath, "objects", "a summary written by Bask"});
+    return checkOutputs(inputsOf(path, request.experiment), outputs);
+}
+
 Result<Request> readRequest(const QCommandLineParser& parser) {
-    auto experiment = readExperiment(parser.positionalArguments().first().toStdString());
+    const std::string path = parser.positionalArguments().first().toStdString();
+    auto experiment = readExperiment(path);
     if (!experiment)
         return experiment.error();
     Request request;
@@ -70,8 +93,8 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     }
     if (const auto valid = validate(request.experiment); !valid)
         return valid.error();
-    request.options.sessionPath = parser.value("o").toStdString();
-    request.summaryPath = parser.value("summary").toStdString();
+    if (const auto place = readOutputs(parser, path, request); !place)
+        return place.error();
     return request;
 }
 
@@ -133,23 +156,18 @@ void printProgress(double time_s, const TraceSample& sample) {
     std::fprintf(stderr, " degC ");
 }
 
-bool writeFile(const std::string& path, const std::string& text) {
-    QSaveFile file(QString::fromStdString(path));
-    if (file.open(QIODevice::WriteOnly) && file.write(text.data(), static_cast<qint64>(text.size())) >= 0 &&
-        file.commit())
-        return true;
-    std::fprintf(
-        stderr, "bask run: %s\n",
-        describe(Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()})).c_str());
-    return false;
+int refuse(const Error& error) {
+    std::fprintf(stderr, "bask run: %s\n", describe(error).c_str());
+    return kExitBadInput;
 }
 
 } // namespace
 
 int runExperimentCommand(const QStringList& arguments) {
     QCommandLineParser parser;
-    parser.setApplicationDescription("Runs an experiment on the simulated rig, as fast as the machine goes.\n"
-                                     "Exit code: 0 settled, 1 fault, 2 bad input, 3 not settled.");
+    parser.setApplicationDescription(
+        "Runs an experiment on the simulated rig, as fast as the machine goes.\n"
+        "Exit code: 0 settled, 1 fault, 2 bad input or unwritable output, 3 not settled.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");
     parser.addOptions(
@@ -162,10 +180,8 @@ int runExperimentCommand(const QStringList& arguments) {
     if (const auto code = parseCommand(parser, "run", arguments, 1))
         return *code;
     auto request = readRequest(parser);
-    if (!request) {
-        std::fprintf(stderr, "bask run: %s\n", describe(request.error()).c_str());
-        return kExitBadInput;
-    }
+    if (!request)
+        return refuse(request.error());
     warnOfTargets(request->experiment);
     const bool terminal = isatty(STDERR_FILENO) != 0;
     if (terminal)
@@ -175,17 +191,16 @@ int runExperimentCommand(const QStringList& arguments) {
     const auto outcome = runSimulated(request->experiment, request->options);
     if (terminal)
         std::fputc('\n', stderr);
-    if (!outcome) {
-        std::fprintf(stderr, "bask run: %s\n", describe(outcome.error()).c_str());
-        return kExitBadInput;
-    }
+    if (!outcome)
+        return refuse(outcome.error());
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     for (const TraceEvent& event : outcome->events)
         if (alarmPriority(event.message.code) > 0)
             std::fprintf(stderr, "bask run: at %.0f s: %s\n", event.time_s, describe(event.message).c_str());
     printOutcome(*outcome, wall_s);
-    if (!request->summaryPath.empty() && !writeFile(request->summaryPath, summaryJson(*outcome, wall_s)))
-        return kExitBadInput;
+    if (!request->summaryPath.empty())
+        if (const auto written = writeOutput(request->summaryPath, summaryJson(*outcome, wall_s)); !written)
+            return refuse(written.error());
     return outcome->fault ? kExitFault : outcome->settled ? kExitDone : kExitNegative;
 }
 

@@ -15,6 +15,7 @@ constexpr double kMostLength_m = 1e6;
 constexpr double kLeastRadius_m = 1e-9;
 constexpr double kMostAngle_rad = 1e6;
 constexpr std::size_t kMostPoints = 100000;
+constexpr double kLeastAreaRatio = 1e-12; // of the square of the size: less is rounding
 
 std::string placeOf(const std::string& where, const std::string& key) {
     return where.empty() ? key : where + '.' + key;
@@ -139,10 +140,13 @@ Result<Shape> fourierFromJson(const json& object, const std::string& where) {
         std::ranges::reverse(coefficients);
         contour = FourierContour(coefficients);
     }
-    // Checked as a polygon fine enough for the highest harmonic; this also finds what has no area.
-    const auto outline = makeContour(shapeOutline(contour, std::max(512, 32 * harmonics)), where);
-    if (!outline)
-        return outline.error();
+    // A series may cross itself a little, as fits of few harmonics do; its integral stands all the same.
+    double square_m2 = 0.0;
+    for (int j = -harmonics; j <= harmonics; ++j)
+        square_m2 += j == 0 ? 0.0 : std::norm(contour.coefficient(j));
+    const double area_m2 = contour.area();
+    if (!std::isfinite(area_m2) || !(area_m2 > kLeastAreaRatio * square_m2))
+        return Error{MessageCode::ContourZeroArea, where};
     return Shape{contour};
 }
 

@@ -13,9 +13,9 @@
 namespace bask {
 
 /// {"type":"disk","radius_m"} | {"type":"fourier","coefficients":[[j,re,im],...]} |
-/// {"type":"polygon","points_m":[[x,y],...]}. Clockwise outlines are reversed; crossing ones, those without
-/// area and lengths beyond 1e6 m are refused. Keys that are not known are passed over. `where` starts the
-/// place named in errors.
+/// {"type":"polygon","points_m":[[x,y],...]}. Clockwise outlines are reversed; crossing polygons,
+/// outlines without area and lengths beyond 1e6 m are refused; a series may cross itself. Keys that are not
+/// known are passed over. `where` starts the place named in errors.
 Result<Shape> shapeFromJson(const nlohmann::json& json, const std::string& where);
 
 /// {"translation_m":[x,y,z],"rotation_vector_rad":[x,y,z]}.

@@ -2,13 +2,13 @@
 // gradient.
 
 #include "app/commands/command_line.h"
+#include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/shape_json.h"
 #include "engine/radiation/view_factor.h"
 
 #include <QCommandLineParser>
 #include <QFile>
-#include <QSaveFile>
 
 #include <nlohmann/json.hpp>
 
@@ -164,19 +164,6 @@ std::string resultsText(const json& cases) {
     return text + "\n]}\n";
 }
 
-Result<void> writeText(const std::string& text, const QString& path) {
-    if (path.isEmpty()) {
-        std::fwrite(text.data(), 1, text.size(), stdout);
-        return std::fflush(stdout) == 0 ? Result<void>()
-                                        : Error{MessageCode::FileUnwritable, "standard output", {""}};
-    }
-    QSaveFile file(path);
-    const QByteArray bytes = QByteArray::fromStdString(text);
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return Error{MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()}};
-    return {};
-}
-
 } // namespace
 
 int viewFactorCommand(const QStringList& arguments) {
@@ -193,11 +180,22 @@ int viewFactorCommand(const QStringList& arguments) {
                       "\"rotation_vector_rad\"}}]}; lengths in metres.");
     if (const auto code = parseCommand(parser, "view-factor", arguments, 1))
         return *code;
-    const auto cases = readCases(parser.positionalArguments().front().toStdString());
+    const std::string path = parser.positionalArguments().front().toStdString();
+    std::vector<OutputFile> outputs;
+    if (parser.isSet("output"))
+        outputs = {{parser.value("output").toStdString(), "results", "a list of results written by Bask"}};
+    if (const auto place = checkOutputs({path}, outputs); !place)
+        return refuse(place.error());
+    const auto cases = readCases(path);
     if (!cases)
         return refuse(cases.error());
-    const auto written = writeText(resultsText(*cases), parser.value("output"));
-    return written ? kExitDone : refuse(written.error());
+    const std::string text = resultsText(*cases);
+    if (outputs.empty())
+        std::fwrite(text.data(), 1, text.size(), stdout);
+    for (const OutputFile& output : outputs)
+        if (const auto written = writeOutput(output.path, text); !written)
+            return refuse(written.error());
+    return kExitDone;
 }
 
 } // namespace bask

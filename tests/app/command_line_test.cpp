@@ -1,5 +1,6 @@
 // The program as a script sees it: exit codes, help and refusals, with no display and no QT_QPA_PLATFORM.
 
+#include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
 
@@ -13,8 +14,10 @@ struct Answer {
     QString out, err;
 };
 
-Answer bask(const QStringList& arguments, const QString& display = {}) {
+Answer bask(const QStringList& arguments, const QString& display = {}, const QString& output = {}) {
     QProcess process;
+    if (!output.isEmpty())
+        process.setStandardOutputFile(output);
     QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"})
         environment.remove(QLatin1String(name));
@@ -68,6 +71,63 @@ TEST(CommandLine, ADisplayThatDoesNotAnswerIsOneSentence) {
     const Answer answer = bask({}, QStringLiteral(":4711"));
     EXPECT_EQ(answer.exitCode, 1);
     EXPECT_TRUE(answer.err.contains(QStringLiteral("DISPLAY=:4711"))) << answer.err.toStdString();
+}
+
+// Catches: success reported for figures that went nowhere.
+TEST(CommandLine, AFullStandardOutputIsNoSuccess) {
+    for (const QStringList& arguments :
+         {QStringList{"--help"}, QStringList{"--version"}, QStringList{"run", "--help"},
+          QStringList{"fit-contour", BASK_EXAMPLES "/contours/bunny_mm.csv", "--harmonics", "5"},
+          QStringList{"run", BASK_EXAMPLES "/two-circles.json", "--duration", "1"}}) {
+        const Answer answer = bask(arguments, {}, QStringLiteral("/dev/full"));
+        EXPECT_EQ(answer.exitCode, 2) << arguments.join(' ').toStdString();
+        EXPECT_TRUE(answer.err.contains(QStringLiteral("standard output cannot be written")))
+            << answer.err.toStdString();
+    }
+}
+
+// Catches: "no such file" for a name that Qt has decoded to another one. (The shell makes the odd bytes:
+// QProcess encodes its arguments.)
+TEST(CommandLine, ANameThatIsNotUtf8IsSaid) {
+    for (const char* words : {"", "run ", "fit-contour --harmonics 5 "}) {
+        QProcess shell;
+        shell.start(QStringLiteral("/bin/sh"),
+                    {QStringLiteral("-c"), QStringLiteral("exec '%1' %2\"$(printf 'caf\\351.json')\"")
+                                               .arg(QStringLiteral(BASK_PROGRAM), QLatin1String(words))});
+        ASSERT_TRUE(shell.waitForFinished(60000));
+        EXPECT_EQ(shell.exitCode(), 2) << words;
+        const QByteArray err = shell.readAllStandardError();
+        EXPECT_TRUE(err.contains("caf\\xe9.json\", is not valid UTF-8")) << err.toStdString();
+    }
+}
+
+// Catches: an experiment, an outline or a session lost to an output of the run.
+TEST(CommandLine, RunReplacesNothingButItsOwnOutputs) {
+    const QTemporaryDir folder;
+    const QString experiment = folder.filePath("e.json"), session = folder.filePath("s.bask"),
+                  summary = folder.filePath("s.json");
+    ASSERT_TRUE(QFile::copy(BASK_EXAMPLES "/two-circles.json", experiment));
+    QFile::setPermissions(experiment, QFile::ReadOwner | QFile::WriteOwner);
+    const auto run = [&](const QStringList& outputs) {
+        return bask(QStringList{"run", experiment, "--duration", "2"} + outputs);
+    };
+    for (const QStringList& outputs :
+         {QStringList{"-o", experiment}, QStringList{"--summary", experiment},
+          QStringList{"-o", session, "--summary", session},
+          QStringList{"-o", session, "--summary", folder.filePath("./s.bask")},
+          QStringList{"-o", "/dev/null"}, QStringList{"-o", session, "--summary", "/dev/stdout"},
+          QStringList{"-o", session, "--summary", folder.filePath("gone/s.json")},
+          QStringList{"--summary", ""}}) {
+        const Answer answer = run(outputs);
+        EXPECT_EQ(answer.exitCode, 2) << outputs.join(' ').toStdString();
+        EXPECT_TRUE(answer.out.isEmpty()) << outputs.join(' ').toStdString();
+        EXPECT_FALSE(QFile::exists(session)) << outputs.join(' ').toStdString();
+    }
+    for (int i = 0; i < 2; ++i) // the second time over its own
+        EXPECT_EQ(run({"-o", session, "--summary", summary}).exitCode, 3);
+    EXPECT_EQ(run({"-o", summary}).exitCode, 2) << "a summary is no session";
+    EXPECT_EQ(run({"--summary", session}).exitCode, 2) << "a session is no summary";
+    EXPECT_EQ(QFile(experiment).size(), QFile(BASK_EXAMPLES "/two-circles.json").size());
 }
 
 TEST(CommandLine, AMissingFileIsBadInput) {
