@@ -191,7 +191,7 @@ void ObjectsPage::connectAll() {
     connect(m_list, &ObjectList::objectSelected, this, &ObjectsPage::selectObject);
     connect(m_list, &ObjectList::objectRenamed, this, [this](int index, const QString& name) {
         auto objects = m_experiment.objects;
-        objects[static_cast<std::size_t>(index)].name = name.toStdString();
+        objects[static_cast<std::size_t>(index)].name = name.trimmed().toStdString();
         commit(std::move(objects), tr("rename"), {}, index);
     });
     connect(m_addDisk, &QPushButton::clicked, this, &ObjectsPage::addDisk);
@@ -386,7 +386,7 @@ void ObjectsPage::showImported(const QString& path, const Contour& outline) {
             return;
         }
         ObjectSpec object;
-        object.name = uniqueName(QFileInfo(path).completeBaseName());
+        object.name = uniqueName(QFileInfo(path).completeBaseName().trimmed());
         object.shape = fit->contour;
         object.origin = {QFileInfo(path).fileName().toStdString(), raw, kImportHarmonics};
         object.material = materialPresets().front().material;

@@ -149,9 +149,8 @@ void ControllerPanel::retranslateUi() {
         m_choice->setItemText(i, controllerWord(kKinds[i]));
     m_choice->setItemData(0, tr("Moves to the view factor each object needs; learns the rates on the way."),
                           Qt::ToolTipRole);
-    m_choice->setItemData(
-        1, tr("The paper's law with known heat rates: dv/dt = −D v \u2212 K \u0394\u03c4."),
-        Qt::ToolTipRole);
+    m_choice->setItemData(1, tr("The paper's law with known heat rates: dv/dt = −D v \u2212 K \u0394\u03c4."),
+                          Qt::ToolTipRole);
     m_choice->setItemData(2, tr("The paper's law with adapted heat rates."), Qt::ToolTipRole);
 
     const struct {
