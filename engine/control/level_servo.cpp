@@ -111,6 +111,17 @@ double LevelServo::cost(const PoseQuery& query, const Vector6d& goal) const {
     return travel_s * onTheWay + std::max(kHorizon_s, horizon_s - travel_s) * there;
 }
 
+Vector6d LevelServo::choosePose(const PoseQuery& query) const {
+    // Mostly a pose close by will do, and nothing needs to be searched.
+    if (m_model.geometry->allowed(query.from)) {
+        const Vector6d near = refinePose(*m_model.geometry, query, query.from, kRefinements);
+        if (residualCost(query, m_model.geometry->viewFactorsFast(near)) <= kMetResidual)
+            return near;
+    }
+    const std::vector<Vector6d> poses = candidates(query, kCandidates);
+    return *std::ranges::min_element(poses, {}, [&](const Vector6d& pose) { return cost(query, pose); });
+}
+
 void LevelServo::updateAim(const Observation& observation) {
     if (observation.time_s < m_nextAim_s)
         return;
@@ -164,8 +175,7 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     }
     updateAim(observation);
     const PoseQuery wanted = query(observation, dt_s);
-    const std::vector<Vector6d> poses = candidates(wanted, kCandidates);
-    m_goal = *std::ranges::min_element(poses, {}, [&](const Vector6d& pose) { return cost(wanted, pose); });
+    m_goal = choosePose(wanted);
     const Eigen::VectorXd had = m_model.geometry->viewFactorsFast(*m_goal);
     m_unmet = wanted.wanted - had;
     m_unmetTime_s = residualCost(wanted, had) > kMetResidual ? m_unmetTime_s + dt_s : 0.0;

@@ -39,6 +39,7 @@ private:
     PoseQuery query(const Observation& observation, double dt_s);
     std::vector<Vector6d> candidates(const PoseQuery& query, int count) const;
     double cost(const PoseQuery& query, const Vector6d& goal) const;
+    Vector6d choosePose(const PoseQuery& query) const;
     void updateAim(const Observation& observation);
 
     ControllerSettings m_settings;

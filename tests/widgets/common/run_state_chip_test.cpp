@@ -26,8 +26,9 @@ TEST(RunStateChip, ClickListsEachReasonWithItsRemedy) {
     EXPECT_EQ(menu->actions()[1]->text(), second);
 
     QSignalSpy chosen(&chip, &RunStateChip::reasonActivated);
-    QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier,
-                      menu->actionGeometry(menu->actions()[1]).center());
+    QTest::keyClick(menu, Qt::Key_Down);
+    QTest::keyClick(menu, Qt::Key_Down);
+    QTest::keyClick(menu, Qt::Key_Return);
     ASSERT_EQ(chosen.count(), 1);
     EXPECT_EQ(chosen.first().first().toInt(), 1);
     menu->close();
