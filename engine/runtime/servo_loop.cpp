@@ -69,10 +69,8 @@ LoopRecord ServoLoop::takeRecord() {
 }
 
 void ServoLoop::makeSafe() {
-    // Failures of a dead link are known already; the device's own expiry acts then.
-    (void)m_devices.robot.halt();
-    (void)m_devices.source.heatOff();
-    m_latest.twist.setZero();
+    standStill();
+    (void)m_devices.source.heatOff(); // of a dead link: the heat expires in the device
 }
 
 void ServoLoop::endRun(const std::string& outcome) {
@@ -159,8 +157,7 @@ Result<void> ServoLoop::hold() {
         return refusal("Hold");
     m_state = RunState::Holding;
     m_heldBySensor = false;
-    (void)m_devices.robot.halt();
-    m_latest.twist.setZero();
+    standStill();
     command("hold");
     event(MessageCode::EventHeld);
     return {};

@@ -78,6 +78,8 @@ private:
     void retreat();
     void noteSettling();
     void noteCompromise(const ControlOutput& output);
+    void move(const Vector6d& rates); ///< of the pose coordinates, until the next sample
+    void standStill();
     void makeSafe();
     void endRun(const std::string& outcome);
     void updateReadiness();

@@ -119,12 +119,13 @@ void ServoLoop::keepHeating() {
 
 void ServoLoop::control() {
     keepHeating();
+    if (m_state != RunState::Running && m_state != RunState::Settled)
+        return; // the heat source is lost and the retreat has begun: its velocity stands
     const bool known = std::ranges::all_of(m_latest.objects, [](const ObjectSample& object) {
         return std::isfinite(object.estimated_K) && std::isfinite(object.rate_K_s);
     });
-    if (m_state == RunState::Fault || !known || !(m_sourceStrength > 0.0)) {
-        (void)m_devices.robot.halt();
-        m_latest.twist.setZero();
+    if (!known || !(m_sourceStrength > 0.0)) {
+        standStill();
         return;
     }
     Observation observation;
@@ -133,18 +134,28 @@ void ServoLoop::control() {
     observation.sourceStrength = m_sourceStrength;
     for (const ObjectSample& object : m_latest.objects)
         observation.objects.push_back({object.estimated_K, object.rate_K_s});
-    const double period_s = m_experiment.sampling.period_s;
-    const ControlOutput output = m_controller->step(observation, period_s);
+    const ControlOutput output = m_controller->step(observation, m_experiment.sampling.period_s);
 
     m_belief = output.belief;
     m_latest.smallestSingularValue = output.smallestSingularValue;
     m_latest.limited = output.limited;
-    m_latest.twist.head<3>() = output.rates.head<3>();
-    m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * output.rates.tail<3>();
-    if (const auto result = m_devices.robot.setTwist(m_latest.twist, kVelocityPeriods * period_s); !result)
-        fault(result.error().message);
+    move(output.rates);
     noteSettling();
     noteCompromise(output);
+}
+
+void ServoLoop::move(const Vector6d& rates) {
+    m_latest.twist.head<3>() = rates.head<3>();
+    m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * rates.tail<3>();
+    const double validFor_s = kVelocityPeriods * m_experiment.sampling.period_s;
+    if (const auto result = m_devices.robot.setTwist(m_latest.twist, validFor_s); !result)
+        fault(result.error().message);
+}
+
+void ServoLoop::standStill() {
+    // A dead link is known already; the velocity then expires in the robot.
+    (void)m_devices.robot.halt();
+    m_latest.twist.setZero();
 }
 
 void ServoLoop::noteSettling() {
@@ -195,7 +206,6 @@ void ServoLoop::retreat() {
             if (limits.free[static_cast<std::size_t>(k)])
                 goal[k] = std::clamp(0.0, limits.lower[k], limits.upper[k]);
     }
-    const double period_s = m_experiment.sampling.period_s;
     if (m_retreatRaised && arrived(goal)) {
         const std::string outcome = m_faults.empty() ? m_outcome : "fault";
         trace();
@@ -204,11 +214,7 @@ void ServoLoop::retreat() {
         m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
         return;
     }
-    const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, goal, period_s).rates;
-    m_latest.twist.head<3>() = rates.head<3>();
-    m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * rates.tail<3>();
-    if (const auto result = m_devices.robot.setTwist(m_latest.twist, kVelocityPeriods * period_s); !result)
-        fault(result.error().message);
+    move(velocityTowards(*m_geometry, m_coordinates, goal, m_experiment.sampling.period_s).rates);
 }
 
 void ServoLoop::trace() {

@@ -287,6 +287,49 @@ TEST_F(ServoLoopTest, PassingThroughTheBandIsNotASettledOutcome) {
     EXPECT_EQ(loop.outcome(), "stopped");
 }
 
+/// Reads well, but takes no heating command.
+class DeafHeatSource final : public HeatSource {
+public:
+    explicit DeafHeatSource(HeatSource& source) : m_source(source) {}
+    Result<Reading> read() override { return m_source.read(); }
+    Result<void> keepHeating(double setPoint_K, double validFor_s) override {
+        if (deaf)
+            return Error(MessageCode::ReasonSourceLost, {}, {"no acknowledgement"});
+        return m_source.keepHeating(setPoint_K, validFor_s);
+    }
+    Result<void> heatOff() override { return m_source.heatOff(); }
+    bool heating() const override { return m_source.heating(); }
+    bool deaf = false;
+
+private:
+    HeatSource& m_source;
+};
+
+TEST(ServoLoop, AControllerNeverOverridesTheRetreat) {
+    const Experiment experiment = twoDisks();
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    DeafHeatSource source(rig.heatSource());
+    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
+    const auto periods = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    };
+    periods(10);
+    ASSERT_TRUE(loop.arm());
+    ASSERT_TRUE(loop.start(false));
+    periods(4);
+    source.deaf = true;
+    periods(1); // the failed heating command ends the run within the control step
+    ASSERT_EQ(loop.state(), RunState::Stopping);
+    const Vector6d at = rig.simulatedRobot().coordinates();
+    periods(1);
+    EXPECT_GT(rig.simulatedRobot().coordinates()[kZ], at[kZ]);
+    EXPECT_EQ(rig.simulatedRobot().coordinates()[kX], at[kX]);
+    EXPECT_EQ(rig.simulatedRobot().coordinates()[kY], at[kY]);
+}
+
 TEST(ServoLoop, ARetreatEndsAlsoWhenTheRobotsStepsMissTheTop) {
     Experiment experiment = twoDisks();
     experiment.simulation.robotStep_m = 0.005;
