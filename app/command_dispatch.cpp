@@ -3,13 +3,14 @@
 #include "app/about.h"
 #include "app/commands/command_line.h"
 
-#include <QCoreApplication>
+#include <QApplication>
 #include <QFileInfo>
 
 #include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <string>
 
 namespace bask {
@@ -83,9 +84,19 @@ int unknown(const QString& word) {
 }
 
 int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
-    const QCoreApplication application(argc, argv);
+    std::unique_ptr<QCoreApplication> application;
+    int onlyProgram = 1; // a QApplication would take -platform and the like for itself
+    if (subcommand.drawsFigures) {
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+        application = std::make_unique<QApplication>(onlyProgram, argv);
+    } else {
+        application = std::make_unique<QCoreApplication>(argc, argv);
+    }
     QCoreApplication::setApplicationName(QStringLiteral("bask"));
-    return finished(subcommand.run(QCoreApplication::arguments().mid(2)));
+    QStringList arguments;
+    for (int i = 2; i < argc; ++i)
+        arguments << QString::fromLocal8Bit(argv[i]);
+    return finished(subcommand.run(arguments));
 }
 
 } // namespace

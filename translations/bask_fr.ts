@@ -239,8 +239,20 @@
             <translation>les fichiers de type « %1 » ne sont pas lus ; connus : %2</translation>
         </message>
         <message>
-            <source>a source of type "%1" is not supported; use a disk</source>
-            <translation>une source de type « %1 » n’est pas prise en charge ; utilisez un disque</translation>
+            <source>the outline crosses itself near (%1, %2) mm</source>
+            <translation>le contour se recoupe près de (%1, %2) mm</translation>
+        </message>
+        <message>
+            <source>%1 samples, more than the %2 that there may be; take larger steps or a smaller range</source>
+            <translation>%1 échantillons, plus que les %2 permis ; prenez des pas plus grands ou une plage plus petite</translation>
+        </message>
+        <message>
+            <source>the sampling was cancelled</source>
+            <translation>l’échantillonnage a été annulé</translation>
+        </message>
+        <message>
+            <source>"%1" is an axis and cannot be held as well</source>
+            <translation>« %1 » est un axe et ne peut pas être fixé en même temps</translation>
         </message>
         <message>
             <source>not a Bask session file</source>

@@ -10,6 +10,10 @@ std::span<const Subcommand> subcommands() {
                    runExperimentCommand},
         Subcommand{"fit-contour", "fit a Fourier contour to an outline", fitContourCommand},
         Subcommand{"view-factor", "view factors and gradients of a list of cases", viewFactorCommand},
+        Subcommand{"field", "view factors or steady temperatures on a grid of poses, for ParaView",
+                   fieldCommand},
+        Subcommand{"study", "repeat the paper's study of view-factor methods: table and figures",
+                   studyCommand, true},
         Subcommand{"export", "write a session's tables as CSV", exportCommand},
     };
     return kSubcommands;

@@ -16,6 +16,7 @@ struct Subcommand {
     const char* name;
     const char* summary;
     int (*run)(const QStringList& arguments);
+    bool drawsFigures = false; ///< runs on a QApplication, off screen, whatever display there is
 };
 
 std::span<const Subcommand> subcommands();
@@ -23,6 +24,8 @@ std::span<const Subcommand> subcommands();
 int runExperimentCommand(const QStringList& arguments);
 int fitContourCommand(const QStringList& arguments);
 int viewFactorCommand(const QStringList& arguments);
+int fieldCommand(const QStringList& arguments);
+int studyCommand(const QStringList& arguments);
 int exportCommand(const QStringList& arguments);
 
 } // namespace bask

@@ -47,9 +47,13 @@ Result<std::vector<double>> parseTargets(const QString& text) {
 std::vector<std::string> inputsOf(const std::string& path, const Experiment& experiment) {
     std::vector<std::string> inputs{path};
     const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    const auto add = [&](const ContourOrigin& origin) {
+        if (!origin.file.empty())
+            inputs.push_back((folder / origin.file).string());
+    };
+    add(experiment.source.origin);
     for (const ObjectSpec& object : experiment.objects)
-        if (!object.origin.file.empty())
-            inputs.push_back((folder / object.origin.file).string());
+        add(object.origin);
     return inputs;
 }
 

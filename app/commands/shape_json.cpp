@@ -140,13 +140,16 @@ Result<Shape> fourierFromJson(const json& object, const std::string& where) {
         std::ranges::reverse(coefficients);
         contour = FourierContour(coefficients);
     }
-    // A series may cross itself a little, as fits of few harmonics do; its integral stands all the same.
     double square_m2 = 0.0;
     for (int j = -harmonics; j <= harmonics; ++j)
         square_m2 += j == 0 ? 0.0 : std::norm(contour.coefficient(j));
     const double area_m2 = contour.area();
     if (!std::isfinite(area_m2) || !(area_m2 > kLeastAreaRatio * square_m2))
         return Error{MessageCode::ContourZeroArea, where};
+    if (const auto crossing = findCrossing(contour))
+        return Error{MessageCode::SeriesCrossing,
+                     place,
+                     {formatNumber(1e3 * crossing->x(), 6), formatNumber(1e3 * crossing->y(), 6)}};
     return Shape{contour};
 }
 
@@ -186,26 +189,20 @@ Result<const json*> memberOf(const json& object, const std::string& key, const s
     return &*found;
 }
 
-Result<std::string> shapeTypeOf(const json& object, const std::string& where) {
-    const auto type = memberOf(object, "type", where);
-    if (!type)
-        return type.error();
-    if (!(*type)->is_string())
-        return Error{MessageCode::JsonWrongType, placeOf(where, "type"), {"text", jsonTypeWords(**type)}};
-    return (*type)->get<std::string>();
-}
-
 Result<Shape> shapeFromJson(const json& object, const std::string& where) {
-    const auto type = shapeTypeOf(object, where);
-    if (!type)
-        return type.error();
-    if (*type == "disk")
+    const auto member = memberOf(object, "type", where);
+    if (!member)
+        return member.error();
+    if (!(*member)->is_string())
+        return Error{MessageCode::JsonWrongType, placeOf(where, "type"), {"text", jsonTypeWords(**member)}};
+    const auto type = (*member)->get<std::string>();
+    if (type == "disk")
         return diskFromJson(object, where);
-    if (*type == "fourier")
+    if (type == "fourier")
         return fourierFromJson(object, where);
-    if (*type == "polygon")
+    if (type == "polygon")
         return polygonFromJson(object, where);
-    return Error{MessageCode::ValueUnknown, placeOf(where, "type"), {*type, "disk, fourier, polygon"}};
+    return Error{MessageCode::ValueUnknown, placeOf(where, "type"), {type, "disk, fourier, polygon"}};
 }
 
 Result<Pose> poseFromJson(const json& object, const std::string& where) {

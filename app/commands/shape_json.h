@@ -13,9 +13,9 @@
 namespace bask {
 
 /// {"type":"disk","radius_m"} | {"type":"fourier","coefficients":[[j,re,im],...]} |
-/// {"type":"polygon","points_m":[[x,y],...]}. Clockwise outlines are reversed; crossing polygons,
-/// outlines without area and lengths beyond 1e6 m are refused; a series may cross itself. Keys that are not
-/// known are passed over. `where` starts the place named in errors.
+/// {"type":"polygon","points_m":[[x,y],...]}. Clockwise outlines are reversed; outlines that
+/// cross themselves or have no area and lengths beyond 1e6 m are refused. Keys that are not known are passed
+/// over. `where` starts the place named in errors.
 Result<Shape> shapeFromJson(const nlohmann::json& json, const std::string& where);
 
 /// {"translation_m":[x,y,z],"rotation_vector_rad":[x,y,z]}.
@@ -24,9 +24,6 @@ Result<Pose> poseFromJson(const nlohmann::json& json, const std::string& where);
 /// The value of `key`, or JsonMissingKey / JsonWrongType when `json` has none or is no object.
 Result<const nlohmann::json*> memberOf(const nlohmann::json& json, const std::string& key,
                                        const std::string& where);
-
-/// The value of "type" of a shape, text.
-Result<std::string> shapeTypeOf(const nlohmann::json& json, const std::string& where);
 
 /// Words for what a JSON value is: "a number", "text" ...
 const char* jsonTypeWords(const nlohmann::json& json);

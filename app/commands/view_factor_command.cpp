@@ -114,11 +114,6 @@ Result<ViewFactor> evaluate(const json& one) {
     const auto poseJson = memberOf(one, "pose", "");
     if (!poseJson)
         return poseJson.error();
-    const auto type = shapeTypeOf(**sourceJson, "source");
-    if (!type)
-        return type.error();
-    if (*type == "fourier" || *type == "polygon")
-        return Error{MessageCode::SourceKindUnsupported, "source", {*type}};
     const auto source = shapeFromJson(**sourceJson, "source");
     if (!source)
         return source.error();
@@ -128,7 +123,7 @@ Result<ViewFactor> evaluate(const json& one) {
     const auto pose = poseFromJson(**poseJson, "pose");
     if (!pose)
         return pose.error();
-    return viewFactor(std::get<Disk>(*source), RadiatingContour(*object), *pose);
+    return viewFactor(RadiatingContour(*source), RadiatingContour(*object), *pose, {.tolerance = 1e-13});
 }
 
 ordered_json answer(const json& one) {
@@ -169,8 +164,8 @@ std::string resultsText(const json& cases) {
 int viewFactorCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        "Answers each case of CASES.json with the view factor F21 of the object over the disk source, its\n"
-        "six derivatives (1/m and 1/rad, source axes, about the object's origin), what is visible and an\n"
+        "Answers each case of CASES.json with the view factor F21 of the object over the source, its six\n"
+        "derivatives (1/m and 1/rad, source axes, about the object's origin), what is visible and an\n"
         "estimate of the error. A case that cannot be answered gets an \"error\" in words.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption(

@@ -52,6 +52,7 @@ enum class MessageCode {
     ContourColumnMissing, ///< %1 line, %2 columns found
     ContourOpen,          ///< %1 gap mm, %2 allowed mm
     ContourCrossing,      ///< %1, %2 edge numbers, %3 x mm, %4 y mm
+    SeriesCrossing,       ///< %1 x mm, %2 y mm
     ContourZeroArea,      ///< no args
     ContourUnitMissing,   ///< no args
     NoSilhouette,         ///< no args
@@ -62,7 +63,9 @@ enum class MessageCode {
     HarmonicsOutOfRange,  ///< %1 value, %2 least, %3 most
     FormatUnknown,        ///< %1 extension, %2 known
     // View factor
-    SourceKindUnsupported, ///< %1 kind
+    FieldTooLarge,  ///< %1 samples, %2 most
+    FieldCancelled, ///< no args
+    HeldIsAxis,     ///< %1 coordinate
     // Session file
     NotASession,    ///< no args
     SessionDamaged, ///< %1 database's words

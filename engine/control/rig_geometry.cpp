@@ -6,7 +6,13 @@
 
 namespace bask {
 
-RigGeometry::RigGeometry(const Disk& source, const std::vector<Shape>& shapes,
+namespace {
+
+constexpr double kTableTolerance = 1e-6;
+
+} // namespace
+
+RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
                          const std::vector<Vector6d>& mountings, const RobotLimits& limits)
     : m_source(source), m_limits(limits) {
     if (shapes.size() != mountings.size())
@@ -45,8 +51,8 @@ Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
     const Pose X_SE = poseFromCoordinates(q);
     Eigen::VectorXd F(objects());
     for (int i = 0; i < objects(); ++i)
-        F[i] = viewFactorFast(m_source, m_contours[static_cast<std::size_t>(i)],
-                              X_SE * m_X_EO[static_cast<std::size_t>(i)]);
+        F[i] = viewFactorValue(m_source, m_contours[static_cast<std::size_t>(i)],
+                               X_SE * m_X_EO[static_cast<std::size_t>(i)], kTableTolerance);
     return F;
 }
 

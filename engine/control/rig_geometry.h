@@ -29,7 +29,7 @@ class RigGeometry {
 public:
     /// `mountings` are X_EO as pose coordinates, one a shape. Throws std::invalid_argument on different
     /// lengths.
-    RigGeometry(const Disk& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
+    RigGeometry(const Shape& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
                 const RobotLimits& limits);
 
     int objects() const { return static_cast<int>(m_contours.size()); }
@@ -37,7 +37,7 @@ public:
     const std::vector<int>& freeCoordinates() const { return m_free; }
 
     ViewFactors viewFactors(const Vector6d& q) const;
-    /// Values only, by a fixed small number of points (about 1e-6): for tables and for the plant.
+    /// Values only, to 1e-6: for tables.
     Eigen::VectorXd viewFactorsFast(const Vector6d& q) const;
     /// Lowest point of each object.
     std::vector<Clearance> clearances(const Vector6d& q) const;
@@ -47,7 +47,7 @@ public:
     bool allowed(const Vector6d& q) const;
 
 private:
-    Disk m_source;
+    RadiatingContour m_source;
     RobotLimits m_limits;
     std::vector<int> m_free;
     std::vector<RadiatingContour> m_contours;

@@ -1,5 +1,7 @@
 #include "engine/radiation/outline_table.h"
 
+#include "engine/radiation/gauss_rule.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -11,7 +13,8 @@ namespace bask {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr int kFirstPoints = 16;
+constexpr int kTrapezoidPoints[] = {8, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
+constexpr double kGaussDistances[] = {1.0, 0.5, 0.25, 0.125, 0.0625}; // in perimeters
 
 std::vector<std::complex<double>> seriesOf(const Shape& shape) {
     if (const auto* disk = std::get_if<Disk>(&shape))
@@ -40,7 +43,89 @@ double polygonArea(const std::vector<Eigen::Vector2d>& points) {
 
 } // namespace
 
+void OutlineTable::add(double x, double y, double dx, double dy) {
+    m_x.push_back(x);
+    m_y.push_back(y);
+    m_dx.push_back(dx);
+    m_dy.push_back(dy);
+}
+
+void OutlineTable::clear() {
+    m_x.clear();
+    m_y.clear();
+    m_dx.clear();
+    m_dy.clear();
+}
+
+void OutlineTable::seal() {
+    while (m_x.size() % kernels::kPadding != 0)
+        add(m_x.back(), m_y.back(), 0.0, 0.0);
+}
+
+kernels::Outline OutlineTable::view() const {
+    return {m_x.data(), m_y.data(), m_dx.data(), m_dy.data(), static_cast<int>(m_x.size())};
+}
+
+double squaredDistance(const kernels::Edge& edge, const Eigen::Vector3d& p) {
+    const double r1 = p.x() - edge.a1, r2 = p.y() - edge.a2;
+    const double along = r1 * edge.t1 + r2 * edge.t2;
+    const double aside = r2 * edge.t1 - r1 * edge.t2;
+    const double beyond = std::max({0.0, -along, along - edge.length});
+    return aside * aside + p.z() * p.z() + beyond * beyond;
+}
+
+namespace {
+
+const std::array<double, AnalyticStrip::kSteps>& stripWidths() {
+    static const auto widths = [] {
+        std::array<double, AnalyticStrip::kSteps> made{};
+        for (int k = 0; k < AnalyticStrip::kSteps; ++k)
+            made[static_cast<std::size_t>(k)] = 0.01 * std::pow(1.075, k);
+        return made;
+    }();
+    return widths;
+}
+
+} // namespace
+
+// With p + iy -> u = sum c_j e^(ij phi) and its conjugate v made complex apart, a point s at distance D of O
+// is met where D^2 - D (|u| + |v|) - |u||v| <= 0 at worst. A straight stretch meets a singularity when the
+// step is as long as the distance; bends make it a little sooner.
+AnalyticStrip::AnalyticStrip(const std::vector<std::complex<double>>& coefficients, int harmonics) {
+    constexpr double kKeepAway = 0.9;
+    constexpr double kBend = 1.25;
+    for (std::size_t k = 0; k < kSteps; ++k) {
+        const double b = stripWidths()[k];
+        double u = 0.0, v = 0.0, shift = 0.0, speed = 0.0;
+        for (int j = -harmonics; j <= harmonics; ++j) {
+            const double c = std::abs(coefficients[static_cast<std::size_t>(j + harmonics)]);
+            u += c * std::exp(-j * b);
+            v += c * std::exp(j * b);
+            shift += c * std::expm1(std::abs(j) * b);
+            speed += std::abs(j) * c * std::exp(std::abs(j) * b);
+        }
+        m_reach[k] = 0.5 * (u + v + std::sqrt((u + v) * (u + v) + 4.0 * u * v)) / kKeepAway;
+        m_shift[k] = kBend * shift / kKeepAway;
+        m_speed[k] = kTwoPi * speed;
+    }
+}
+
+double AnalyticStrip::width(int step) {
+    return stripWidths()[static_cast<std::size_t>(step)];
+}
+
+double AnalyticStrip::radius(double distance_m) const {
+    const int step = fromOutline(distance_m);
+    const double b = step < 0 ? width(0) * std::max(distance_m, 0.0) / m_shift[0] : width(step);
+    return b / kTwoPi;
+}
+
+int AnalyticStrip::widest(const Table& table, double distance_m) {
+    return static_cast<int>(std::upper_bound(table.begin(), table.end(), distance_m) - table.begin()) - 1;
+}
+
 RadiatingContour::Impl::Impl(const Shape& outline) : shape(outline), m_coefficients(seriesOf(outline)) {
+    disk = std::get_if<Disk>(&shape);
     if (const auto* polygon = std::get_if<Contour>(&shape)) {
         isPolygon = true;
         area = polygonArea(polygon->points_m);
@@ -51,7 +136,7 @@ RadiatingContour::Impl::Impl(const Shape& outline) : shape(outline), m_coefficie
     }
     harmonics = (static_cast<int>(m_coefficients.size()) - 1) / 2;
     area = harmonics < 1 ? 0.0 : seriesArea(m_coefficients, harmonics);
-    if (!(area > 0.0) || !std::isfinite(area))
+    if (!(area > 0.0) || !std::isfinite(area) || (disk && !(disk->radius_m > 0.0)))
         throw std::invalid_argument("RadiatingContour: an outline without area");
     tabulateSmooth();
 }
@@ -78,70 +163,122 @@ OutlinePoint RadiatingContour::Impl::at(double phi) const {
     return {p.real(), p.imag(), d.real(), d.imag()};
 }
 
-OutlinePoints RadiatingContour::Impl::level(int l) const {
-    const auto begin = static_cast<std::size_t>(m_begin[static_cast<std::size_t>(l)]);
-    const int end = m_begin[static_cast<std::size_t>(l) + 1];
-    return {&m_x[begin], &m_y[begin], &m_dx[begin], &m_dy[begin], end - static_cast<int>(begin)};
+const TrapezoidTable* RadiatingContour::Impl::trapezoid(double points) const {
+    for (const TrapezoidTable& table : m_trapezoids)
+        if (table.points >= points)
+            return &table;
+    return nullptr;
+}
+
+const GaussTable* RadiatingContour::Impl::gauss(double distance_m) const {
+    for (const GaussTable& table : m_gauss)
+        if (table.distance_m <= distance_m)
+            return &table;
+    return nullptr;
 }
 
 void RadiatingContour::Impl::tabulateSmooth() {
-    const auto append = [&](double phi) {
-        const OutlinePoint p = at(phi);
-        m_x.push_back(p.x);
-        m_y.push_back(p.y);
-        m_dx.push_back(p.dx);
-        m_dy.push_back(p.dy);
-        maxSpeed = std::max(maxSpeed, std::hypot(p.dx, p.dy));
-        perimeter += std::hypot(p.dx, p.dy) / kMostTabulated;
-    };
-    m_begin = {0};
-    for (int i = 0; i < kFirstPoints; ++i)
-        append(static_cast<double>(i) / kFirstPoints);
-    m_begin.push_back(kFirstPoints);
-    for (int n = kFirstPoints; n < kMostTabulated; n *= 2) {
-        for (int i = 0; i < n; ++i)
-            append((i + 0.5) / n);
-        m_begin.push_back(2 * n);
+    strip = AnalyticStrip(m_coefficients, harmonics);
+    for (const int n : kTrapezoidPoints) {
+        TrapezoidTable& made = m_trapezoids.emplace_back();
+        made.points = n;
+        for (int i = 0; i < n; ++i) {
+            const OutlinePoint p = at(static_cast<double>(i) / n);
+            made.table.add(p.x, p.y, p.dx / n, p.dy / n);
+        }
+        made.table.seal();
     }
-    while (m_firstLevel + 2 < levels() && (kFirstPoints << m_firstLevel) <= 2 * harmonics)
-        ++m_firstLevel;
     const int scan = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(128, 16 * harmonics))));
     for (int i = 0; i < scan; ++i)
         m_scan.push_back(at(static_cast<double>(i) / scan));
     for (const std::complex<double>& c : m_coefficients)
         reach += std::abs(c);
-    for (const OutlinePoint& p : m_scan)
-        size = std::max(size, std::hypot(p.x, p.y));
+    for (const OutlinePoint& p : m_scan) {
+        m_scanSpeed_m = std::max(m_scanSpeed_m, std::hypot(p.dx, p.dy));
+        perimeter += std::hypot(p.dx, p.dy) / scan;
+    }
 }
 
-// Edges are cut into stretches of at most an eighth of the perimeter; short ones get fewer points.
+// Points on an edge so many that a rule of order n leaves rounding only: the half length over the distance
+// gives the ellipse in which the field is smooth.
 void RadiatingContour::Impl::tabulatePolygon(const Contour& polygon) {
     const auto& points = polygon.points_m;
     const std::size_t n = points.size();
     for (std::size_t i = 0; i < n; ++i) {
-        perimeter += (points[(i + 1) % n] - points[i]).norm();
+        const Eigen::Vector2d edge = points[(i + 1) % n] - points[i];
+        const double length = edge.norm();
+        perimeter += length;
         reach = std::max(reach, points[i].norm());
+        edges.push_back({points[i].x(), points[i].y(), edge.x() / length, edge.y() / length, length});
     }
-    size = reach;
-    m_begin = {0};
-    for (int order : {2, 4, 8}) {
+    for (const double share : kGaussDistances) {
+        GaussTable& made = m_gauss.emplace_back();
+        made.distance_m = share * perimeter;
         for (std::size_t i = 0; i < n; ++i) {
-            const Eigen::Vector2d edge = points[(i + 1) % n] - points[i];
-            const int parts = std::max(1, static_cast<int>(std::ceil(8.0 * edge.norm() / perimeter)));
-            const Eigen::Vector2d step = edge / parts;
-            maxSpeed = std::max(maxSpeed, step.norm());
-            const GaussRule rule = gaussRule(step.norm() > perimeter / 32.0 ? order * 3 / 2 : order);
+            const int parts = std::max(1, static_cast<int>(std::ceil(edges[i].length / made.distance_m)));
+            const double half = 0.5 * edges[i].length / parts;
+            const GaussRule rule = gaussRule(gaussOrder(made.distance_m / half, kTableExponent));
+            const Eigen::Vector2d step = (points[(i + 1) % n] - points[i]) / parts;
             for (int part = 0; part < parts; ++part)
                 for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
                     const Eigen::Vector2d p = points[i] + step * (part + rule.nodes[k]);
-                    m_x.push_back(p.x());
-                    m_y.push_back(p.y());
-                    m_dx.push_back(step.x() * rule.weights[k]);
-                    m_dy.push_back(step.y() * rule.weights[k]);
+                    made.table.add(p.x(), p.y(), step.x() * rule.weights[k], step.y() * rule.weights[k]);
                 }
         }
-        m_begin.push_back(static_cast<int>(m_x.size()));
+        made.table.seal();
     }
+}
+
+double RadiatingContour::Impl::distance_m(const Eigen::Vector3d& p) const {
+    if (disk)
+        return std::hypot(std::hypot(p.x(), p.y()) - disk->radius_m, p.z());
+    if (!isPolygon)
+        return curveDistance_m(p);
+    double square = 1e300;
+    for (const kernels::Edge& edge : edges)
+        square = std::min(square, squaredDistance(edge, p));
+    return std::sqrt(square);
+}
+
+// Branch and bound: an interval of the parameter is no nearer than its middle less half its length. The
+// scanned points come first; only intervals that may be nearest are halved.
+double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
+    constexpr double kGoodEnough = 0.7;
+    struct Interval {
+        double least, middle, half;
+    };
+    const double speed = 1.1 * m_scanSpeed_m;
+    const double half = 0.5 / static_cast<double>(m_scan.size());
+    double nearest2 = 1e300;
+    for (const OutlinePoint& s : m_scan) {
+        const double dx = p.x() - s.x, dy = p.y() - s.y;
+        nearest2 = std::min(nearest2, dx * dx + dy * dy);
+    }
+    double nearest = std::sqrt(nearest2 + p.z() * p.z());
+    if (nearest - speed * half >= kGoodEnough * nearest)
+        return nearest - speed * half;
+    std::vector<Interval> open;
+    const auto farther = [](const Interval& a, const Interval& b) { return a.least > b.least; };
+    for (std::size_t i = 0; i < m_scan.size(); ++i) {
+        const double away = std::hypot(p.x() - m_scan[i].x, p.y() - m_scan[i].y, p.z());
+        if (away - speed * half < kGoodEnough * nearest)
+            open.push_back({away - speed * half, static_cast<double>(i) * 2.0 * half, half});
+    }
+    std::make_heap(open.begin(), open.end(), farther);
+    while (open.front().least < kGoodEnough * nearest && nearest > 1e-15 * reach) {
+        const Interval wide = open.front();
+        std::pop_heap(open.begin(), open.end(), farther);
+        open.pop_back();
+        for (const double side : {-0.5, 0.5}) {
+            const double middle = wide.middle + side * wide.half;
+            const OutlinePoint s = at(middle);
+            const double away = std::hypot(p.x() - s.x, p.y() - s.y, p.z());
+            nearest = std::min(nearest, away);
+            open.push_back({away - 0.5 * speed * wide.half, middle, 0.5 * wide.half});
+            std::push_heap(open.begin(), open.end(), farther);
+        }
+    }
+    return std::clamp(open.front().least, 0.0, nearest);
 }
 
 PlaneSide RadiatingContour::Impl::side(const HeightPlane& height) const {

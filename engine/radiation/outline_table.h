@@ -1,10 +1,12 @@
 #pragma once
-// A radiating outline made ready: points and steps at rising resolution, evaluation anywhere, pieces in front
-// of a plane.
+// A radiating outline made ready: tables of points and steps, evaluation anywhere, pieces in front of a
+// plane, distance from a point.
 
-#include "engine/radiation/disk_field.h"
+#include "engine/radiation/kernels/kernels.h"
 #include "engine/radiation/view_factor.h"
 
+#include <array>
+#include <complex>
 #include <vector>
 
 namespace bask {
@@ -16,6 +18,24 @@ struct HeightPlane {
     double at(double x, double y) const { return z0 + kx * x + ky * y; }
 };
 
+/// One point of an outline in O (m) and the step (m per unit of its parameter).
+struct OutlinePoint {
+    double x = 0.0, y = 0.0, dx = 0.0, dy = 0.0;
+};
+
+/// Points of an outline with weighted steps, as the kernels take them.
+class OutlineTable {
+public:
+    void add(double x, double y, double dx, double dy);
+    void clear();
+    /// Fills up to the kernels' padding with zero steps; before view().
+    void seal();
+    kernels::Outline view() const;
+
+private:
+    std::vector<double> m_x, m_y, m_dx, m_dy;
+};
+
 /// A smooth stretch of an outline (parameter from..to) or a straight one (from point a to b).
 struct OutlinePiece {
     bool straight = false;
@@ -24,42 +44,88 @@ struct OutlinePiece {
     Eigen::Vector2d a = Eigen::Vector2d::Zero(), b = Eigen::Vector2d::Zero();
 };
 
+/// Squared distance (m2) of a point to an edge.
+double squaredDistance(const kernels::Edge& edge, const Eigen::Vector3d& p);
+
 /// Where an outline lies with respect to the source plane.
 enum class PlaneSide { Front, Behind, Across };
 
+/// How far a smooth outline's parameter may be made complex before a point of the outline meets a singularity
+/// of the field: that decides how fast quadrature rules converge. Tabulated over the half width b (rad) of
+/// the strip.
+class AnalyticStrip {
+public:
+    static constexpr int kSteps = 96;
+
+    AnalyticStrip() = default;
+    /// `coefficients` for j = -harmonics .. harmonics.
+    AnalyticStrip(const std::vector<std::complex<double>>& coefficients, int harmonics);
+
+    /// Widest step whose strip is free of a singularity at `distance_m` from O's origin; -1 when none is.
+    int fromCentre(double distance_m) const { return widest(m_reach, distance_m); }
+    /// The same at `distance_m` from the outline.
+    int fromOutline(double distance_m) const { return widest(m_shift, distance_m); }
+    /// Complex distance (of phi) from one point of the outline within which a singularity at `distance_m`
+    /// from that point is not met.
+    double radius(double distance_m) const;
+
+    static double width(int step); ///< b, rad
+    /// Greatest |dp/dphi| in the strip, m; phi = b/(2 pi).
+    double speed_m(int step) const { return m_speed[static_cast<std::size_t>(step)]; }
+
+private:
+    using Table = std::array<double, kSteps>;
+    static int widest(const Table& table, double distance_m);
+
+    Table m_reach{}, m_shift{}, m_speed{};
+};
+
+/// Trapezoidal rule on a smooth outline.
+struct TrapezoidTable {
+    int points = 0;
+    OutlineTable table;
+};
+
+inline constexpr double kTableExponent = 32.0; ///< tabulated Gauss rules err by exp(-this): rounding
+
+/// Gauss rules on the edges of a polygon, fine enough for singularities at `distance_m`.
+struct GaussTable {
+    double distance_m = 0.0;
+    OutlineTable table;
+};
+
 struct RadiatingContour::Impl {
-    /// Largest number of tabulated points of a smooth outline.
-    static constexpr int kMostTabulated = 256;
-
     explicit Impl(const Shape& outline);
-
-    /// Levels of resolution. Smooth: level l adds points to those before it (weights are per point, to be
-    /// divided by the number of points so far). Polygon: each level stands for itself, weights included.
-    int levels() const { return static_cast<int>(m_begin.size()) - 1; }
-    OutlinePoints level(int l) const;
-    int firstLevel() const {
-        return m_firstLevel;
-    } ///< enough points for a field that varies linearly over the outline
-    bool isSmooth() const { return !isPolygon; }
 
     /// Point and derivative of a smooth outline at `phi` in [0, 1].
     OutlinePoint at(double phi) const;
+
+    /// Trapezoidal rule (smooth outline) of at least `points` points, weights included; null when none is so
+    /// fine.
+    const TrapezoidTable* trapezoid(double points) const;
+    /// Gauss rules on the edges of a polygon that resolve singularities at `distance_m` to rounding; null
+    /// when none does.
+    const GaussTable* gauss(double distance_m) const;
 
     PlaneSide side(const HeightPlane& height) const;
     /// The part with positive height as a closed loop, straight pieces on the cut line included. Empty if
     /// there is none.
     std::vector<OutlinePiece> piecesInFront(const HeightPlane& height) const;
-    /// The whole outline as pieces, for adaptive integration.
+    /// The whole outline as pieces.
     std::vector<OutlinePiece> allPieces() const;
+
+    /// Lower bound of the distance (m) of a point of O to the outline, within a third of it.
+    double distance_m(const Eigen::Vector3d& p) const;
 
     Shape shape;
     double area = 0.0;      ///< m2
     double reach = 0.0;     ///< m, no point is farther from O
-    double size = 0.0;      ///< m, about its half extent
-    double maxSpeed = 0.0;  ///< m per unit of phi (smooth); longest stretch (polygon)
     double perimeter = 0.0; ///< m, about
     int harmonics = 1;      ///< of a smooth outline
     bool isPolygon = false;
+    const Disk* disk = nullptr;       ///< when it is one
+    AnalyticStrip strip;              ///< of a smooth outline
+    std::vector<kernels::Edge> edges; ///< of a polygon
 
 private:
     void tabulateSmooth();
@@ -67,12 +133,13 @@ private:
     std::vector<double> crossings(const HeightPlane& height) const;
     std::vector<OutlinePiece> smoothPieces(const HeightPlane& height) const;
     std::vector<OutlinePiece> polygonPieces(const HeightPlane& height) const;
+    double curveDistance_m(const Eigen::Vector3d& p) const;
 
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
-    std::vector<double> m_x, m_y, m_dx, m_dy;
-    std::vector<int> m_begin;         // first point of each level, and the end
+    std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, counts rising
+    std::vector<GaussTable> m_gauss;                  // of a polygon, distances falling
+    double m_scanSpeed_m = 0.0;                       // of a smooth outline, m per unit of phi
     std::vector<OutlinePoint> m_scan; // smooth outlines: evenly spaced, in order, for finding crossings
-    int m_firstLevel = 0;
 };
 
 } // namespace bask

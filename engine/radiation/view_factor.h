@@ -1,5 +1,5 @@
 #pragma once
-// View factor F21 from a planar object to a disk source with its exact gradient (circulation form).
+// View factor F21 from a planar object to a planar source with its exact gradient (circulation form).
 
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
@@ -23,12 +23,12 @@ struct ViewFactor {
 };
 
 struct ViewFactorOptions {
-    /// Absolute, of the value; the number of points is doubled until the estimate is below.
-    double tolerance = 1e-9;
-    int maxPoints = 4096; ///< per smooth piece; beyond it the estimate tells what was reached
+    double tolerance = 1e-9; ///< absolute, of the value; it decides the number of points
+    int maxPoints = 1 << 17; ///< of the object's outline; beyond it the estimate tells what was reached
 };
 
-/// An object's outline prepared for many evaluations: area and tabulated points, shared by copies. Immutable.
+/// An outline, of an object or of a source, prepared for many evaluations: area and tabulated points, shared
+/// by copies. Immutable.
 class RadiatingContour {
 public:
     /// Any counter-clockwise shape, taken where it is. Throws std::invalid_argument when the area is not
@@ -48,19 +48,18 @@ private:
     std::shared_ptr<const Impl> m_impl;
 };
 
-/// F21 of the object at X_SO over the disk, with gradient, visibility and error estimate. Heated face along
+/// F21 of the object at X_SO over the source, with gradient, visibility and error estimate. Heated face along
 /// -z of O. Method: F21 is the circulation of the source's vector potential along the visible part of the
 /// outline; the gradient is the force and torque on a current loop in its curl. Two half-space cuts decide
 /// what is visible. Thread-safe; allocates only where the outline dips below the source plane or nearly
-/// touches the source's rim. Throws std::invalid_argument on a radius that is not positive or a pose that is
-/// not finite.
-ViewFactor viewFactor(const Disk& source, const RadiatingContour& object, const Pose& X_SO,
+/// touches the source's rim. Throws std::invalid_argument on a pose that is not finite and where the two
+/// faces overlap in one plane.
+ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
                       const ViewFactorOptions& options = {});
 
-/// Value only with a fixed number of points per smooth piece (no error estimate): for tables of many thousand
-/// poses. `points` is rounded up to 16, 32, 64, 128 or 256 on an uncut smooth outline. Throws as viewFactor
-/// does.
-double viewFactorFast(const Disk& source, const RadiatingContour& object, const Pose& X_SO, int points = 32);
+/// Value only, to an absolute tolerance: for tables of many thousand poses. Throws as viewFactor does.
+double viewFactorValue(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
+                       double tolerance = 1e-9);
 
 /// Radiation from the whole object to the source, the reference point moved from O's origin to E's origin:
 /// gradient about p_SE, so that it is the row of the interaction matrix for the end-effector's twist in S

@@ -12,7 +12,7 @@ std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
         shapes.push_back(object.shape);
         mountings.push_back(object.mounting);
     }
-    return std::make_shared<RigGeometry>(experiment.source.disk, shapes, mountings, experiment.robot);
+    return std::make_shared<RigGeometry>(experiment.source.shape, shapes, mountings, experiment.robot);
 }
 
 std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K) {
@@ -50,7 +50,7 @@ std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment) {
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     const SimulationSpec& simulation = experiment.simulation;
     SimulatedRigConfig config;
-    config.source = experiment.source.disk;
+    config.source = experiment.source.shape;
     config.sourceModel = experiment.source.model;
     config.sourceEmittance = experiment.source.emittance;
     config.sourceTemperature_K = experiment.source.temperature_K;

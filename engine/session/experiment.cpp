@@ -19,6 +19,8 @@ constexpr std::size_t kMaxNameLength = 64;
 constexpr std::size_t kMaxTitleLength = 1000;
 constexpr double kMaxBelievedRateErrorFactor = 8.0; // identification is bounded at 10
 constexpr std::size_t kMaxOutlinePoints = 200'000;
+constexpr double kMaxSourceRadius_m = 10.0;
+constexpr double kMaxObjectRadius_m = 1.0;
 
 /// Collects the first complaint; later checks are skipped.
 class Checker {
@@ -61,19 +63,6 @@ private:
     std::optional<Error> m_error;
 };
 
-void checkSource(Checker& check, const Experiment& e) {
-    check.positive("source.contour.radius_m", e.source.disk.radius_m, 10.0, "m");
-    check.quantity("source.", "temperature", EdgeUnit::Temperature, e.source.temperature_K, -50.0, 2000.0);
-    check.positive("source.emittance", e.source.emittance, 1.0);
-    check.quantity("environment.", "temperature", EdgeUnit::Temperature, e.environment_K, -50.0, 500.0);
-    if (check.failed())
-        return;
-    const double J =
-        netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K);
-    if (!(J > 0.0))
-        check.fail(MessageCode::SourceTooWeak, "source", {formatNumber(J)});
-}
-
 void checkPoints(Checker& check, const std::string& where, const std::vector<Eigen::Vector2d>& points) {
     if (points.size() > kMaxOutlinePoints)
         check.range(where, static_cast<double>(points.size()), 3.0, static_cast<double>(kMaxOutlinePoints),
@@ -95,27 +84,42 @@ void checkCoefficients(Checker& check, const std::string& where, const FourierCo
     }
 }
 
-void checkShape(Checker& check, const std::string& path, const ObjectSpec& object) {
-    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
-        check.positive(path + ".radius_m", disk->radius_m, 1.0, "m");
-    } else if (const auto* fourier = std::get_if<FourierContour>(&object.shape)) {
+/// `most_m`: greatest radius about the shape's origin.
+void checkShape(Checker& check, const std::string& path, const Shape& shape, const ContourOrigin& origin,
+                double most_m) {
+    if (const auto* disk = std::get_if<Disk>(&shape)) {
+        check.positive(path + ".radius_m", disk->radius_m, most_m, "m");
+    } else if (const auto* fourier = std::get_if<FourierContour>(&shape)) {
         checkCoefficients(check, path + ".coefficients", *fourier);
     } else {
-        const auto& points = std::get<Contour>(object.shape).points_m;
+        const auto& points = std::get<Contour>(shape).points_m;
         if (points.size() < 3)
             check.fail(MessageCode::ContourTooFewPoints, path + ".points_m", {to_string(points.size()), "3"});
         checkPoints(check, path + ".points_m", points);
     }
-    checkPoints(check, path + ".outline_m", object.origin.outline.points_m);
-    check.range(path + ".harmonics", object.origin.harmonics, 0.0, kMaxHarmonics);
+    checkPoints(check, path + ".outline_m", origin.outline.points_m);
+    check.range(path + ".harmonics", origin.harmonics, 0.0, kMaxHarmonics);
     if (check.failed())
         return;
-    if (!(shapeArea(object.shape) > 0.0))
+    if (!(shapeArea(shape) > 0.0))
         return check.fail(MessageCode::ContourZeroArea, path);
-    const double radius_m = shapeRadius(object.shape);
-    if (!(radius_m <= 1.0))
+    const double radius_m = shapeRadius(shape);
+    if (!(radius_m <= most_m))
         check.fail(MessageCode::ValueOutOfRange, path,
-                   {"a radius of " + formatNumber(radius_m), "0", "1", "m"});
+                   {"a radius of " + formatNumber(radius_m), "0", formatNumber(most_m), "m"});
+}
+
+void checkSource(Checker& check, const Experiment& e) {
+    checkShape(check, "source.contour", e.source.shape, e.source.origin, kMaxSourceRadius_m);
+    check.quantity("source.", "temperature", EdgeUnit::Temperature, e.source.temperature_K, -50.0, 2000.0);
+    check.positive("source.emittance", e.source.emittance, 1.0);
+    check.quantity("environment.", "temperature", EdgeUnit::Temperature, e.environment_K, -50.0, 500.0);
+    if (check.failed())
+        return;
+    const double J =
+        netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K);
+    if (!(J > 0.0))
+        check.fail(MessageCode::SourceTooWeak, "source", {formatNumber(J)});
 }
 
 void checkMaterial(Checker& check, const std::string& path, const Material& material) {
@@ -152,7 +156,7 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
         check.fail(MessageCode::NameNotPlain, path + ".name");
     else if (!names.insert(object.name).second)
         check.fail(MessageCode::DuplicateName, path + ".name", {object.name});
-    checkShape(check, path + ".contour", object);
+    checkShape(check, path + ".contour", object.shape, object.origin, kMaxObjectRadius_m);
     checkMaterial(check, path + ".material", object.material);
     for (int k = 0; k < 6; ++k) {
         const EdgeUnit unit = coordinateUnit(k);

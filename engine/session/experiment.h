@@ -15,21 +15,22 @@
 
 namespace bask {
 
-/// Heat source: a disk at S's origin, emitting along +z.
-struct SourceSpec {
-    Disk disk{0.10};
-    double temperature_K = 473.15; ///< set point; control uses the measured one
-    double emittance = 0.25;
-    SourceModel model = SourceModel::Gray;
-    bool operator==(const SourceSpec&) const = default;
-};
-
-/// Where an object's shape came from, kept so that it can be fitted again with other harmonics.
+/// Where a shape came from, kept so that it can be fitted again with other harmonics.
 struct ContourOrigin {
     std::string file;  ///< as given; informative once the outline is embedded
     Contour outline;   ///< raw outline, centred as imported; empty for a disk or plain coefficients
     int harmonics = 0; ///< of the fit in use; 0: none
     bool operator==(const ContourOrigin&) const = default;
+};
+
+/// Heat source: a shape about S's origin, emitting along +z.
+struct SourceSpec {
+    Shape shape = Disk{0.10};
+    double temperature_K = 473.15; ///< set point; control uses the measured one
+    double emittance = 0.25;
+    SourceModel model = SourceModel::Gray;
+    ContourOrigin origin;
+    bool operator==(const SourceSpec&) const = default;
 };
 
 struct ObjectSpec {

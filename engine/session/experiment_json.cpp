@@ -257,10 +257,10 @@ FourierContour readCoefficients(Fields& fields) {
 }
 
 /// An outline in a file beside the experiment, read and fitted now.
-void readImport(Fields& fields, const std::string& folder, ObjectSpec& object) {
+void readImport(Fields& fields, const std::string& folder, Shape& shape, ContourOrigin& origin) {
     ContourImportOptions options;
-    fields.read("file", object.origin.file, true);
-    fields.read("harmonics", object.origin.harmonics);
+    fields.read("file", origin.file, true);
+    fields.read("harmonics", origin.harmonics);
     if (fields.find("scale_px_per_mm") != nullptr)
         fields.read("scale_px_per_mm", options.scale_px_per_mm.emplace());
     if (fields.find("unit") != nullptr)
@@ -273,26 +273,26 @@ void readImport(Fields& fields, const std::string& folder, ObjectSpec& object) {
     fields.close();
     if (fields.failure())
         return;
-    const std::filesystem::path file = std::filesystem::path(folder) / object.origin.file;
+    const std::filesystem::path file = std::filesystem::path(folder) / origin.file;
     const Result<Contour> outline = readContour(file.string(), options);
     if (!outline) {
         fields.failure() = outline.error();
         fields.failure()->where = fields.pathOf("file") + ": " + outline.error().where;
         return;
     }
-    object.origin.outline = centred(*outline);
-    object.shape = object.origin.outline;
-    if (object.origin.harmonics == 0)
+    origin.outline = centred(*outline);
+    shape = origin.outline;
+    if (origin.harmonics == 0)
         return;
-    const Result<FourierFit> fit = fitFourier(object.origin.outline, object.origin.harmonics);
+    const Result<FourierFit> fit = fitFourier(origin.outline, origin.harmonics);
     if (fit)
-        object.shape = fit->contour;
+        shape = fit->contour;
     else
         fields.fail(fit.error().code(), fields.pathOf("harmonics"), fit.error().message.args);
 }
 
 void readContourForm(const json& j, const std::string& path, const std::string& folder, Failure& failure,
-                     ObjectSpec& object) {
+                     Shape& shape, ContourOrigin& origin) {
     enum class Form { Disk, Fourier, Polygon, Import };
     Fields fields(j, path, failure);
     Form form = Form::Disk;
@@ -306,22 +306,22 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
     if (failure)
         return;
     if (form == Form::Import)
-        return readImport(fields, folder, object);
+        return readImport(fields, folder, shape, origin);
     if (form == Form::Disk) {
         Disk disk;
         fields.read("radius_m", disk.radius_m, true);
-        object.shape = disk;
+        shape = disk;
     } else if (form == Form::Fourier) {
-        object.shape = readCoefficients(fields);
+        shape = readCoefficients(fields);
     } else {
         Contour polygon = readPoints(fields, "points_m", true);
         if (!polygon.points_m.empty() && contourCentroid(polygon).norm() > kCentredTolerance_m)
             polygon = centred(polygon);
-        object.shape = std::move(polygon);
+        shape = std::move(polygon);
     }
-    fields.read("file", object.origin.file);
-    fields.read("harmonics", object.origin.harmonics);
-    object.origin.outline = readPoints(fields, "outline_m", false);
+    fields.read("file", origin.file);
+    fields.read("harmonics", origin.harmonics);
+    origin.outline = readPoints(fields, "outline_m", false);
     fields.close();
 }
 
@@ -356,7 +356,7 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     fields.read("name", object.name, true);
     fields.read("target", EdgeUnit::Temperature, object.target_K, true);
     readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
-        readContourForm(part, where, folder, failure, object);
+        readContourForm(part, where, folder, failure, object.shape, object.origin);
     });
     readPart(fields, "material", true, [&](const json& part, const std::string& where) {
         readMaterial(part, where, failure, object.material);
@@ -368,17 +368,11 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     return object;
 }
 
-void readSource(const json& j, const std::string& path, Failure& failure, SourceSpec& out) {
+void readSource(const json& j, const std::string& path, const std::string& folder, Failure& failure,
+                SourceSpec& out) {
     Fields fields(j, path, failure);
     readPart(fields, "contour", true, [&](const json& part, const std::string& where) {
-        Fields contour(part, where, failure);
-        std::string type;
-        contour.read("type", type, true);
-        if (!type.empty() && type != "disk")
-            return contour.fail(MessageCode::SourceKindUnsupported, contour.pathOf("type"),
-                                {plainWords(type)});
-        contour.read("radius_m", out.disk.radius_m, true);
-        contour.close();
+        readContourForm(part, where, folder, failure, out.shape, out.origin);
     });
     fields.read("temperature", EdgeUnit::Temperature, out.temperature_K, true);
     fields.read("emittance", out.emittance, true);
@@ -502,7 +496,9 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
         readPart(root, key, required,
                  [&](const json& value, const std::string& where) { read(value, where, failure, out); });
     };
-    part("source", true, readSource, e.source);
+    readPart(root, "source", true, [&](const json& value, const std::string& where) {
+        readSource(value, where, folder, failure, e.source);
+    });
     readPart(root, "environment", true, [&](const json& value, const std::string& where) {
         Fields fields(value, where, failure);
         fields.read("temperature", EdgeUnit::Temperature, e.environment_K, true);

@@ -28,26 +28,26 @@ Json pointsJson(const std::vector<Eigen::Vector2d>& points) {
     return j;
 }
 
-Json contourJson(const ObjectSpec& object) {
+Json contourJson(const Shape& shape, const ContourOrigin& origin) {
     Json j;
-    if (const auto* disk = std::get_if<Disk>(&object.shape)) {
+    if (const auto* disk = std::get_if<Disk>(&shape)) {
         j["type"] = "disk";
         j["radius_m"] = disk->radius_m;
-    } else if (const auto* fourier = std::get_if<FourierContour>(&object.shape)) {
+    } else if (const auto* fourier = std::get_if<FourierContour>(&shape)) {
         j["type"] = "fourier";
         j["coefficients"] = Json::array();
         for (int k = -fourier->harmonics(); k <= fourier->harmonics(); ++k)
             j["coefficients"].push_back({k, fourier->coefficient(k).real(), fourier->coefficient(k).imag()});
     } else {
         j["type"] = "polygon";
-        j["points_m"] = pointsJson(std::get<Contour>(object.shape).points_m);
+        j["points_m"] = pointsJson(std::get<Contour>(shape).points_m);
     }
-    if (!object.origin.file.empty())
-        j["file"] = object.origin.file;
-    if (object.origin.harmonics != 0)
-        j["harmonics"] = object.origin.harmonics;
-    if (!object.origin.outline.points_m.empty())
-        j["outline_m"] = pointsJson(object.origin.outline.points_m);
+    if (!origin.file.empty())
+        j["file"] = origin.file;
+    if (origin.harmonics != 0)
+        j["harmonics"] = origin.harmonics;
+    if (!origin.outline.points_m.empty())
+        j["outline_m"] = pointsJson(origin.outline.points_m);
     return j;
 }
 
@@ -75,7 +75,7 @@ Json objectJson(const ObjectSpec& object) {
     Json j;
     j["name"] = object.name;
     putQuantity(j, "target", EdgeUnit::Temperature, object.target_K);
-    j["contour"] = contourJson(object);
+    j["contour"] = contourJson(object.shape, object.origin);
     j["material"] = materialJson(object.material);
     j["mounting"] = coordinatesJson(object.mounting);
     return j;
@@ -83,7 +83,7 @@ Json objectJson(const ObjectSpec& object) {
 
 Json sourceJson(const SourceSpec& source) {
     Json j;
-    j["contour"] = {{"type", "disk"}, {"radius_m", source.disk.radius_m}};
+    j["contour"] = contourJson(source.shape, source.origin);
     putQuantity(j, "temperature", EdgeUnit::Temperature, source.temperature_K);
     j["emittance"] = source.emittance;
     j["source_model"] = source.model == SourceModel::Paper ? "paper" : "gray";

@@ -88,10 +88,7 @@ void measureResidual(const std::vector<Eigen::Vector2d>& points, const std::vect
     fit.max_m = std::sqrt(most);
 }
 
-bool crosses(const FourierContour& contour) {
-    if (!(contour.area() > 0.0))
-        return true;
-    const int n = std::max(1024, 64 * contour.harmonics());
+std::optional<Crossing> findChordCrossing(const FourierContour& contour, int n) {
     std::vector<Eigen::Vector2d> points;
     points.reserve(static_cast<std::size_t>(n));
     for (int k = 0; k < n; ++k) {
@@ -99,7 +96,9 @@ bool crosses(const FourierContour& contour) {
         if (points.empty() || p != points.back())
             points.push_back(p);
     }
-    return points.size() < 3 || findCrossing(points).has_value();
+    if (points.size() < 3)
+        return Crossing{0, 0, points.front()};
+    return findCrossing(points);
 }
 
 } // namespace
@@ -173,6 +172,21 @@ Complex FourierContour::centroid() const {
     return a == 0.0 ? middle : middle + sum / Complex(0.0, 2.0 * n * a);
 }
 
+std::optional<Eigen::Vector2d> findCrossing(const FourierContour& contour) {
+    // Chords of close strands may cross where the curve does not, so a crossing has to stay among far shorter
+    // ones. Primes, so that the chords of a curve traced more than once do not lie on each other.
+    constexpr int kChords = 4099;
+    constexpr int kShortChords = 65537;
+    std::vector<Complex> coefficients = contour.coefficients();
+    const Complex middle =
+        std::exchange(coefficients.at(static_cast<std::size_t>(contour.harmonics())), Complex(0.0));
+    const FourierContour about(std::move(coefficients)); // far from the origin, digits would be lost
+    if (!findChordCrossing(about, kChords))
+        return std::nullopt;
+    const auto crossing = findChordCrossing(about, kShortChords);
+    return crossing ? std::optional<Eigen::Vector2d>(crossing->point + vectorOf(middle)) : std::nullopt;
+}
+
 Result<FourierFit> fitFourier(const Contour& outline, int harmonics) {
     if (harmonics < 1 || harmonics > kMaxHarmonics)
         return Error{MessageCode::HarmonicsOutOfRange,
@@ -187,7 +201,7 @@ Result<FourierFit> fitFourier(const Contour& outline, int harmonics) {
     measureResidual(outline.points_m, s, fit);
     c[static_cast<std::size_t>(harmonics)] -= fit.contour.centroid();
     fit.contour = FourierContour(std::move(c));
-    fit.crossesItself = crosses(fit.contour);
+    fit.crossesItself = !(fit.contour.area() > 0.0) || findCrossing(fit.contour).has_value();
     return fit;
 }
 

@@ -5,6 +5,7 @@
 #include "engine/shape/contour.h"
 
 #include <complex>
+#include <optional>
 #include <vector>
 
 namespace bask {
@@ -34,6 +35,10 @@ public:
 private:
     std::vector<std::complex<double>> m_coefficients;
 };
+
+/// A place (m) where the curve meets itself, laps of the same curve included; none when it is simple. Strands
+/// closer together than 1e-8 of the size may count as meeting, and loops as small may be missed.
+std::optional<Eigen::Vector2d> findCrossing(const FourierContour& contour);
 
 /// A fit and what it leaves: distances (m) between points of the outline and of the series at equal arc
 /// length.

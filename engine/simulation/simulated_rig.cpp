@@ -7,6 +7,8 @@
 namespace bask {
 namespace {
 
+constexpr double kTolerance = 1e-8; // of the view factors
+
 std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
     std::vector<PlantObject> objects;
     for (const SimulatedObject& object : config.objects)
@@ -19,7 +21,7 @@ std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
 SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
     : m_config(config), m_plant(plantObjects(config), config.environment_K, config.convection_W_m2K),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
-      m_source(config.sourceTemperature_K, config.environment_K, m_clock),
+      m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_sourceContour(config.source),
       m_computedAt(Vector6d::Constant(std::numeric_limits<double>::quiet_NaN())) {
     for (const SimulatedObject& object : config.objects) {
         m_contours.emplace_back(object.shape);
@@ -50,7 +52,7 @@ void SimulatedRig::step(double until_s) {
     if (q != m_computedAt) {
         const Pose X_SE = poseFromCoordinates(q);
         for (std::size_t i = 0; i < m_contours.size(); ++i)
-            m_F[i] = viewFactorFast(m_config.source, m_contours[i], X_SE * m_X_EO[i]);
+            m_F[i] = viewFactorValue(m_sourceContour, m_contours[i], X_SE * m_X_EO[i], kTolerance);
         m_computedAt = q;
     }
     const bool open = m_source.heating();

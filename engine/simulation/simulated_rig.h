@@ -18,7 +18,7 @@ struct SimulatedObject {
 };
 
 struct SimulatedRigConfig {
-    Disk source;
+    Shape source = Disk{0.10};
     SourceModel sourceModel = SourceModel::Gray;
     double sourceEmittance = 0.25;
     double sourceTemperature_K = 473.15;
@@ -62,6 +62,7 @@ private:
     SimulatedRobot m_robot;
     SimulatedThermometer m_thermometer;
     SimulatedHeatSource m_source;
+    RadiatingContour m_sourceContour;
     std::vector<double> m_F; ///< at m_computedAt
     Vector6d m_computedAt;
 };

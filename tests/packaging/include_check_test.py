@@ -13,6 +13,8 @@ CLEAN = {
     "engine/base/units.h": "#pragma once\n#include <numbers>\n",
     "engine/shape/contour.h": '#pragma once\n#include "engine/base/units.h"\n#include <Eigen/Core>\n',
     "engine/shape/contour_image.cpp": '#include "engine/shape/contour.h"\n#include <opencv2/imgproc.hpp>\n',
+    "engine/radiation/field.h": '#pragma once\n#include "engine/shape/contour.h"\n',
+    "engine/exchange/field_file.cpp": '#include "engine/radiation/field.h"\n#include <vtkImageData.h>\n',
     "engine/session/experiment.h": '#pragma once\n#include "engine/shape/contour.h"\n',
     "engine/session/experiment.cpp":
         '#include "engine/session/experiment.h"\n#include <QSqlQuery>\n#include <nlohmann/json.hpp>\n',
@@ -24,6 +26,8 @@ CLEAN = {
     "widgets/scene/view.h": '#pragma once\n#include <vtkNew.h>\n',
     "widgets/run/run_page.cpp": '#include "widgets/plots/plot.h"\n#include "widgets/scene/view.h"\n',
     "widgets/plots/plot.h": "#pragma once\n",
+    "widgets/plots/figure_png.h": "#pragma once\n",
+    "app/commands/study_command.cpp": '#include "widgets/plots/figure_png.h"\n',
     "app/main_window.cpp": '#include "engine/runtime/engine_worker.h"\n#include "widgets/common/chip.h"\n',
     "app/commands/run_command.cpp": '#include "engine/shape/contour.h"\n#include <QString>\n',
 }
@@ -106,6 +110,7 @@ class IncludeCheck(unittest.TestCase):
             ("engine/control/bad.cpp", "<opencv2/core.hpp>", "opencv"),
             ("widgets/run/bad.cpp", "<vtkActor.h>", "vtk"),
             ("engine/shape/bad.cpp", "<vtkActor.h>", "vtk"),
+            ("engine/exchange/bad.h", "<vtkImageData.h>", "vtk"),
             ("widgets/run/bad.cpp", "<qcustomplot.h>", "qcustomplot"),
             ("engine/session/bad.h", "<nlohmann/json.hpp>", "json"),
             ("engine/base/bad.cpp", "<boost/optional.hpp>", "library"),

@@ -1,11 +1,14 @@
 #include "widgets/scene/scene_props.h"
 
 #include "widgets/common/theme.h"
+#include "widgets/scene/source_glow.h"
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkContourTriangulator.h>
+#include <vtkFloatArray.h>
 #include <vtkIdList.h>
+#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -15,17 +18,17 @@
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkSmartPointer.h>
+#include <vtkTexture.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <optional>
 
 namespace bask {
 
 namespace {
 
-constexpr int kOutlinePoints = 160;
 constexpr double kGridStep_m = 0.05;
 // Incandescent, and nothing else on screen has it: middle and rim of the source.
 constexpr QRgb kSourceMiddle = 0xffffb45c;
@@ -93,19 +96,6 @@ void setSegments(vtkPolyData& data, const Points& points) {
     data.SetLines(lines);
 }
 
-/// The inside of an outline, convex or not. An outline that crosses itself may stay empty: its line is drawn
-/// all the same.
-void setFilled(vtkPolyData& data, const Points& outline) {
-    const vtkSmartPointer<vtkPoints> points = pointsOf(outline);
-    vtkNew<vtkIdList> polygon;
-    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-        polygon->InsertNextId(i);
-    vtkNew<vtkCellArray> triangles;
-    vtkContourTriangulator::TriangulatePolygon(polygon, points, triangles);
-    data.SetPoints(points);
-    data.SetPolys(triangles);
-}
-
 Points flat(const std::vector<Eigen::Vector2d>& outline) {
     Points points;
     points.reserve(outline.size());
@@ -114,66 +104,89 @@ Points flat(const std::vector<Eigen::Vector2d>& outline) {
     return points;
 }
 
-/// Rings from the middle to the rim, coloured by vertex.
-void setGlowingDisk(vtkPolyData& data, double radius_m) {
-    constexpr int kAround = 96;
-    constexpr int kRings = 8;
-    const QColor middle = QColor::fromRgb(kSourceMiddle);
-    const QColor rim = QColor::fromRgb(kSourceRim);
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkCellArray> strips;
-    vtkNew<vtkUnsignedCharArray> colours;
-    colours->SetNumberOfComponents(3);
-    for (int ring = 0; ring <= kRings; ++ring) {
-        const double t = static_cast<double>(ring) / kRings;
-        const double weight = t * t;
-        for (int i = 0; i < kAround; ++i) {
-            const double angle = 2.0 * std::numbers::pi * i / kAround;
-            points->InsertNextPoint(t * radius_m * std::cos(angle), t * radius_m * std::sin(angle), 0.0);
-            const auto mix = [weight](int a, int b) {
-                return static_cast<unsigned char>(std::lround(a + (b - a) * weight));
-            };
-            colours->InsertNextValue(mix(middle.red(), rim.red()));
-            colours->InsertNextValue(mix(middle.green(), rim.green()));
-            colours->InsertNextValue(mix(middle.blue(), rim.blue()));
-        }
-        if (ring == 0)
-            continue;
-        strips->InsertNextCell(2 * (kAround + 1));
-        for (int i = 0; i <= kAround; ++i) {
-            strips->InsertCellPoint((ring - 1) * kAround + i % kAround);
-            strips->InsertCellPoint(ring * kAround + i % kAround);
+/// The inside of an outline as rows so thin that their steps hide under its line.
+void addRows(vtkPoints& points, vtkCellArray& cells, const std::vector<Eigen::Vector2d>& outline) {
+    constexpr int kRows = 400;
+    const Eigen::AlignedBox2d box = boxOf(outline);
+    const double step = box.sizes().y() / kRows;
+    for (int row = 0; row < kRows; ++row) {
+        const double y = box.min().y() + row * step;
+        const std::vector<double> ends = outlineCrossings(outline, 0, y + 0.5 * step);
+        for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+            cells.InsertNextCell(4);
+            cells.InsertCellPoint(points.InsertNextPoint(ends[k], y, 0.0));
+            cells.InsertCellPoint(points.InsertNextPoint(ends[k + 1], y, 0.0));
+            cells.InsertCellPoint(points.InsertNextPoint(ends[k + 1], y + step, 0.0));
+            cells.InsertCellPoint(points.InsertNextPoint(ends[k], y + step, 0.0));
         }
     }
+}
+
+/// The inside of an outline, convex or not.
+void setFilled(vtkPolyData& data, const std::vector<Eigen::Vector2d>& outline) {
+    const vtkSmartPointer<vtkPoints> points = pointsOf(flat(outline));
+    vtkNew<vtkIdList> polygon;
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+        polygon->InsertNextId(i);
+    vtkNew<vtkCellArray> cells;
+    // No triangles for an outline that crosses itself, as fits of few harmonics do.
+    if (vtkContourTriangulator::TriangulatePolygon(polygon, points, cells) == 0) {
+        cells->Reset();
+        addRows(*points, *cells, outline);
+    }
     data.SetPoints(points);
-    data.SetStrips(strips);
-    data.GetPointData()->SetScalars(colours);
+    data.SetPolys(cells);
+}
+
+/// Colours the inside of an outline from its middle to its rim, by a texture.
+void setGlow(vtkPolyData& data, vtkTexture& texture, const std::vector<Eigen::Vector2d>& outline) {
+    constexpr int kCells = 64;
+    const Eigen::AlignedBox2d box = boxOf(outline);
+    vtkNew<vtkFloatArray> places;
+    places->SetNumberOfComponents(2);
+    for (vtkIdType i = 0; i < data.GetNumberOfPoints(); ++i) {
+        const Eigen::Vector2d p(data.GetPoint(i));
+        const Eigen::Vector2d place = (p - box.min()).cwiseQuotient(box.sizes());
+        places->InsertNextTuple(place.data());
+    }
+    data.GetPointData()->SetTCoords(places);
+    const QColor middle = QColor::fromRgb(kSourceMiddle);
+    const QColor rim = QColor::fromRgb(kSourceRim);
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(kCells, kCells, 1);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+    auto* out = static_cast<unsigned char*>(image->GetScalarPointer());
+    for (const double glow : sourceGlow(outline, box, kCells)) {
+        const auto mix = [glow](int a, int b) {
+            return static_cast<unsigned char>(std::lround(a + (b - a) * glow));
+        };
+        *out++ = mix(rim.red(), middle.red());
+        *out++ = mix(rim.green(), middle.green());
+        *out++ = mix(rim.blue(), middle.blue());
+    }
+    texture.SetInputData(image);
 }
 
 /// Floor lines every kGridStep_m, left out where the source lies on them.
-Points gridLines(const Box& frame, double sourceRadius_m) {
+Points gridLines(const Box& frame, const std::vector<Eigen::Vector2d>& source) {
     Points points;
-    const auto add = [&](int axis) {
-        const int other = 1 - axis;
-        const auto piece = [&](double at, double from, double to) {
-            for (const double end : {from, to}) {
+    for (const int along : {1, 0}) {
+        const int across = 1 - along;
+        const double first = std::ceil(frame.min()[across] / kGridStep_m - 1e-9);
+        for (double k = first; k * kGridStep_m <= frame.max()[across] + 1e-9; k += 1.0) {
+            const double at = k * kGridStep_m;
+            // The frame holds the source, so that the ends ascend.
+            std::vector<double> ends = outlineCrossings(source, along, at);
+            ends.insert(ends.begin(), frame.min()[along]);
+            ends.push_back(frame.max()[along]);
+            for (const double end : ends) {
                 Eigen::Vector3d p = Eigen::Vector3d::Zero();
-                p[axis] = at;
-                p[other] = end;
+                p[across] = at;
+                p[along] = end;
                 points.push_back(p);
             }
-        };
-        const double first = std::ceil(frame.min()[axis] / kGridStep_m - 1e-9);
-        for (double k = first; k * kGridStep_m <= frame.max()[axis] + 1e-9; k += 1.0) {
-            const double at = k * kGridStep_m;
-            const double half = std::sqrt(std::max(0.0, sourceRadius_m * sourceRadius_m - at * at));
-            // The frame holds the source, so the two pieces never turn round.
-            piece(at, frame.min()[other], -half);
-            piece(at, half, frame.max()[other]);
         }
-    };
-    add(0);
-    add(1);
+    }
     return points;
 }
 
@@ -207,12 +220,19 @@ struct ObjectParts {
 } // namespace
 
 struct SceneProps::Impl {
-    explicit Impl(vtkRenderer& target) : renderer(target) {}
+    explicit Impl(vtkRenderer& target) : renderer(target) {
+        glow->InterpolateOn();
+        glow->RepeatOff();
+        glow->EdgeClampOn();
+        source.actor->SetTexture(glow);
+    }
 
     vtkRenderer& renderer;
     SceneColours colours;
     double lineScale = 1.0;
     Part source;
+    vtkNew<vtkTexture> glow;
+    std::optional<Shape> glowing; ///< what source, glow and rim show
     Part sourceRim;
     Part grid;
     Part workspace;
@@ -250,11 +270,15 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
     m->renderer.RemoveAllViewProps();
     m->objects.clear();
 
-    setGlowingDisk(*m->source.data, experiment.source.disk.radius_m);
-    m->source.mapper->ScalarVisibilityOn();
-    setPolyline(*m->sourceRim.data, flat(shapeOutline(Shape(experiment.source.disk), kOutlinePoints)), true);
+    const std::vector<Eigen::Vector2d> source = shapeOutline(experiment.source.shape, kOutlinePoints);
+    if (m->glowing != experiment.source.shape) {
+        setFilled(*m->source.data, source);
+        setGlow(*m->source.data, *m->glow, source);
+        setPolyline(*m->sourceRim.data, flat(source), true);
+        m->glowing = experiment.source.shape;
+    }
     m->sourceRim.width_px = 3.0F;
-    setSegments(*m->grid.data, gridLines(frame, experiment.source.disk.radius_m));
+    setSegments(*m->grid.data, gridLines(frame, source));
     const RobotLimits& robot = experiment.robot;
     m->workspaceBox = Box(robot.lower.head<3>().eval(), robot.upper.head<3>().eval());
     m->nearest = -1;
@@ -263,9 +287,9 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
     for (const ObjectSpec& spec : experiment.objects) {
         ObjectParts object;
         object.X_EO = poseFromCoordinates(spec.mounting);
-        const Points outline = flat(shapeOutline(spec.shape, kOutlinePoints));
+        const std::vector<Eigen::Vector2d> outline = shapeOutline(spec.shape, kOutlinePoints);
         setFilled(*object.fill.data, outline);
-        setPolyline(*object.outline.data, outline, true);
+        setPolyline(*object.outline.data, flat(outline), true);
         object.outline.width_px = 3.0F;
         setSegments(*object.mount.data, {Eigen::Vector3d::Zero(), object.X_EO.translation()});
         object.mount.width_px = 2.0F;

@@ -15,6 +15,8 @@ class vtkRenderer;
 
 namespace bask {
 
+inline constexpr int kOutlinePoints = 160; ///< of a curved outline in the picture
+
 /// Colours of everything that is not a temperature.
 struct SceneColours {
     bool dark = false;

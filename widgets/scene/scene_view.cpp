@@ -37,13 +37,19 @@ double temperatureOf_K(const ObjectSample& sample) {
     return std::isfinite(sample.true_K) && sample.true_K > 0.0 ? sample.true_K : kUnknown;
 }
 
+std::vector<Eigen::Vector3d> labelOutline(const Shape& shape) {
+    std::vector<Eigen::Vector3d> points;
+    for (const Eigen::Vector2d& p : shapeOutline(shape, kLabelOutline))
+        points.emplace_back(p.x(), p.y(), 0.0);
+    return points;
+}
+
 /// Workspace and source: what the axes measure and the presets show.
 Box frameOf(const Experiment& experiment) {
     Box box(experiment.robot.lower.head<3>().eval());
     box.extend(experiment.robot.upper.head<3>().eval());
-    const double r = experiment.source.disk.radius_m;
-    box.extend(Eigen::Vector3d(-r, -r, 0.0));
-    box.extend(Eigen::Vector3d(r, r, 0.0));
+    for (const Eigen::Vector2d& p : shapeOutline(experiment.source.shape, kOutlinePoints))
+        box.extend(Eigen::Vector3d(p.x(), p.y(), 0.0));
     // A plane or a line is no box: give it some height.
     const double least = 0.1 * box.diagonal().norm();
     for (int axis = 0; axis < 3; ++axis)
@@ -145,8 +151,7 @@ OverlayContent SceneView::Impl::overlayContent(bool dark) const {
     source.optional = true;
     source.value =
         formatTemperature(std::isfinite(source_K) ? source_K : experiment.source.temperature_K, unit, 0);
-    for (const Eigen::Vector2d& p : shapeOutline(Shape(experiment.source.disk), kLabelOutline))
-        source.outline_S.emplace_back(p.x(), p.y(), 0.0);
+    source.outline_S = labelOutline(experiment.source.shape);
     result.labels.push_back(source);
     return result;
 }
@@ -234,9 +239,7 @@ void SceneView::setExperiment(const Experiment& experiment) {
     m->outlines_O.clear();
     for (const ObjectSpec& object : experiment.objects) {
         m->X_EO.push_back(poseFromCoordinates(object.mounting));
-        m->outlines_O.emplace_back();
-        for (const Eigen::Vector2d& p : shapeOutline(object.shape, kLabelOutline))
-            m->outlines_O.back().emplace_back(p.x(), p.y(), 0.0);
+        m->outlines_O.push_back(labelOutline(object.shape));
     }
     m->resetTrace();
     m->rebuild = true;

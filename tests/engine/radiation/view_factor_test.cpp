@@ -15,6 +15,15 @@ using test::Draw;
 
 constexpr double kPi = std::numbers::pi;
 
+ViewFactor viewFactor(const Disk& source, const RadiatingContour& object, const Pose& X_SO,
+                      const ViewFactorOptions& options = {}) {
+    return bask::viewFactor(RadiatingContour(source), object, X_SO, options);
+}
+double viewFactorValue(const Disk& source, const RadiatingContour& object, const Pose& X_SO,
+                       double tolerance = 1e-9) {
+    return bask::viewFactorValue(RadiatingContour(source), object, X_SO, tolerance);
+}
+
 Pose poseAt(double x, double y, double z, double rx = 0.0, double ry = 0.0, double rz = 0.0) {
     return poseFromRotationVector({x, y, z}, {rx, ry, rz});
 }
@@ -48,25 +57,24 @@ TEST(ViewFactor, meetsTheReferenceCases) {
     const auto cases = nlohmann::json::parse(file)["cases"];
     int checked = 0;
     for (const auto& one : cases) {
-        if (one["source"]["type"] != "disk")
-            continue;
         SCOPED_TRACE(one["id"].get<std::string>());
-        const Disk source{one["source"]["radius_m"].get<double>()};
+        const RadiatingContour source(shapeOf(one["source"]));
         const Pose X_SO = poseFromRotationVector(vectorOf(one["pose"]["translation_m"]),
                                                  vectorOf(one["pose"]["rotation_vector_rad"]));
         const RadiatingContour object(shapeOf(one["object"]));
-        const ViewFactor f = viewFactor(source, object, X_SO);
-        EXPECT_NEAR(f.value, one["view_factor"].get<double>(), 1e-12);
+        const ViewFactor f = bask::viewFactor(source, object, X_SO);
+        EXPECT_NEAR(f.value, one["view_factor"].get<double>(), 1e-10);
         EXPECT_EQ(visibilityName(f.visibility), one["visibility"].get<std::string>());
-        EXPECT_NEAR(viewFactorFast(source, object, X_SO), f.value, 1e-5);
+        EXPECT_NEAR(bask::viewFactorValue(source, object, X_SO), f.value, 1e-10);
+        EXPECT_NEAR(bask::viewFactorValue(source, object, X_SO, 1e-4), f.value, 1e-4);
         Vector6d expected;
         for (int i = 0; i < 6; ++i)
             expected[i] = one["gradient"][static_cast<std::size_t>(i)].get<double>();
-        EXPECT_LE((f.gradient - expected).head<3>().norm(), 1e-8 * expected.head<3>().norm());
-        EXPECT_LE((f.gradient - expected).tail<3>().norm(), 1e-8 * expected.tail<3>().norm());
+        EXPECT_LE((f.gradient - expected).head<3>().norm(), 1e-7 * expected.head<3>().norm());
+        EXPECT_LE((f.gradient - expected).tail<3>().norm(), 1e-7 * expected.tail<3>().norm());
         ++checked;
     }
-    EXPECT_EQ(checked, 40);
+    EXPECT_EQ(checked, 60);
 }
 
 // Catches: loss of digits. Values known to 15 digits; source disk 15 cm, object disk 1.5 cm.
@@ -236,24 +244,8 @@ TEST(ViewFactor, errorEstimateIsHonestAndNothingIsNotANumber) {
         EXPECT_LE(f.errorEstimate, 1e-7) << "pose " << i;
         const ViewFactor rough = viewFactor({r1}, object, X_SO, {1e-4, 4096});
         EXPECT_LE(std::abs(rough.value - sharp.value), 1e-4) << "pose " << i;
-        EXPECT_NEAR(viewFactorFast({r1}, object, X_SO), sharp.value, 5e-3) << "pose " << i;
+        EXPECT_NEAR(viewFactorValue({r1}, object, X_SO), sharp.value, 5e-3) << "pose " << i;
     }
-}
-
-// Catches: a kink in the tables that would make the trapezoidal rule converge like a power instead of
-// exponentially.
-TEST(ViewFactor, convergesExponentiallyInThePoints) {
-    Draw draw(29);
-    const RadiatingContour object(draw.fourier(0.04, 0.25));
-    const Pose X_SO = poseAt(0.07, 0.0, 0.008, 0.05, 0.02, 0.3);
-    const double exact = viewFactor({0.1}, object, X_SO, {1e-15, 1 << 16}).value;
-    double error[4];
-    for (int i = 0; i < 4; ++i)
-        error[i] = std::abs(viewFactorFast({0.1}, object, X_SO, 16 << i) - exact);
-    // A rule of fixed order would divide the error by the same number at every doubling.
-    EXPECT_GT(error[1], 1e-10) << "too easy a pose to show anything";
-    EXPECT_GT(error[1] / error[2], 5.0 * error[0] / error[1]);
-    EXPECT_LT(error[3], 1e-13);
 }
 
 // Catches: a result with few points allowed that claims more than it has.
@@ -274,8 +266,7 @@ TEST(ViewFactor, isZeroWhereNothingIsSeen) {
     const Pose hidden[] = {
         poseAt(0, 0, 0.05, kPi),                   // faces away
         poseAt(0.02, 0.01, -0.05),                 // behind the source
-        poseAt(0, 0, 0),                           // both in one plane
-        poseAt(0.3, 0, 0, 0, 0, 1.0),              // so beside it
+        poseAt(0.3, 0, 0, 0, 0, 1.0),              // both in one plane, apart
         poseAt(-0.3, 0, 0.03, 0, 0.9),             // the source lies behind the object's plane
         poseAt(0, 0, -0.05, touching + 0.2),       // behind and tilted
         poseAt(0.4, 0, -0.0301, 0, kPi / 2),       // upright, wholly below
@@ -289,7 +280,7 @@ TEST(ViewFactor, isZeroWhereNothingIsSeen) {
             EXPECT_EQ(f.visibility, Visibility::Hidden);
             EXPECT_EQ(f.value, 0.0);
             EXPECT_EQ(f.gradient, Vector6d(Vector6d::Zero()));
-            EXPECT_EQ(viewFactorFast(source, object, X_SO), 0.0);
+            EXPECT_EQ(viewFactorValue(source, object, X_SO), 0.0);
         }
     }
 }
@@ -302,13 +293,13 @@ TEST(ViewFactor, isContinuousWhereCutsBegin) {
     for (double angle : {1e-15, 1e-12, 1e-9, 1e-6}) {
         const double tilt =
             std::atan2(0.05, 0.1); // the plane of an object 5 cm over the centre meets the rim
-        const ViewFactor before = viewFactor(source, object, poseAt(0, 0, 0.05, tilt - angle));
-        const ViewFactor after = viewFactor(source, object, poseAt(0, 0, 0.05, tilt + angle));
+        const ViewFactor before = viewFactor(source, object, poseAt(0, 0, 0.05, tilt - angle), {1e-13});
+        const ViewFactor after = viewFactor(source, object, poseAt(0, 0, 0.05, tilt + angle), {1e-13});
         EXPECT_NEAR(before.value, after.value, 20 * angle + 1e-12);
         EXPECT_LE((before.gradient - after.gradient).norm(), 200 * angle + 1e-9);
         const double z = 0.03 * std::sin(lean);
-        const ViewFactor above = viewFactor(source, object, poseAt(0.2, 0, z + angle, 0, lean));
-        const ViewFactor below = viewFactor(source, object, poseAt(0.2, 0, z - angle, 0, lean));
+        const ViewFactor above = viewFactor(source, object, poseAt(0.2, 0, z + angle, 0, lean), {1e-13});
+        const ViewFactor below = viewFactor(source, object, poseAt(0.2, 0, z - angle, 0, lean), {1e-13});
         EXPECT_NEAR(above.value, below.value, 50 * angle + 1e-12);
         EXPECT_LE((above.gradient - below.gradient).norm(), 5000 * angle + 1e-8);
         EXPECT_NE(above.visibility, Visibility::Hidden);
@@ -363,13 +354,29 @@ TEST(ViewFactor, gradientAboutAnotherPointIsTheDerivativeOfTurningAboutIt) {
     }
 }
 
+// Catches: a number for faces in one plane, where it would be 1 or 0 by a rounding error; and a refusal of
+// faces that lie apart or only share an edge.
+TEST(ViewFactor, refusesFacesThatOverlapInOnePlane) {
+    const Contour square{{{0.05, 0.05}, {-0.05, 0.05}, {-0.05, -0.05}, {0.05, -0.05}}};
+    const Contour bar{{{0.2, 0.01}, {-0.2, 0.01}, {-0.2, -0.01}, {0.2, -0.01}}};
+    const RadiatingContour source(square);
+    for (const Pose& X_SO : {poseAt(0, 0, 0), poseAt(0.02, 0.01, 0, 0, 0, 0.4), poseAt(0, 0, 0, kPi)}) {
+        EXPECT_THROW(bask::viewFactor(source, RadiatingContour(square), X_SO), std::invalid_argument);
+        EXPECT_THROW(bask::viewFactor(source, RadiatingContour(bar), X_SO), std::invalid_argument);
+        EXPECT_THROW(bask::viewFactor(source, RadiatingContour(Disk{0.001}), X_SO), std::invalid_argument);
+        EXPECT_THROW(bask::viewFactorValue(source, RadiatingContour(Disk{1.0}), X_SO), std::invalid_argument);
+    }
+    for (const Pose& X_SO : {poseAt(0.1, 0, 0), poseAt(0.1, 0.1, 0), poseAt(0.3, 0, 0)})
+        EXPECT_EQ(bask::viewFactor(source, RadiatingContour(square), X_SO).value, 0.0);
+}
+
 // Catches: a broken contract that would go on as NaN into a controller.
 TEST(ViewFactor, refusesWhatIsNoPoseOrNoShape) {
     const RadiatingContour object(Disk{0.02});
     EXPECT_THROW(viewFactor({0.0}, object, poseAt(0, 0, 0.1)), std::invalid_argument);
     EXPECT_THROW(viewFactor({-1.0}, object, poseAt(0, 0, 0.1)), std::invalid_argument);
     EXPECT_THROW(viewFactor({0.1}, object, poseAt(0, 0, std::nan(""))), std::invalid_argument);
-    EXPECT_THROW(viewFactorFast({std::nan("")}, object, poseAt(0, 0, 0.1)), std::invalid_argument);
+    EXPECT_THROW(viewFactorValue({std::nan("")}, object, poseAt(0, 0, 0.1)), std::invalid_argument);
     EXPECT_THROW(RadiatingContour(Disk{0.0}), std::invalid_argument);
     EXPECT_THROW(RadiatingContour(FourierContour({0.02, 0.0, 0.0})), std::invalid_argument);
     EXPECT_THROW(RadiatingContour(Contour{{{0, 0}, {1, 0}, {2, 0}}}), std::invalid_argument);

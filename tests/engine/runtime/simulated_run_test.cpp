@@ -69,6 +69,19 @@ TEST(Example, OtherReachableTargetsSettleToo) {
     }
 }
 
+// Catches a source that is no disk lost on the way to the controller or to the simulated rig.
+TEST(Example, OverARectangularPlateBothSettleInUnder180Seconds) {
+    Experiment experiment = example("rectangular-plate.json");
+    ASSERT_TRUE(std::holds_alternative<Contour>(experiment.source.shape));
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        experiment.simulation.seed = seed;
+        const RunOutcome outcome = run(experiment);
+        EXPECT_TRUE(outcome.settled) << "seed " << seed;
+        for (const ObjectOutcome& object : outcome.objects)
+            EXPECT_LT(object.settlingTime_s.value_or(1e9), 180.0) << object.name << ", seed " << seed;
+    }
+}
+
 TEST(Example, InALineItEndsAtTheBestCompromiseAndSaysSo) {
     const RunOutcome outcome = run(example("three-objects-in-line.json"), 900.0);
     EXPECT_FALSE(outcome.settled);

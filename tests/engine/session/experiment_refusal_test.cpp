@@ -87,8 +87,12 @@ INSTANTIATE_TEST_SUITE_P(
                       Change{"/version", "0", ValueOutOfRange, "version"},
                       Change{"/controller/kind", "\"pid\"", ValueUnknown, "controller.kind"},
                       Change{"/source/source_model", "\"white\"", ValueUnknown, "source.source_model"},
-                      Change{"/source/contour/type", "\"polygon\"", SourceKindUnsupported,
-                             "source.contour.type"},
+                      Change{"/source/contour/type", "\"square\"", ValueUnknown, "source.contour.type"},
+                      Change{"/source/contour/type", "7", JsonWrongType, "source.contour.type"},
+                      Change{"/source/contour/type", "", JsonMissingKey, "source.contour"},
+                      Change{"/source/contour/type", "\"polygon\"", JsonUnknownKey, "source.contour"},
+                      Change{"/source/contour", "", JsonMissingKey, "source"},
+                      Change{"/source/contour/radius_cm", "1", JsonUnknownKey, "source.contour"},
                       Change{"/objects/0/contour/type", "\"blob\"", ValueUnknown, "objects[0].contour.type"},
                       Change{"/objects/0/target_K", "300", JsonTwoSpellings, "objects[0]"},
                       Change{"/simulation/seed", "-1", ValueOutOfRange, "simulation.seed"},
@@ -101,6 +105,8 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"/objects/1/contour/radius_m", "-0.01", ValueNotPositive, "objects[1].contour.radius_m"},
         Change{"/objects/1/contour/radius_m", "0", ValueNotPositive, "objects[1].contour.radius_m"},
         Change{"/source/contour/radius_m", "-1", ValueNotPositive, "source.contour.radius_m"},
+        Change{"/source/contour/radius_m", "10.1", ValueOutOfRange, "source.contour.radius_m"},
+        Change{"/objects/1/contour/radius_m", "1.1", ValueOutOfRange, "objects[1].contour.radius_m"},
         Change{"/objects/1/material/emittance", "1.5", ValueOutOfRange, "objects[1].material.emittance"},
         Change{"/objects/1/material/absorptance", "0", ValueNotPositive, "objects[1].material.absorptance"},
         Change{"/objects/1/material/infill", "1.01", ValueOutOfRange, "objects[1].material.infill"},
@@ -160,7 +166,26 @@ INSTANTIATE_TEST_SUITE_P(
                JsonUnknownKey, "objects[0].contour"},
         Change{"/objects/0/contour", R"({"type":"import","file":"x.csv","unit":"furlong"})", ValueUnknown,
                "objects[0].contour.unit"},
-        Change{"/objects/0/contour", R"({"type":"import"})", JsonMissingKey, "objects[0].contour"}));
+        Change{"/objects/0/contour", R"({"type":"import"})", JsonMissingKey, "objects[0].contour"},
+        Change{"/source/contour", R"({"type":"polygon","points_m":[[0,0],[1,0]]})", ContourTooFewPoints,
+               "source.contour.points_m"},
+        Change{"/source/contour", R"({"type":"polygon","points_m":[[0,0],[0.2,0.2],[0.2,0],[0,0.2]]})",
+               ContourCrossing, "source.contour.points_m"},
+        Change{"/source/contour", R"({"type":"polygon","points_m":[[0,0],[0,20],[20,20],[20,0]]})",
+               ValueOutOfRange, "source.contour"},
+        Change{"/source/contour", R"({"type":"fourier","coefficients":[[1,0.1]]})", JsonWrongType,
+               "source.contour.coefficients[0]"},
+        Change{"/source/contour", R"({"type":"fourier","coefficients":[[41,0.1,0]]})", HarmonicsOutOfRange,
+               "source.contour.coefficients"},
+        Change{"/source/contour", R"({"type":"fourier","coefficients":[]})", ContourZeroArea,
+               "source.contour"},
+        Change{"/source/contour", R"({"type":"fourier","coefficients":[[1,10.1,0]]})", ValueOutOfRange,
+               "source.contour"},
+        Change{"/source/contour", R"({"type":"fourier","coefficients":[[1,0.1,0]],"harmonics":41})",
+               ValueOutOfRange, "source.contour.harmonics"},
+        Change{"/source/contour", R"({"type":"import","file":"x.csv","unit":"furlong"})", ValueUnknown,
+               "source.contour.unit"},
+        Change{"/source/contour", R"({"type":"import"})", JsonMissingKey, "source.contour"}));
 
 TEST(Refusal, NamesTheMissingContourFile) {
     json j = base();
@@ -168,6 +193,8 @@ TEST(Refusal, NamesTheMissingContourFile) {
     const Error error = refused(j.dump());
     EXPECT_EQ(error.code(), FileNotFound);
     EXPECT_EQ(error.where, "e.json: objects[0].contour.file: /nowhere/gone.csv");
+    j["source"]["contour"] = j["objects"][0]["contour"];
+    EXPECT_EQ(refused(j.dump()).where, "e.json: source.contour.file: /nowhere/gone.csv");
 }
 
 TEST(Refusal, NamesTheAllowedRangeAndTheKnownKeys) {
@@ -234,6 +261,9 @@ TEST(Refusal, NumbersOutOfReachInTheValue) {
     e = testing::twoDisks();
     e.objects[0].shape = FourierContour();
     EXPECT_EQ(validate(e).error().code(), HarmonicsOutOfRange);
+    e = testing::twoDisks();
+    e.source.shape = Contour{{{0.1, 0.0}, {0.0, std::nan("")}, {-0.1, 0.0}}};
+    EXPECT_EQ(validate(e).error().where, "source.contour.points_m");
     e = testing::twoDisks();
     e.objects[1].mounting[kY] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(validate(e).error().where, "objects[1].mounting.y_cm");

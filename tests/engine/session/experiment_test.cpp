@@ -37,7 +37,7 @@ std::vector<std::string> exampleNames() {
 }
 
 TEST(Examples, AllAreReadAndValid) {
-    EXPECT_EQ(exampleNames().size(), 6u);
+    EXPECT_EQ(exampleNames().size(), 7u);
     for (const std::string& name : exampleNames()) {
         const Experiment e = example(name);
         EXPECT_FALSE(e.objects.empty()) << name;
@@ -48,7 +48,7 @@ TEST(Examples, AllAreReadAndValid) {
 TEST(Examples, ThreeObjectsAreTheCommonScenario) {
     const Experiment e = example("three-objects.json");
     ASSERT_EQ(e.objects.size(), 3u);
-    EXPECT_EQ(e.source, (SourceSpec{Disk{0.1}, 473.15, 0.25, SourceModel::Gray}));
+    EXPECT_EQ(e.source, (SourceSpec{Disk{0.1}, 473.15, 0.25, SourceModel::Gray, {}}));
     EXPECT_EQ(e.environment_K, 298.15);
     EXPECT_EQ(e.robot, RobotLimits{});
     EXPECT_EQ(e.start, (Experiment{}.start));
@@ -95,7 +95,7 @@ public:
     Experiment make() {
         Experiment e;
         e.title = "Caf\u00e9 \"quoted\"\n\u5f00\u59cb";
-        e.source = {Disk{real(0.05, 0.2)}, real(400, 700), real(0.5, 1), SourceModel::Gray};
+        e.source = source();
         e.environment_K = real(250, 310);
         e.robot.maxSpeed_m_s = real(0.001, 0.1);
         e.robot.maxRotation_rad_s = real(0.01, 1);
@@ -124,21 +124,33 @@ public:
 private:
     double real(double least, double most) { return std::uniform_real_distribution(least, most)(m_random); }
 
-    ObjectSpec object(const char* name, int kind) {
-        ObjectSpec o;
-        o.name = name;
+    void shape(int kind, Shape& shape, ContourOrigin& origin) {
         if (kind == 0) {
-            o.shape = Disk{real(0.001, 0.05)};
+            shape = Disk{real(0.001, 0.05)};
         } else if (kind == 1) {
             std::vector<std::complex<double>> c{
                 {real(-1, 1), real(-1, 1)}, {0, 0}, {30.0 + real(0, 1), real(0, 1)}};
             for (auto& value : c)
                 value *= 1e-3;
-            o.shape = FourierContour(c);
-            o.origin = {"dir/file \\ name.csv", polygon(), 1};
+            shape = FourierContour(c);
+            origin = {"dir/file \\ name.csv", polygon(), 1};
         } else {
-            o.shape = polygon();
+            shape = polygon();
         }
+    }
+
+    SourceSpec source() {
+        SourceSpec s;
+        shape(static_cast<int>(m_random() % 3), s.shape, s.origin);
+        s.temperature_K = real(400, 700);
+        s.emittance = real(0.5, 1);
+        return s;
+    }
+
+    ObjectSpec object(const char* name, int kind) {
+        ObjectSpec o;
+        o.name = name;
+        shape(kind, o.shape, o.origin);
         o.material = {"stuff",        real(0.01, 1),    real(0.01, 1), real(100, 5000),
                       real(10, 9000), real(1e-5, 0.01), real(0.01, 1)};
         for (int k = 0; k < 6; ++k)
@@ -223,12 +235,57 @@ TEST(Reading, PutsClockwiseAndOffCentreOutlinesRight) {
     EXPECT_LT(std::abs(std::get<FourierContour>(read->objects[1].shape).coefficient(0)), 1e-12);
 }
 
+// Catches a source read by other rules than objects: left off centre, clockwise, or without its origin.
+TEST(Reading, PutsTheSourceRightAsItDoesObjects) {
+    auto j = nlohmann::json::parse(experimentToJson(example("three-objects.json")));
+    for (const nlohmann::json& contour :
+         {nlohmann::json{{"type", "polygon"}, {"points_m", {{0.1, 0.1}, {0.1, 0.3}, {0.5, 0.3}, {0.5, 0.1}}}},
+          nlohmann::json{{"type", "fourier"}, {"coefficients", {{0, 0.5, 0.5}, {-1, 0.02, 0.0}}}},
+          nlohmann::json{{"type", "disk"}, {"radius_m", 0.02}}, j["objects"][1]["contour"]}) {
+        j["source"]["contour"] = j["objects"][0]["contour"] = contour;
+        const auto read = experimentFromJson(j.dump(), "", "");
+        ASSERT_TRUE(read) << describe(read.error());
+        EXPECT_EQ(read->source.shape, read->objects[0].shape);
+        EXPECT_EQ(read->source.origin, read->objects[0].origin);
+        const auto written = nlohmann::json::parse(experimentToJson(*read));
+        EXPECT_EQ(written["source"]["contour"], written["objects"][0]["contour"]);
+        const auto again = experimentFromJson(written.dump(), "", "");
+        ASSERT_TRUE(again) << describe(again.error());
+        EXPECT_TRUE(*again == *read);
+    }
+    EXPECT_EQ(j["source"]["contour"]["harmonics"], 5);
+}
+
+/// A square of 20 units.
+void writeSquare(QFile& csv) {
+    EXPECT_TRUE(csv.open(QIODevice::WriteOnly));
+    csv.write("x,y\n0,0\n20,0\n20,20\n0,20\n");
+    csv.close();
+}
+
+// Catches an import that works for objects only, or forgets the raw outline.
+TEST(Reading, ImportsAndFitsTheSourcesOutline) {
+    const QTemporaryDir folder;
+    QFile csv(folder.filePath("square.csv"));
+    writeSquare(csv);
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    j["source"]["contour"] = {{"type", "import"}, {"file", "square.csv"}, {"unit", "cm"}, {"harmonics", 7}};
+    const auto read = experimentFromJson(j.dump(), "", folder.path().toStdString());
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(std::get<FourierContour>(read->source.shape).harmonics(), 7);
+    EXPECT_NEAR(shapeArea(read->source.shape), 0.04, 0.001);
+    EXPECT_EQ(read->source.origin.file, "square.csv");
+    EXPECT_EQ(read->source.origin.outline.points_m.size(), 4u);
+    EXPECT_LT(contourCentroid(read->source.origin.outline).norm(), 1e-12);
+    const auto again = experimentFromJson(experimentToJson(*read), "", "/nowhere");
+    ASSERT_TRUE(again) << describe(again.error());
+    EXPECT_TRUE(*again == *read);
+}
+
 TEST(Reading, ImportsACsvAsAnExactPolygon) {
     const QTemporaryDir folder;
     QFile csv(folder.filePath("square.csv"));
-    ASSERT_TRUE(csv.open(QIODevice::WriteOnly));
-    csv.write("x,y\n0,0\n20,0\n20,20\n0,20\n");
-    csv.close();
+    writeSquare(csv);
     auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
     j["objects"][0]["contour"] = {{"type", "import"}, {"file", "square.csv"}, {"unit", "mm"}};
     const auto read = experimentFromJson(j.dump(), "", folder.path().toStdString());

@@ -153,6 +153,47 @@ TEST(FitFourier, SaysWhenTheTruncatedCurveCrossesItself) {
     EXPECT_FALSE(fitFourier(hand, 6)->crossesItself);
 }
 
+FourierContour series(std::vector<std::pair<int, std::complex<double>>> terms) {
+    int harmonics = 1;
+    for (const auto& [j, value] : terms)
+        harmonics = std::max(harmonics, std::abs(j));
+    std::vector<std::complex<double>> coefficients(static_cast<std::size_t>(2 * harmonics + 1));
+    for (const auto& [j, value] : terms)
+        coefficients[static_cast<std::size_t>(j + harmonics)] = value;
+    return FourierContour(coefficients);
+}
+
+// Catches a curve traced twice, loops and a figure of eight taken for simple outlines.
+TEST(FindCrossing, FindsLoopsLapsAndEights) {
+    EXPECT_TRUE(findCrossing(series({{2, 0.1}})));
+    EXPECT_TRUE(findCrossing(series({{39, 0.1}})));
+    EXPECT_TRUE(findCrossing(series({{1, 0.1}, {2, 0.2}})));
+    EXPECT_TRUE(findCrossing(series({{1, 0.6}, {-1, 0.4}, {2, 0.5}, {-2, -0.5}})));
+    // z = exp(i t) + a exp(-2 i t) has cusps at a = 1/2 and loops beyond it.
+    EXPECT_TRUE(findCrossing(series({{1, 0.1}, {-2, 0.05 * 1.0001}})));
+    // The place is told where the curve is, far from the origin too.
+    const auto place = findCrossing(series({{0, {7.0, -3.0}}, {1, 0.1}, {2, 0.2}}));
+    ASSERT_TRUE(place);
+    EXPECT_LT((*place - Eigen::Vector2d(7.0, -3.0)).norm(), 0.31);
+}
+
+// Catches outlines refused because they come close to themselves.
+TEST(FindCrossing, LeavesSimpleCurvesAlone) {
+    EXPECT_FALSE(findCrossing(series({{1, 0.1}})));
+    EXPECT_FALSE(findCrossing(series({{0, {1e5, -1e5}}, {1, {0.0, 1e-9}}})));
+    EXPECT_FALSE(findCrossing(series({{1, 0.1}, {40, 0.1 / 1700.0}})));
+    EXPECT_FALSE(findCrossing(series({{1, 0.1}, {-2, 0.05 * 0.9999}}))) << "all but cusps";
+    EXPECT_FALSE(findCrossing(series({{1, 0.1}, {-1, 0.0999999}}))) << "a sliver";
+    // Pinched at x = 0 down to a neck of 2e-7 of the length:
+    const double neck = 1e-7;
+    // x = cos t, y = neck sin t + sin t cos^2 t = (neck + 1/4) sin t + 1/4 sin 3t
+    const double one = 0.5 * (neck + 0.25), three = 0.125;
+    EXPECT_FALSE(findCrossing(series({{1, 0.5 + one}, {-1, 0.5 - one}, {3, three}, {-3, -three}})));
+    Contour hand = example("hand_mm.csv");
+    for (const int h : {4, 6, 8, 20, 40})
+        EXPECT_FALSE(findCrossing(fitFourier(hand, h)->contour)) << h;
+}
+
 TEST(FitFourier, RefusesHarmonicsOutOfRange) {
     const Contour square = *makeContour({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
     for (const int h : {-1, 0, kMaxHarmonics + 1})

@@ -111,7 +111,7 @@ TEST_F(SceneViewTest, NonConvexShapesAreFilledTruly) {
     Experiment experiment = testing::threeObjects();
     experiment.objects = {experiment.objects[2]};
     experiment.objects[0].mounting.setZero();
-    experiment.source.disk.radius_m = 0.01; // out of the way, under the palm
+    experiment.source.shape = Disk{0.01}; // out of the way, under the palm
     experiment.robot.lower << -0.05, -0.05, 0.01, 0.0, 0.0, 0.0;
     experiment.robot.upper << 0.05, 0.05, 0.06, 0.0, 0.0, 0.0;
     experiment.start << 0.0, 0.0, 0.05, 0.0, 0.0, 0.0;
@@ -141,6 +141,94 @@ TEST_F(SceneViewTest, NonConvexShapesAreFilledTruly) {
     const int filled =
         testing::pixelsOf(image, unknownColour(false), 3) + testing::pixelsOf(image, outline, 3) / 2;
     EXPECT_NEAR(filled, expected, 0.06 * expected);
+}
+
+/// Plates of about the size of the example's source: a rectangle, a lobed and an L-shaped one.
+std::vector<std::pair<QString, Shape>> plates() {
+    const Contour rectangle{{{-0.12, -0.08}, {0.12, -0.08}, {0.12, 0.08}, {-0.12, 0.08}}};
+    std::vector<std::complex<double>> lobes(9);
+    lobes[1] = {0.018, 0.0};
+    lobes[5] = {0.1, 0.0};
+    const Contour corner = *makeContour(
+        {{-0.12, -0.12}, {0.12, -0.12}, {0.12, -0.05}, {-0.05, -0.05}, {-0.05, 0.12}, {-0.12, 0.12}});
+    return {{QStringLiteral("disk"), Disk{0.1}},
+            {QStringLiteral("rectangle"), rectangle},
+            {QStringLiteral("lobes"), FourierContour(lobes)},
+            {QStringLiteral("corner"), centred(corner)}};
+}
+
+/// Pixels of the source's colours, from the middle's orange to the rim's red.
+int glowingPixels(const QImage& image) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor c(image.pixel(x, y));
+            count += c.red() > 190 && c.blue() < 110 && c.red() - c.blue() > 130 ? 1 : 0;
+        }
+    return count;
+}
+
+// Catches a source drawn as another shape than it has: as a disk, spilled into a notch, or empty.
+TEST_F(SceneViewTest, SourcesOfEveryShapeGlowOverTheirWholeArea) {
+    SceneView view;
+    view.resize(900, 900);
+    Experiment experiment = testing::threeObjects();
+    experiment.objects.clear();
+    view.viewAlongMinusZ();
+    show(view);
+    double pixelsPerArea = 0.0;
+    for (const auto& [name, shape] : plates()) {
+        experiment.source.shape = shape; // within the workspace, so that the scale stays
+        view.setExperiment(experiment);
+        const QImage image = grab(view);
+        const double ratio = glowingPixels(image) / shapeArea(shape);
+        if (pixelsPerArea == 0.0)
+            pixelsPerArea = ratio;
+        EXPECT_NEAR(ratio, pixelsPerArea, 0.04 * pixelsPerArea) << name.toStdString();
+        EXPECT_GT(testing::pixelsOf(image, kSource), 500) << name.toStdString();
+    }
+    EXPECT_GT(pixelsPerArea, 1e6);
+}
+
+// Catches an outline that crosses itself a little, as fits of few harmonics do, left without its glow.
+TEST_F(SceneViewTest, ASourceThatCrossesItselfStillGlows) {
+    SceneView view;
+    view.resize(900, 900);
+    Experiment experiment = testing::threeObjects();
+    experiment.objects.clear();
+    std::vector<std::complex<double>> cusps(9);
+    cusps[1] = {0.035, 0.0}; // loops from 0.1 / 3 on
+    cusps[5] = {0.1, 0.0};
+    experiment.source.shape = FourierContour(cusps);
+    view.setExperiment(experiment);
+    view.viewAlongMinusZ();
+    show(view);
+    const QImage image = grab(view);
+    keepScreenshot(image, QStringLiteral("scene-source-crossing"));
+    EXPECT_GT(testing::pixelsOf(image, kSource), 500);
+}
+
+// The pictures of other sources that a designer looks at; fails when two of them are the same.
+TEST_F(SceneViewTest, SourcesLightAndDark) {
+    SceneView view;
+    view.resize(1000, 700);
+    show(view);
+    Experiment experiment = testing::threeObjects();
+    QImage last;
+    for (const auto& [name, shape] : plates())
+        for (const bool dark : {false, true}) {
+            QApplication::setPalette(themePalette(dark));
+            QCoreApplication::processEvents();
+            experiment.source.shape = shape;
+            view.setExperiment(experiment);
+            view.setSamples(testing::spiral(600));
+            const QImage image = grab(view);
+            keepScreenshot(image, QStringLiteral("scene-source-%1-%2")
+                                      .arg(name, dark ? QStringLiteral("dark") : QStringLiteral("light")));
+            EXPECT_GT(testing::pixelsOf(image, kSource), 100);
+            EXPECT_GT(testing::differentPixels(image, last), 2000) << name.toStdString() << dark;
+            last = image;
+        }
 }
 
 // Catches drawing from within setters, and frames for things that nobody sees.
@@ -268,7 +356,9 @@ TEST_F(SceneViewTest, NoExperimentAndNoObjectsAreCalmPictures) {
 TEST_F(SceneViewTest, ThirtyThousandSamplesStayQuick) {
     SceneView view;
     view.resize(1000, 700);
-    view.setExperiment(testing::threeObjects());
+    Experiment experiment = testing::threeObjects();
+    experiment.source.shape = plates().back().second;
+    view.setExperiment(experiment);
     show(view);
     const std::vector<TraceSample> samples = testing::spiral(30000);
     view.setSamples(samples);

@@ -1,0 +1,266 @@
+// bask field: samples the view factor, or the steady temperature, on a grid of poses and writes it for
+// ParaView.
+
+#include "app/commands/command_line.h"
+#include "app/commands/field_axes.h"
+#include "app/commands/output_file.h"
+#include "app/commands/parse_command.h"
+#include "engine/exchange/field_file.h"
+#include "engine/session/experiment.h"
+
+#include <QCommandLineParser>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <new>
+#include <optional>
+
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kQuiet_s = 1.0; // before progress is shown
+
+/// Everything asked for on the command line, checked.
+struct Request {
+    FieldRequest field;
+    std::string path; ///< empty: nothing is written
+    std::string title;
+};
+
+Error refused(const std::string& option, const std::string& expected, const std::string& found) {
+    return {MessageCode::JsonWrongType, option, {expected, found}};
+}
+
+/// The object of --object, or the only one; none when a preset has one of its own.
+Result<const ObjectSpec*> chosenObject(const QCommandLineParser& parser, const Experiment& experiment) {
+    if (!parser.isSet("object") && parser.isSet("preset"))
+        return static_cast<const ObjectSpec*>(nullptr);
+    std::string names;
+    for (const ObjectSpec& object : experiment.objects)
+        names += (names.empty() ? "" : ", ") + object.name;
+    const std::string name = parser.value("object").toStdString();
+    if (!parser.isSet("object")) {
+        if (experiment.objects.size() == 1)
+            return &experiment.objects.front();
+        return refused("--object", "one of " + names, "nothing");
+    }
+    const auto found = std::ranges::find(experiment.objects, name, &ObjectSpec::name);
+    if (found == experiment.objects.end())
+        return Error(MessageCode::ValueUnknown, "--object", {name, names});
+    return &*found;
+}
+
+FieldQuantity steadyTemperature(const Experiment& experiment, const ObjectSpec& object) {
+    const SourceSpec& source = experiment.source;
+    const HeatRates rates = heatRates(
+        object.material,
+        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, experiment.environment_K),
+        experiment.environment_K);
+    return {"steady_temperature", "K", [rates](double F) { return rates.steadyTemperature_K(F); }};
+}
+
+/// Source, object and quantity; axes, held values and tolerance are still those of the default.
+Result<Request> readScene(const QCommandLineParser& parser, const std::string& path) {
+    std::optional<Experiment> experiment;
+    const ObjectSpec* object = nullptr;
+    if (!path.empty()) {
+        auto read = readExperiment(path);
+        if (!read)
+            return read.error();
+        experiment = std::move(*read);
+        const auto chosen = chosenObject(parser, *experiment);
+        if (!chosen)
+            return chosen.error();
+        object = *chosen;
+    } else if (parser.isSet("object") || !parser.isSet("preset")) {
+        return refused("EXPERIMENT.json", "an experiment (or a preset without --object)", "none");
+    }
+    const QString quantity = parser.value("quantity");
+    if (quantity != "F" && quantity != "T")
+        return Error(MessageCode::ValueUnknown, "--quantity", {quantity.toStdString(), "F, T"});
+    if (quantity == "T" && object == nullptr)
+        return refused("--quantity T", "an experiment with an object named by --object", "none");
+    const Shape source = experiment ? experiment->source.shape : presetSource();
+    const Shape shape = object ? object->shape : presetObject();
+    Request request{{RadiatingContour(source), RadiatingContour(shape), {}}, {}, {}};
+    if (quantity == "T")
+        request.field.quantity = steadyTemperature(*experiment, *object);
+    request.title = (object ? "object \"" + object->name + '"' : "disk of 15 mm radius") +
+                    (experiment ? " over the source of " + std::filesystem::path(path).filename().string()
+                                : " over a disk of 100 mm radius");
+    return request;
+}
+
+Result<void> readGrid(const QCommandLineParser& parser, FieldRequest& field) {
+    if (parser.isSet("axes") && parser.isSet("preset"))
+        return Error(MessageCode::JsonTwoSpellings, "", {"--axes", "--preset"});
+    if (!parser.isSet("axes") && !parser.isSet("preset"))
+        return refused("--axes", "axes such as x=-0.2:0.2:0.01 (or a --preset)", "nothing");
+    if (parser.isSet("preset")) {
+        const auto preset = presetGrid(parser.value("preset").toStdString());
+        if (!preset)
+            return preset.error();
+        field.axes = preset->axes;
+        field.held = preset->held;
+    } else {
+        auto axes = parseFieldAxes(parser.value("axes").toStdString());
+        if (!axes)
+            return axes.error();
+        field.axes = std::move(*axes);
+    }
+    if (parser.isSet("hold"))
+        if (auto held = parseHeld(parser.value("hold").toStdString(), field.axes, field.held); !held)
+            return held;
+    field.withGradient = parser.isSet("gradient");
+    if (parser.isSet("tolerance")) {
+        bool ok = false;
+        field.tolerance = parser.value("tolerance").toDouble(&ok);
+        if (!ok)
+            return refused("--tolerance", "a number", '"' + parser.value("tolerance").toStdString() + '"');
+    }
+    return {};
+}
+
+Result<Request> readRequest(const QCommandLineParser& parser) {
+    const std::string path = parser.positionalArguments().value(0).toStdString();
+    auto request = readScene(parser, path);
+    if (!request)
+        return request.error();
+    if (const auto grid = readGrid(parser, request->field); !grid)
+        return grid.error();
+    if (!parser.isSet("o"))
+        return request;
+    request->path = parser.value("o").toStdString();
+    if (const std::string extension = std::filesystem::path(request->path).extension(); extension != ".vti")
+        return Error(MessageCode::ValueUnknown, "-o " + request->path, {extension, ".vti"});
+    const std::vector<std::string> inputs = path.empty() ? std::vector<std::string>{} : std::vector{path};
+    if (const auto place = checkOutputs(inputs, {{request->path}}); !place)
+        return place.error();
+    if (const auto file = checkFieldFile(request->path, request->field.axes); !file)
+        return file.error();
+    return request;
+}
+
+/// 1.5e7 where printf writes 1.5e+07.
+std::string shortExponent(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1e", value);
+    std::string out = text;
+    const std::size_t e = out.find('e');
+    return out.substr(0, e + 1) + std::to_string(std::stoi(out.substr(e + 1)));
+}
+
+/// Two significant digits, never with an exponent.
+std::string plainSeconds(double time_s) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.1e", time_s);
+    const int exponent = std::stoi(std::string(text).substr(std::string(text).find('e') + 1));
+    std::snprintf(text, sizeof text, "%.*f", std::clamp(1 - exponent, 0, 12), time_s);
+    return text;
+}
+
+void printFigures(const Field& field, double time_s) {
+    double least = INFINITY;
+    double most = -INFINITY;
+    for (const double value : field.values) // comparisons with NaN are false
+        least = value < least ? value : least, most = value > most ? value : most;
+    if (least <= most)
+        std::printf("%s%s%s from %s to %s\n", field.quantity.c_str(), field.unit.empty() ? "" : "_",
+                    field.unit.c_str(), formatNumber(least, 9).c_str(), formatNumber(most, 9).c_str());
+    const std::size_t count = field.values.size();
+    std::printf("%zu samples, %s s, %s samples/s\n", count, plainSeconds(time_s).c_str(),
+                shortExponent(static_cast<double>(count) / time_s).c_str());
+}
+
+void warnOfUndefined(const Field& field) {
+    const std::size_t count = field.undefinedSamples;
+    if (count > 0)
+        std::fprintf(stderr,
+                     "bask field: %zu of %zu samples %s no value (NaN): object and source overlap in one "
+                     "plane there\n",
+                     count, field.values.size(), count == 1 ? "has" : "have");
+}
+
+/// On standard error, when it is a terminal and the work takes its time.
+std::function<void(double)> progressFrom(Clock::time_point start) {
+    if (isatty(STDERR_FILENO) == 0)
+        return {};
+    return [start, shown = false](double done) mutable {
+        if (!shown && std::chrono::duration<double>(Clock::now() - start).count() < kQuiet_s)
+            return;
+        shown = true;
+        std::fprintf(stderr, "\r%3.0f %%%s", 100.0 * done, done < 1.0 ? "" : "\n");
+    };
+}
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "bask field: %s\n", describe(error).c_str());
+    return kExitBadInput;
+}
+
+int sampleAndWrite(const Request& request) {
+    const Clock::time_point start = Clock::now();
+    FieldRun run;
+    run.progress = progressFrom(start);
+    const auto field = sampleField(request.field, run);
+    const double time_s = std::chrono::duration<double>(Clock::now() - start).count();
+    if (!field)
+        return refuse(field.error());
+    warnOfUndefined(**field);
+    if (!request.path.empty())
+        if (const auto written = writeField(**field, request.path, request.title); !written)
+            return refuse(written.error());
+    printFigures(**field, time_s);
+    return kExitDone;
+}
+
+} // namespace
+
+int fieldCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        "Samples the view factor of an object over the source on a grid of up to four of the coordinates\n"
+        "x, y, z (m) and theta_x, theta_y, theta_z (rad, R = Rz Ry Rx) of the object's centre in the "
+        "source's\n"
+        "frame, on all cores, and writes a VTK image for ParaView. The last line printed says how many "
+        "samples\n"
+        "were computed and how fast. Without -o nothing is written.");
+    parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addPositionalArgument("EXPERIMENT.json", "Source and objects; a preset needs none.",
+                                 "[EXPERIMENT.json]");
+    parser.addOptions(
+        {{"object", "The experiment's object; may be left out when there is one only.", "NAME"},
+         {"axes",
+          "name=first:last:step, with commas between: x=-0.2:0.2:0.01,z=0.01:0.3:0.01. The first "
+          "axis runs fastest; a fourth becomes one array a step.",
+          "AXES"},
+         {"hold", "The other coordinates, 0 unless given: z=0.05,theta_x=0.1.", "VALUES"},
+         {"preset",
+          "paper-translation (x, y, z; 48000 samples) or paper-rotation (three angles at z = 5 cm; 729000): "
+          "a disk of 1.5 cm over a disk of 10 cm, unless EXPERIMENT and --object say otherwise.",
+          "NAME"},
+         {"quantity", "F, the view factor, or T, the steady temperature in K (needs an object).", "F|T", "F"},
+         {"gradient", "Also the derivatives of F by the six coordinates."},
+         {"tolerance", "Of F, absolute; 1e-9 unless given.", "NUMBER"},
+         {"o", "The file to write.", "FILE.vti"}});
+    const bool parsed = parser.parse(QStringList("bask") + arguments);
+    const auto given = parser.positionalArguments().size();
+    if (const auto code = parseCommand(parser, "field", arguments, parsed && given == 0 ? 0 : 1))
+        return *code;
+    try {
+        const auto request = readRequest(parser);
+        return request ? sampleAndWrite(*request) : refuse(request.error());
+    } catch (const std::bad_alloc&) {
+        std::fputs("bask field: there is not enough memory for that many samples\n", stderr);
+        return kExitBadInput;
+    }
+}
+
+} // namespace bask

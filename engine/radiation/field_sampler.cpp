@@ -1,0 +1,316 @@
+#include "engine/radiation/field_sampler.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <mutex>
+#include <stdexcept>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr std::size_t kChunk = 256; // samples a thread takes at a time
+constexpr double kProgressStep = 0.01;
+constexpr double kLeastStep = 1e-11; // of the largest value: finer ones drown in rounding
+constexpr double kLeastTolerance = 1e-14;
+constexpr double kMostTolerance = 1e-2;
+constexpr int kMostThreads = 1024;
+
+Result<void> checkRange(const std::string& where, double value, double least, double most, const char* unit) {
+    if (value >= least && value <= most)
+        return {};
+    return Error(MessageCode::ValueOutOfRange, where,
+                 {formatNumber(value, 10), formatNumber(least), formatNumber(most), unit});
+}
+
+Error tooLarge(const std::string& where, double count, double most) {
+    return {MessageCode::FieldTooLarge, where, {formatNumber(count, 12), formatNumber(most, 12)}};
+}
+
+Result<void> checkAxis(const FieldAxis& axis, const std::string& where) {
+    const char* unit = coordinateUnit(axis.coordinate);
+    if (axis.count < 1)
+        return Error(MessageCode::ValueNotPositive, where + ": count", {std::to_string(axis.count)});
+    if (axis.count > kMostAxisSamples)
+        return tooLarge(where, axis.count, kMostAxisSamples);
+    if (!(axis.step > 0.0))
+        return Error(MessageCode::ValueNotPositive, where + ": step", {formatNumber(axis.step)});
+    if (auto first = checkRange(where + ": first", axis.first, -kFieldReach, kFieldReach, unit); !first)
+        return first;
+    const double last = axis.at(axis.count - 1);
+    if (auto valid = checkRange(where + ": last", last, -kFieldReach, kFieldReach, unit); !valid)
+        return valid;
+    const double least = kLeastStep * std::max(std::abs(axis.first), std::abs(last));
+    return checkRange(where + ": step", axis.step, least, 2.0 * kFieldReach, unit);
+}
+
+Result<void> check(const FieldRequest& request, const FieldRun& run) {
+    if (auto axes = checkRange("axes", static_cast<double>(request.axes.size()), 1, kMostAxes, "axes"); !axes)
+        return axes;
+    std::array<bool, 6> isAxis{};
+    double samples = 1.0;
+    for (const FieldAxis& axis : request.axes) {
+        const std::string name = kCoordinateNames[axis.coordinate];
+        if (std::exchange(isAxis[axis.coordinate], true))
+            return Error(MessageCode::AxisTwice, "axes", {name});
+        if (auto valid = checkAxis(axis, "axes: " + name); !valid)
+            return valid;
+        samples *= axis.count;
+    }
+    const double most = request.withGradient ? std::floor(kMostFieldNumbers / 7.0) : kMostFieldNumbers;
+    if (samples > most)
+        return tooLarge("axes", samples, most);
+    for (std::size_t i = 0; i < isAxis.size(); ++i)
+        if (!isAxis[i])
+            if (auto held =
+                    checkRange(std::string("held: ") + kCoordinateNames[i], request.held[static_cast<int>(i)],
+                               -kFieldReach, kFieldReach, coordinateUnit(static_cast<Coordinate>(i)));
+                !held)
+                return held;
+    if (auto threads = checkRange("threads", run.threads, 0, kMostThreads, ""); !threads)
+        return threads;
+    return checkRange("tolerance", request.tolerance, kLeastTolerance, kMostTolerance, "");
+}
+
+struct Turn {
+    double sin = 0.0;
+    double cos = 1.0;
+};
+
+Turn turnBy(double angle_rad) {
+    return {std::sin(angle_rad), std::cos(angle_rad)};
+}
+
+/// The request's axes with sine and cosine of every angle on them.
+struct Grid {
+    explicit Grid(const FieldRequest& asked)
+        : request(asked), isMounted(asked.X_EO.matrix() != Pose::Identity().matrix()),
+          turns(asked.axes.size()) {
+        for (std::size_t a = 0; a < turns.size(); ++a) {
+            const FieldAxis& axis = request.axes[a];
+            samples *= static_cast<std::size_t>(axis.count);
+            for (int i = 0; axis.coordinate >= kThetaX && i < axis.count; ++i)
+                turns[a].push_back(turnBy(axis.at(i)));
+        }
+    }
+
+    const FieldRequest& request;
+    bool isMounted; ///< else the product with X_EO is left out, which costs more than the rest of a pose
+    std::vector<std::vector<Turn>> turns; ///< one list an axis, empty for a translation
+    std::size_t samples = 1;
+};
+
+/// Walks the grid, first axis fastest; the rotation is made anew only where an angle has changed.
+class Cursor {
+public:
+    Cursor(const Grid& grid, std::size_t sample) : m_grid(grid), m_p_SE(grid.request.held.head<3>()) {
+        for (int k = 0; k < 3; ++k)
+            m_turns[static_cast<std::size_t>(k)] = turnBy(grid.request.held[kThetaX + k]);
+        for (std::size_t a = 0; a < grid.turns.size(); ++a) {
+            const auto count = static_cast<std::size_t>(grid.request.axes[a].count);
+            set(a, static_cast<int>(sample % count));
+            sample /= count;
+        }
+        rotate();
+        translate();
+    }
+
+    void advance() {
+        bool turned = false;
+        for (std::size_t a = 0; a < m_grid.turns.size(); ++a) {
+            const bool wraps = m_index[a] + 1 == m_grid.request.axes[a].count;
+            set(a, wraps ? 0 : m_index[a] + 1);
+            turned |= !m_grid.turns[a].empty();
+            if (!wraps)
+                break;
+        }
+        if (turned)
+            rotate();
+        translate();
+    }
+
+    const Pose& X_SO() const { return m_X_SO; }
+
+    /// By the pose coordinates, from the gradient by position and rotation in S axes about O's origin.
+    void writeGradient(const Vector6d& aboutO, double* out) const {
+        const Vector6d aboutE = gradientAbout(aboutO, m_X_SO.translation(), m_p_SE);
+        const Eigen::Vector3d torque = aboutE.tail<3>();
+        const Turn& z = m_turns[2];
+        for (int k = 0; k < 3; ++k)
+            out[k] = aboutE[k];
+        // The axes about which theta_x, theta_y and theta_z turn, as in rotationAxes.
+        out[kThetaX] = m_R_SE.col(0).dot(torque);
+        out[kThetaY] = z.cos * torque.y() - z.sin * torque.x();
+        out[kThetaZ] = torque.z();
+    }
+
+private:
+    void set(std::size_t a, int i) {
+        const FieldAxis& axis = m_grid.request.axes[a];
+        m_index[a] = i;
+        if (axis.coordinate < kThetaX)
+            m_p_SE[axis.coordinate] = axis.at(i);
+        else
+            m_turns[static_cast<std::size_t>(axis.coordinate - kThetaX)] =
+                m_grid.turns[a][static_cast<std::size_t>(i)];
+    }
+
+    // Rz Ry Rx
+    void rotate() {
+        const auto& [x, y, z] = m_turns;
+        m_R_SE << z.cos * y.cos, z.cos * y.sin * x.sin - z.sin * x.cos,
+            z.cos * y.sin * x.cos + z.sin * x.sin, //
+            z.sin * y.cos, z.sin * y.sin * x.sin + z.cos * x.cos,
+            z.sin * y.sin * x.cos - z.cos * x.sin, //
+            -y.sin, y.cos * x.sin, y.cos * x.cos;
+        if (m_grid.isMounted) {
+            m_X_SO.linear() = m_R_SE * m_grid.request.X_EO.linear();
+            m_arm = m_R_SE * m_grid.request.X_EO.translation();
+        } else {
+            m_X_SO.linear() = m_R_SE;
+        }
+    }
+
+    void translate() { m_X_SO.translation() = m_p_SE + m_arm; }
+
+    const Grid& m_grid;
+    std::array<int, kMostAxes> m_index{};
+    std::array<Turn, 3> m_turns;
+    Eigen::Vector3d m_p_SE;
+    Eigen::Matrix3d m_R_SE;
+    Eigen::Vector3d m_arm = Eigen::Vector3d::Zero(); ///< from E's to O's origin, S axes
+    Pose m_X_SO = Pose::Identity();
+};
+
+/// The work that the threads share.
+class Sampling {
+public:
+    Sampling(const Grid& grid, const FieldRun& run, Field& field)
+        : m_grid(grid), m_run(run), m_field(field) {}
+
+    /// Takes chunks until there are none; only the thread that `reports` calls progress.
+    void work(bool reports) {
+        try {
+            double reported = 0.0;
+            while (!m_halted && !m_run.stop.stop_requested()) {
+                const std::size_t begin = m_next.fetch_add(kChunk, std::memory_order_relaxed);
+                if (begin >= m_grid.samples)
+                    return;
+                const std::size_t end = std::min(begin + kChunk, m_grid.samples);
+                m_undefined += sample(begin, end);
+                m_done += end - begin;
+                const double done = static_cast<double>(m_done) / static_cast<double>(m_grid.samples);
+                if (reports && m_run.progress && done < 1.0 && done >= reported + kProgressStep)
+                    m_run.progress(reported = done);
+            }
+        } catch (...) {
+            const std::lock_guard lock(m_failureMutex);
+            m_failure = std::current_exception();
+            m_halted = true;
+        }
+    }
+
+    /// After all threads have ended: true when every sample was taken.
+    bool finish() {
+        if (m_failure)
+            std::rethrow_exception(m_failure);
+        m_field.undefinedSamples = m_undefined;
+        if (m_done < m_grid.samples)
+            return false;
+        if (m_run.progress)
+            m_run.progress(1.0);
+        return true;
+    }
+
+private:
+    /// Returns how many samples are not defined.
+    std::size_t sample(std::size_t begin, std::size_t end) {
+        const FieldQuantity& quantity = m_grid.request.quantity;
+        std::size_t undefined = 0;
+        Cursor cursor(m_grid, begin);
+        for (std::size_t i = begin; i < end; ++i) {
+            const double F = viewFactorAt(cursor, i);
+            undefined += std::isnan(F);
+            m_field.values[i] = quantity.fromViewFactor && !std::isnan(F) ? quantity.fromViewFactor(F) : F;
+            if (i + 1 < end)
+                cursor.advance();
+        }
+        return undefined;
+    }
+
+    /// Writes the gradient of sample i too. NaN where object and source overlap in one plane.
+    double viewFactorAt(const Cursor& cursor, std::size_t i) {
+        constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
+        const FieldRequest& request = m_grid.request;
+        try {
+            if (!request.withGradient)
+                return viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance);
+            ViewFactorOptions options;
+            options.tolerance = request.tolerance;
+            const ViewFactor factor = viewFactor(request.source, request.object, cursor.X_SO(), options);
+            cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
+            return factor.value;
+        } catch (const std::invalid_argument&) {
+            if (request.withGradient)
+                std::fill_n(&m_field.gradient[6 * i], 6, kUndefined);
+            return kUndefined;
+        }
+    }
+
+    const Grid& m_grid;
+    const FieldRun& m_run;
+    Field& m_field;
+    std::atomic<std::size_t> m_next{0};
+    std::atomic<std::size_t> m_done{0};
+    std::atomic<std::size_t> m_undefined{0};
+    std::atomic<bool> m_halted{false};
+    std::mutex m_failureMutex;
+    std::exception_ptr m_failure;
+};
+
+void workOnThreads(Sampling& sampling, int asked, std::size_t samples) {
+    const auto wanted = static_cast<std::size_t>(
+        asked > 0 ? asked : std::max(1, static_cast<int>(std::thread::hardware_concurrency())));
+    const std::size_t count = std::min(wanted, (samples + kChunk - 1) / kChunk);
+    std::vector<std::jthread> others;
+    try {
+        for (std::size_t i = 1; i < count; ++i)
+            others.emplace_back([&] { sampling.work(false); });
+    } catch (const std::system_error&) {
+        // The system gives no more threads: those that there are do it.
+    }
+    sampling.work(true);
+}
+
+} // namespace
+
+const char* coordinateUnit(Coordinate coordinate) {
+    return coordinate < kThetaX ? "m" : "rad";
+}
+
+Result<std::shared_ptr<const Field>> sampleField(const FieldRequest& request, const FieldRun& run) {
+    if (const auto valid = check(request, run); !valid)
+        return valid.error();
+    const Grid grid(request);
+    auto field = std::make_shared<Field>();
+    field->axes = request.axes;
+    field->held = request.held;
+    field->quantity = request.quantity.name;
+    field->unit = request.quantity.unit;
+    field->tolerance = request.tolerance;
+    field->values.resize(grid.samples);
+    field->gradient.resize(request.withGradient ? 6 * grid.samples : 0);
+    Sampling sampling(grid, run, *field);
+    workOnThreads(sampling, run.threads, grid.samples);
+    if (!sampling.finish())
+        return Error(MessageCode::FieldCancelled, "");
+    return std::shared_ptr<const Field>(std::move(field));
+}
+
+} // namespace bask

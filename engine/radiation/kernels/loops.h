@@ -1,0 +1,99 @@
+#pragma once
+// The loops over an outline; included once by the file of each processor, which defines BASK_KERNEL_WIDTH
+// (bytes of a vector).
+
+#include "engine/radiation/kernels/terms.h"
+
+namespace bask::kernels {
+namespace {
+
+Sums sumsOf(const Term& term) {
+    return {laneSum(term.value),
+            {laneSum(term.f1), laneSum(term.f2), laneSum(term.f3), laneSum(term.t1), laneSum(term.t2),
+             laneSum(term.t3)}};
+}
+
+double diskValue(const WholeDisk& disk, const Outline& outline) {
+    Term term;
+    for (int i = 0; i < outline.count; i += kLanes)
+        addWholeDisk<false>(disk, load(outline.x + i), load(outline.y + i), load(outline.dx + i),
+                            load(outline.dy + i), term);
+    return laneSum(term.value);
+}
+
+Sums diskSums(const WholeDisk& disk, const Outline& outline) {
+    Term term;
+    for (int i = 0; i < outline.count; i += kLanes)
+        addWholeDisk<true>(disk, load(outline.x + i), load(outline.y + i), load(outline.dx + i),
+                           load(outline.dy + i), term);
+    return sumsOf(term);
+}
+
+double segmentValue(const Segment& segment, const Outline& outline) {
+    Term term;
+    for (int i = 0; i < outline.count; i += kLanes)
+        addSegment<false>(segment, load(outline.x + i), load(outline.y + i), load(outline.dx + i),
+                          load(outline.dy + i), term, false);
+    return laneSum(term.value);
+}
+
+Sums segmentSums(const Segment& segment, const Outline& outline, bool onCut) {
+    Term term;
+    for (int i = 0; i < outline.count; i += kLanes)
+        addSegment<true>(segment, load(outline.x + i), load(outline.y + i), load(outline.dx + i),
+                         load(outline.dy + i), term, onCut);
+    return sumsOf(term);
+}
+
+template <bool kMoments>
+void addLoop(const Loop& loop, const Placement& at, const Outline& outline, int i, bool onCut, Term& term) {
+    const Lanes x = load(outline.x + i);
+    const Lanes y = load(outline.y + i);
+    const Lanes dx = load(outline.dx + i);
+    const Lanes dy = load(outline.dy + i);
+    const Lanes l1 = at.axes[0][0] * x + at.axes[0][1] * y;
+    const Lanes l2 = at.axes[1][0] * x + at.axes[1][1] * y;
+    const Lanes l3 = at.axes[2][0] * x + at.axes[2][1] * y;
+    const Lanes p1 = at.origin[0] + l1;
+    const Lanes p2 = at.origin[1] + l2;
+    const Lanes z = at.origin[2] + l3;
+    const Lanes z2 = z * z + 1e-300;
+    NodeSums sum;
+    const Outline& nodes = loop.nodes;
+    for (int k = 0; k < nodes.count; ++k)
+        addNode<kMoments>(p1, p2, z2, nodes.x[k], nodes.y[k], nodes.dx[k], nodes.dy[k], sum);
+    Lanes b1 = -z * sum.across2;
+    Lanes b2 = z * sum.across1;
+    for (int k = 0; k < loop.edgeCount; ++k)
+        addEdge<kMoments>(loop.edges[k], p1, p2, z, sum.g1, sum.g2, b1, b2, sum.b3, false);
+    for (int k = 0; k < loop.cutEdgeCount; ++k)
+        addEdge<kMoments>(loop.cutEdges[k], p1, p2, z, sum.g1, sum.g2, b1, b2, sum.b3, onCut);
+    const Lanes d1 = at.axes[0][0] * dx + at.axes[0][1] * dy;
+    const Lanes d2 = at.axes[1][0] * dx + at.axes[1][1] * dy;
+    term.value += sum.g1 * d1 + sum.g2 * d2;
+    if constexpr (kMoments) {
+        const Lanes d3 = at.axes[2][0] * dx + at.axes[2][1] * dy;
+        addMoments(term, l1, l2, l3, d1, d2, d3, b1, b2, sum.b3);
+    }
+}
+
+double loopValue(const Loop& loop, const Placement& at, const Outline& outline) {
+    Term term;
+    for (int i = 0; i < outline.count; i += kLanes)
+        addLoop<false>(loop, at, outline, i, false, term);
+    return laneSum(term.value);
+}
+
+Sums loopSums(const Loop& loop, const Placement& at, const Outline& outline, bool onCut) {
+    Term term;
+    for (int i = 0; i < outline.count; i += kLanes)
+        addLoop<true>(loop, at, outline, i, onCut, term);
+    return sumsOf(term);
+}
+
+constexpr Kernels kernelsNamed(const char* name) {
+    return {name, diskValue, diskSums, segmentValue, segmentSums, loopValue, loopSums};
+}
+
+} // namespace
+} // namespace bask::kernels

@@ -1,0 +1,33 @@
+#pragma once
+// The numerical methods of the paper as they are: what Bask's solver is measured against and tested with.
+
+#include "engine/base/pose.h"
+#include "engine/shape/shape.h"
+
+namespace bask {
+
+/// F21 by the discrete surface integral of the paper's Appendix B: each face is cut into about `elements`
+/// equal squares (those of a square grid whose centres lie inside), and Lambert's cosine law is summed over
+/// all pairs that see each other. Work grows with elements^2; the error falls about as elements^(-3/4), since
+/// an outline of squares is a staircase.
+double discreteSurfaceIntegral(const Shape& source, const Shape& object, const Pose& X_SO, int elements);
+
+/// F21 by the double contour integral, composite Simpson with `points` (even) subintervals on either contour.
+/// Disks and Fourier contours, as in the paper. Of the visibility cuts it knows the one that it treats: a
+/// disk source cut by the object's plane, with `points` subintervals on the arc and on the chord. Throws
+/// std::invalid_argument on polygons, an odd number, and another source that is cut. An object that dips
+/// below the source plane is taken as if it did not, which is wrong.
+double simpsonViewFactor(const Shape& source, const Shape& object, const Pose& X_SO, int points);
+
+/// A value with its derivatives by the six pose coordinates of the object (1/m, 1/rad; see
+/// poseFromCoordinates).
+struct SimpsonGradient {
+    double value = 0.0;
+    Vector6d gradient = Vector6d::Zero();
+};
+
+/// Forward differences of simpsonViewFactor by `step_m` and `step_rad`: seven evaluations.
+SimpsonGradient simpsonGradient(const Shape& source, const Shape& object, const Vector6d& coordinates,
+                                int points, double step_m = 1e-5, double step_rad = 1e-4);
+
+} // namespace bask

@@ -1,0 +1,254 @@
+#include "engine/radiation/point_factor.h"
+
+#include "engine/radiation/gauss_rule.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace bask {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kMostPanels = 20000; // of a Fourier outline: an end where the point all but lies on it
+
+/// The element. With r = s - p, F = -1/(2 pi) loop of n . (r x dr)/|r|^2 over the outline of the part with
+/// n . r > 0 (Lambert): each straight edge gives the angle it subtends times the cosine to its plane's
+/// normal.
+struct Element {
+    Eigen::Vector3d p, n;
+
+    Eigen::Vector3d to(double x, double y) const { return {x - p.x(), y - p.y(), -p.z()}; }
+    double height(double x, double y) const { return n.dot(to(x, y)); }
+
+    /// Share of the straight way from r = a to r = b in the loop, without the factor.
+    double edge(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+        const Eigen::Vector3d cross = a.cross(b);
+        const double length = cross.norm();
+        return length > 0.0 ? n.dot(cross) / length * std::atan2(length, a.dot(b)) : 0.0;
+    }
+    /// The same on the line where the element's plane meets the source plane. The pieces of a source that is
+    /// not convex are joined there in the order of the outline: what is run through twice cancels.
+    double edgeOnHorizon(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+        return std::atan2(n.dot(a.cross(b)), a.dot(b));
+    }
+};
+
+/// The arc from angle `from` to `to` of a circle about the origin, in closed form: |r|^2 is a - b cos(angle),
+/// and the integrals of 1, cos and sin over it are elementary.
+class Arc {
+public:
+    Arc(double radius, const Element& element)
+        : m_radius(radius), m_z(element.p.z()), m_rho(std::hypot(element.p.x(), element.p.y())),
+          m_azimuth(m_rho > 0.0 ? std::atan2(element.p.y(), element.p.x()) : 0.0) {
+        const double c = std::cos(m_azimuth), s = std::sin(m_azimuth);
+        m_n = {c * element.n.x() + s * element.n.y(), c * element.n.y() - s * element.n.x(), element.n.z()};
+        m_a = m_rho * m_rho + m_z * m_z + radius * radius;
+        m_b = 2.0 * radius * m_rho;
+        m_s = std::hypot(radius - m_rho, m_z) * std::hypot(radius + m_rho, m_z);
+    }
+
+    double azimuth() const { return m_azimuth; }
+
+    /// Angles are counted from the element's azimuth; to - from in [0, 2 pi].
+    double share(double from, double to) const {
+        const double turn = to - from;
+        const double q = 1.0 / (m_a + m_s); // b q is the ratio of the Fourier series of 1/(a - b cos)
+        const double swing = angleOverB(to, q) - angleOverB(from, q);
+        const double cosine = (q * turn * m_b + 2.0 * m_a * swing) / m_s;
+        const double one = (turn + 2.0 * m_b * swing) / m_s;
+        const double step = (std::cos(from) - std::cos(to)) / (m_a - m_b * std::cos(from));
+        const double sine = m_b * step > 1e-9 || m_b * step < -1e-9 ? std::log1p(m_b * step) / m_b
+                                                                    : step * (1.0 - 0.5 * m_b * step);
+        return m_n.x() * m_z * m_radius * cosine + m_n.y() * m_z * m_radius * sine +
+               m_n.z() * (m_radius * m_radius * one - m_rho * m_radius * cosine);
+    }
+
+private:
+    double angleOverB(double angle, double q) const {
+        const double ratio = m_b * q;
+        return ratio > 1e-12 ? std::atan2(ratio * std::sin(angle), 1.0 - ratio * std::cos(angle)) / m_b
+                             : q * std::sin(angle);
+    }
+
+    double m_radius, m_z, m_rho, m_azimuth, m_a, m_b, m_s;
+    Eigen::Vector3d m_n;
+};
+
+double circulation(const Disk& disk, const Element& element) {
+    const Arc arc(disk.radius_m, element);
+    const double tilt = disk.radius_m * std::hypot(element.n.x(), element.n.y());
+    const double middle = element.height(0.0, 0.0);
+    if (middle <= -tilt)
+        return 0.0;
+    if (middle >= tilt)
+        return arc.share(-kPi, kPi);
+    // Seen is the arc of +-half about the direction of the normal.
+    const double direction = std::atan2(element.n.y(), element.n.x());
+    const double half = std::acos(-middle / tilt);
+    const auto rim = [&](double angle) {
+        return element.to(disk.radius_m * std::cos(angle), disk.radius_m * std::sin(angle));
+    };
+    return arc.share(direction - half - arc.azimuth(), direction + half - arc.azimuth()) +
+           element.edgeOnHorizon(rim(direction + half), rim(direction - half));
+}
+
+double circulation(const Contour& polygon, const Element& element) {
+    // The pieces are joined along the horizon by way of its point nearest to the element.
+    const Eigen::Vector3d nearest = element.n.z() * element.n - Eigen::Vector3d::UnitZ();
+    double sum = 0.0;
+    const auto& points = polygon.points_m;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector2d& next = points[(i + 1) % points.size()];
+        const Eigen::Vector3d a = element.to(points[i].x(), points[i].y()),
+                              b = element.to(next.x(), next.y());
+        const double ha = element.n.dot(a), hb = element.n.dot(b);
+        if (ha > 0.0 && hb > 0.0) {
+            sum += element.edge(a, b);
+        } else if (ha > 0.0 || hb > 0.0) {
+            const Eigen::Vector3d cut = a + ha / (ha - hb) * (b - a);
+            sum += ha > 0.0 ? element.edge(a, cut) + element.edgeOnHorizon(cut, nearest)
+                            : element.edgeOnHorizon(nearest, cut) + element.edge(cut, b);
+        }
+    }
+    return sum;
+}
+
+/// Roots of f in [0, 1] among `samples` steps, with the sign after each; f(0) = f(1).
+template <class F> std::vector<std::pair<double, bool>> signChanges(const F& f, int samples) {
+    std::vector<std::pair<double, bool>> found;
+    bool last = f(0.0) > 0.0;
+    for (int i = 1; i <= samples; ++i) {
+        double low = (i - 1.0) / samples, high = static_cast<double>(i) / samples;
+        const bool now = i == samples ? f(0.0) > 0.0 : f(high) > 0.0;
+        if (now != last) {
+            for (int k = 0; k < 60; ++k) {
+                const double middle = 0.5 * (low + high);
+                ((f(middle) > 0.0) == last ? low : high) = middle;
+            }
+            found.emplace_back(0.5 * (low + high), now);
+        }
+        last = now;
+    }
+    return found;
+}
+
+/// So many that a dip of the outline below the horizon between two samples is worth less than 1e-12: it goes
+/// with the fifth power of the step.
+int samplesOf(const FourierContour& contour) {
+    return 512 + 64 * contour.harmonics();
+}
+
+/// Gauss sums over halves until they agree with the whole, or `budget` panels are spent.
+template <class F> class Halving {
+public:
+    Halving(const F& f, double allowed, int budget) : m_f(f), m_allowed(allowed), m_budget(budget) {}
+
+    double operator()(double from, double to) { return refine(from, to, panel(from, to)); }
+
+private:
+    double panel(double from, double to) {
+        static const GaussRule rule = gaussRule(12);
+        --m_budget;
+        double sum = 0.0;
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i)
+            sum += rule.weights[i] * m_f(from + (to - from) * rule.nodes[i]);
+        return (to - from) * sum;
+    }
+    double refine(double from, double to, double whole) {
+        const double middle = 0.5 * (from + to);
+        const double left = panel(from, middle), right = panel(middle, to);
+        if (std::abs(left + right - whole) <= m_allowed || m_budget <= 0)
+            return left + right;
+        return refine(from, middle, left) + refine(middle, to, right);
+    }
+
+    const F& m_f;
+    double m_allowed;
+    int m_budget;
+};
+
+double circulation(const FourierContour& contour, const Element& element) {
+    const auto at = [&](double phi) {
+        const std::complex<double> s = contour.point(phi);
+        return element.to(s.real(), s.imag());
+    };
+    const auto integrand = [&](double phi) {
+        const std::complex<double> slope = contour.derivative(phi);
+        const Eigen::Vector3d r = at(phi);
+        return element.n.dot(r.cross(Eigen::Vector3d(slope.real(), slope.imag(), 0.0))) / r.squaredNorm();
+    };
+    Halving integral(integrand, 1e-13, kMostPanels);
+    // Starts with panels of a quarter wave, lest whole and halves agree by chance.
+    const auto stretch = [&](double from, double to) {
+        const int panels =
+            std::max(1, static_cast<int>(std::ceil((to - from) * 4 * (contour.harmonics() + 1))));
+        double sum = 0.0;
+        for (int i = 0; i < panels; ++i)
+            sum += integral(from + (to - from) * i / panels, from + (to - from) * (i + 1) / panels);
+        return sum;
+    };
+    const auto cuts = signChanges([&](double phi) { return element.n.dot(at(phi)); }, samplesOf(contour));
+    if (cuts.empty())
+        return element.n.dot(at(0.0)) > 0.0 ? stretch(0.0, 1.0) : 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+        const double here = cuts[i].first;
+        const double next = i + 1 < cuts.size() ? cuts[i + 1].first : cuts[0].first + 1.0;
+        sum += cuts[i].second ? stretch(here, next) : element.edgeOnHorizon(at(here), at(next));
+    }
+    return sum;
+}
+
+bool isInside(const Disk& disk, double x, double y) {
+    return std::hypot(x, y) <= disk.radius_m;
+}
+
+bool isInside(const Contour& polygon, double x, double y) {
+    bool inside = false;
+    const auto& points = polygon.points_m;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Eigen::Vector2d a = points[i] - Eigen::Vector2d(x, y);
+        const Eigen::Vector2d b = points[(i + 1) % points.size()] - Eigen::Vector2d(x, y);
+        const double cross = a.x() * b.y() - a.y() * b.x();
+        if (cross == 0.0 && a.dot(b) <= 0.0)
+            return true; // on the outline
+        if ((a.y() > 0.0) != (b.y() > 0.0) && (cross > 0.0) == (b.y() > a.y()))
+            inside = !inside;
+    }
+    return inside;
+}
+
+bool isInside(const FourierContour& contour, double x, double y) {
+    bool inside = false;
+    for (const auto& cut :
+         signChanges([&](double phi) { return contour.point(phi).imag() - y; }, samplesOf(contour)))
+        if (contour.point(cut.first).real() >= x)
+            inside = !inside;
+    return inside;
+}
+
+} // namespace
+
+double pointFactor(const Shape& source, const Eigen::Vector3d& p_SP, const Eigen::Vector3d& normal_S) {
+    const double length = normal_S.norm();
+    if (!p_SP.allFinite() || !std::isfinite(length) || length == 0.0)
+        throw std::invalid_argument(
+            "pointFactor: position and normal must be finite and the normal not zero");
+    if (!(shapeArea(source) > 0.0))
+        throw std::invalid_argument("pointFactor: the source's area must be positive");
+    if (p_SP.z() == 0.0 && std::visit([&](const auto& s) { return isInside(s, p_SP.x(), p_SP.y()); }, source))
+        throw std::invalid_argument("pointFactor: the point lies in the source");
+    if (p_SP.z() <= 0.0)
+        return 0.0;
+    const Element element{p_SP, normal_S / length};
+    const double loop = std::visit([&](const auto& s) { return circulation(s, element); }, source);
+    return std::clamp(-loop / (2.0 * kPi), 0.0, 1.0);
+}
+
+} // namespace bask

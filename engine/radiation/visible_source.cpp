@@ -1,0 +1,193 @@
+#include "engine/radiation/visible_source.h"
+
+#include "engine/radiation/gauss_rule.h"
+
+#include <algorithm>
+
+namespace bask {
+
+namespace {
+
+kernels::Edge edgeBetween(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    const Eigen::Vector2d step = b - a;
+    const double length = step.norm();
+    return {a.x(), a.y(), step.x() / length, step.y() / length, length};
+}
+
+// An edge is seen from its own line under the angle pi, from the kept side: its B is pi times the object's
+// normal, with the sign of the edge's direction.
+Vector6d fieldOnLine(const kernels::Edge& edge, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                     const Eigen::Vector3d& o, const Eigen::Vector3d& normal) {
+    const Eigen::Vector3d t(edge.t1, edge.t2, 0.0);
+    const Eigen::Vector3d start(edge.a1, edge.a2, 0.0);
+    const double from = std::clamp(t.dot(a - start), 0.0, edge.length);
+    const double to = std::clamp(t.dot(b - start), 0.0, edge.length);
+    const double side = edge.t1 * normal.y() - edge.t2 * normal.x() >= 0.0 ? 1.0 : -1.0;
+    const Eigen::Vector3d force = side * std::numbers::pi * (to - from) * t.cross(normal);
+    Vector6d moments;
+    moments << force, (start + 0.5 * (from + to) * t - o).cross(force);
+    return moments;
+}
+
+} // namespace
+
+WholeDiskSource::WholeDiskSource(double radius_m, const Sight& sight)
+    : m_radius(radius_m), m_factor(-2.0 * std::numbers::pi * radius_m * radius_m), m_R(sight.X_SO.linear()) {
+    m_disk.radius2 = radius_m * radius_m;
+    Eigen::Map<Eigen::Vector3d>(m_disk.o) = m_R.transpose() * sight.X_SO.translation();
+    Eigen::Map<Eigen::Vector3d>(m_disk.k) = m_R.row(2).transpose();
+}
+
+Vector6d WholeDiskSource::moments(const double* raw) const {
+    Vector6d result;
+    result << m_factor * (m_R * Eigen::Map<const Eigen::Vector3d>(raw)),
+        m_factor * (m_R * Eigen::Map<const Eigen::Vector3d>(raw + 3));
+    return result;
+}
+
+DiskSegmentSource::DiskSegmentSource(double radius_m, const Sight& sight)
+    : m_radius(radius_m), m_normal(-sight.X_SO.linear().col(2)), m_o(sight.X_SO.translation()) {
+    kernels::Segment& s = m_segment;
+    s.inverseRadius = 1.0 / radius_m;
+    s.sinTilt = std::hypot(m_normal.x(), m_normal.y());
+    s.normal3 = m_normal.z();
+    const Eigen::Vector3d e1(m_normal.x() / s.sinTilt, m_normal.y() / s.sinTilt, 0.0);
+    m_axes << e1, Eigen::Vector3d::UnitZ().cross(e1), Eigen::Vector3d::UnitZ();
+    const Eigen::Matrix3d turn = m_axes.transpose() * sight.X_SO.linear();
+    const Eigen::Vector3d origin = m_axes.transpose() * m_o / radius_m;
+    for (int i = 0; i < 3; ++i) {
+        s.turn[i][0] = turn(i, 0);
+        s.turn[i][1] = turn(i, 1);
+        s.origin[i] = origin[i];
+    }
+    // Kept: cos(theta) > cosBeta, theta from e1.
+    s.cosBeta = std::clamp(-sight.overObject.z0 / (radius_m * s.sinTilt), -1.0, 1.0);
+    s.sinBeta = std::sqrt((1.0 - s.cosBeta) * (1.0 + s.cosBeta));
+    s.beta = std::atan2(s.sinBeta, s.cosBeta);
+    const Eigen::Vector3d foot = radius_m * s.cosBeta * e1;
+    const Eigen::Vector3d half = radius_m * s.sinBeta * m_axes.col(1);
+    const Eigen::Vector3d a = foot + half;
+    m_chord = {a.x(), a.y(), -m_axes(0, 1), -m_axes(1, 1), 2.0 * radius_m * s.sinBeta};
+}
+
+double DiskSegmentSource::distance_m(const Eigen::Vector3d& p_S, bool onCut) const {
+    const double p1 = m_axes.col(0).dot(p_S);
+    const double p2 = m_axes.col(1).dot(p_S);
+    const double rho = std::hypot(p1, p2);
+    const double away1 = p1 - m_radius * m_segment.cosBeta;
+    const double away2 = std::abs(p2) - m_radius * m_segment.sinBeta;
+    const double rim = p1 >= rho * m_segment.cosBeta ? std::hypot(rho - m_radius, p_S.z())
+                                                     : std::hypot(std::hypot(away1, away2), p_S.z());
+    return onCut ? rim : std::min(rim, std::sqrt(squaredDistance(m_chord, p_S)));
+}
+
+Vector6d DiskSegmentSource::moments(const double* raw) const {
+    Vector6d result;
+    result << m_axes * Eigen::Map<const Eigen::Vector3d>(raw),
+        m_axes * Eigen::Map<const Eigen::Vector3d>(raw + 3);
+    return result;
+}
+
+Vector6d DiskSegmentSource::alongCut(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+    return fieldOnLine(m_chord, a, b, m_o, m_normal);
+}
+
+LoopSource::LoopSource(const RadiatingContour::Impl& source, const Sight& sight, bool cut)
+    : m_source(source), m_normal(-sight.X_SO.linear().col(2)), m_o(sight.X_SO.translation()) {
+    for (int i = 0; i < 3; ++i) {
+        m_placement.axes[i][0] = sight.X_SO.linear()(i, 0);
+        m_placement.axes[i][1] = sight.X_SO.linear()(i, 1);
+        m_placement.origin[i] = m_o[i];
+    }
+    if (!cut) {
+        if (source.isPolygon) {
+            m_loop.edges = source.edges.data();
+            m_loop.edgeCount = static_cast<int>(source.edges.size());
+        } else {
+            m_smooth = source.allPieces();
+        }
+        return;
+    }
+    for (const OutlinePiece& piece : source.piecesInFront(sight.overObject)) {
+        if (!piece.straight)
+            m_smooth.push_back(piece);
+        else if (piece.a != piece.b)
+            (piece.onCut ? m_cutEdges : m_edges).push_back(edgeBetween(piece.a, piece.b));
+    }
+    m_loop.edges = m_edges.data();
+    m_loop.edgeCount = static_cast<int>(m_edges.size());
+    m_loop.cutEdges = m_cutEdges.data();
+    m_loop.cutEdgeCount = static_cast<int>(m_cutEdges.size());
+}
+
+double LoopSource::distance_m(const Eigen::Vector3d& p_S, bool onCut) const {
+    double square = 1e300;
+    for (int i = 0; i < m_loop.edgeCount; ++i)
+        square = std::min(square, squaredDistance(m_loop.edges[i], p_S));
+    for (int i = 0; i < (onCut ? 0 : m_loop.cutEdgeCount); ++i)
+        square = std::min(square, squaredDistance(m_loop.cutEdges[i], p_S));
+    const double straight = std::sqrt(square);
+    return m_smooth.empty() ? straight : std::min(straight, m_source.distance_m(p_S));
+}
+
+double LoopSource::prepare(const Eigen::Vector3d& centre_S, double radius_m, double nearest_m,
+                           double exponent) {
+    if (m_smooth.empty())
+        return exponent;
+    const bool whole = m_smooth.size() == 1 && m_loop.cutEdgeCount == 0;
+    if (const int step = m_source.strip.fromOutline(nearest_m); whole && step >= 0) {
+        const double b = AnalyticStrip::width(step);
+        const double growth = std::log(m_source.strip.speed_m(step) / m_source.perimeter);
+        if (const TrapezoidTable* rule = m_source.trapezoid((exponent + growth) / b)) {
+            m_loop.nodes = rule->table.view();
+            return rule->points * b - growth;
+        }
+    }
+    m_nodes.clear();
+    double reached = exponent;
+    for (const OutlinePiece& stretch : m_smooth)
+        reached = std::min(reached, layPanels(stretch, centre_S, radius_m, nearest_m, exponent));
+    m_nodes.seal();
+    m_loop.nodes = m_nodes.view();
+    return reached;
+}
+
+// Gauss panels, each short beside its distance from the object's points.
+double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d& centre_S, double radius_m,
+                             double nearest_m, double exponent) {
+    constexpr double kLeastHalf = 1e-12;
+    double reached = exponent;
+    std::vector<std::pair<double, double>> open{{stretch.from, stretch.to}};
+    while (!open.empty()) {
+        const auto [from, to] = open.back();
+        open.pop_back();
+        const double middle = 0.5 * (from + to);
+        const double half = 0.5 * (to - from);
+        const OutlinePoint s = m_source.at(middle);
+        const double away = (Eigen::Vector3d(s.x, s.y, 0.0) - centre_S).norm() - radius_m;
+        const double room = m_source.strip.radius(std::max(away, nearest_m)) / half;
+        const double most = 2.0 * kMostGaussPoints * ellipseExponent(room);
+        if (most < exponent && half > kLeastHalf) {
+            open.emplace_back(from, middle);
+            open.emplace_back(middle, to);
+            continue;
+        }
+        reached = std::min(reached, most);
+        const GaussRule rule = gaussRule(gaussOrder(room, exponent));
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            const OutlinePoint p = m_source.at(from + 2.0 * half * rule.nodes[i]);
+            const double weight = 2.0 * half * rule.weights[i];
+            m_nodes.add(p.x, p.y, weight * p.dx, weight * p.dy);
+        }
+    }
+    return reached;
+}
+
+Vector6d LoopSource::alongCut(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const {
+    Vector6d moments = Vector6d::Zero();
+    for (const kernels::Edge& edge : m_cutEdges)
+        moments += fieldOnLine(edge, a, b, m_o, m_normal);
+    return moments;
+}
+
+} // namespace bask

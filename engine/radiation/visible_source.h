@@ -1,0 +1,121 @@
+#pragma once
+// The part of the source in front of the object's plane, one class a kind of source: distance to its outline
+// and the sums of its field over points of the object's outline. All three offer the same functions to the
+// integrator (outline_integral.h).
+
+#include "engine/radiation/outline_table.h"
+
+#include <Eigen/Geometry>
+
+#include <numbers>
+
+namespace bask {
+
+/// Where the two planes stand: O in S, and the height of the source's points in front of the object's plane
+/// as a plane over S.
+struct Sight {
+    Pose X_SO;
+    HeightPlane overObject; ///< of points of the source's plane, S
+    HeightPlane overSource; ///< of points of the object's plane, O
+
+    explicit Sight(const Pose& X)
+        : X_SO(X), overObject{X.linear().col(2).dot(X.translation()), -X.linear()(0, 2), -X.linear()(1, 2)},
+          overSource{X.translation().z(), X.linear()(2, 0), X.linear()(2, 1)} {}
+};
+
+/// Whole disk, closed form.
+class WholeDiskSource {
+public:
+    WholeDiskSource(double radius_m, const Sight& sight);
+
+    /// Lower bound of the distance (m) of a point of S to the visible outline; `onCut`: to those parts of it
+    /// that do not lie on the line where the planes meet.
+    double distance_m(const Eigen::Vector3d& p_S, bool /*onCut*/) const {
+        return std::hypot(std::hypot(p_S.x(), p_S.y()) - m_radius, p_S.z());
+    }
+    /// Makes ready for points within `radius_m` of `centre_S` that keep `nearest_m` from the outline, to a
+    /// relative error exp(-exponent). Returns the exponent reached.
+    double prepare(const Eigen::Vector3d& /*centre_S*/, double /*radius_m*/, double /*nearest_m*/,
+                   double exponent) {
+        return exponent;
+    }
+    bool closedForm() const { return true; } ///< the field is exact at any distance
+    double value(const kernels::Outline& points) const {
+        return kernels::kernels().diskValue(m_disk, points);
+    }
+    kernels::Sums sums(const kernels::Outline& points, bool /*onCut*/) const {
+        return kernels::kernels().diskSums(m_disk, points);
+    }
+    double circulation(double value) const { return m_factor * value; } ///< m2
+    Vector6d moments(const double* raw) const;                          ///< force (m), torque about O (m2), S
+    /// The field of the source's outline that lies on the line of a straight piece from a to b (S) of the
+    /// object's: moments as above.
+    Vector6d alongCut(const Eigen::Vector3d& /*a*/, const Eigen::Vector3d& /*b*/) const {
+        return Vector6d::Zero();
+    }
+
+private:
+    double m_radius, m_factor;
+    Eigen::Matrix3d m_R;
+    kernels::WholeDisk m_disk;
+};
+
+/// Segment of a disk cut by the object's plane, closed form.
+class DiskSegmentSource {
+public:
+    DiskSegmentSource(double radius_m, const Sight& sight);
+
+    double distance_m(const Eigen::Vector3d& p_S, bool onCut) const;
+    double prepare(const Eigen::Vector3d&, double, double, double exponent) { return exponent; }
+    bool closedForm() const { return true; }
+    double value(const kernels::Outline& points) const {
+        return kernels::kernels().segmentValue(m_segment, points);
+    }
+    kernels::Sums sums(const kernels::Outline& points, bool onCut) const {
+        return kernels::kernels().segmentSums(m_segment, points, onCut);
+    }
+    double circulation(double value) const { return m_radius * value; }
+    Vector6d moments(const double* raw) const;
+    Vector6d alongCut(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
+private:
+    double m_radius;
+    Eigen::Matrix3d m_axes; // e1, e2, e3 in S
+    Eigen::Vector3d m_normal, m_o;
+    kernels::Segment m_segment;
+    kernels::Edge m_chord;
+};
+
+/// Fourier contour or polygon, whole or cut: nodes on what is smooth, closed form on what is straight.
+class LoopSource {
+public:
+    /// `cut`: the object's plane crosses the outline.
+    LoopSource(const RadiatingContour::Impl& source, const Sight& sight, bool cut);
+
+    double distance_m(const Eigen::Vector3d& p_S, bool onCut) const;
+    double prepare(const Eigen::Vector3d& centre_S, double radius_m, double nearest_m, double exponent);
+    bool closedForm() const { return m_smooth.empty(); }
+    double value(const kernels::Outline& points) const {
+        return kernels::kernels().loopValue(m_loop, m_placement, points);
+    }
+    kernels::Sums sums(const kernels::Outline& points, bool onCut) const {
+        return kernels::kernels().loopSums(m_loop, m_placement, points, onCut);
+    }
+    double circulation(double value) const { return value; }
+    Vector6d moments(const double* raw) const { return Eigen::Map<const Vector6d>(raw); }
+    Vector6d alongCut(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
+
+private:
+    double layPanels(const OutlinePiece& stretch, const Eigen::Vector3d& centre_S, double radius_m,
+                     double nearest_m, double exponent);
+
+    const RadiatingContour::Impl& m_source;
+    Eigen::Vector3d m_normal, m_o;
+    std::vector<OutlinePiece> m_smooth;
+    std::vector<kernels::Edge> m_edges, m_cutEdges;
+    OutlineTable m_nodes;
+    kernels::Placement m_placement;
+    kernels::Loop m_loop;
+};
+
+} // namespace bask
