@@ -1,102 +1,125 @@
-// Time of one view factor, by kind of object and pose, beside a plain double contour integral in the same
-// run.
+// Time of one view factor by kind of source, object and pose, beside the paper's own method in the same run:
+// the double contour integral by Simpson's rule with 64 x 64 points, the gradient by seven evaluations.
 
-#include "engine/radiation/view_factor.h"
+#include "engine/radiation/interaction_matrix.h"
+#include "engine/radiation/kernels/kernels.h"
+#include "engine/radiation/paper_methods.h"
+#include "engine/shape/contour_import.h"
 
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <numbers>
-#include <vector>
+#include <stdexcept>
 
 namespace bask {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-const RadiatingContour kSource(Disk{0.15});
+constexpr double kDegree = std::numbers::pi / 180.0;
 
-Shape disk() {
-    return Disk{0.015};
+Vector6d at(double x, double y, double z, double theta_x = 0.0) {
+    Vector6d q = Vector6d::Zero();
+    q << x, y, z, theta_x, 0.0, 0.0;
+    return q;
 }
 
-Shape fourier() {
-    std::vector<std::complex<double>> c(11);
-    for (int j = -5; j <= 5; ++j)
-        c[static_cast<std::size_t>(j + 5)] = std::polar(0.002 / (1.0 + j * j), 1.3 * j);
-    c[5] = 0.0;
-    c[6] = 0.02;
+const Vector6d kParallel = at(0.04, 0.03, 0.05);                // sees the whole source
+const Vector6d kCut = at(0.0, 0.0, 0.05, 80.0 * kDegree);       // its plane cuts the source
+const Vector6d kDipping = at(0.0, -0.2, 0.005, 45.0 * kDegree); // half of it below the source plane
+const Vector6d kNear = at(0.10, 0.0, 0.0003);                   // over the rim, gap about 1 % of its size
+
+const Shape kDiskSource = Disk{0.15};
+const Shape kDisk = Disk{0.015};
+
+Contour outlineFrom(const char* name) {
+    const auto contour = readContourCsv(std::string(BASK_EXAMPLES) + "/contours/" + name, std::nullopt);
+    if (!contour)
+        throw std::runtime_error(describe(contour.error()));
+    return centred(*contour);
+}
+
+Shape bunny(int harmonics) {
+    return fitFourier(outlineFrom("bunny_mm.csv"), harmonics)->contour;
+}
+
+// A wavy plate of about 8 cm with four harmonics.
+Shape fourierSource() {
+    std::vector<std::complex<double>> c(9);
+    for (int j = -4; j <= 4; ++j)
+        c[static_cast<std::size_t>(j + 4)] = std::polar(0.004 / (1.0 + j * j), 1.3 * j);
+    c[4] = 0.0;
+    c[5] = 0.08;
     return FourierContour(c);
 }
 
-Shape polygon() {
-    Contour contour;
-    for (int i = 0; i < 60; ++i) {
-        const double r = 0.02 + 0.003 * std::sin(3.0 * kTwoPi * i / 60);
-        contour.points_m.emplace_back(r * std::cos(kTwoPi * i / 60), r * std::sin(kTwoPi * i / 60));
-    }
-    return contour;
-}
-
-Pose ordinary() {
-    return poseFromRotationVector({0.03, -0.02, 0.08}, {0.2, 0.1, 0.3});
-}
-Pose sourceCut() {
-    return poseFromRotationVector({0.03, -0.02, 0.08}, {0.9, 0.1, 0.3});
-}
-Pose objectCut() {
-    return poseFromRotationVector({0.0, -0.2, 0.005}, {0.7, 0.1, 0.3});
-}
-
-void withGradient(benchmark::State& state, const Shape& shape, const Pose& X_SO) {
-    const RadiatingContour object(shape);
+void paperSimpson64(benchmark::State& state, const Shape& source, const Shape& object, const Vector6d& q) {
     for (auto _ : state)
-        benchmark::DoNotOptimize(viewFactor(kSource, object, X_SO));
+        benchmark::DoNotOptimize(simpsonGradient(source, object, q, 64));
 }
 
-void valueOnly(benchmark::State& state, const Shape& shape, const Pose& X_SO) {
-    const RadiatingContour object(shape);
+void gradient(benchmark::State& state, const Shape& source, const Shape& object, const Vector6d& q,
+              double tolerance) {
+    const RadiatingContour from(source), to(object);
+    const Pose X_SO = poseFromCoordinates(q);
     for (auto _ : state)
-        benchmark::DoNotOptimize(viewFactorValue(kSource, object, X_SO));
+        benchmark::DoNotOptimize(viewFactor(from, to, X_SO, {.tolerance = tolerance}));
 }
 
-// The baseline: trapezoidal rule over both contours, 64 x 64 logarithms, value only, tables made beforehand.
-void doubleContour64x64(benchmark::State& state) {
-    constexpr int kPoints = 64;
-    std::vector<Eigen::Vector3d> s(kPoints), ds(kPoints), q(kPoints), dq(kPoints);
-    for (int i = 0; i < kPoints; ++i) {
-        const double angle = kTwoPi * i / kPoints;
-        s[i] = {0.15 * std::cos(angle), 0.15 * std::sin(angle), 0.0};
-        ds[i] = Eigen::Vector3d(-s[i].y(), s[i].x(), 0.0) * (kTwoPi / kPoints);
-        q[i] = s[i] / 10.0;
-        dq[i] = ds[i] / 10.0;
-    }
-    const double area = std::numbers::pi * 0.015 * 0.015;
-    const Pose X_SO = ordinary();
-    for (auto _ : state) {
-        double sum = 0.0;
-        for (int i = 0; i < kPoints; ++i) {
-            const Eigen::Vector3d p = X_SO * q[i];
-            const Eigen::Vector3d dp = X_SO.linear() * dq[i];
-            for (int k = 0; k < kPoints; ++k)
-                sum += 0.5 * std::log((p - s[k]).squaredNorm()) * ds[k].dot(dp);
-        }
-        benchmark::DoNotOptimize(-sum / (kTwoPi * area));
-    }
+void value(benchmark::State& state, const Shape& source, const Shape& object, const Vector6d& q,
+           double tolerance) {
+    const RadiatingContour from(source), to(object);
+    const Pose X_SO = poseFromCoordinates(q);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(viewFactorValue(from, to, X_SO, tolerance));
 }
 
-BENCHMARK(doubleContour64x64)->Name("baseline/double_contour_64x64/value");
-BENCHMARK_CAPTURE(valueOnly, disk, disk(), ordinary());
-BENCHMARK_CAPTURE(valueOnly, fourier, fourier(), ordinary());
-BENCHMARK_CAPTURE(valueOnly, polygon60, polygon(), ordinary());
-BENCHMARK_CAPTURE(valueOnly, disk_source_cut, disk(), sourceCut());
-BENCHMARK_CAPTURE(valueOnly, disk_object_cut, disk(), objectCut());
-BENCHMARK_CAPTURE(withGradient, disk, disk(), ordinary());
-BENCHMARK_CAPTURE(withGradient, fourier, fourier(), ordinary());
-BENCHMARK_CAPTURE(withGradient, polygon60, polygon(), ordinary());
-BENCHMARK_CAPTURE(withGradient, disk_source_cut, disk(), sourceCut());
-BENCHMARK_CAPTURE(withGradient, fourier_source_cut, fourier(), sourceCut());
-BENCHMARK_CAPTURE(withGradient, disk_object_cut, disk(), objectCut());
-BENCHMARK_CAPTURE(withGradient, fourier_object_cut, fourier(), objectCut());
+// The disks' F + gradient with each set of kernels that the processor can run.
+void byProcessor(benchmark::State& state) {
+    const kernels::KernelList list = kernels::runnableKernels();
+    const kernels::Kernels& usual = kernels::kernels();
+    const auto which = static_cast<int>(state.range(0));
+    if (which >= list.count) {
+        state.SkipWithError("not on this processor");
+        return;
+    }
+    kernels::useKernels(*list.sets[which]);
+    state.SetLabel(list.sets[which]->name);
+    gradient(state, kDiskSource, kDisk, kParallel, 1e-12);
+    kernels::useKernels(usual);
+}
+
+void matrixOfThree(benchmark::State& state) {
+    const auto mounted = [](const Shape& shape, double x, double y) {
+        return MountedContour{RadiatingContour(shape), poseFromCoordinates(at(x, y, 0.0))};
+    };
+    const MountedContour objects[] = {
+        mounted(kDisk, 0.0, 0.05), mounted(bunny(5), -0.0435, -0.025),
+        mounted(fitFourier(outlineFrom("hand_mm.csv"), 5)->contour, 0.0435, -0.025)};
+    const RadiatingContour source(Disk{0.1});
+    const Pose X_SE = poseFromCoordinates(at(0.01, 0.02, 0.10, 0.1));
+    for (auto _ : state)
+        benchmark::DoNotOptimize(interactionMatrix(source, objects, X_SE));
+}
+
+BENCHMARK_CAPTURE(paperSimpson64, disk, kDiskSource, kDisk, kParallel);
+BENCHMARK_CAPTURE(gradient, disk_1e12, kDiskSource, kDisk, kParallel, 1e-12);
+BENCHMARK_CAPTURE(value, disk_1e9, kDiskSource, kDisk, kParallel, 1e-9);
+BENCHMARK_CAPTURE(gradient, disk_source_cut_1e9, kDiskSource, kDisk, kCut, 1e-9);
+BENCHMARK_CAPTURE(gradient, disk_dipping_1e9, kDiskSource, kDisk, kDipping, 1e-9);
+BENCHMARK_CAPTURE(paperSimpson64, bunny5, kDiskSource, bunny(5), kParallel);
+BENCHMARK_CAPTURE(gradient, bunny5_1e9, kDiskSource, bunny(5), kParallel, 1e-9);
+BENCHMARK_CAPTURE(gradient, bunny5_source_cut_1e9, kDiskSource, bunny(5), kCut, 1e-9);
+BENCHMARK_CAPTURE(gradient, bunny5_dipping_1e9, kDiskSource, bunny(5), kDipping, 1e-9);
+BENCHMARK_CAPTURE(gradient, bunny_polygon_1e9, kDiskSource, outlineFrom("bunny_mm.csv"), kParallel, 1e-9);
+BENCHMARK_CAPTURE(paperSimpson64, bunny5_fourier_source, fourierSource(), bunny(5), kParallel);
+BENCHMARK_CAPTURE(gradient, bunny5_fourier_source_1e9, fourierSource(), bunny(5), kParallel, 1e-9);
+BENCHMARK_CAPTURE(gradient, bunny5_fourier_source_cut_1e9, fourierSource(), bunny(5), kCut, 1e-9);
+BENCHMARK_CAPTURE(gradient, bunny_polygon_source_1e9, outlineFrom("bunny_mm.csv"), kDisk, kParallel, 1e-9);
+BENCHMARK_CAPTURE(gradient, disk_near_1e9, Disk{0.1}, Disk{0.03}, kNear, 1e-9);
+BENCHMARK_CAPTURE(gradient, bunny5_near_1e9, Disk{0.1}, bunny(5), kNear, 1e-9);
+BENCHMARK_CAPTURE(gradient, bunny5_fourier_source_near_1e9, fourierSource(), bunny(5), at(0.08, 0.0, 0.0003),
+                  1e-9);
+BENCHMARK(matrixOfThree);
+BENCHMARK(byProcessor)->DenseRange(0, 2);
 
 } // namespace
 } // namespace bask

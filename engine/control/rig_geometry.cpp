@@ -22,37 +22,29 @@ RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
             m_free.push_back(k);
     constexpr int kOutlinePoints = 72;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-        m_contours.emplace_back(shapes[i]);
-        m_X_EO.push_back(poseFromCoordinates(mountings[i]));
+        m_mounted.push_back({RadiatingContour(shapes[i]), poseFromCoordinates(mountings[i])});
         std::vector<Eigen::Vector3d> outline;
         for (const Eigen::Vector2d& p : shapeOutline(shapes[i], kOutlinePoints))
-            outline.push_back(m_X_EO.back() * Eigen::Vector3d(p.x(), p.y(), 0.0));
+            outline.push_back(m_mounted.back().X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0));
         m_outlines_E.push_back(std::move(outline));
     }
 }
 
 ViewFactors RigGeometry::viewFactors(const Vector6d& q) const {
-    const Pose X_SE = poseFromCoordinates(q);
-    ViewFactors out;
-    out.F.resize(objects());
-    out.dF.resize(objects(), 6);
-    for (int i = 0; i < objects(); ++i) {
-        const Pose X_SO = X_SE * m_X_EO[static_cast<std::size_t>(i)];
-        const ViewFactor result = viewFactor(m_source, m_contours[static_cast<std::size_t>(i)], X_SO);
-        out.F[i] = result.value;
-        out.dF.row(i) =
-            coordinateGradient(q, gradientAbout(result.gradient, X_SO.translation(), X_SE.translation()))
-                .transpose();
-    }
+    const InteractionMatrix byTwist = interactionMatrix(m_source, m_mounted, poseFromCoordinates(q));
+    ViewFactors out{byTwist.F, byTwist.J};
+    for (int i = 0; i < objects(); ++i)
+        out.dF.row(i) = coordinateGradient(q, byTwist.J.row(i).transpose()).transpose();
     return out;
 }
 
 Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
     const Pose X_SE = poseFromCoordinates(q);
     Eigen::VectorXd F(objects());
-    for (int i = 0; i < objects(); ++i)
-        F[i] = viewFactorValue(m_source, m_contours[static_cast<std::size_t>(i)],
-                               X_SE * m_X_EO[static_cast<std::size_t>(i)], kTableTolerance);
+    for (int i = 0; i < objects(); ++i) {
+        const MountedContour& object = m_mounted[static_cast<std::size_t>(i)];
+        F[i] = viewFactorValue(m_source, object.contour, X_SE * object.X_EO, kTableTolerance);
+    }
     return F;
 }
 
@@ -86,7 +78,7 @@ bool RigGeometry::allowed(const Vector6d& q) const {
     for (const int k : m_free)
         if (q[k] < m_limits.lower[k] - kSlack || q[k] > m_limits.upper[k] + kSlack)
             return false;
-    return m_contours.empty() || lowestPoint_m(q) >= m_limits.clearance_m - kSlack;
+    return m_mounted.empty() || lowestPoint_m(q) >= m_limits.clearance_m - kSlack;
 }
 
 } // namespace bask

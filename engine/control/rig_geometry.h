@@ -3,7 +3,7 @@
 // a pose.
 
 #include "engine/control/robot_limits.h"
-#include "engine/radiation/view_factor.h"
+#include "engine/radiation/interaction_matrix.h"
 
 #include <Eigen/Core>
 
@@ -32,7 +32,7 @@ public:
     RigGeometry(const Shape& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
                 const RobotLimits& limits);
 
-    int objects() const { return static_cast<int>(m_contours.size()); }
+    int objects() const { return static_cast<int>(m_mounted.size()); }
     const RobotLimits& limits() const { return m_limits; }
     const std::vector<int>& freeCoordinates() const { return m_free; }
 
@@ -50,8 +50,7 @@ private:
     RadiatingContour m_source;
     RobotLimits m_limits;
     std::vector<int> m_free;
-    std::vector<RadiatingContour> m_contours;
-    std::vector<Pose> m_X_EO;
+    std::vector<MountedContour> m_mounted;
     std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E
 };
 

@@ -13,6 +13,7 @@
 #include "engine/radiation/visible_source.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -44,16 +45,19 @@ public:
         const Eigen::Vector3d o = m_sight.X_SO.translation();
         const HeightPlane& height = m_sight.overSource;
         const double fromCentre = m_source.distance_m(o, false);
-        const double nearest = std::max(fromCentre - m_object.reach,
-                                        height.z0 - m_object.reach * std::hypot(height.kx, height.ky));
+        const double nearest =
+            std::max(fromCentre - m_object.reach, height.z0 - m_object.reach * height.slope);
         if (const auto [table, exponent] = tabulated(fromCentre, nearest); table) {
             const double reached = m_source.prepare(o, m_object.reach, nearest, m_exponent + kHalf);
             if (reached > m_exponent) {
                 add(table->view(), false);
-                m_error = errorAt(exponent) + errorAt(reached);
+                m_error = 2.0 * errorAt(std::min(exponent, reached));
                 return total();
             }
         }
+        if (!m_object.isPolygon && !m_object.disk && doubled(fromCentre, nearest))
+            return total();
+        m_sums = {};
         return over(m_object.allPieces());
     }
 
@@ -73,6 +77,9 @@ private:
     static constexpr double kSafety = 24.0;
     static constexpr double kHalf = 0.7; // log 2: object and source share the error
     static constexpr int kBuffer = 128;
+    static constexpr int kMostForeseen = 64; // points of an outline of many harmonics, without trying
+    static constexpr int kMostDoubled = 512;
+    static constexpr double kDense = 3.0; // spacings to the source's outline
 
     struct Choice {
         const OutlineTable* table;
@@ -87,9 +94,78 @@ private:
         if (step < 0)
             return {nullptr, 0.0};
         const double b = AnalyticStrip::width(step);
-        const double growth = std::log(m_object.strip.speed_m(step) / m_object.perimeter);
+        const double growth = m_object.strip.growth(step);
         const TrapezoidTable* rule = m_object.trapezoid((m_exponent + kHalf + growth) / b);
+        if (!m_object.disk && rule && rule->points > kMostForeseen)
+            return {nullptr, 0.0};
         return rule ? Choice{&rule->table, rule->points * b - growth} : Choice{nullptr, 0.0};
+    }
+
+    // The bound of an outline of many harmonics is far too careful: there the points are doubled until the
+    // sums agree, provided that they lie too dense for a peak of the field to hide between them.
+    bool doubled(double fromCentre, double nearest) {
+        const Eigen::Vector3d o = m_sight.X_SO.translation();
+        int n = std::max(32, static_cast<int>(std::bit_ceil(static_cast<unsigned>(4 * m_object.harmonics))));
+        const auto dense = [&](int points) { return nearest * points >= kDense * m_object.mostSpeed_m; };
+        if (!dense(2 * n))
+            nearest = std::max(nearest, sampledNearest());
+        while (!dense(2 * n) && 2 * n < kMostDoubled)
+            n *= 2;
+        if (!dense(2 * n) || fromCentre <= 0.0)
+            return false;
+        const double reached = m_source.prepare(o, m_object.reach, nearest, m_exponent + kHalf);
+        if (reached <= m_exponent)
+            return false;
+        kernels::Sums coarse = sumsOver(m_object.trapezoid(n)->table.view());
+        for (; 2 * n <= kMostDoubled; n *= 2) {
+            const kernels::Sums between = sumsOver(m_object.trapezoid(n)->shifted.view());
+            kernels::Sums fine;
+            fine.value = 0.5 * (coarse.value + between.value);
+            for (int i = 0; i < 6; ++i)
+                fine.moments[i] = 0.5 * (coarse.moments[i] + between.moments[i]);
+            if (const double change = agreement(coarse, fine, m_goal.allowed_m2); change >= 0.0) {
+                m_sums = fine;
+                m_error = change + errorAt(reached);
+                return true;
+            }
+            coarse = fine;
+        }
+        return false;
+    }
+
+    // Least distance of the outline to the source's, from points of it.
+    double sampledNearest() const {
+        const TrapezoidTable& rule = *m_object.trapezoid(64);
+        const kernels::Outline points = rule.table.view();
+        double least = 1e300;
+        for (int i = 0; i < rule.points; ++i)
+            least = std::min(least, m_source.distance_m(inS({points.x[i], points.y[i]}), false));
+        return least - 0.5 * m_object.mostSpeed_m / rule.points;
+    }
+
+    // Change of the circulation (m2) between two sums, -1 if it or that of the moments is more than allowed.
+    // Moments are derivatives: they may be a hundred times less sharp.
+    double agreement(const kernels::Sums& a, const kernels::Sums& b, double allowed) const {
+        const double change = std::abs(m_source.circulation(b.value - a.value));
+        if (change > allowed)
+            return -1.0;
+        if constexpr (kMoments) {
+            double raw[6];
+            for (int i = 0; i < 6; ++i)
+                raw[i] = b.moments[i] - a.moments[i];
+            const Vector6d moments = m_source.moments(raw);
+            if (std::max(m_object.reach * moments.head<3>().norm(), moments.tail<3>().norm()) > 1e2 * allowed)
+                return -1.0;
+        }
+        return change;
+    }
+
+    kernels::Sums sumsOver(const kernels::Outline& points) const {
+        if constexpr (kMoments)
+            return m_source.sums(points, false);
+        kernels::Sums sums;
+        sums.value = m_source.value(points);
+        return sums;
     }
 
     double errorAt(double exponent) const {
@@ -135,7 +211,7 @@ private:
             const double room = roomOf(piece, half, away);
             const double most = 2.0 * kMostGaussPoints * ellipseExponent(room);
             if (most < exponent && length > least_m && m_points < m_goal.mostPoints) {
-                if (runsAlong(piece, from, to, away, length) && tried(piece, from, 2.0 * half, length))
+                if (mayTry(piece, from, to, away) && tried(piece, from, 2.0 * half, length, p_S, away))
                     continue;
                 open.emplace_back(from, middle);
                 open.emplace_back(middle, to);
@@ -151,27 +227,43 @@ private:
         }
     }
 
-    // Beside an outline that it follows, a panel may be long for its distance: there the rule is tried out,
-    // if no point between the samples can be much nearer than they are.
-    bool runsAlong(const OutlinePiece& piece, double from, double to, double away, double length) const {
+    // The bound of a bent panel is too careful as well: a panel is tried out if it holds no more waves than
+    // its points resolve and no point between them can be much nearer to the source's outline than they are.
+    bool mayTry(const OutlinePiece& piece, double from, double to, double away) const {
+        const double waves = piece.straight ? 0.0 : (to - from) * m_object.harmonics;
+        const double length =
+            piece.straight ? (to - from) * (piece.b - piece.a).norm() : (to - from) * m_object.mostSpeed_m;
+        return waves <= 1.5 && (0.6 * length <= away || runsAlong(piece, from, to, away));
+    }
+
+    // Beside an outline that it follows, a panel may be long for its distance.
+    bool runsAlong(const OutlinePiece& piece, double from, double to, double away) const {
         constexpr int kSamples = 16;
-        if (!m_source.closedForm() || length > kSamples * away)
+        if (!m_source.closedForm())
             return false;
-        const double between = 1.1 * length / kSamples;
-        double last = 0.0;
-        for (int i = 0; i <= kSamples; ++i) {
+        OutlinePoint last = pointAt(piece, from);
+        double there = m_source.distance_m(inS({last.x, last.y}), piece.onCut);
+        if (std::max(there, away) > 2.0 * kSamples * std::min(there, away))
+            return false;
+        for (int i = 1; i <= kSamples; ++i) {
             const OutlinePoint p = pointAt(piece, from + (to - from) * i / kSamples);
             const double here = m_source.distance_m(inS({p.x, p.y}), piece.onCut);
-            if (i > 0 && (here + last - between < 0.5 * std::max(here, last)))
+            const double between = 1.1 * std::hypot(p.x - last.x, p.y - last.y);
+            if (here + there - between < 0.5 * std::max(here, there))
                 return false;
-            last = here;
+            last = p;
+            there = here;
         }
         return true;
     }
 
     // Sixteen points against two times eight; taken when they agree to the panel's share of the error.
-    bool tried(const OutlinePiece& piece, double from, double width, double length) {
+    bool tried(const OutlinePiece& piece, double from, double width, double length,
+               const Eigen::Vector3d& p_S, double away) {
         flush(m_bufferOnCut);
+        const double reached = prepare(p_S, 0.6 * length, away, m_exponent + kHalf);
+        if (reached < m_exponent)
+            return false;
         const kernels::Sums before = std::exchange(m_sums, {});
         lay(piece, from, width, gaussRule(16));
         flush(piece.onCut);
@@ -181,21 +273,13 @@ private:
         flush(piece.onCut);
         const kernels::Sums twice = std::exchange(m_sums, before);
         const double allowed = 0.5 * m_goal.allowed_m2 * length / m_object.perimeter;
-        const double change = std::abs(m_source.circulation(twice.value - once.value));
-        double momentChange = 0.0;
-        if (kMoments) {
-            double raw[6];
-            for (int i = 0; i < 6; ++i)
-                raw[i] = twice.moments[i] - once.moments[i];
-            const Vector6d moments = m_source.moments(raw);
-            momentChange = std::max(m_object.reach * moments.head<3>().norm(), moments.tail<3>().norm());
-        }
-        if (change <= allowed && momentChange <= 1e2 * allowed) {
-            m_error += 2.0 * change;
-            addSums(twice);
-            return true;
-        }
-        return false;
+        const double change = agreement(once, twice, allowed);
+        if (change < 0.0)
+            return false;
+        m_error += 2.0 * change;
+        m_reached = std::min(m_reached, reached);
+        addSums(twice);
+        return true;
     }
 
     double prepare(const Eigen::Vector3d& centre_S, double radius, double away, double exponent) {

@@ -91,7 +91,8 @@ const std::array<double, AnalyticStrip::kSteps>& stripWidths() {
 // With p + iy -> u = sum c_j e^(ij phi) and its conjugate v made complex apart, a point s at distance D of O
 // is met where D^2 - D (|u| + |v|) - |u||v| <= 0 at worst. A straight stretch meets a singularity when the
 // step is as long as the distance; bends make it a little sooner.
-AnalyticStrip::AnalyticStrip(const std::vector<std::complex<double>>& coefficients, int harmonics) {
+AnalyticStrip::AnalyticStrip(const std::vector<std::complex<double>>& coefficients, int harmonics,
+                             double perimeter_m) {
     constexpr double kKeepAway = 0.9;
     constexpr double kBend = 1.25;
     for (std::size_t k = 0; k < kSteps; ++k) {
@@ -106,7 +107,7 @@ AnalyticStrip::AnalyticStrip(const std::vector<std::complex<double>>& coefficien
         }
         m_reach[k] = 0.5 * (u + v + std::sqrt((u + v) * (u + v) + 4.0 * u * v)) / kKeepAway;
         m_shift[k] = kBend * shift / kKeepAway;
-        m_speed[k] = kTwoPi * speed;
+        m_growth[k] = std::log(kTwoPi * speed / perimeter_m);
     }
 }
 
@@ -178,25 +179,31 @@ const GaussTable* RadiatingContour::Impl::gauss(double distance_m) const {
 }
 
 void RadiatingContour::Impl::tabulateSmooth() {
-    strip = AnalyticStrip(m_coefficients, harmonics);
     for (const int n : kTrapezoidPoints) {
         TrapezoidTable& made = m_trapezoids.emplace_back();
         made.points = n;
-        for (int i = 0; i < n; ++i) {
-            const OutlinePoint p = at(static_cast<double>(i) / n);
-            made.table.add(p.x, p.y, p.dx / n, p.dy / n);
-        }
-        made.table.seal();
+        const auto fill = [&](OutlineTable& table, double shift) {
+            for (int i = 0; i < n; ++i) {
+                const OutlinePoint p = at((i + shift) / n);
+                table.add(p.x, p.y, p.dx / n, p.dy / n);
+            }
+            table.seal();
+        };
+        fill(made.table, 0.0);
+        if (!disk && std::has_single_bit(static_cast<unsigned>(n)))
+            fill(made.shifted, 0.5);
     }
     const int scan = static_cast<int>(std::bit_ceil(static_cast<unsigned>(std::max(128, 16 * harmonics))));
     for (int i = 0; i < scan; ++i)
         m_scan.push_back(at(static_cast<double>(i) / scan));
-    for (const std::complex<double>& c : m_coefficients)
-        reach += std::abs(c);
     for (const OutlinePoint& p : m_scan) {
-        m_scanSpeed_m = std::max(m_scanSpeed_m, std::hypot(p.dx, p.dy));
+        reach = std::max(reach, std::hypot(p.x, p.y));
+        mostSpeed_m = std::max(mostSpeed_m, std::hypot(p.dx, p.dy));
         perimeter += std::hypot(p.dx, p.dy) / scan;
     }
+    mostSpeed_m *= disk ? 1.0 : 1.1; // between the scanned points, too
+    reach += disk ? 0.0 : 0.5 * mostSpeed_m / scan;
+    strip = AnalyticStrip(m_coefficients, harmonics, perimeter);
 }
 
 // Points on an edge so many that a rule of order n leaves rounding only: the half length over the distance
@@ -247,7 +254,7 @@ double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
     struct Interval {
         double least, middle, half;
     };
-    const double speed = 1.1 * m_scanSpeed_m;
+    const double speed = mostSpeed_m;
     const double half = 0.5 / static_cast<double>(m_scan.size());
     double nearest2 = 1e300;
     for (const OutlinePoint& s : m_scan) {
@@ -282,10 +289,9 @@ double RadiatingContour::Impl::curveDistance_m(const Eigen::Vector3d& p) const {
 }
 
 PlaneSide RadiatingContour::Impl::side(const HeightPlane& height) const {
-    const double slope = std::hypot(height.kx, height.ky);
-    if (height.z0 - reach * slope >= 0.0)
+    if (height.z0 - reach * height.slope >= 0.0)
         return height.z0 > 0.0 ? PlaneSide::Front : PlaneSide::Behind;
-    if (height.z0 + reach * slope <= 0.0)
+    if (height.z0 + reach * height.slope <= 0.0)
         return PlaneSide::Behind;
     if (const auto* polygon = std::get_if<Contour>(&shape)) {
         double least = 1e300;
@@ -375,7 +381,7 @@ std::vector<double> RadiatingContour::Impl::crossings(const HeightPlane& height)
 std::vector<OutlinePiece> RadiatingContour::Impl::smoothPieces(const HeightPlane& height) const {
     std::vector<double> cuts;
     if (std::holds_alternative<Disk>(shape)) {
-        const double slope = reach * std::hypot(height.kx, height.ky);
+        const double slope = reach * height.slope;
         const double middle = std::atan2(height.ky, height.kx) / kTwoPi;
         const double half = std::acos(std::clamp(-height.z0 / slope, -1.0, 1.0)) / kTwoPi;
         cuts = {middle - half, middle + half};

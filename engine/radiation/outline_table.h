@@ -6,6 +6,7 @@
 #include "engine/radiation/view_factor.h"
 
 #include <array>
+#include <cmath>
 #include <complex>
 #include <vector>
 
@@ -13,8 +14,10 @@ namespace bask {
 
 /// The height above the source plane as a function on O's plane: z = z0 + kx x + ky y (m).
 struct HeightPlane {
-    double z0 = 0.0, kx = 0.0, ky = 0.0;
+    double z0, kx, ky;
+    double slope; ///< of the steepest way
 
+    HeightPlane(double z, double x, double y) : z0(z), kx(x), ky(y), slope(std::sqrt(x * x + y * y)) {}
     double at(double x, double y) const { return z0 + kx * x + ky * y; }
 };
 
@@ -59,7 +62,7 @@ public:
 
     AnalyticStrip() = default;
     /// `coefficients` for j = -harmonics .. harmonics.
-    AnalyticStrip(const std::vector<std::complex<double>>& coefficients, int harmonics);
+    AnalyticStrip(const std::vector<std::complex<double>>& coefficients, int harmonics, double perimeter_m);
 
     /// Widest step whose strip is free of a singularity at `distance_m` from O's origin; -1 when none is.
     int fromCentre(double distance_m) const { return widest(m_reach, distance_m); }
@@ -70,20 +73,22 @@ public:
     double radius(double distance_m) const;
 
     static double width(int step); ///< b, rad
-    /// Greatest |dp/dphi| in the strip, m; phi = b/(2 pi).
-    double speed_m(int step) const { return m_speed[static_cast<std::size_t>(step)]; }
+    /// log of the greatest |dp/dphi| in the strip over the perimeter: what a wide strip costs.
+    double growth(int step) const { return m_growth[static_cast<std::size_t>(step)]; }
 
 private:
     using Table = std::array<double, kSteps>;
     static int widest(const Table& table, double distance_m);
 
-    Table m_reach{}, m_shift{}, m_speed{};
+    Table m_reach{}, m_shift{}, m_growth{};
 };
 
-/// Trapezoidal rule on a smooth outline.
+/// Trapezoidal rule on a smooth outline, and for powers of two the same rule half a step on: the mean of the
+/// two is the rule of twice as many points.
 struct TrapezoidTable {
     int points = 0;
     OutlineTable table;
+    OutlineTable shifted;
 };
 
 inline constexpr double kTableExponent = 32.0; ///< tabulated Gauss rules err by exp(-this): rounding
@@ -118,10 +123,11 @@ struct RadiatingContour::Impl {
     double distance_m(const Eigen::Vector3d& p) const;
 
     Shape shape;
-    double area = 0.0;      ///< m2
-    double reach = 0.0;     ///< m, no point is farther from O
-    double perimeter = 0.0; ///< m, about
-    int harmonics = 1;      ///< of a smooth outline
+    double area = 0.0;        ///< m2
+    double reach = 0.0;       ///< m, no point is farther from O
+    double mostSpeed_m = 0.0; ///< of a smooth outline, per unit of phi
+    double perimeter = 0.0;   ///< m, about
+    int harmonics = 1;        ///< of a smooth outline
     bool isPolygon = false;
     const Disk* disk = nullptr;       ///< when it is one
     AnalyticStrip strip;              ///< of a smooth outline
@@ -138,7 +144,6 @@ private:
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
     std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, counts rising
     std::vector<GaussTable> m_gauss;                  // of a polygon, distances falling
-    double m_scanSpeed_m = 0.0;                       // of a smooth outline, m per unit of phi
     std::vector<OutlinePoint> m_scan; // smooth outlines: evenly spaced, in order, for finding crossings
 };
 

@@ -18,7 +18,7 @@ constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 PlaneSide sourceSide(const RadiatingContour::Impl& source, const HeightPlane& height) {
     if (!source.disk)
         return source.side(height);
-    const double swing = source.disk->radius_m * std::hypot(height.kx, height.ky);
+    const double swing = source.disk->radius_m * height.slope;
     return height.z0 >= swing         ? PlaneSide::Front
            : height.z0 + swing <= 0.0 ? PlaneSide::Behind
                                       : PlaneSide::Across;
@@ -28,8 +28,7 @@ PlaneSide sourceSide(const RadiatingContour::Impl& source, const HeightPlane& he
 void refuseOverlapInPlane(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
                           const Sight& sight) {
     const HeightPlane& height = sight.overSource;
-    if (std::abs(height.z0) + object.reach * std::hypot(height.kx, height.ky) >
-        1e-13 * (source.reach + object.reach))
+    if (std::abs(height.z0) + object.reach * height.slope > 1e-13 * (source.reach + object.reach))
         return;
     if (overlapInPlane(source.shape, object.shape, sight.X_SO))
         throw std::invalid_argument("object and source overlap in one plane: there is no view factor");

@@ -137,7 +137,7 @@ double LoopSource::prepare(const Eigen::Vector3d& centre_S, double radius_m, dou
     const bool whole = m_smooth.size() == 1 && m_loop.cutEdgeCount == 0;
     if (const int step = m_source.strip.fromOutline(nearest_m); whole && step >= 0) {
         const double b = AnalyticStrip::width(step);
-        const double growth = std::log(m_source.strip.speed_m(step) / m_source.perimeter);
+        const double growth = m_source.strip.growth(step);
         if (const TrapezoidTable* rule = m_source.trapezoid((exponent + growth) / b)) {
             m_loop.nodes = rule->table.view();
             return rule->points * b - growth;

@@ -14,7 +14,7 @@ namespace bask {
 /// Where the two planes stand: O in S, and the height of the source's points in front of the object's plane
 /// as a plane over S.
 struct Sight {
-    Pose X_SO;
+    const Pose& X_SO;
     HeightPlane overObject; ///< of points of the source's plane, S
     HeightPlane overSource; ///< of points of the object's plane, O
 
@@ -31,7 +31,8 @@ public:
     /// Lower bound of the distance (m) of a point of S to the visible outline; `onCut`: to those parts of it
     /// that do not lie on the line where the planes meet.
     double distance_m(const Eigen::Vector3d& p_S, bool /*onCut*/) const {
-        return std::hypot(std::hypot(p_S.x(), p_S.y()) - m_radius, p_S.z());
+        const double aside = std::sqrt(p_S.x() * p_S.x() + p_S.y() * p_S.y()) - m_radius;
+        return std::sqrt(aside * aside + p_S.z() * p_S.z());
     }
     /// Makes ready for points within `radius_m` of `centre_S` that keep `nearest_m` from the outline, to a
     /// relative error exp(-exponent). Returns the exponent reached.

@@ -1,0 +1,35 @@
+#pragma once
+// The interaction matrix of objects carried by one end-effector: how their view factors answer to its twist.
+
+#include "engine/radiation/view_factor.h"
+
+#include <array>
+#include <span>
+
+namespace bask {
+
+/// An object and where the end-effector holds it.
+struct MountedContour {
+    RadiatingContour contour;
+    Pose X_EO = Pose::Identity();
+};
+
+/// Which components of the twist [v; w] the robot is free to move in.
+using FreedomMask = std::array<bool, 6>;
+inline constexpr FreedomMask kAllFree{true, true, true, true, true, true};
+
+/// N view factors and their N x n matrix dF/dt = J u, where u are the n free components of the end-effector's
+/// twist: translation (1/m) and rotation about E's origin (1/rad).
+struct InteractionMatrix {
+    Eigen::VectorXd F;
+    Eigen::MatrixXd J;
+};
+
+/// At the pose X_SE, for a twist in the axes of R: R_RS turns the source's axes into them (identity: the
+/// twist is in source axes). The matrix of the paper is lambda1_i times row i. Throws as viewFactor does.
+InteractionMatrix interactionMatrix(const RadiatingContour& source, std::span<const MountedContour> objects,
+                                    const Pose& X_SE, const FreedomMask& free = kAllFree,
+                                    const Eigen::Matrix3d& R_RS = Eigen::Matrix3d::Identity(),
+                                    const ViewFactorOptions& options = {});
+
+} // namespace bask
