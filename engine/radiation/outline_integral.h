@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -38,7 +39,7 @@ public:
     OutlineIntegrator(Source& source, const RadiatingContour::Impl& object, const Sight& sight,
                       const IntegralGoal& goal)
         : m_source(source), m_object(object), m_sight(sight), m_goal(goal),
-          m_exponent(std::log(kSafety * goal.sourcePerimeter_m * object.perimeter / goal.allowed_m2)) {}
+          m_exponent(logAbove(kSafety * goal.sourcePerimeter_m * object.perimeter / goal.allowed_m2)) {}
 
     /// The whole outline, which lies in front of the source plane.
     OutlineIntegral whole() {
@@ -65,7 +66,6 @@ public:
     OutlineIntegral over(const std::vector<OutlinePiece>& pieces) {
         for (const OutlinePiece& piece : pieces) {
             panels(piece);
-            flush(piece.onCut);
             if (kMoments && piece.onCut)
                 m_moments += m_source.alongCut(inS(piece.a), inS(piece.b));
         }
@@ -75,11 +75,37 @@ public:
 private:
     // Before the exponential: twice from the rule, the rest for the potential's size in the complex.
     static constexpr double kSafety = 24.0;
-    static constexpr double kHalf = 0.7; // log 2: object and source share the error
-    static constexpr int kBuffer = 128;
+    static constexpr double kHalf = 0.7;     // log 2: object and source share the error
+    static constexpr int kNarrow = 40;       // step of a strip that asks for more than a hundred points
     static constexpr int kMostForeseen = 64; // points of an outline of many harmonics, without trying
     static constexpr int kMostDoubled = 512;
     static constexpr double kDense = 3.0; // spacings to the source's outline
+
+    // The logarithm, or up to log 2 more; faster than std::log.
+    static double logAbove(double x) {
+        const int power = static_cast<int>(std::bit_cast<std::uint64_t>(x) >> 52) - 1022;
+        return power * std::numbers::ln2;
+    }
+
+    /// Interval of a piece's parameter.
+    struct Panel {
+        double from, to;
+        double middle() const { return 0.5 * (from + to); }
+        double width() const { return to - from; }
+    };
+
+    struct Buffer {
+        static constexpr int kSize = 128;
+        int count = 0;
+        double x[kSize], y[kSize], dx[kSize], dy[kSize];
+
+        void add(double px, double py, double step1, double step2) {
+            x[count] = px;
+            y[count] = py;
+            dx[count] = step1;
+            dy[count++] = step2;
+        }
+    };
 
     struct Choice {
         const OutlineTable* table;
@@ -87,10 +113,12 @@ private:
     };
     Choice tabulated(double fromCentre, double nearest) const {
         if (m_object.isPolygon) {
-            const GaussTable* rule = m_object.gauss(nearest);
+            const GaussTable* rule = m_exponent < kTableExponent ? m_object.gauss(nearest) : nullptr;
             return {rule ? &rule->table : nullptr, kTableExponent};
         }
-        const int step = std::max(m_object.strip.fromCentre(fromCentre), m_object.strip.fromOutline(nearest));
+        int step = m_object.strip.fromCentre(fromCentre);
+        if (!m_object.disk || step < kNarrow)
+            step = std::max(step, m_object.strip.fromOutline(nearest));
         if (step < 0)
             return {nullptr, 0.0};
         const double b = AnalyticStrip::width(step);
@@ -176,14 +204,6 @@ private:
         return m_sight.X_SO * Eigen::Vector3d(p.x(), p.y(), 0.0);
     }
 
-    OutlinePoint pointAt(const OutlinePiece& piece, double t) const {
-        if (!piece.straight)
-            return m_object.at(t);
-        const Eigen::Vector2d step = piece.b - piece.a;
-        const Eigen::Vector2d p = piece.a + t * step;
-        return {p.x(), p.y(), step.x(), step.y()};
-    }
-
     // Half lengths of a panel that fit into its distance from the source's outline.
     double roomOf(const OutlinePiece& piece, double half, double away) const {
         if (piece.straight)
@@ -191,62 +211,63 @@ private:
         return m_object.strip.radius(away) / half;
     }
 
+    // Halves the piece until each panel is short beside its distance from the source's outline, or agrees
+    // with its halves.
     void panels(const OutlinePiece& piece) {
         if (piece.straight && piece.a == piece.b)
             return;
         const double exponent = m_exponent + kHalf;
         // A panel so short errs by less than its share, whatever the field does.
         const double least_m = 0.3 * m_goal.allowed_m2 / m_object.perimeter;
-        std::vector<std::pair<double, double>> open{piece.straight ? std::pair(0.0, 1.0)
-                                                                   : std::pair(piece.from, piece.to)};
+        std::vector<Panel> open{piece.straight ? Panel{0.0, 1.0} : Panel{piece.from, piece.to}};
         while (!open.empty()) {
-            const auto [from, to] = open.back();
+            const Panel panel = open.back();
             open.pop_back();
-            const double middle = 0.5 * (from + to);
-            const double half = 0.5 * (to - from);
-            const OutlinePoint p = pointAt(piece, middle);
-            const double length = 2.0 * half * std::hypot(p.dx, p.dy);
-            const Eigen::Vector3d p_S = inS({p.x, p.y});
-            const double away = m_source.distance_m(p_S, piece.onCut);
-            const double room = roomOf(piece, half, away);
+            const OutlinePoint p = m_object.at(piece, panel.middle());
+            const double length = panel.width() * std::sqrt(p.dx * p.dx + p.dy * p.dy);
+            const Eigen::Vector3d middle_S = inS({p.x, p.y});
+            const double away = m_source.distance_m(middle_S, piece.onCut);
+            const double room = roomOf(piece, 0.5 * panel.width(), away);
             const double most = 2.0 * kMostGaussPoints * ellipseExponent(room);
-            if (most < exponent && length > least_m && m_points < m_goal.mostPoints) {
-                if (mayTry(piece, from, to, away) && tried(piece, from, 2.0 * half, length, p_S, away))
+            if (most < exponent && length > least_m && m_laid < m_goal.mostPoints) {
+                if (mayTry(piece, panel, away) && tried(piece, panel, length, middle_S, away))
                     continue;
-                open.emplace_back(from, middle);
-                open.emplace_back(middle, to);
+                open.push_back({panel.from, panel.middle()});
+                open.push_back({panel.middle(), panel.to});
                 continue;
             }
-            if (most < exponent)
+            lay(piece, panel, gaussOrder(room, exponent));
+            if (most < exponent) { // too short to matter, or points have run out
                 m_error += length * std::min(length, kSafety * m_goal.sourcePerimeter_m * std::exp(-most));
-            // Points of a panel are within half its length or so of its middle; the rest of the distance
-            // is the source's.
-            const double reached = prepare(p_S, 0.6 * length, away, exponent);
-            lay(piece, from, 2.0 * half, gaussRule(gaussOrder(room, exponent)));
-            m_reached = std::min(m_reached, reached);
+                m_source.prepare(middle_S, 0.0, std::max(away, length), exponent);
+            } else {
+                m_reached = std::min(m_reached, prepareForLaid(middle_S, away));
+            }
+            if (!m_source.closedForm())
+                flush(piece.onCut);
         }
+        flush(piece.onCut);
     }
 
     // The bound of a bent panel is too careful as well: a panel is tried out if it holds no more waves than
     // its points resolve and no point between them can be much nearer to the source's outline than they are.
-    bool mayTry(const OutlinePiece& piece, double from, double to, double away) const {
-        const double waves = piece.straight ? 0.0 : (to - from) * m_object.harmonics;
-        const double length =
-            piece.straight ? (to - from) * (piece.b - piece.a).norm() : (to - from) * m_object.mostSpeed_m;
-        return waves <= 1.5 && (0.6 * length <= away || runsAlong(piece, from, to, away));
+    bool mayTry(const OutlinePiece& piece, const Panel& panel, double away) const {
+        const double waves = piece.straight ? 0.0 : panel.width() * m_object.harmonics;
+        const double speed_m = piece.straight ? (piece.b - piece.a).norm() : m_object.mostSpeed_m;
+        return waves <= 1.5 && (0.6 * panel.width() * speed_m <= away || runsAlong(piece, panel, away));
     }
 
     // Beside an outline that it follows, a panel may be long for its distance.
-    bool runsAlong(const OutlinePiece& piece, double from, double to, double away) const {
+    bool runsAlong(const OutlinePiece& piece, const Panel& panel, double away) const {
         constexpr int kSamples = 16;
         if (!m_source.closedForm())
             return false;
-        OutlinePoint last = pointAt(piece, from);
+        OutlinePoint last = m_object.at(piece, panel.from);
         double there = m_source.distance_m(inS({last.x, last.y}), piece.onCut);
         if (std::max(there, away) > 2.0 * kSamples * std::min(there, away))
             return false;
         for (int i = 1; i <= kSamples; ++i) {
-            const OutlinePoint p = pointAt(piece, from + (to - from) * i / kSamples);
+            const OutlinePoint p = m_object.at(piece, panel.from + panel.width() * i / kSamples);
             const double here = m_source.distance_m(inS({p.x, p.y}), piece.onCut);
             const double between = 1.1 * std::hypot(p.x - last.x, p.y - last.y);
             if (here + there - between < 0.5 * std::max(here, there))
@@ -258,23 +279,20 @@ private:
     }
 
     // Sixteen points against two times eight; taken when they agree to the panel's share of the error.
-    bool tried(const OutlinePiece& piece, double from, double width, double length,
-               const Eigen::Vector3d& p_S, double away) {
-        flush(m_bufferOnCut);
-        const double reached = prepare(p_S, 0.6 * length, away, m_exponent + kHalf);
-        if (reached < m_exponent)
-            return false;
+    bool tried(const OutlinePiece& piece, const Panel& panel, double length, const Eigen::Vector3d& middle_S,
+               double away) {
+        flush(piece.onCut);
         const kernels::Sums before = std::exchange(m_sums, {});
-        lay(piece, from, width, gaussRule(16));
+        lay(piece, panel, 16);
+        const double reached = prepareForLaid(middle_S, away);
         flush(piece.onCut);
         const kernels::Sums once = std::exchange(m_sums, {});
-        lay(piece, from, 0.5 * width, gaussRule(8));
-        lay(piece, from + 0.5 * width, 0.5 * width, gaussRule(8));
+        lay(piece, {panel.from, panel.middle()}, 8);
+        lay(piece, {panel.middle(), panel.to}, 8);
         flush(piece.onCut);
         const kernels::Sums twice = std::exchange(m_sums, before);
-        const double allowed = 0.5 * m_goal.allowed_m2 * length / m_object.perimeter;
-        const double change = agreement(once, twice, allowed);
-        if (change < 0.0)
+        const double change = agreement(once, twice, 0.5 * m_goal.allowed_m2 * length / m_object.perimeter);
+        if (change < 0.0 || reached < m_exponent)
             return false;
         m_error += 2.0 * change;
         m_reached = std::min(m_reached, reached);
@@ -282,38 +300,34 @@ private:
         return true;
     }
 
-    double prepare(const Eigen::Vector3d& centre_S, double radius, double away, double exponent) {
-        if constexpr (std::is_same_v<Source, LoopSource>) {
-            flush(m_bufferOnCut);
-            return m_source.prepare(centre_S, radius, std::max(away - radius, 0.0), exponent);
+    // Points are collected, for the kernels like long rows, and summed when the buffer is full.
+    void lay(const OutlinePiece& piece, const Panel& panel, int order) {
+        if (m_buffer.count + kMostGaussPoints > Buffer::kSize)
+            flush(piece.onCut);
+        const GaussRule rule = gaussRule(order);
+        for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
+            const OutlinePoint p = m_object.at(piece, panel.from + panel.width() * rule.nodes[i]);
+            const double weight = panel.width() * rule.weights[i];
+            m_buffer.add(p.x, p.y, weight * p.dx, weight * p.dy);
         }
-        return exponent;
+        m_laid += order;
     }
 
-    void lay(const OutlinePiece& piece, double from, double width, const GaussRule& rule) {
-        if (m_count + kMostGaussPoints > kBuffer)
-            flush(piece.onCut);
-        m_bufferOnCut = piece.onCut;
-        for (std::size_t i = 0; i < rule.nodes.size(); ++i, ++m_count) {
-            const OutlinePoint p = pointAt(piece, from + width * rule.nodes[i]);
-            m_x[m_count] = p.x;
-            m_y[m_count] = p.y;
-            m_dx[m_count] = width * rule.weights[i] * p.dx;
-            m_dy[m_count] = width * rule.weights[i] * p.dy;
-        }
-        m_points += static_cast<int>(rule.nodes.size());
+    // The source made ready for the points that wait, all near the middle of one panel. Returns the exponent.
+    double prepareForLaid(const Eigen::Vector3d& middle_S, double away) {
+        double radius = 0.0;
+        for (int i = 0; i < m_buffer.count && !m_source.closedForm(); ++i)
+            radius = std::max(radius, (inS({m_buffer.x[i], m_buffer.y[i]}) - middle_S).norm());
+        return m_source.prepare(middle_S, radius, std::max(away - radius, 0.0), m_exponent + kHalf);
     }
 
     void flush(bool onCut) {
-        if (m_count == 0)
+        if (m_buffer.count == 0)
             return;
-        for (; m_count % kernels::kPadding != 0; ++m_count) {
-            m_x[m_count] = m_x[m_count - 1];
-            m_y[m_count] = m_y[m_count - 1];
-            m_dx[m_count] = m_dy[m_count] = 0.0;
-        }
-        add({m_x, m_y, m_dx, m_dy, m_count}, onCut);
-        m_count = 0;
+        while (m_buffer.count % kernels::kPadding != 0)
+            m_buffer.add(m_buffer.x[0], m_buffer.y[0], 0.0, 0.0);
+        add({m_buffer.x, m_buffer.y, m_buffer.dx, m_buffer.dy, m_buffer.count}, onCut);
+        m_buffer.count = 0;
     }
 
     void add(const kernels::Outline& points, bool onCut) {
@@ -334,7 +348,7 @@ private:
         result.circulation_m2 = m_source.circulation(m_sums.value);
         if (kMoments)
             result.moments = m_moments + m_source.moments(m_sums.moments);
-        result.error_m2 = m_error + (m_points > 0 ? 2.0 * errorAt(m_reached) : 0.0);
+        result.error_m2 = m_error + (m_laid > 0 ? 2.0 * errorAt(m_reached) : 0.0);
         return result;
     }
 
@@ -348,10 +362,8 @@ private:
     Vector6d m_moments = Vector6d::Zero();
     double m_error = 0.0;
     double m_reached = 1e3;
-    int m_points = 0;
-    int m_count = 0;
-    bool m_bufferOnCut = false;
-    double m_x[kBuffer], m_y[kBuffer], m_dx[kBuffer], m_dy[kBuffer];
+    int m_laid = 0; // points of panels so far
+    Buffer m_buffer;
 };
 
 } // namespace bask

@@ -164,6 +164,14 @@ OutlinePoint RadiatingContour::Impl::at(double phi) const {
     return {p.real(), p.imag(), d.real(), d.imag()};
 }
 
+OutlinePoint RadiatingContour::Impl::at(const OutlinePiece& piece, double t) const {
+    if (!piece.straight)
+        return at(t);
+    const Eigen::Vector2d step = piece.b - piece.a;
+    const Eigen::Vector2d p = piece.a + t * step;
+    return {p.x(), p.y(), step.x(), step.y()};
+}
+
 const TrapezoidTable* RadiatingContour::Impl::trapezoid(double points) const {
     for (const TrapezoidTable& table : m_trapezoids)
         if (table.points >= points)

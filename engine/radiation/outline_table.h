@@ -91,7 +91,7 @@ struct TrapezoidTable {
     OutlineTable shifted;
 };
 
-inline constexpr double kTableExponent = 32.0; ///< tabulated Gauss rules err by exp(-this): rounding
+inline constexpr double kTableExponent = 36.0; ///< tabulated Gauss rules err by exp(-this): rounding
 
 /// Gauss rules on the edges of a polygon, fine enough for singularities at `distance_m`.
 struct GaussTable {
@@ -104,6 +104,8 @@ struct RadiatingContour::Impl {
 
     /// Point and derivative of a smooth outline at `phi` in [0, 1].
     OutlinePoint at(double phi) const;
+    /// Point of a piece at its own parameter: phi, or 0 to 1 from a to b.
+    OutlinePoint at(const OutlinePiece& piece, double t) const;
 
     /// Trapezoidal rule (smooth outline) of at least `points` points, weights included; null when none is so
     /// fine.

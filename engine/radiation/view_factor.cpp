@@ -41,7 +41,7 @@ double roundingFloor(const RadiatingContour::Impl& source, const RadiatingContou
     const Eigen::Vector3d p = sight.X_SO.translation();
     const double potential =
         std::min(0.5 * source.perimeter, 2.0 * source.area * (p.norm() + object.reach) / p.squaredNorm());
-    return 16.0 * kEpsilon * object.perimeter * potential;
+    return 64.0 * kEpsilon * object.perimeter * potential;
 }
 
 template <bool kMoments, class Source>
@@ -62,8 +62,10 @@ struct Outcome {
 template <bool kMoments>
 Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object, const Pose& X_SO,
                  double tolerance, int mostPoints) {
-    if (!X_SO.matrix().allFinite())
+    if (!std::isfinite(X_SO.matrix().sum()))
         throw std::invalid_argument("viewFactor: the pose is not finite");
+    if (!(tolerance >= 0.0) || mostPoints < 1)
+        throw std::invalid_argument("viewFactor: the tolerance is negative or there are no points");
     const Sight sight(X_SO);
     refuseOverlapInPlane(source, object, sight);
     const PlaneSide seen = sourceSide(source, sight.overObject);

@@ -73,12 +73,16 @@ DiskSegmentSource::DiskSegmentSource(double radius_m, const Sight& sight)
 double DiskSegmentSource::distance_m(const Eigen::Vector3d& p_S, bool onCut) const {
     const double p1 = m_axes.col(0).dot(p_S);
     const double p2 = m_axes.col(1).dot(p_S);
-    const double rho = std::hypot(p1, p2);
-    const double away1 = p1 - m_radius * m_segment.cosBeta;
-    const double away2 = std::abs(p2) - m_radius * m_segment.sinBeta;
-    const double rim = p1 >= rho * m_segment.cosBeta ? std::hypot(rho - m_radius, p_S.z())
-                                                     : std::hypot(std::hypot(away1, away2), p_S.z());
-    return onCut ? rim : std::min(rim, std::sqrt(squaredDistance(m_chord, p_S)));
+    const double rho = std::sqrt(p1 * p1 + p2 * p2);
+    const double z2 = p_S.z() * p_S.z();
+    const double away = rho - m_radius;
+    double square = away * away + z2;
+    if (p1 < rho * m_segment.cosBeta) { // beyond the arc's ends
+        const double away1 = p1 - m_radius * m_segment.cosBeta;
+        const double away2 = std::abs(p2) - m_radius * m_segment.sinBeta;
+        square = away1 * away1 + away2 * away2 + z2;
+    }
+    return std::sqrt(onCut ? square : std::min(square, squaredDistance(m_chord, p_S)));
 }
 
 Vector6d DiskSegmentSource::moments(const double* raw) const {
@@ -172,7 +176,8 @@ double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d&
             open.emplace_back(middle, to);
             continue;
         }
-        reached = std::min(reached, most);
+        if (half > kLeastHalf) // what is shorter does not matter
+            reached = std::min(reached, most);
         const GaussRule rule = gaussRule(gaussOrder(room, exponent));
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {
             const OutlinePoint p = m_source.at(from + 2.0 * half * rule.nodes[i]);

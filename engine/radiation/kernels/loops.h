@@ -7,7 +7,7 @@
 namespace bask::kernels {
 namespace {
 
-Sums sumsOf(const Term& term) {
+BASK_INLINE Sums sumsOf(const Term& term) {
     return {laneSum(term.value),
             {laneSum(term.f1), laneSum(term.f2), laneSum(term.f3), laneSum(term.t1), laneSum(term.t2),
              laneSum(term.t3)}};
