@@ -44,6 +44,13 @@ double roundingFloor(const RadiatingContour::Impl& source, const RadiatingContou
     return 64.0 * kEpsilon * object.perimeter * potential;
 }
 
+// Upper bound (m2) of the part of a face in front of a plane: a strip as wide as the face.
+double visibleArea(const RadiatingContour::Impl& face, const HeightPlane& height, PlaneSide side) {
+    if (side == PlaneSide::Front)
+        return face.area;
+    return 2.0 * face.reach * (height.z0 / height.slope + face.reach);
+}
+
 template <bool kMoments, class Source>
 OutlineIntegral integrate(Source source, const RadiatingContour::Impl& object, const Sight& sight,
                           PlaneSide side, const IntegralGoal& goal) {
@@ -78,6 +85,13 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
     outcome.floor_m2 = roundingFloor(source, object, sight);
     outcome.visibility =
         seen == PlaneSide::Front && side == PlaneSide::Front ? Visibility::Full : Visibility::Partial;
+    // What is seen of either face bounds A2 F21: a sliver is not worth the many points that it asks for.
+    const double seen_m2 =
+        std::min(visibleArea(source, sight.overObject, seen), visibleArea(object, sight.overSource, side));
+    if (seen_m2 <= tolerance * object.area) {
+        outcome.integral.error_m2 = 2.0 * std::numbers::pi * seen_m2;
+        return outcome;
+    }
     const IntegralGoal goal{std::max(2.0 * std::numbers::pi * object.area * tolerance, outcome.floor_m2),
                             source.perimeter, mostPoints};
     if (!source.disk)

@@ -50,10 +50,10 @@ private:
 
 /// F21 of the object at X_SO over the source, with gradient, visibility and error estimate. Heated face along
 /// -z of O. Method: F21 is the circulation of the source's vector potential along the visible part of the
-/// outline; the gradient is the force and torque on a current loop in its curl. Two half-space cuts decide
-/// what is visible. Thread-safe; allocates only where the outline dips below the source plane or nearly
-/// touches the source's rim. Throws std::invalid_argument on a pose that is not finite, options that mean
-/// nothing, and where the two faces overlap in one plane.
+/// outline; the gradient is the force and torque on a current loop in its curl. Two half-space cuts decide what
+/// is visible. Where the faces run through each other, which plates cannot, the value stands but the gradient
+/// leaves out what the cuts gain by moving. Thread-safe. Throws std::invalid_argument on a pose that is not
+/// finite, options that mean nothing, and where the two faces overlap in one plane.
 ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
                       const ViewFactorOptions& options = {});
 
