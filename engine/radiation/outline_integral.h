@@ -45,7 +45,7 @@ public:
     OutlineIntegral whole() {
         const Eigen::Vector3d o = m_sight.X_SO.translation();
         const HeightPlane& height = m_sight.overSource;
-        const double fromCentre = m_source.distance_m(o, false);
+        const double fromCentre = m_source.distance_m(o);
         const double nearest =
             std::max(fromCentre - m_object.reach, height.z0 - m_object.reach * height.slope);
         if (const auto [table, exponent] = tabulated(fromCentre, nearest); table) {
@@ -167,7 +167,7 @@ private:
         const kernels::Outline points = rule.table.view();
         double least = 1e300;
         for (int i = 0; i < rule.points; ++i)
-            least = std::min(least, m_source.distance_m(inS({points.x[i], points.y[i]}), false));
+            least = std::min(least, m_source.distance_m(inS({points.x[i], points.y[i]})));
         return least - 0.5 * m_object.mostSpeed_m / rule.points;
     }
 
@@ -216,6 +216,7 @@ private:
     void panels(const OutlinePiece& piece) {
         if (piece.straight && piece.a == piece.b)
             return;
+        m_source.follow(inS(piece.a), inS(piece.b), piece.onCut); // of a smooth piece a and b are equal
         const double exponent = m_exponent + kHalf;
         // A panel so short errs by less than its share, whatever the field does.
         const double least_m = 0.3 * m_goal.allowed_m2 / m_object.perimeter;
@@ -226,11 +227,11 @@ private:
             const OutlinePoint p = m_object.at(piece, panel.middle());
             const double length = panel.width() * std::sqrt(p.dx * p.dx + p.dy * p.dy);
             const Eigen::Vector3d middle_S = inS({p.x, p.y});
-            const double away = m_source.distance_m(middle_S, piece.onCut);
+            const double away = m_source.distance_m(middle_S);
             const double room = roomOf(piece, 0.5 * panel.width(), away);
             const double most = 2.0 * kMostGaussPoints * ellipseExponent(room);
             if (most < exponent && length > least_m && m_laid < m_goal.mostPoints) {
-                if (mayTry(piece, panel, away) && tried(piece, panel, length, middle_S, away))
+                if (mayTry(piece, panel, length, away) && tried(piece, panel, length, middle_S, away))
                     continue;
                 open.push_back({panel.from, panel.middle()});
                 open.push_back({panel.middle(), panel.to});
@@ -251,24 +252,24 @@ private:
 
     // The bound of a bent panel is too careful as well: a panel is tried out if it holds no more waves than
     // its points resolve and no point between them can be much nearer to the source's outline than they are.
-    bool mayTry(const OutlinePiece& piece, const Panel& panel, double away) const {
+    bool mayTry(const OutlinePiece& piece, const Panel& panel, double length, double away) const {
         const double waves = piece.straight ? 0.0 : panel.width() * m_object.harmonics;
         const double speed_m = piece.straight ? (piece.b - piece.a).norm() : m_object.mostSpeed_m;
-        return waves <= 1.5 && (0.6 * panel.width() * speed_m <= away || runsAlong(piece, panel, away));
+        return waves <= 1.0 &&
+               (0.6 * panel.width() * speed_m <= away || runsAlong(piece, panel, length, away));
     }
 
     // Beside an outline that it follows, a panel may be long for its distance.
-    bool runsAlong(const OutlinePiece& piece, const Panel& panel, double away) const {
-        constexpr int kSamples = 16;
-        if (!m_source.closedForm())
+    bool runsAlong(const OutlinePiece& piece, const Panel& panel, double length, double away) const {
+        constexpr int kMostSamples = 64;
+        const int samples = static_cast<int>(std::min(std::ceil(length / away), 1e3));
+        if (!m_source.closedForm() || samples > kMostSamples)
             return false;
         OutlinePoint last = m_object.at(piece, panel.from);
-        double there = m_source.distance_m(inS({last.x, last.y}), piece.onCut);
-        if (std::max(there, away) > 2.0 * kSamples * std::min(there, away))
-            return false;
-        for (int i = 1; i <= kSamples; ++i) {
-            const OutlinePoint p = m_object.at(piece, panel.from + panel.width() * i / kSamples);
-            const double here = m_source.distance_m(inS({p.x, p.y}), piece.onCut);
+        double there = m_source.distance_m(inS({last.x, last.y}));
+        for (int i = 1; i <= samples; ++i) {
+            const OutlinePoint p = m_object.at(piece, panel.from + panel.width() * i / samples);
+            const double here = m_source.distance_m(inS({p.x, p.y}));
             const double between = 1.1 * std::hypot(p.x - last.x, p.y - last.y);
             if (here + there - between < 0.5 * std::max(here, there))
                 return false;
@@ -278,7 +279,8 @@ private:
         return true;
     }
 
-    // Sixteen points against two times eight; taken when they agree to the panel's share of the error.
+    // Sixteen points against two times sixteen, which are far better; taken when they agree to the panel's
+    // share of the error.
     bool tried(const OutlinePiece& piece, const Panel& panel, double length, const Eigen::Vector3d& middle_S,
                double away) {
         flush(piece.onCut);
@@ -287,14 +289,14 @@ private:
         const double reached = prepareForLaid(middle_S, away);
         flush(piece.onCut);
         const kernels::Sums once = std::exchange(m_sums, {});
-        lay(piece, {panel.from, panel.middle()}, 8);
-        lay(piece, {panel.middle(), panel.to}, 8);
+        lay(piece, {panel.from, panel.middle()}, 16);
+        lay(piece, {panel.middle(), panel.to}, 16);
         flush(piece.onCut);
         const kernels::Sums twice = std::exchange(m_sums, before);
         const double change = agreement(once, twice, 0.5 * m_goal.allowed_m2 * length / m_object.perimeter);
         if (change < 0.0 || reached < m_exponent)
             return false;
-        m_error += 2.0 * change;
+        m_error += change;
         m_reached = std::min(m_reached, reached);
         addSums(twice);
         return true;

@@ -222,6 +222,8 @@ void RadiatingContour::Impl::tabulatePolygon(const Contour& polygon) {
     for (std::size_t i = 0; i < n; ++i) {
         const Eigen::Vector2d edge = points[(i + 1) % n] - points[i];
         const double length = edge.norm();
+        if (length == 0.0)
+            continue;
         perimeter += length;
         reach = std::max(reach, points[i].norm());
         edges.push_back({points[i].x(), points[i].y(), edge.x() / length, edge.y() / length, length});
@@ -229,14 +231,15 @@ void RadiatingContour::Impl::tabulatePolygon(const Contour& polygon) {
     for (const double share : kGaussDistances) {
         GaussTable& made = m_gauss.emplace_back();
         made.distance_m = share * perimeter;
-        for (std::size_t i = 0; i < n; ++i) {
-            const int parts = std::max(1, static_cast<int>(std::ceil(edges[i].length / made.distance_m)));
-            const double half = 0.5 * edges[i].length / parts;
+        for (const kernels::Edge& edge : edges) {
+            const int parts = std::max(1, static_cast<int>(std::ceil(edge.length / made.distance_m)));
+            const double half = 0.5 * edge.length / parts;
             const GaussRule rule = gaussRule(gaussOrder(made.distance_m / half, kTableExponent));
-            const Eigen::Vector2d step = (points[(i + 1) % n] - points[i]) / parts;
+            const Eigen::Vector2d start(edge.a1, edge.a2);
+            const Eigen::Vector2d step = 2.0 * half * Eigen::Vector2d(edge.t1, edge.t2);
             for (int part = 0; part < parts; ++part)
                 for (std::size_t k = 0; k < rule.nodes.size(); ++k) {
-                    const Eigen::Vector2d p = points[i] + step * (part + rule.nodes[k]);
+                    const Eigen::Vector2d p = start + step * (part + rule.nodes[k]);
                     made.table.add(p.x(), p.y(), step.x() * rule.weights[k], step.y() * rule.weights[k]);
                 }
         }

@@ -69,7 +69,8 @@ struct Outcome {
 template <bool kMoments>
 Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object, const Pose& X_SO,
                  double tolerance, int mostPoints) {
-    if (!std::isfinite(X_SO.matrix().sum()))
+    constexpr double kFarthest2 = 1e100; // m2; beyond, squares of squares overflow
+    if (!(X_SO.translation().squaredNorm() < kFarthest2) || !std::isfinite(X_SO.linear().sum()))
         throw std::invalid_argument("viewFactor: the pose is not finite");
     if (!(tolerance >= 0.0) || mostPoints < 1)
         throw std::invalid_argument("viewFactor: the tolerance is negative or there are no points");
@@ -107,7 +108,7 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
 }
 
 double asFraction(double circulation, double area) {
-    return std::clamp(-circulation / (2.0 * std::numbers::pi * area), 0.0, 1.0);
+    return std::clamp(-circulation / (2.0 * std::numbers::pi * area), 0.0, 1.0) + 0.0; // no minus zero
 }
 
 } // namespace

@@ -31,8 +31,8 @@ struct ViewFactorOptions {
 /// by copies. Immutable.
 class RadiatingContour {
 public:
-    /// Any counter-clockwise shape, taken where it is. Throws std::invalid_argument when the area is not
-    /// positive.
+    /// Any counter-clockwise shape, taken where it is. It ought to be simple; where it crosses itself, what
+    /// it goes round twice counts twice. Throws std::invalid_argument when the area is not positive.
     explicit RadiatingContour(const Shape& shape);
     ~RadiatingContour();
     RadiatingContour(const RadiatingContour&);
@@ -50,10 +50,10 @@ private:
 
 /// F21 of the object at X_SO over the source, with gradient, visibility and error estimate. Heated face along
 /// -z of O. Method: F21 is the circulation of the source's vector potential along the visible part of the
-/// outline; the gradient is the force and torque on a current loop in its curl. Two half-space cuts decide what
-/// is visible. Where the faces run through each other, which plates cannot, the value stands but the gradient
-/// leaves out what the cuts gain by moving. Thread-safe. Throws std::invalid_argument on a pose that is not
-/// finite, options that mean nothing, and where the two faces overlap in one plane.
+/// outline; the gradient is the force and torque on a current loop in its curl. Two half-space cuts decide
+/// what is visible. Where the faces run through each other, which plates cannot, the value stands but the
+/// gradient leaves out what the cuts gain by moving. Thread-safe. Throws std::invalid_argument on a pose that
+/// is not finite, options that mean nothing, and where the two faces overlap in one plane.
 ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
                       const ViewFactorOptions& options = {});
 

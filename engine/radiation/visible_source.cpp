@@ -3,6 +3,7 @@
 #include "engine/radiation/gauss_rule.h"
 
 #include <algorithm>
+#include <span>
 
 namespace bask {
 
@@ -27,6 +28,18 @@ Vector6d fieldOnLine(const kernels::Edge& edge, const Eigen::Vector3d& a, const 
     Vector6d moments;
     moments << force, (start + 0.5 * (from + to) * t - o).cross(force);
     return moments;
+}
+
+// Both ends of the edge within rounding of the line through a and b.
+bool isOnLine(const kernels::Edge& edge, const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const Eigen::Vector3d along = b - a;
+    const double length = along.norm();
+    const auto away = [&](double from) {
+        const Eigen::Vector3d p(edge.a1 + from * edge.t1, edge.a2 + from * edge.t2, 0.0);
+        return (p - a).cross(along).norm() / length;
+    };
+    return length > 0.0 &&
+           std::max(away(0.0), away(edge.length)) <= 1e-13 * (length + edge.length + a.norm());
 }
 
 } // namespace
@@ -70,7 +83,7 @@ DiskSegmentSource::DiskSegmentSource(double radius_m, const Sight& sight)
     m_chord = {a.x(), a.y(), -m_axes(0, 1), -m_axes(1, 1), 2.0 * radius_m * s.sinBeta};
 }
 
-double DiskSegmentSource::distance_m(const Eigen::Vector3d& p_S, bool onCut) const {
+double DiskSegmentSource::distance_m(const Eigen::Vector3d& p_S) const {
     const double p1 = m_axes.col(0).dot(p_S);
     const double p2 = m_axes.col(1).dot(p_S);
     const double rho = std::sqrt(p1 * p1 + p2 * p2);
@@ -82,7 +95,11 @@ double DiskSegmentSource::distance_m(const Eigen::Vector3d& p_S, bool onCut) con
         const double away2 = std::abs(p2) - m_radius * m_segment.sinBeta;
         square = away1 * away1 + away2 * away2 + z2;
     }
-    return std::sqrt(onCut ? square : std::min(square, squaredDistance(m_chord, p_S)));
+    return std::sqrt(m_chordFollowed ? square : std::min(square, squaredDistance(m_chord, p_S)));
+}
+
+void DiskSegmentSource::follow(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool onCut) {
+    m_chordFollowed = onCut || isOnLine(m_chord, a, b);
 }
 
 Vector6d DiskSegmentSource::moments(const double* raw) const {
@@ -124,14 +141,30 @@ LoopSource::LoopSource(const RadiatingContour::Impl& source, const Sight& sight,
     m_loop.cutEdgeCount = static_cast<int>(m_cutEdges.size());
 }
 
-double LoopSource::distance_m(const Eigen::Vector3d& p_S, bool onCut) const {
+double LoopSource::distance_m(const Eigen::Vector3d& p_S) const {
     double square = 1e300;
-    for (int i = 0; i < m_loop.edgeCount; ++i)
-        square = std::min(square, squaredDistance(m_loop.edges[i], p_S));
-    for (int i = 0; i < (onCut ? 0 : m_loop.cutEdgeCount); ++i)
-        square = std::min(square, squaredDistance(m_loop.cutEdges[i], p_S));
+    const auto look = [&](const kernels::Edge* edges, int count) {
+        for (const kernels::Edge& edge : std::span(edges, static_cast<std::size_t>(count)))
+            if (m_followed.empty() || std::ranges::find(m_followed, edge) == m_followed.end())
+                square = std::min(square, squaredDistance(edge, p_S));
+    };
+    look(m_loop.edges, m_loop.edgeCount);
+    look(m_loop.cutEdges, m_loop.cutEdgeCount);
     const double straight = std::sqrt(square);
     return m_smooth.empty() ? straight : std::min(straight, m_source.distance_m(p_S));
+}
+
+void LoopSource::follow(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool onCut) {
+    m_followed.clear();
+    if (a == b)
+        return;
+    for (int i = 0; i < m_loop.edgeCount; ++i)
+        if (isOnLine(m_loop.edges[i], a, b))
+            m_followed.push_back(m_loop.edges[i]);
+    for (const kernels::Edge& edge : m_cutEdges)
+        if (onCut ||
+            isOnLine(edge, a, b)) // as computed from either face, the cut may differ by more than rounding
+            m_followed.push_back(edge);
 }
 
 double LoopSource::prepare(const Eigen::Vector3d& centre_S, double radius_m, double nearest_m,

@@ -28,12 +28,15 @@ class WholeDiskSource {
 public:
     WholeDiskSource(double radius_m, const Sight& sight);
 
-    /// Lower bound of the distance (m) of a point of S to the visible outline; `onCut`: to those parts of it
-    /// that do not lie on the line where the planes meet.
-    double distance_m(const Eigen::Vector3d& p_S, bool /*onCut*/) const {
+    /// Lower bound of the distance (m) of a point of S to the visible outline, without the edges that are
+    /// followed.
+    double distance_m(const Eigen::Vector3d& p_S) const {
         const double aside = std::sqrt(p_S.x() * p_S.x() + p_S.y() * p_S.y()) - m_radius;
         return std::sqrt(aside * aside + p_S.z() * p_S.z());
     }
+    /// The next points lie on the line through a and b (S; on none when they are equal), `onCut`: where the
+    /// planes meet. Edges on that line are followed: the potential along them is regular.
+    void follow(const Eigen::Vector3d& /*a*/, const Eigen::Vector3d& /*b*/, bool /*onCut*/) {}
     /// Makes ready for points within `radius_m` of `centre_S` that keep `nearest_m` from the outline, to a
     /// relative error exp(-exponent). Returns the exponent reached.
     double prepare(const Eigen::Vector3d& /*centre_S*/, double /*radius_m*/, double /*nearest_m*/,
@@ -66,7 +69,8 @@ class DiskSegmentSource {
 public:
     DiskSegmentSource(double radius_m, const Sight& sight);
 
-    double distance_m(const Eigen::Vector3d& p_S, bool onCut) const;
+    double distance_m(const Eigen::Vector3d& p_S) const;
+    void follow(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool onCut);
     double prepare(const Eigen::Vector3d&, double, double, double exponent) { return exponent; }
     bool closedForm() const { return true; }
     double value(const kernels::Outline& points) const {
@@ -85,6 +89,7 @@ private:
     Eigen::Vector3d m_normal, m_o;
     kernels::Segment m_segment;
     kernels::Edge m_chord;
+    bool m_chordFollowed = false;
 };
 
 /// Fourier contour or polygon, whole or cut: nodes on what is smooth, closed form on what is straight.
@@ -93,7 +98,8 @@ public:
     /// `cut`: the object's plane crosses the outline.
     LoopSource(const RadiatingContour::Impl& source, const Sight& sight, bool cut);
 
-    double distance_m(const Eigen::Vector3d& p_S, bool onCut) const;
+    double distance_m(const Eigen::Vector3d& p_S) const;
+    void follow(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool onCut);
     double prepare(const Eigen::Vector3d& centre_S, double radius_m, double nearest_m, double exponent);
     bool closedForm() const { return m_smooth.empty(); }
     double value(const kernels::Outline& points) const {
@@ -114,6 +120,7 @@ private:
     Eigen::Vector3d m_normal, m_o;
     std::vector<OutlinePiece> m_smooth;
     std::vector<kernels::Edge> m_edges, m_cutEdges;
+    std::vector<kernels::Edge> m_followed; ///< of both
     OutlineTable m_nodes;
     kernels::Placement m_placement;
     kernels::Loop m_loop;

@@ -37,6 +37,7 @@ struct Segment {
 /// Straight edge of a source contour from a in the direction t, in S.
 struct Edge {
     double a1 = 0.0, a2 = 0.0, t1 = 0.0, t2 = 0.0, length = 0.0;
+    bool operator==(const Edge&) const = default;
 };
 
 /// A closed source contour in S, S's z being the source's normal: nodes of its smooth parts, straight edges,

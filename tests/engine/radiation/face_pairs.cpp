@@ -24,6 +24,23 @@ Shape mirrored(const Shape& shape) {
     return shape;
 }
 
+// Where the outline crosses the plane through `p` with the normal `n`, along `direction`, in order.
+std::vector<double> crossings(const Shape& shape, const Pose& X, const Eigen::Vector3d& p,
+                              const Eigen::Vector3d& n, const Eigen::Vector3d& direction) {
+    std::vector<double> found;
+    const auto outline = shapeOutline(shape, 2000);
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Eigen::Vector2d &q = outline[i], &r = outline[(i + 1) % outline.size()];
+        const Eigen::Vector3d a = X * Eigen::Vector3d(q.x(), q.y(), 0.0);
+        const Eigen::Vector3d b = X * Eigen::Vector3d(r.x(), r.y(), 0.0);
+        const double ha = n.dot(a - p), hb = n.dot(b - p);
+        if ((ha > 0.0) != (hb > 0.0))
+            found.push_back(direction.dot(a + (b - a) * (ha / (ha - hb))));
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
 } // namespace
 
 Contour star(double radius_m, int points, double inner) {
@@ -141,6 +158,18 @@ Shape scaled(const Shape& shape, double factor) {
 FacePair exchanged(const FacePair& pair) {
     const Pose flip = poseAt(0, 0, 0, kPi);
     return {mirrored(pair.object), mirrored(pair.source), flip * pair.X_SO.inverse() * flip, pair.size_m};
+}
+
+bool runThroughEachOther(const FacePair& pair) {
+    const Eigen::Vector3d n = pair.X_SO.linear().col(2), up = Eigen::Vector3d::UnitZ();
+    const Eigen::Vector3d direction = n.cross(up).normalized();
+    const auto a = crossings(pair.source, Pose::Identity(), pair.X_SO.translation(), n, direction);
+    const auto b = crossings(pair.object, pair.X_SO, Eigen::Vector3d::Zero(), up, direction);
+    for (std::size_t i = 0; i + 1 < a.size(); i += 2)
+        for (std::size_t k = 0; k + 1 < b.size(); k += 2)
+            if (std::max(a[i], b[k]) < std::min(a[i + 1], b[k + 1]))
+                return true;
+    return false;
 }
 
 } // namespace bask::test

@@ -5,7 +5,6 @@
 #include "tests/engine/radiation/random_poses.h"
 
 #include <complex>
-#include <optional>
 
 namespace bask::test {
 
@@ -45,5 +44,8 @@ Shape scaled(const Shape& shape, double factor);
 /// The same two faces with their roles exchanged. Each is now seen from its other side: outlines mirrored in
 /// their x axis, and both frames turned about x by pi.
 FacePair exchanged(const FacePair& pair);
+
+/// Whether the line in which the two planes meet has points inside both faces.
+bool runThroughEachOther(const FacePair& pair);
 
 } // namespace bask::test

@@ -34,6 +34,11 @@ template <class F> void forPairs(unsigned seed, int count, const F& check) {
             }
 }
 
+// An estimate that says too much excuses nothing.
+double sure(const ViewFactor& f) {
+    return std::min(f.errorEstimate, 1e-9);
+}
+
 Pose nudged(const Pose& X_SO, int k, double step) {
     Pose X = X_SO;
     if (k < 3)
@@ -60,7 +65,7 @@ TEST(ViewFactorProperties, toleranceHoldsAndTheEstimateIsHonest) {
             const double error = std::abs(f.value - sharp.value);
             EXPECT_LE(error, f.errorEstimate + sharp.errorEstimate) << tolerance;
             EXPECT_LE(error, tolerance + sharp.errorEstimate) << tolerance;
-            EXPECT_LE(f.errorEstimate, 4.0 * tolerance + 1e-10);
+            EXPECT_LE(f.errorEstimate, 2.0 * tolerance + 1e-10);
             const double value = viewFactorValue(RadiatingContour(pair.source), RadiatingContour(pair.object),
                                                  pair.X_SO, tolerance);
             EXPECT_NEAR(value, sharp.value, tolerance + sharp.errorEstimate);
@@ -72,25 +77,27 @@ TEST(ViewFactorProperties, toleranceHoldsAndTheEstimateIsHonest) {
 }
 
 // Catches: anything wrong alike in all evaluations of the engine: sign, frame, cut, pieces. The reference
-// says itself where it is good: two counts of nodes agree.
+// says itself where it is good: three counts of nodes agree.
 TEST(ViewFactorProperties, agreesWithLambertsLawOverBothVisibleAreas) {
     std::map<Visibility, int> compared;
     forPairs(102, 24, [&](const FacePair& pair, Draw&, int) {
         const ViewFactor f = factorOf(pair);
         if (f.visibility == Visibility::Hidden)
             return;
-        const double coarse = test::areaViewFactor(pair.source, pair.object, pair.X_SO, 6);
-        if (std::abs(coarse - f.value) > 1e-2)
+        const auto reference = [&](int nodes) {
+            return test::areaViewFactor(pair.source, pair.object, pair.X_SO, nodes);
+        };
+        const double coarse = reference(5), finer = reference(7);
+        if (std::abs(coarse - finer) > 1e-5)
             return; // too close together for it
-        const double fine = test::areaViewFactor(pair.source, pair.object, pair.X_SO, 9);
-        const double error = std::abs(fine - coarse);
-        if (error > 1e-5)
+        const double fine = reference(10), error = std::abs(fine - finer);
+        if (error > 0.2 * std::abs(coarse - finer) + 1e-13)
             return;
         ++compared[f.visibility];
-        EXPECT_NEAR(f.value, fine, 0.1 * error + 1e-12);
+        EXPECT_NEAR(f.value, fine, error + 1e-12);
     });
-    EXPECT_GT(compared[Visibility::Full], 40);
-    EXPECT_GT(compared[Visibility::Partial], 40);
+    EXPECT_GT(compared[Visibility::Full], 25);
+    EXPECT_GT(compared[Visibility::Partial], 25);
 }
 
 // Catches: either cut treated otherwise than the other, or a pair of kinds otherwise than the pair turned
@@ -102,7 +109,7 @@ TEST(ViewFactorProperties, isReciprocal) {
         const ViewFactor there = factorOf(pair), here = factorOf(back);
         const double a2 = shapeArea(pair.object), a1 = shapeArea(pair.source);
         EXPECT_NEAR(a2 * there.value, a1 * here.value,
-                    a2 * there.errorEstimate + a1 * here.errorEstimate + 1e-13 * std::min(a1, a2));
+                    a2 * sure(there) + a1 * sure(here) + 1e-13 * std::min(a1, a2));
         EXPECT_EQ(there.visibility, here.visibility);
         ++seen[there.visibility];
     });
@@ -135,7 +142,7 @@ TEST(ViewFactorProperties, partsAddUpToTheWhole) {
                 return factorOf({contour, pair.object, pair.X_SO});
             };
             const ViewFactor f = source(whole), a = source(first), b = source(second);
-            const double estimates = f.errorEstimate + a.errorEstimate + b.errorEstimate;
+            const double estimates = sure(f) + sure(a) + sure(b);
             EXPECT_NEAR(f.value, a.value + b.value, estimates + 1e-13);
             EXPECT_LE((f.gradient - a.gradient - b.gradient).norm(),
                       1e-6 * (1.0 + f.gradient.norm() + a.gradient.norm()));
@@ -147,7 +154,7 @@ TEST(ViewFactorProperties, partsAddUpToTheWhole) {
             const auto [one, two] = partsOf(object, 1, 5);
             const auto part = [&](const Contour& contour) {
                 const ViewFactor g = factorOf({pair.source, contour, pair.X_SO});
-                return std::pair(contourArea(contour) * g.value, contourArea(contour) * g.errorEstimate);
+                return std::pair(contourArea(contour) * g.value, contourArea(contour) * sure(g));
             };
             const auto all = part(object), left = part(one), right = part(two);
             EXPECT_NEAR(all.first, left.first + right.first,
@@ -171,7 +178,7 @@ TEST(ViewFactorProperties, isUnchangedByACommonMotion) {
         Pose turn = poseAt(shift.real(), shift.imag(), 0, 0, 0, angle);
         const ViewFactor a =
             factorOf({test::movedInPlane(pair.source, shift, angle), pair.object, turn * pair.X_SO});
-        EXPECT_NEAR(a.value, f.value, a.errorEstimate + f.errorEstimate);
+        EXPECT_NEAR(a.value, f.value, sure(a) + sure(f));
         Vector6d expected;
         expected << turn.linear() * f.gradient.head<3>(), turn.linear() * f.gradient.tail<3>();
         EXPECT_LE((a.gradient - expected).norm(), 1e-7 * scale);
@@ -181,7 +188,7 @@ TEST(ViewFactorProperties, isUnchangedByACommonMotion) {
         turn = poseAt(shift.real(), shift.imag(), 0, 0, 0, angle);
         const Pose X = pair.X_SO * turn.inverse();
         const ViewFactor b = factorOf({pair.source, test::movedInPlane(pair.object, shift, angle), X});
-        EXPECT_NEAR(b.value, f.value, b.errorEstimate + f.errorEstimate);
+        EXPECT_NEAR(b.value, f.value, sure(b) + sure(f));
         EXPECT_LE((gradientAbout(b.gradient, X.translation(), pair.X_SO.translation()) - f.gradient).norm(),
                   1e-7 * scale);
         EXPECT_EQ(b.visibility, f.visibility);
@@ -196,7 +203,7 @@ TEST(ViewFactorProperties, dependsOnNoUnitOfLength) {
             FacePair other{test::scaled(pair.source, factor), test::scaled(pair.object, factor), pair.X_SO};
             other.X_SO.translation() *= factor;
             const ViewFactor g = factorOf(other);
-            EXPECT_NEAR(g.value, f.value, g.errorEstimate + f.errorEstimate) << factor;
+            EXPECT_NEAR(g.value, f.value, sure(g) + sure(f)) << factor;
             EXPECT_EQ(g.visibility, f.visibility) << factor;
             Vector6d back = g.gradient;
             back.head<3>() *= factor;
@@ -206,12 +213,13 @@ TEST(ViewFactorProperties, dependsOnNoUnitOfLength) {
 }
 
 // Catches: an error of the field's curl, of the lever or of the frozen cut for any kind of source. Where two
-// steps of the fourth-order difference disagree (a corner passes the cut) nothing can be said.
+// steps of the fourth-order difference disagree (a corner passes the cut) nothing can be said; nor where one
+// face runs through the other, which no plate can.
 TEST(ViewFactorProperties, gradientIsTheDerivativeOfTheValue) {
     int checked = 0, partial = 0, unsaid = 0;
     forPairs(107, 40, [&](const FacePair& pair, Draw&, int) {
         const ViewFactor f = factorOf(pair);
-        if (f.value < 1e-4)
+        if (f.value < 1e-4 || test::runThroughEachOther(pair))
             return;
         const RadiatingContour source(pair.source), object(pair.object);
         const double reach = shapeRadius(pair.object);
@@ -241,32 +249,34 @@ TEST(ViewFactorProperties, gradientIsTheDerivativeOfTheValue) {
 }
 
 // Catches: a jump of value or gradient where a cut begins to bite, a piece falls off or the last of a face
-// disappears. Along random ways the places where the visibility changes are found by halving.
+// disappears. Along random ways the places where the visibility changes are found by halving. Where the faces
+// touch each other the gradient grows with the root of the way, elsewhere more slowly.
 TEST(ViewFactorProperties, isContinuousThroughEveryChangeOfVisibility) {
     std::map<std::pair<Visibility, Visibility>, int> changes;
     forPairs(108, 40, [&](const FacePair& pair, Draw& draw, int) {
         const RadiatingContour source(pair.source), object(pair.object);
         const Eigen::Vector3d shift = draw.vector(2.0 * std::max(shapeRadius(pair.object), 0.1));
         const Eigen::Vector3d turn = draw.vector(1.5);
-        const auto at = [&](double t) {
-            return viewFactor(source, object,
-                              Pose(Eigen::Translation3d(t * shift)) * pair.X_SO *
-                                  poseFromRotationVector(Eigen::Vector3d::Zero(), t * turn),
-                              kSharp);
+        const auto at = [&](double t, double tolerance) {
+            const Pose X = Eigen::Translation3d(t * shift) * pair.X_SO *
+                           poseFromRotationVector(Eigen::Vector3d::Zero(), t * turn);
+            return viewFactor(source, object, X, {.tolerance = tolerance});
         };
+        const auto visibility = [&](double t) { return at(t, 1e-2).visibility; };
         constexpr int kSteps = 20;
         for (int i = 0; i < kSteps; ++i) {
             double a = static_cast<double>(i) / kSteps, b = static_cast<double>(i + 1) / kSteps;
-            if (at(a).visibility == at(b).visibility)
+            const Visibility first = visibility(a);
+            if (first == visibility(b))
                 continue;
-            while (b - a > 1e-10) {
+            while (b - a > 1e-11) {
                 const double middle = 0.5 * (a + b);
-                (at(middle).visibility == at(a).visibility ? a : b) = middle;
+                (visibility(middle) == first ? a : b) = middle;
             }
-            const ViewFactor before = at(a), after = at(b);
+            const ViewFactor before = at(a, 1e-9), after = at(b, 1e-9);
             ++changes[std::minmax(before.visibility, after.visibility)];
-            EXPECT_NEAR(before.value, after.value, before.errorEstimate + after.errorEstimate + 1e-8);
-            EXPECT_LE((before.gradient - after.gradient).norm(), 1e-5 * (1.0 + before.gradient.norm()));
+            EXPECT_NEAR(before.value, after.value, sure(before) + sure(after));
+            EXPECT_LE((before.gradient - after.gradient).norm(), 1e-3 * (1.0 + before.gradient.norm()));
         }
     });
     EXPECT_GT((changes[{Visibility::Full, Visibility::Partial}]), 50);
@@ -321,7 +331,7 @@ TEST(ViewFactorProperties, farApartIsTheProductOfTheCosines) {
                 const ViewFactor f = factorOf({face, object, X_SO});
                 // The outlines' centroids are within 0.02 m of the origin.
                 EXPECT_NEAR(f.value, expected, expected * 0.3 / distance + f.errorEstimate);
-                EXPECT_LE(f.errorEstimate, 1e-13);
+                EXPECT_LE(f.errorEstimate, 1e-11);
                 EXPECT_NEAR(f.gradient.head<3>().dot(direction), -2.0 * expected / distance,
                             expected * 1.0 / (distance * distance) + 1e-12 / distance);
             }

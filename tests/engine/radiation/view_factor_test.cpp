@@ -377,6 +377,10 @@ TEST(ViewFactor, refusesWhatIsNoPoseOrNoShape) {
     EXPECT_THROW(viewFactor({-1.0}, object, poseAt(0, 0, 0.1)), std::invalid_argument);
     EXPECT_THROW(viewFactor({0.1}, object, poseAt(0, 0, std::nan(""))), std::invalid_argument);
     EXPECT_THROW(viewFactorValue({std::nan("")}, object, poseAt(0, 0, 0.1)), std::invalid_argument);
+    EXPECT_THROW(viewFactor({0.1}, object, poseAt(1e60, 0, 1e60)), std::invalid_argument);
+    EXPECT_THROW(viewFactor({0.1}, object, poseAt(0, 0, 0.1), {.tolerance = -1.0}), std::invalid_argument);
+    EXPECT_THROW(viewFactor({0.1}, object, poseAt(0, 0, 0.1), {.maxPoints = 0}), std::invalid_argument);
+    EXPECT_FALSE(std::signbit(viewFactor({0.1}, object, poseAt(0, 0, 1e9)).value));
     EXPECT_THROW(RadiatingContour(Disk{0.0}), std::invalid_argument);
     EXPECT_THROW(RadiatingContour(FourierContour({0.02, 0.0, 0.0})), std::invalid_argument);
     EXPECT_THROW(RadiatingContour(Contour{{{0, 0}, {1, 0}, {2, 0}}}), std::invalid_argument);
