@@ -188,6 +188,14 @@ void warnOfUndefined(const Field& field) {
                      count, field.values.size(), count == 1 ? "has" : "have");
 }
 
+void warnOfUnreached(const Field& field) {
+    if (field.unreachedSamples > 0)
+        std::fprintf(stderr,
+                     "bask field: %zu of %zu samples may err by more than the tolerance %s, by %s at most\n",
+                     field.unreachedSamples, field.values.size(), formatNumber(field.tolerance).c_str(),
+                     formatNumber(field.largestErrorEstimate).c_str());
+}
+
 /// On standard error, when it is a terminal and the work takes its time.
 std::function<void(double)> progressFrom(Clock::time_point start) {
     if (isatty(STDERR_FILENO) == 0)
@@ -214,6 +222,7 @@ int sampleAndWrite(const Request& request) {
     if (!field)
         return refuse(field.error());
     warnOfUndefined(**field);
+    warnOfUnreached(**field);
     if (!request.path.empty())
         if (const auto written = writeField(**field, request.path, request.title); !written)
             return refuse(written.error());
@@ -249,7 +258,7 @@ int fieldCommand(const QStringList& arguments) {
          {"quantity", "F, the view factor, or T, the steady temperature in K (needs an object).", "F|T", "F"},
          {"gradient", "Also the derivatives of F by the six coordinates."},
          {"tolerance", "Of F, absolute; 1e-9 unless given.", "NUMBER"},
-         {"o", "The file to write.", "FILE.vti"}});
+         {{"o", "output"}, "The file to write.", "FILE.vti"}});
     const bool parsed = parser.parse(QStringList("bask") + arguments);
     const auto given = parser.positionalArguments().size();
     if (const auto code = parseCommand(parser, "field", arguments, parsed && given == 0 ? 0 : 1))

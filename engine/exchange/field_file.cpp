@@ -99,6 +99,8 @@ void layOut(vtkImageData* image, const Field& field, const std::string& title) {
     describeHeld(image, field);
     addNumbers(image, "tolerance", {field.tolerance});
     addNumbers(image, "undefined_samples", {static_cast<double>(field.undefinedSamples)});
+    addNumbers(image, "samples_above_tolerance", {static_cast<double>(field.unreachedSamples)});
+    addNumbers(image, "largest_error_estimate", {field.largestErrorEstimate});
 }
 
 int fourthAxisCount(const Field& field) {

@@ -203,14 +203,14 @@ public:
                 if (begin >= m_grid.samples)
                     return;
                 const std::size_t end = std::min(begin + kChunk, m_grid.samples);
-                m_undefined += sample(begin, end);
+                book(sample(begin, end));
                 m_done += end - begin;
                 const double done = static_cast<double>(m_done) / static_cast<double>(m_grid.samples);
                 if (reports && m_run.progress && done < 1.0 && done >= reported + kProgressStep)
                     m_run.progress(reported = done);
             }
         } catch (...) {
-            const std::lock_guard lock(m_failureMutex);
+            const std::lock_guard lock(m_mutex);
             m_failure = std::current_exception();
             m_halted = true;
         }
@@ -220,7 +220,9 @@ public:
     bool finish() {
         if (m_failure)
             std::rethrow_exception(m_failure);
-        m_field.undefinedSamples = m_undefined;
+        m_field.undefinedSamples = m_tally.undefined;
+        m_field.unreachedSamples = m_tally.unreached;
+        m_field.largestErrorEstimate = m_tally.largestError;
         if (m_done < m_grid.samples)
             return false;
         if (m_run.progress)
@@ -229,31 +231,49 @@ public:
     }
 
 private:
-    /// Returns how many samples are not defined.
-    std::size_t sample(std::size_t begin, std::size_t end) {
+    struct Tally {
+        std::size_t undefined = 0, unreached = 0;
+        double largestError = 0.0;
+    };
+
+    void book(const Tally& more) {
+        const std::lock_guard lock(m_mutex);
+        m_tally.undefined += more.undefined;
+        m_tally.unreached += more.unreached;
+        m_tally.largestError = std::max(m_tally.largestError, more.largestError);
+    }
+
+    Tally sample(std::size_t begin, std::size_t end) {
         const FieldQuantity& quantity = m_grid.request.quantity;
-        std::size_t undefined = 0;
+        // An estimate holds the rule's share and what rounding leaves.
+        const double reached = 1.01 * m_grid.request.tolerance;
+        Tally tally;
         Cursor cursor(m_grid, begin);
         for (std::size_t i = begin; i < end; ++i) {
-            const double F = viewFactorAt(cursor, i);
-            undefined += std::isnan(F);
+            double error = 0.0;
+            const double F = viewFactorAt(cursor, i, error);
+            tally.undefined += std::isnan(F);
+            tally.unreached += error > reached;
+            tally.largestError = std::max(tally.largestError, error);
             m_field.values[i] = quantity.fromViewFactor && !std::isnan(F) ? quantity.fromViewFactor(F) : F;
             if (i + 1 < end)
                 cursor.advance();
         }
-        return undefined;
+        return tally;
     }
 
     /// Writes the gradient of sample i too. NaN where object and source overlap in one plane.
-    double viewFactorAt(const Cursor& cursor, std::size_t i) {
+    double viewFactorAt(const Cursor& cursor, std::size_t i, double& error) {
         constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
         const FieldRequest& request = m_grid.request;
         try {
             if (!request.withGradient)
-                return viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance);
+                return viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance,
+                                       &error);
             ViewFactorOptions options;
             options.tolerance = request.tolerance;
             const ViewFactor factor = viewFactor(request.source, request.object, cursor.X_SO(), options);
+            error = factor.errorEstimate;
             cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
             return factor.value;
         } catch (const std::invalid_argument&) {
@@ -268,9 +288,9 @@ private:
     Field& m_field;
     std::atomic<std::size_t> m_next{0};
     std::atomic<std::size_t> m_done{0};
-    std::atomic<std::size_t> m_undefined{0};
+    Tally m_tally;
     std::atomic<bool> m_halted{false};
-    std::mutex m_failureMutex;
+    std::mutex m_mutex;
     std::exception_ptr m_failure;
 };
 

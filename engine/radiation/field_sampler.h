@@ -61,6 +61,10 @@ struct Field {
     std::vector<double> gradient;
     /// Samples where object and source overlap in one plane: their numbers are NaN.
     std::size_t undefinedSamples = 0;
+    /// Samples whose error estimate is above the tolerance (points ran out, or rounding), and the largest
+    /// estimate.
+    std::size_t unreachedSamples = 0;
+    double largestErrorEstimate = 0.0;
 };
 
 struct FieldRun {

@@ -64,8 +64,9 @@ public:
 
     /// Pieces that together are a closed loop in front of the source plane.
     OutlineIntegral over(const std::vector<OutlinePiece>& pieces) {
+        int left = static_cast<int>(pieces.size());
         for (const OutlinePiece& piece : pieces) {
-            panels(piece);
+            panels(piece, m_laid + (m_goal.mostPoints - m_laid) / left--);
             if (kMoments && piece.onCut)
                 m_moments += m_source.alongCut(inS(piece.a), inS(piece.b));
         }
@@ -213,7 +214,7 @@ private:
 
     // Halves the piece until each panel is short beside its distance from the source's outline, or agrees
     // with its halves.
-    void panels(const OutlinePiece& piece) {
+    void panels(const OutlinePiece& piece, int mostLaid) {
         if (piece.straight && piece.a == piece.b)
             return;
         m_source.follow(inS(piece.a), inS(piece.b), piece.onCut); // of a smooth piece a and b are equal
@@ -221,16 +222,17 @@ private:
         // A panel so short errs by less than its share, whatever the field does.
         const double least_m = 0.3 * m_goal.allowed_m2 / m_object.perimeter;
         std::vector<Panel> open{piece.straight ? Panel{0.0, 1.0} : Panel{piece.from, piece.to}};
-        while (!open.empty()) {
-            const Panel panel = open.back();
-            open.pop_back();
+        // Wide panels come first: when points run out, what is left is short everywhere.
+        for (std::size_t next = 0; next < open.size(); ++next) {
+            const Panel panel = open[next];
             const OutlinePoint p = m_object.at(piece, panel.middle());
             const double length = panel.width() * std::sqrt(p.dx * p.dx + p.dy * p.dy);
             const Eigen::Vector3d middle_S = inS({p.x, p.y});
             const double away = m_source.distance_m(middle_S);
             const double room = roomOf(piece, 0.5 * panel.width(), away);
             const double most = 2.0 * kMostGaussPoints * ellipseExponent(room);
-            if (most < exponent && length > least_m && m_laid < m_goal.mostPoints) {
+            if (most < exponent && length > least_m &&
+                m_laid + 16 * static_cast<int>(open.size() - next) < mostLaid) {
                 if (mayTry(piece, panel, length, away) && tried(piece, panel, length, middle_S, away))
                     continue;
                 open.push_back({panel.from, panel.middle()});

@@ -13,6 +13,7 @@ namespace bask {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
+constexpr double kLeastArea_m2 = 1e-22; // of a face; smaller ones meet the guards against division by zero
 constexpr int kTrapezoidPoints[] = {8, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 constexpr double kGaussDistances[] = {1.0, 0.5, 0.25, 0.125, 0.0625}; // in perimeters
 
@@ -130,14 +131,14 @@ RadiatingContour::Impl::Impl(const Shape& outline) : shape(outline), m_coefficie
     if (const auto* polygon = std::get_if<Contour>(&shape)) {
         isPolygon = true;
         area = polygonArea(polygon->points_m);
-        if (!(area > 0.0))
+        if (!(area > kLeastArea_m2))
             throw std::invalid_argument("RadiatingContour: an outline without area");
         tabulatePolygon(*polygon);
         return;
     }
     harmonics = (static_cast<int>(m_coefficients.size()) - 1) / 2;
     area = harmonics < 1 ? 0.0 : seriesArea(m_coefficients, harmonics);
-    if (!(area > 0.0) || !std::isfinite(area) || (disk && !(disk->radius_m > 0.0)))
+    if (!(area > kLeastArea_m2) || !std::isfinite(area) || (disk && !(disk->radius_m > 0.0)))
         throw std::invalid_argument("RadiatingContour: an outline without area");
     tabulateSmooth();
 }

@@ -12,7 +12,7 @@
 
 namespace bask {
 
-/// The height above the source plane as a function on O's plane: z = z0 + kx x + ky y (m).
+/// The height of one face's points over the other's plane: z0 + kx x + ky y (m).
 struct HeightPlane {
     double z0, kx, ky;
     double slope; ///< of the steepest way

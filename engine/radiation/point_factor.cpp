@@ -144,10 +144,12 @@ int samplesOf(const FourierContour& contour) {
     return 512 + 64 * contour.harmonics();
 }
 
-/// Gauss sums over halves until they agree with the whole, or `budget` panels are spent.
-template <class F> class Halving {
+/// Gauss sums over halves until they agree with the whole to `allowed` and the integrand's own noise at the
+/// middle, or `budget` panels are spent.
+template <class F, class Noise> class Halving {
 public:
-    Halving(const F& f, double allowed, int budget) : m_f(f), m_allowed(allowed), m_budget(budget) {}
+    Halving(const F& f, const Noise& noise, double allowed, int budget)
+        : m_f(f), m_noise(noise), m_allowed(allowed), m_budget(budget) {}
 
     double operator()(double from, double to) { return refine(from, to, panel(from, to)); }
 
@@ -163,12 +165,13 @@ private:
     double refine(double from, double to, double whole) {
         const double middle = 0.5 * (from + to);
         const double left = panel(from, middle), right = panel(middle, to);
-        if (std::abs(left + right - whole) <= m_allowed || m_budget <= 0)
+        if (std::abs(left + right - whole) <= m_allowed + m_noise(middle) || m_budget <= 0)
             return left + right;
         return refine(from, middle, left) + refine(middle, to, right);
     }
 
     const F& m_f;
+    const Noise& m_noise;
     double m_allowed;
     int m_budget;
 };
@@ -183,7 +186,10 @@ double circulation(const FourierContour& contour, const Element& element) {
         const Eigen::Vector3d r = at(phi);
         return element.n.dot(r.cross(Eigen::Vector3d(slope.real(), slope.imag(), 0.0))) / r.squaredNorm();
     };
-    Halving integral(integrand, 1e-13, kMostPanels);
+    // Close to the outline the rounding of its points is seen under a wide angle.
+    const double size = contour.perimeter();
+    const auto noise = [&](double phi) { return 1e-15 * size / std::max(at(phi).norm(), 1e-15 * size); };
+    Halving integral(integrand, noise, 1e-13, kMostPanels);
     // Starts with panels of a quarter wave, lest whole and halves agree by chance.
     const auto stretch = [&](double from, double to) {
         const int panels =

@@ -64,6 +64,10 @@ struct Outcome {
     OutlineIntegral integral;
     Visibility visibility = Visibility::Hidden;
     double floor_m2 = 0.0;
+
+    double error(double area) const {
+        return std::min((integral.error_m2 + floor_m2) / (2.0 * std::numbers::pi * area), 1.0);
+    }
 };
 
 template <bool kMoments>
@@ -148,15 +152,18 @@ ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& ob
     factor.value = asFraction(outcome.integral.circulation_m2, area);
     factor.gradient = -perCirculation * outcome.integral.moments;
     factor.visibility = outcome.visibility;
-    factor.errorEstimate = perCirculation * (outcome.integral.error_m2 + outcome.floor_m2);
+    factor.errorEstimate = outcome.error(area);
     return factor;
 }
 
 double viewFactorValue(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
-                       double tolerance) {
+                       double tolerance, double* errorEstimate) {
     const Outcome outcome =
         evaluate<false>(source.impl(), object.impl(), X_SO, tolerance, ViewFactorOptions{}.maxPoints);
-    return asFraction(outcome.integral.circulation_m2, object.area_m2());
+    const double area = object.area_m2();
+    if (errorEstimate)
+        *errorEstimate = outcome.error(area);
+    return asFraction(outcome.integral.circulation_m2, area);
 }
 
 Vector6d gradientAbout(const Vector6d& gradient, const Eigen::Vector3d& p_SO, const Eigen::Vector3d& p_SE) {

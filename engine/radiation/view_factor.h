@@ -19,7 +19,7 @@ struct ViewFactor {
     /// dF/d(position) 1/m and dF/d(rotation) 1/rad, S axes, about O's origin.
     Vector6d gradient = Vector6d::Zero();
     Visibility visibility = Visibility::Hidden;
-    double errorEstimate = 0.0; ///< of `value`, absolute
+    double errorEstimate = 0.0; ///< of `value`, absolute, at most 1
 };
 
 struct ViewFactorOptions {
@@ -57,9 +57,10 @@ private:
 ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
                       const ViewFactorOptions& options = {});
 
-/// Value only, to an absolute tolerance: for tables of many thousand poses. Throws as viewFactor does.
+/// Value only, to an absolute tolerance: for tables of many thousand poses. `errorEstimate` gets what was
+/// reached, if it is given. Throws as viewFactor does.
 double viewFactorValue(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
-                       double tolerance = 1e-9);
+                       double tolerance = 1e-9, double* errorEstimate = nullptr);
 
 /// Radiation from the whole object to the source, the reference point moved from O's origin to E's origin:
 /// gradient about p_SE, so that it is the row of the interaction matrix for the end-effector's twist in S

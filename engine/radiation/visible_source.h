@@ -97,6 +97,8 @@ class LoopSource {
 public:
     /// `cut`: the object's plane crosses the outline.
     LoopSource(const RadiatingContour::Impl& source, const Sight& sight, bool cut);
+    LoopSource(const LoopSource&) = delete; // refers to its own edges and nodes
+    LoopSource& operator=(const LoopSource&) = delete;
 
     double distance_m(const Eigen::Vector3d& p_S) const;
     void follow(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool onCut);

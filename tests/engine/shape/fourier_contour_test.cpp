@@ -2,6 +2,8 @@
 
 #include "engine/shape/fourier_contour.h"
 
+#include "engine/shape/winding.h"
+
 #include "engine/shape/contour_import.h"
 #include "tests/engine/shape/shape_samples.h"
 
@@ -161,6 +163,19 @@ FourierContour series(std::vector<std::pair<int, std::complex<double>>> terms) {
     for (const auto& [j, value] : terms)
         coefficients[static_cast<std::size_t>(j + harmonics)] = value;
     return FourierContour(coefficients);
+}
+
+// Catches: a circle traced twice, or a limacon's inner loop, taken for an outline whose ends overlap a
+// little.
+TEST(UnevenShare, isTheShareThatIsNotGoneRoundOnce) {
+    const auto share = [](std::initializer_list<std::complex<double>> c) {
+        return unevenShare(FourierContour(std::vector<std::complex<double>>(c)));
+    };
+    EXPECT_EQ(share({0.0, 0.0, 0.1}), 0.0);                    // a circle
+    EXPECT_EQ(share({0.1, 0.0, 0.0}), 1.0);                    // clockwise
+    EXPECT_NEAR(share({0.0, 0.0, 0.0, 0.0, 0.1}), 1.0, 1e-4);  // twice round
+    EXPECT_NEAR(share({0.0, 0.0, 0.0, 0.02, 0.1}), 0.6, 0.01); // a limacon with a large inner loop
+    EXPECT_EQ(share({0.0, 0.0, 0.0, 0.1, 0.02}), 0.0);         // one without
 }
 
 // Catches a curve traced twice, loops and a figure of eight taken for simple outlines.
