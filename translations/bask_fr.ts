@@ -239,6 +239,10 @@
             <translation>les fichiers de type « %1 » ne sont pas lus ; connus : %2</translation>
         </message>
         <message>
+            <source>the outline crosses itself so far that it does not go round %1 % of its area exactly once; at most 1 % is taken, use other harmonics</source>
+            <translation>le contour se recoupe tant qu’il ne fait pas exactement une fois le tour de %1 % de sa surface ; 1 % au plus est admis, choisissez d’autres harmoniques</translation>
+        </message>
+        <message>
             <source>the outline crosses itself near (%1, %2) mm</source>
             <translation>le contour se recoupe près de (%1, %2) mm</translation>
         </message>
@@ -265,6 +269,26 @@
         <message>
             <source>the session file is in use: %1</source>
             <translation>le fichier de session est en cours d’utilisation : %1</translation>
+        </message>
+        <message>
+            <source>%1 readings in windows long enough are too few: at least %2 windows of %3 s are needed; record a longer run</source>
+            <translation>%1 mesures dans des fenêtres assez longues, c’est trop peu : il faut au moins %2 fenêtres de %3 s ; enregistrez un essai plus long</translation>
+        </message>
+        <message>
+            <source>the source was never in view; record a run that heats</source>
+            <translation>la source n’a jamais été en vue ; enregistrez un essai qui chauffe</translation>
+        </message>
+        <message>
+            <source>the view factor hardly varied (by %1), so heating and cooling cannot be told apart; record a run that moves</source>
+            <translation>le facteur de vue n’a guère varié (de %1), donc l’échauffement et le refroidissement ne se distinguent pas ; enregistrez un essai avec des mouvements</translation>
+        </message>
+        <message>
+            <source>the record tells %1 within %2 % only; at most 25 % can be used; record a run that heats and cools more</source>
+            <translation>l’enregistrement ne donne %1 qu’à %2 % près ; au plus 25 % sont utilisables ; enregistrez un essai qui chauffe et refroidit davantage</translation>
+        </message>
+        <message>
+            <source>%1 comes out below zero: the heat balance does not describe this record; check the sensor, the source and the environment's temperature</source>
+            <translation>%1 ressort négatif : le bilan thermique ne décrit pas cet enregistrement ; vérifiez le capteur, la source et la température ambiante</translation>
         </message>
         <message>
             <source>No experiment is loaded. Open one or make a new one.</source>

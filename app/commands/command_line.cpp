@@ -14,6 +14,8 @@ std::span<const Subcommand> subcommands() {
                    fieldCommand},
         Subcommand{"study", "repeat the paper's study of view-factor methods: table and figures",
                    studyCommand, true},
+        Subcommand{"identify", "heat rates of the objects of a recorded session, with standard errors",
+                   identifyCommand},
         Subcommand{"export", "write a session's tables as CSV", exportCommand},
     };
     return kSubcommands;

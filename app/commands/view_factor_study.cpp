@@ -172,6 +172,8 @@ std::string studyCsv(const ViewFactorStudy& study) {
         "# Exact view factor of the outline: " +
         shortest(study.exact) +
         ". The paper's 0.764602 belongs to another bunny: compare trends, not values.\n"
+        "# The exact value is Bask's own at a tolerance of 1e-12: the errors of its rows for the whole "
+        "outline say nothing.\n"
         "# error: against the exact value. quadrature_error: against the exact value of the same truncated "
         "outline.\n"
         "# time_us: median of repeats; Bask's rows compute the six derivatives too, the others the value "

@@ -52,6 +52,7 @@ enum class MessageCode {
     ContourColumnMissing, ///< %1 line, %2 columns found
     ContourOpen,          ///< %1 gap mm, %2 allowed mm
     ContourCrossing,      ///< %1, %2 edge numbers, %3 x mm, %4 y mm
+    SeriesUneven,         ///< %1 percent
     SeriesCrossing,       ///< %1 x mm, %2 y mm
     ContourZeroArea,      ///< no args
     ContourUnitMissing,   ///< no args
@@ -70,6 +71,12 @@ enum class MessageCode {
     NotASession,    ///< no args
     SessionDamaged, ///< %1 database's words
     SessionBusy,    ///< %1 words
+    // Identification of rates
+    IdentificationTooShort,  ///< %1 readings, %2 windows needed, %3 their length s
+    IdentificationUnheated,  ///< no args
+    IdentificationStill,     ///< %1 variation of the view factor
+    IdentificationUncertain, ///< %1 rate, %2 its standard error in percent
+    IdentificationNegative,  ///< %1 rate
     // Rig: reasons for not being ready, faults
     ReasonNoExperiment,     ///< no args
     ReasonEstimatorFilling, ///< %1 samples so far, %2 needed

@@ -97,8 +97,11 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
         outcome.integral.error_m2 = 2.0 * std::numbers::pi * seen_m2;
         return outcome;
     }
-    const IntegralGoal goal{std::max(2.0 * std::numbers::pi * object.area * tolerance, outcome.floor_m2),
-                            source.perimeter, mostPoints};
+    constexpr double kShare =
+        0.6; // of the tolerance, so that the parts of an estimate add up to less than it
+    const IntegralGoal goal{
+        std::max(kShare * 2.0 * std::numbers::pi * object.area * tolerance, outcome.floor_m2),
+        source.perimeter, mostPoints};
     if (!source.disk)
         outcome.integral = integrate<kMoments>(LoopSource(source, sight, seen == PlaneSide::Across), object,
                                                sight, side, goal);

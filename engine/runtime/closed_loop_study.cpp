@@ -195,7 +195,8 @@ std::string failureOf(const RunOutcome& outcome, double duration_s) {
 }
 
 Result<ClosedLoopRow> runCase(const ClosedLoopStudy& study, int index) {
-    ClosedLoopRow row{.drawn = drawClosedLoopCase(study, index)};
+    ClosedLoopRow row;
+    row.drawn = drawClosedLoopCase(study, index);
     const Experiment experiment = closedLoopExperiment(study, row.drawn);
     SimulatedRunOptions options;
     options.duration_s = row.drawn.duration_s();

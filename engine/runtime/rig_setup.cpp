@@ -29,12 +29,15 @@ std::vector<HeatRates> believedRates(const Experiment& experiment, double enviro
     const double range = std::log(experiment.controller.believedRateErrorFactor);
     std::mt19937_64 random(experiment.simulation.seed ^ 0x9e3779b97f4a7c15ULL);
     std::uniform_real_distribution<double> factor(-1.0, 1.0);
-    for (HeatRates& rate : rates) {
+    for (std::size_t i = 0; i < rates.size(); ++i) {
         const double heating = std::exp(range * factor(random));
         const double cooling = std::exp(range * factor(random));
+        HeatRates& rate = rates[i];
         rate.lambda1 *= heating;
         rate.lambda2 *= cooling;
         rate.lambda3 *= cooling;
+        if (experiment.objects[i].believedRates) // known: not to be made wrong
+            rate = *experiment.objects[i].believedRates;
     }
     return rates;
 }

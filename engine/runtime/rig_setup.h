@@ -16,7 +16,8 @@ std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);
 /// Rates of the objects' materials at the source's set temperature and the given environment.
 std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K);
 
-/// The same, wrong by the experiment's random factors (seeded): where a controller starts.
+/// Where a controller starts: an object's believed rates, else its material's, wrong by the experiment's
+/// random factors (seeded).
 std::vector<HeatRates> believedRates(const Experiment& experiment, double environment_K);
 
 /// First feasibility condition for the experiment's targets. Takes some 0.1 s: run it as a job.

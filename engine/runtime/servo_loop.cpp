@@ -138,13 +138,14 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_sensorLost.assign(m_sensors.size(), false);
     ControlModel model;
     model.geometry = m_geometry;
-    model.believed =
-        believedRates(m_experiment, m_sensors.environment_K().value_or(m_experiment.environment_K));
+    const double environment_K = m_sensors.environment_K().value_or(m_experiment.environment_K);
+    model.believed = believedRates(m_experiment, environment_K);
     for (const ObjectSpec& object : m_experiment.objects)
         model.targets_K.push_back(object.target_K);
     m_controller = makeController(m_experiment.controller, std::move(model));
     m_state = RunState::Running;
-    command("start", acceptInfeasible ? R"({"accept_infeasible":true})" : "{}");
+    command("start", R"({"environment_K":)" + formatNumber(environment_K, 10) +
+                         (acceptInfeasible ? R"(,"accept_infeasible":true})" : "}"));
     event(MessageCode::EventStarted);
     // The first step is taken at once, on the readings just made.
     control();

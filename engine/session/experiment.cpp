@@ -1,5 +1,7 @@
 #include "engine/session/experiment.h"
 
+#include "engine/shape/winding.h"
+
 #include "engine/base/units.h"
 #include "engine/session/edge_units.h"
 
@@ -20,7 +22,12 @@ constexpr std::size_t kMaxTitleLength = 1000;
 constexpr double kMaxBelievedRateErrorFactor = 8.0; // identification is bounded at 10
 constexpr std::size_t kMaxOutlinePoints = 200'000;
 constexpr double kMaxSourceRadius_m = 10.0;
+constexpr double kLeastRadius_m = 1e-6;
+constexpr double kMostUneven = 0.01;       // of the area
+constexpr std::size_t kMostCorners = 5000; // more would make a run slower than life
 constexpr double kMaxObjectRadius_m = 1.0;
+constexpr double kMaxRate_K_s = 1e5;       // a foil of 10 um before a source of 2000 degC
+constexpr double kMaxLambda2_1_K3s = 1e-7; // and what it radiates
 
 /// Collects the first complaint; later checks are skipped.
 class Checker {
@@ -104,9 +111,20 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
     if (!(shapeArea(shape) > 0.0))
         return check.fail(MessageCode::ContourZeroArea, path);
     const double radius_m = shapeRadius(shape);
-    if (!(radius_m <= most_m))
-        check.fail(MessageCode::ValueOutOfRange, path,
-                   {"a radius of " + formatNumber(radius_m), "0", formatNumber(most_m), "m"});
+    if (!(radius_m <= most_m) || radius_m < kLeastRadius_m)
+        return check.fail(MessageCode::ValueOutOfRange, path,
+                          {"a radius of " + formatNumber(radius_m), formatNumber(kLeastRadius_m),
+                           formatNumber(most_m), "m"});
+    // A truncated outline may cross itself a little, a real one does not go round twice.
+    const auto* fourier = std::get_if<FourierContour>(&shape);
+    const double uneven = fourier ? unevenShare(*fourier) : 0.0;
+    if (uneven > kMostUneven)
+        return check.fail(MessageCode::SeriesUneven, path + ".coefficients",
+                          {formatNumber(100.0 * uneven, 2)});
+    const auto* polygon = std::get_if<Contour>(&shape);
+    if (polygon && polygon->points_m.size() > kMostCorners)
+        check.fail(MessageCode::ValueOutOfRange, path + ".points_m",
+                   {to_string(polygon->points_m.size()), "3", to_string(kMostCorners), "corners"});
 }
 
 void checkSource(Checker& check, const Experiment& e) {
@@ -165,6 +183,12 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
                        object.mounting[k], -most, most);
     }
     check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, -50.0, 2000.0);
+    if (const auto& rates = object.believedRates) {
+        const std::string place = path + ".believed_rates.";
+        check.positive(place + "lambda1_K_s", rates->lambda1, kMaxRate_K_s, "K/s");
+        check.positive(place + "lambda2_1_K3s", rates->lambda2, kMaxLambda2_1_K3s, "1/(K3 s)");
+        check.positive(place + "lambda3_K_s", rates->lambda3, kMaxRate_K_s, "K/s");
+    }
 }
 
 void checkObjects(Checker& check, const Experiment& e) {

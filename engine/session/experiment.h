@@ -41,6 +41,8 @@ struct ObjectSpec {
     Vector6d mounting =
         Vector6d::Zero(); ///< coordinates of O in E (m, rad): X_EO = poseFromCoordinates(mounting)
     double target_K = 313.15;
+    /// Where a controller starts, at the source's set temperature; empty: from the material.
+    std::optional<HeatRates> believedRates;
     bool operator==(const ObjectSpec&) const = default;
 };
 

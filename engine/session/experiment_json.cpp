@@ -350,6 +350,14 @@ void readMaterial(const json& j, const std::string& path, Failure& failure, Mate
     fields.close();
 }
 
+void readBelievedRates(const json& j, const std::string& path, Failure& failure, HeatRates& out) {
+    Fields fields(j, path, failure);
+    fields.read("lambda1_K_s", out.lambda1, true);
+    fields.read("lambda2_1_K3s", out.lambda2, true);
+    fields.read("lambda3_K_s", out.lambda3, true);
+    fields.close();
+}
+
 ObjectSpec readObject(const json& j, const std::string& path, const std::string& folder, Failure& failure) {
     ObjectSpec object;
     Fields fields(j, path, failure);
@@ -363,6 +371,9 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     });
     readPart(fields, "mounting", true, [&](const json& part, const std::string& where) {
         readCoordinates(part, where, failure, object.mounting);
+    });
+    readPart(fields, "believed_rates", false, [&](const json& part, const std::string& where) {
+        readBelievedRates(part, where, failure, object.believedRates.emplace());
     });
     fields.close();
     return object;

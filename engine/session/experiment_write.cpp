@@ -78,6 +78,10 @@ Json objectJson(const ObjectSpec& object) {
     j["contour"] = contourJson(object.shape, object.origin);
     j["material"] = materialJson(object.material);
     j["mounting"] = coordinatesJson(object.mounting);
+    if (const auto& rates = object.believedRates)
+        j["believed_rates"] = {{"lambda1_K_s", rates->lambda1},
+                               {"lambda2_1_K3s", rates->lambda2},
+                               {"lambda3_K_s", rates->lambda3}};
     return j;
 }
 

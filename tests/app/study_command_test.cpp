@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QImage>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
@@ -153,6 +154,34 @@ TEST_F(StudyCommand, RefusesABadFolderBeforeTheWork) {
     }
 }
 
+// Catches: last lines that a script cannot read, a table that is not there or not the same at a second run, a
+// first study's files that stop the second one.
+TEST_F(StudyCommand, ClosedLoopEndsWithItsThreeNumbersAndIsReproducible) {
+    const QStringList arguments{"closed-loop", "--count",    "2",      "--seed", "7",          "--controller",
+                                "level",       "--mounting", "random", "-o",     folder("out")};
+    const Answer answer = study(arguments);
+    ASSERT_EQ(answer.exitCode, 0) << answer.err.toStdString();
+    const QRegularExpression lastLines(
+        QStringLiteral("\\nsuccess rate: (\\d+\\.\\d) %\\nmedian settling over bound: (\\d+\\.\\d\\d|none)\\n"
+                       "worst overshoot: (\\d+\\.\\d\\d) K\\n\\z"));
+    const auto match = lastLines.match(answer.out);
+    ASSERT_TRUE(match.hasMatch()) << answer.out.toStdString();
+    EXPECT_EQ(answer.out.count(QStringLiteral(" failed: ")), 2 - qRound(match.captured(1).toDouble() / 50.0));
+
+    const QByteArray table = contents(folder("out") + "/closed_loop_study.csv");
+    int runs = 0;
+    for (const QByteArray& line : table.split('\n'))
+        runs += !line.isEmpty() && !line.startsWith('#');
+    EXPECT_EQ(runs, 3) << "header and two runs";
+    for (const char* name : {"settling", "ratio", "overshoot"})
+        EXPECT_EQ(QImage(folder("out") + QStringLiteral("/closed_loop_study_%1.png").arg(QLatin1String(name)))
+                      .size(),
+                  QSize(1800, 1200))
+            << name;
+    EXPECT_EQ(study(arguments).out, answer.out);
+    EXPECT_EQ(contents(folder("out") + "/closed_loop_study.csv"), table);
+}
+
 // Catches: wrong words taken for right ones.
 TEST_F(StudyCommand, RefusesWrongWords) {
     const QString to = folder("out");
@@ -160,6 +189,15 @@ TEST_F(StudyCommand, RefusesWrongWords) {
          {QStringList{}, QStringList{"view-factor"}, QStringList{"tomography", "-o", to},
           QStringList{"view-factor", "-o", ""}, QStringList{"view-factor", "-o", to, "--elements", "many"},
           QStringList{"view-factor", "-o", to, "--elements", "20001"},
+          QStringList{"view-factor", "-o", to, "--count", "3"}, QStringList{"closed-loop"},
+          QStringList{"closed-loop", "-o", to, "--elements", "500"},
+          QStringList{"closed-loop", "-o", to, "--controller", "pid"},
+          QStringList{"closed-loop", "-o", to, "--source-model", "black"},
+          QStringList{"closed-loop", "-o", to, "--mounting", "circle"},
+          QStringList{"closed-loop", "-o", to, "--rate-error", "0.5"},
+          QStringList{"closed-loop", "-o", to, "--rate-error", "nan"},
+          QStringList{"closed-loop", "-o", to, "--count", "0"},
+          QStringList{"closed-loop", "-o", to, "--seed", "-1"},
           QStringList{"view-factor", "-o", to, "-platform", "xcb"}}) {
         const Answer answer = study(arguments);
         EXPECT_EQ(answer.exitCode, 2) << arguments.join(u' ').toStdString();

@@ -61,7 +61,11 @@ using enum MessageCode;
 
 INSTANTIATE_TEST_SUITE_P(
     Reader, ChangedKey,
-    ::testing::Values(Change{"/sorce", "1", JsonUnknownKey, ""},
+    ::testing::Values(Change{"/source/contour", R"({"type":"fourier","coefficients":[[2,0.1,0]]})",
+                             SeriesUneven, "source.contour.coefficients"},
+                      Change{"/source/contour", R"({"type":"fourier","coefficients":[[1,1e-7,0]]})",
+                             ValueOutOfRange, "source.contour"},
+                      Change{"/sorce", "1", JsonUnknownKey, ""},
                       Change{"/objects/1/colour", "1", JsonUnknownKey, "objects[1]"},
                       Change{"/objects/0/material/emissivity", "0.9", JsonUnknownKey, "objects[0].material"},
                       Change{"/objects/0/contour/radius_cm", "1", JsonUnknownKey, "objects[0].contour"},
@@ -136,6 +140,16 @@ INSTANTIATE_TEST_SUITE_P(
                "controller.believed_rate_error_factor"},
         Change{"/controller/believed_rate_error_factor", "8.01", ValueOutOfRange,
                "controller.believed_rate_error_factor"},
+        Change{"/objects/1/believed_rates", "{}", JsonMissingKey, "objects[1].believed_rates"},
+        Change{"/objects/1/believed_rates",
+               R"({"lambda1_K_s":1,"lambda2_1_K3s":1e-11,"lambda3_K_s":1,"lambda4":1})", JsonUnknownKey,
+               "objects[1].believed_rates"},
+        Change{"/objects/1/believed_rates", R"({"lambda1_K_s":-1,"lambda2_1_K3s":1e-11,"lambda3_K_s":1})",
+               ValueNotPositive, "objects[1].believed_rates.lambda1_K_s"},
+        Change{"/objects/1/believed_rates", R"({"lambda1_K_s":1,"lambda2_1_K3s":2,"lambda3_K_s":1})",
+               ValueOutOfRange, "objects[1].believed_rates.lambda2_1_K3s"},
+        Change{"/objects/1/believed_rates", R"({"lambda1_K_s":1,"lambda2_1_K3s":1e-11,"lambda3_K_s":0})",
+               ValueNotPositive, "objects[1].believed_rates.lambda3_K_s"},
         Change{"/simulation/duration_limit_s", "0.01", ValueOutOfRange, "simulation.duration_limit_s"},
         Change{"/simulation/duration_limit_s", "-1", ValueNotPositive, "simulation.duration_limit_s"}));
 

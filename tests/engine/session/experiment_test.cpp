@@ -156,6 +156,8 @@ private:
         for (int k = 0; k < 6; ++k)
             o.mounting[k] = k < 3 ? real(-0.05, 0.05) : real(-0.5, 0.5);
         o.target_K = real(290, 400);
+        if (kind % 2 == 0)
+            o.believedRates = HeatRates{real(1e-4, 2), real(1e-13, 1e-10), real(1e-4, 2)};
         return o;
     }
 

@@ -1,0 +1,178 @@
+// bask study closed-loop: runs the study on the rig of the three-object examples, its table and figures.
+
+#include "app/commands/command_line.h"
+#include "app/commands/studies.h"
+#include "app/commands/study_output.h"
+
+#include "widgets/plots/figure_png.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <algorithm>
+#include <cstdio>
+#include <unistd.h>
+
+// Q_INIT_RESOURCE declares a function and must stand outside any namespace.
+static void initStudyResources() {
+    Q_INIT_RESOURCE(study);
+}
+
+namespace bask {
+namespace {
+
+/// In every file of the study, near its beginning: what holds it may be replaced.
+constexpr const char* kMark = "Bask closed-loop study";
+
+Result<Experiment> studyRig(StudyMounting mounting) {
+    initStudyResources();
+    const QTemporaryDir folder;
+    for (const char* name :
+         {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"}) {
+        const QString file = folder.filePath(QLatin1String(name));
+        if (!QDir().mkpath(QFileInfo(file).path()) ||
+            !QFile::copy(QLatin1String(":/study/") + QLatin1String(name), file))
+            return Error(MessageCode::FileUnwritable, file.toStdString(),
+                         {folder.errorString().toStdString()});
+    }
+    return readExperiment(
+        folder.filePath(mounting == StudyMounting::Line ? "line.json" : "triangle.json").toStdString());
+}
+
+using Rows = std::vector<ClosedLoopRow>;
+
+QString noteOf(const ClosedLoopStudy& study, const ClosedLoopRequest& request) {
+    static constexpr const char* kMountings[] = {"triangle", "line", "random mountings"};
+    return QString::fromUtf8("%1 runs, seed %2: %3, rates wrong within ×%4, source model %5, %6")
+        .arg(study.count)
+        .arg(study.seed)
+        .arg(QLatin1String(controllerKindName(request.controller)))
+        .arg(request.rateError)
+        .arg(request.sourceModel == SourceModel::Gray ? QStringLiteral("gray") : QStringLiteral("paper"))
+        .arg(QLatin1String(kMountings[static_cast<int>(request.mounting)]));
+}
+
+Figure settlingFigure(const Rows& rows, const QString& note) {
+    Figure figure;
+    figure.title = QStringLiteral("Settling time against the least that physics allows");
+    figure.note = note;
+    figure.xLabel = QStringLiteral("Bound of the slowest object (s)");
+    figure.yLabel = QStringLiteral("Settling time (s)");
+    FigureSeries settled{QStringLiteral("settled"), {}, false};
+    FigureSeries failed{QStringLiteral("not settled, at the run's length"), {}, false};
+    std::vector<double> bounds_s;
+    for (const ClosedLoopRow& row : rows) {
+        (row.settling_s ? settled : failed).points
+            << QPointF(row.drawn.bound_s, std::max(row.settling_s.value_or(row.drawn.duration_s()), 1.0));
+        bounds_s.push_back(row.drawn.bound_s);
+    }
+    std::ranges::sort(bounds_s);
+    FigureSeries bound{QStringLiteral("the bound"), {}};
+    for (const double bound_s : bounds_s)
+        bound.points << QPointF(bound_s, bound_s);
+    bound.hasMarkers = false;
+    figure.isXLogarithmic = false;
+    figure.smallest = 1.0;
+    figure.series << settled << failed << bound;
+    return figure;
+}
+
+/// Runs in the order of their ratio, failures left out at the right end.
+Figure ratioFigure(const Rows& rows, const QString& note) {
+    Figure figure;
+    figure.title = QStringLiteral("Settling time over the bound, best run first");
+    figure.note = note;
+    figure.xLabel = QStringLiteral("Runs (%), failures missing at the right");
+    figure.yLabel = QStringLiteral("Settling time over the bound");
+    figure.isXLogarithmic = false;
+    figure.smallest = 0.1;
+    const auto sorted = [&](const QString& name, double ClosedLoopCase::*bound_s) {
+        std::vector<double> ratios;
+        for (const ClosedLoopRow& row : rows)
+            if (row.settling_s)
+                ratios.push_back(*row.settling_s / row.drawn.*bound_s);
+        std::ranges::sort(ratios);
+        FigureSeries series{name, {}};
+        for (std::size_t k = 0; k < ratios.size(); ++k)
+            series.points << QPointF(100.0 * static_cast<double>(k + 1) / static_cast<double>(rows.size()),
+                                     ratios[k]);
+        return series;
+    };
+    figure.series << sorted(QStringLiteral("bound with travel"), &ClosedLoopCase::bound_s)
+                  << sorted(QStringLiteral("bound without travel"), &ClosedLoopCase::radiation_s)
+                  << FigureSeries{QStringLiteral("the bound"), {{0.0, 1.0}, {100.0, 1.0}}, true, false};
+    return figure;
+}
+
+Figure overshootFigure(const Rows& rows, const QString& note) {
+    Figure figure;
+    figure.title = QStringLiteral("Overshoot of the true temperatures");
+    figure.note = note;
+    figure.xLabel = QStringLiteral("Bound of the slowest object (s)");
+    figure.yLabel = QString::fromUtf8("Farthest past a target (K; 10⁻²: that or less)");
+    figure.isXLogarithmic = false;
+    figure.smallest = 0.01;
+    FigureSeries settled{QStringLiteral("settled"), {}, false};
+    FigureSeries failed{QStringLiteral("not settled"), {}, false};
+    for (const ClosedLoopRow& row : rows)
+        (row.settling_s ? settled : failed).points << QPointF(row.drawn.bound_s, row.overshoot_K);
+    figure.series << settled << failed;
+    return figure;
+}
+
+void printSummary(const Rows& rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k)
+        if (!rows[k].failure.empty())
+            std::printf("run %zu failed: %s\n", k + 1, rows[k].failure.c_str());
+    const ClosedLoopSummary summary = summarize(rows);
+    const auto ratio = [](const std::optional<double>& value) {
+        char text[32] = "none";
+        if (value)
+            std::snprintf(text, sizeof text, "%.2f", *value);
+        return std::string(text);
+    };
+    std::printf("90th percentile of settling over bound: %s\n", ratio(summary.tenthOverBound).c_str());
+    std::printf("median settling over bound without travel: %s\n",
+                ratio(summary.medianOverRadiation).c_str());
+    std::printf("success rate: %.1f %%\n", 100.0 * summary.successRate);
+    std::printf("median settling over bound: %s\n", ratio(summary.medianOverBound).c_str());
+    std::printf("worst overshoot: %.2f K\n", summary.worstOvershoot_K);
+}
+
+} // namespace
+
+int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request) {
+    const auto files = studyFiles(folder, kMark, "closed_loop_study",
+                                  {".csv", "_settling.png", "_ratio.png", "_overshoot.png"});
+    if (!files)
+        return kExitBadInput;
+    auto rig = studyRig(request.mounting);
+    if (!rig)
+        return refuseStudy(rig.error());
+    ClosedLoopStudy study{std::move(*rig), request.mounting == StudyMounting::Random, request.count,
+                          request.seed};
+    study.rig.controller.kind = request.controller;
+    study.rig.controller.believedRateErrorFactor = request.rateError;
+    study.rig.source.model = request.sourceModel;
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    const auto rows = runClosedLoopStudy(study, 0, [&](int done) {
+        if (terminal)
+            std::fprintf(stderr, "\r%d of %d runs ", done, study.count);
+    });
+    if (terminal)
+        std::fputc('\n', stderr);
+    if (!rows)
+        return refuseStudy(rows.error());
+    const QString note = noteOf(study, request);
+    std::vector<std::string> contents{closedLoopCsv(study, *rows)};
+    for (const Figure& figure :
+         {settlingFigure(*rows, note), ratioFigure(*rows, note), overshootFigure(*rows, note)})
+        contents.push_back(figurePng(figure, QString::fromLatin1(kMark)).toStdString());
+    if (const auto written = writeStudyFiles(*files, contents); !written)
+        return refuseStudy(written.error());
+    printSummary(*rows);
+    return kExitDone;
+}
+
+} // namespace bask

@@ -1,0 +1,254 @@
+// bask identify: heat rates of a recorded run's objects by least squares, as a table, as JSON, and as start
+// values of the next run.
+
+#include "app/commands/command_line.h"
+#include "app/commands/output_file.h"
+#include "app/commands/parse_command.h"
+#include "engine/runtime/rig_setup.h"
+#include "engine/session/session_identification.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QCommandLineParser>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+namespace bask {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Request {
+    SessionRecord session;
+    SessionIdentification options;
+    std::string outputPath; ///< empty: none
+};
+
+/// Result and comparison of one object.
+struct Row {
+    std::string name;
+    IdentifiedRates identified;
+    double arealHeatCapacity_J_m2K; ///< that gives lambda1 with the believed absorptance
+    double absorptance;
+    HeatRates nominal;    ///< of the experiment's material
+    HeatRates controller; ///< its last belief; NaN where it has none
+};
+
+struct NamedRate {
+    const char* name;
+    const char* unit;
+    const char* key;
+    Estimate IdentifiedRates::*estimate;
+    double HeatRates::*rate; ///< null: none of the controllers' rates
+};
+
+constexpr std::array kRates{
+    NamedRate{"lambda1", "K/s", "lambda1_K_s", &IdentifiedRates::lambda1, &HeatRates::lambda1},
+    NamedRate{"lambda2", "1/(K3 s)", "lambda2_1_K3s", &IdentifiedRates::lambda2, &HeatRates::lambda2},
+    NamedRate{"lambda3", "K/s", "lambda3_K_s", &IdentifiedRates::lambda3, &HeatRates::lambda3},
+    NamedRate{"h A/(m c)", "1/s", "convection_1_s", &IdentifiedRates::convection, nullptr}};
+
+/// An experiment of the user's own is no output of this command, and is not replaced.
+Result<void> checkOutput(const std::string& session, const std::string& output) {
+    if (auto place = checkOutputs({session}, {{output}}); !place)
+        return place;
+    std::error_code failed;
+    if (!std::filesystem::exists(output, failed) || std::filesystem::file_size(output, failed) == 0)
+        return {};
+    const auto old = readExperiment(output);
+    const auto hasRates = [](const ObjectSpec& object) { return object.believedRates.has_value(); };
+    if (!old || std::ranges::none_of(old->objects, hasRates))
+        return Error(MessageCode::OutputForeign, output, {"an experiment with believed rates"});
+    return {};
+}
+
+Result<Request> readRequest(const QCommandLineParser& parser) {
+    const std::string path = parser.positionalArguments().front().toStdString();
+    Request request;
+    request.options = {parser.isSet("free-ambient"), parser.isSet("convection")};
+    if (parser.isSet("o")) {
+        request.outputPath = parser.value("o").toStdString();
+        if (const auto output = checkOutput(path, request.outputPath); !output)
+            return output.error();
+    }
+    auto session = readSession(path);
+    if (!session)
+        return session.error();
+    request.session = std::move(*session);
+    return request;
+}
+
+std::vector<Row> identifiedRows(const SessionRecord& session, const SessionIdentification& options) {
+    const Experiment& experiment = session.experiment;
+    const double J = netSourcePower_W_m2(experiment.source.model, experiment.source.temperature_K,
+                                         experiment.source.emittance, experiment.environment_K);
+    const std::vector<IdentifiedRates> identified = identifySession(session, options);
+    const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
+    const std::vector<TraceSample> samples = session.controlledSamples();
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < identified.size(); ++i) {
+        const ObjectSpec& object = experiment.objects[i];
+        const double alpha = object.material.absorptance;
+        Row row{object.name, identified[i], alpha * J / identified[i].lambda1.value,
+                alpha,       nominal[i],    {kNaN, kNaN, kNaN}};
+        if (!samples.empty()) {
+            const ObjectSample& last = samples.back().objects[i];
+            row.controller = {last.lambda1, last.lambda2, kNaN};
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+/// "-" where there is nothing to compare with.
+std::string ratio(double value, double of) {
+    return std::isfinite(value / of) ? formatNumber(value / of, 3) : "-";
+}
+
+void printTable(const std::vector<Row>& rows) {
+    std::printf("%-16s %-10s %12s %12s %-9s %11s %14s\n", "object", "rate", "value", "std_error", "unit",
+                "of_nominal", "of_controller");
+    for (const Row& row : rows) {
+        for (const NamedRate& rate : kRates) {
+            const Estimate& estimate = row.identified.*rate.estimate;
+            if (!std::isfinite(estimate.value))
+                continue;
+            const double nominal = rate.rate ? row.nominal.*rate.rate : kNaN;
+            const double controller = rate.rate ? row.controller.*rate.rate : kNaN;
+            std::printf("%-16s %-10s %12.5g %12.2g %-9s %11s %14s\n", row.name.c_str(), rate.name,
+                        estimate.value, estimate.standardError, rate.unit,
+                        ratio(estimate.value, nominal).c_str(), ratio(estimate.value, controller).c_str());
+        }
+    }
+    for (const Row& row : rows) {
+        const IdentifiedRates& fit = row.identified;
+        if (!fit.usable()) {
+            std::printf("%s: not usable: %s\n", row.name.c_str(), describe(fit.reason).c_str());
+            continue;
+        }
+        std::printf("%s: m c/A = %.4g J/(m2 K) with an absorptance of %.3g", row.name.c_str(),
+                    row.arealHeatCapacity_J_m2K, row.absorptance);
+        if (std::isfinite(fit.convection.value))
+            std::printf(", then h = %.3g W/(m2 K)", fit.convection.value * row.arealHeatCapacity_J_m2K);
+        std::printf("; %d readings, %.2g K about the fit, %d left out\n", fit.readings, fit.residual_K,
+                    fit.outliers);
+    }
+}
+
+Json numberOrNull(double value) {
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json rowJson(const Row& row) {
+    const IdentifiedRates& fit = row.identified;
+    Json j;
+    j["name"] = row.name;
+    j["usable"] = fit.usable();
+    j["reason"] = fit.usable() ? Json(nullptr) : Json(describe(fit.reason));
+    for (const NamedRate& rate : kRates) {
+        const Estimate& estimate = fit.*rate.estimate;
+        Json& entry = j[rate.key];
+        entry["value"] = numberOrNull(estimate.value);
+        entry["standard_error"] = numberOrNull(estimate.standardError);
+        if (rate.rate == nullptr)
+            continue;
+        entry["nominal"] = numberOrNull(row.nominal.*rate.rate);
+        entry["controller"] = numberOrNull(row.controller.*rate.rate);
+    }
+    j["areal_heat_capacity_J_m2K"] = numberOrNull(row.arealHeatCapacity_J_m2K);
+    j["readings"] = fit.readings;
+    j["outliers"] = fit.outliers;
+    j["windows"] = fit.windows;
+    j["window_s"] = fit.window_s;
+    j["residual_K"] = fit.residual_K;
+    j["condition"] = numberOrNull(fit.condition);
+    return j;
+}
+
+void printJson(const Request& request, const std::vector<Row>& rows) {
+    Json j;
+    j["session"] = request.session.path;
+    j["convection"] = request.options.convection;
+    j["free_ambient"] = request.options.freeAmbient;
+    j["objects"] = Json::array();
+    for (const Row& row : rows)
+        j["objects"].push_back(rowJson(row));
+    std::printf("%s\n", j.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+/// The session's experiment with the rates that can be used, of the balance that the controllers know:
+/// without convection.
+Result<void> writeStartValues(const Request& request) {
+    Experiment experiment = request.session.experiment;
+    SessionIdentification options = request.options;
+    options.convection = false;
+    const std::vector<IdentifiedRates> identified = identifySession(request.session, options);
+    int written = 0;
+    for (std::size_t i = 0; i < identified.size(); ++i) {
+        ObjectSpec& object = experiment.objects[i];
+        if (identified[i].usable()) {
+            object.believedRates = identified[i].rates();
+            ++written;
+        } else {
+            std::fprintf(stderr, "bask identify: \"%s\" keeps its start values: %s\n", object.name.c_str(),
+                         describe(identified[i].reason).c_str());
+        }
+    }
+    if (written == 0) {
+        std::fprintf(stderr, "bask identify: %s is not written\n", request.outputPath.c_str());
+        return {};
+    }
+    return writeExperiment(experiment, request.outputPath);
+}
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "bask identify: %s\n", describe(error).c_str());
+    return kExitBadInput;
+}
+
+} // namespace
+
+int identifyCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        "Fits the heat balance to a recorded run: lambda1, lambda2, lambda3 of each object with standard "
+        "errors,\nbeside those of the experiment's materials and the controller's last belief.\n"
+        "Exit code: 0 done, 2 bad input or unwritable output, 3 not usable for at least one object.");
+    parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
+    parser.addOptions(
+        {{"convection", "Fit a convective term too; that takes wide temperatures and long records."},
+         {"free-ambient", "Fit lambda3 too; otherwise the room's temperature ties it to lambda2."},
+         {"json", "Print all digits, as JSON."},
+         {"o",
+          "Write the session's experiment with the rates as start values of its controllers, fitted without "
+          "convection, which these do not know.",
+          "EXPERIMENT.json"}});
+    if (const auto code = parseCommand(parser, "identify", arguments, 1))
+        return *code;
+    const auto request = readRequest(parser);
+    if (!request)
+        return refuse(request.error());
+    if (request->session.interrupted())
+        std::fputs("bask identify: the recording was interrupted or is still on; taking what is there\n",
+                   stderr);
+    const std::vector<Row> rows = identifiedRows(request->session, request->options);
+    if (parser.isSet("json"))
+        printJson(*request, rows);
+    else
+        printTable(rows);
+    if (!request->outputPath.empty())
+        if (const auto written = writeStartValues(*request); !written)
+            return refuse(written.error());
+    const auto usable = [](const Row& row) { return row.identified.usable(); };
+    return std::ranges::all_of(rows, usable) ? kExitDone : kExitNegative;
+}
+
+} // namespace bask
