@@ -22,6 +22,9 @@ std::string placeOf(const std::string& where, const std::string& key) {
 }
 
 Result<double> number(const json& j, double most, const char* unit, const std::string& where) {
+    if (j.is_string()) // NaN and the like, too
+        return Error{
+            MessageCode::JsonWrongType, where, {"a number", '"' + j.get<std::string>().substr(0, 20) + '"'}};
     if (!j.is_number())
         return Error{MessageCode::JsonWrongType, where, {"a number", jsonTypeWords(j)}};
     const double value = j.get<double>();
