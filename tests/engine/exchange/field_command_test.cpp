@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 #include "engine/session/experiment.h"
 #include "tests/engine/exchange/read_image.h"
+#include "tests/support/captured_command.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -19,20 +20,8 @@ using test::wordsIn;
 
 const QString kThreeObjects = BASK_EXAMPLES "/three-objects.json";
 
-struct Outcome {
-    int code = 0;
-    std::string out;
-    std::string err;
-};
-
-Outcome run(const QStringList& arguments) {
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = fieldCommand(arguments);
-    outcome.out = testing::internal::GetCapturedStdout();
-    outcome.err = testing::internal::GetCapturedStderr();
-    return outcome;
+test::Captured run(const QStringList& arguments) {
+    return test::captured(fieldCommand, arguments);
 }
 
 std::string lastLine(const std::string& text) {
@@ -45,7 +34,7 @@ class FieldCommand : public testing::Test {
 protected:
     QString path(const char* name = "field.vti") const { return m_folder.filePath(name); }
     vtkSmartPointer<vtkImageData> image(const QStringList& arguments) {
-        const Outcome outcome = run(arguments + QStringList{"-o", path()});
+        const test::Captured outcome = run(arguments + QStringList{"-o", path()});
         EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
         EXPECT_EQ(outcome.err, "");
         return readImage(path().toStdString());
@@ -61,7 +50,7 @@ TEST_F(FieldCommand, lastLineIsSamplesSecondsAndRate) {
     const std::pair<const char*, const char*> presets[] = {{"paper-translation", "48000"},
                                                            {"paper-rotation", "729000"}};
     for (const auto& [preset, count] : presets) {
-        const Outcome outcome = run({"--preset", preset, "--tolerance", "1e-6"});
+        const test::Captured outcome = run({"--preset", preset, "--tolerance", "1e-6"});
         EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
         EXPECT_EQ(outcome.err, "");
         const std::string line = lastLine(outcome.out);
@@ -168,7 +157,7 @@ TEST_F(FieldCommand, theOnlyObjectNeedsNoName) {
 
 // Catches: overlapping samples passed over in silence.
 TEST_F(FieldCommand, samplesWithoutAValueAreSaid) {
-    const Outcome outcome =
+    const test::Captured outcome =
         run({kThreeObjects, "--object", "circle", "--axes", "x=0:0.05:0.05,z=0:0.1:0.1", "-o", path()});
     EXPECT_EQ(outcome.code, kExitDone);
     EXPECT_NE(outcome.err.find("2 of 4 samples have no value (NaN)"), std::string::npos) << outcome.err;
@@ -233,7 +222,7 @@ TEST_F(FieldCommand, refusesBadInputInWords) {
          "theta_x: 1501 samples, more than the 1000"},
     };
     for (const auto& [arguments, words] : bad) {
-        const Outcome outcome = run(arguments);
+        const test::Captured outcome = run(arguments);
         EXPECT_EQ(outcome.code, kExitBadInput) << arguments.join(' ').toStdString();
         EXPECT_EQ(outcome.out, "") << arguments.join(' ').toStdString();
         EXPECT_TRUE(outcome.err.starts_with("bask field: ")) << outcome.err;
@@ -248,7 +237,7 @@ TEST_F(FieldCommand, replacesNothingButFields) {
     QFile mine(path("mine.vti"));
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("mine") == 4);
     mine.close();
-    const Outcome refused = run(arguments);
+    const test::Captured refused = run(arguments);
     EXPECT_EQ(refused.code, kExitBadInput);
     EXPECT_EQ(refused.out, "") << "refused before the work";
     EXPECT_NE(refused.err.find("is not a field written by Bask"), std::string::npos) << refused.err;
@@ -259,7 +248,7 @@ TEST_F(FieldCommand, replacesNothingButFields) {
 }
 
 TEST_F(FieldCommand, helps) {
-    const Outcome outcome = run({"--help"});
+    const test::Captured outcome = run({"--help"});
     EXPECT_EQ(outcome.code, kExitDone);
     for (const char* words : {"bask field [options] [EXPERIMENT.json]", "--axes", "--preset", "--gradient"})
         EXPECT_NE(outcome.out.find(words), std::string::npos) << words << "\n" << outcome.out;

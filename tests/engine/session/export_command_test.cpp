@@ -1,5 +1,6 @@
 #include "app/commands/command_line.h"
 #include "tests/engine/session/recording.h"
+#include "tests/support/captured_command.h"
 
 #include <gtest/gtest.h>
 
@@ -9,20 +10,8 @@
 namespace bask {
 namespace {
 
-struct Outcome {
-    int code = 0;
-    std::string out;
-    std::string err;
-};
-
-Outcome run(const QStringList& arguments) {
-    ::testing::internal::CaptureStdout();
-    ::testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = exportCommand(arguments);
-    outcome.out = ::testing::internal::GetCapturedStdout();
-    outcome.err = ::testing::internal::GetCapturedStderr();
-    return outcome;
+test::Captured run(const QStringList& arguments) {
+    return test::captured(exportCommand, arguments);
 }
 
 TEST(ExportCommand, WritesTheTablesAndNamesThem) {
@@ -32,7 +21,7 @@ TEST(ExportCommand, WritesTheTablesAndNamesThem) {
         auto writer = SessionWriter::create(session.toStdString(), testing::twoDisks(), true);
         ASSERT_TRUE((*writer)->add(testing::madeUpSample(testing::twoDisks(), 0)));
     }
-    const Outcome outcome = run({session, "--csv", folder.filePath("csv")});
+    const test::Captured outcome = run({session, "--csv", folder.filePath("csv")});
     EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
     EXPECT_NE(outcome.out.find(folder.filePath("csv/sample.csv\n").toStdString()), std::string::npos);
     EXPECT_TRUE(QFile::exists(folder.filePath("csv/pose.csv")));
@@ -51,7 +40,7 @@ TEST(ExportCommand, ReplacesNothingButItsOwnTables) {
     QFile mine(folder.filePath("sample.csv"));
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("my own figures\n") > 0);
     mine.close();
-    const Outcome outcome = run({session, "--csv", folder.path()});
+    const test::Captured outcome = run({session, "--csv", folder.path()});
     EXPECT_EQ(outcome.code, kExitBadInput);
     EXPECT_NE(outcome.err.find("sample.csv: a file of that name exists"), std::string::npos) << outcome.err;
     ASSERT_TRUE(mine.open(QIODevice::ReadOnly));
@@ -68,7 +57,7 @@ TEST(ExportCommand, RefusesBadInputOnStandardError) {
          {QStringList{}, QStringList{"a.bask"}, QStringList{"--csv", "dir"},
           QStringList{"none.bask", "--csv", "dir"}, QStringList{"a.bask", "b.bask", "--csv", "dir"},
           QStringList{"a.bask", "--csv", "dir", "--frobnicate"}}) {
-        const Outcome outcome = run(arguments);
+        const test::Captured outcome = run(arguments);
         EXPECT_EQ(outcome.code, kExitBadInput) << arguments.join(' ').toStdString();
         EXPECT_EQ(outcome.out, "");
         EXPECT_NE(outcome.err, "");
@@ -78,7 +67,7 @@ TEST(ExportCommand, RefusesBadInputOnStandardError) {
 }
 
 TEST(ExportCommand, HelpsOnStandardOutput) {
-    const Outcome outcome = run({"--help"});
+    const test::Captured outcome = run({"--help"});
     EXPECT_EQ(outcome.code, kExitDone);
     EXPECT_NE(outcome.out.find("--csv <DIR>"), std::string::npos) << outcome.out;
 }

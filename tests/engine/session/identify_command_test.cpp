@@ -5,6 +5,7 @@
 #include "engine/runtime/simulated_run.h"
 #include "engine/session/session_identification.h"
 #include "tests/engine/session/recording.h"
+#include "tests/support/captured_command.h"
 
 #include <gtest/gtest.h>
 
@@ -18,20 +19,8 @@
 namespace bask {
 namespace {
 
-struct Outcome {
-    int code = 0;
-    std::string out;
-    std::string err;
-};
-
-Outcome identify(const QStringList& arguments) {
-    ::testing::internal::CaptureStdout();
-    ::testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = identifyCommand(arguments);
-    outcome.out = ::testing::internal::GetCapturedStdout();
-    outcome.err = ::testing::internal::GetCapturedStderr();
-    return outcome;
+test::Captured identify(const QStringList& arguments) {
+    return test::captured(identifyCommand, arguments);
 }
 
 Experiment threeObjects() {
@@ -113,7 +102,7 @@ TEST(IdentifyCommand, TheNextRunStartsWithTheRatesFound) {
                   next = folder.filePath("next.json");
     const Experiment experiment = threeObjects();
     ASSERT_NO_FATAL_FAILURE(record(experiment, first));
-    const Outcome outcome = identify({first, "--json", "-o", next});
+    const test::Captured outcome = identify({first, "--json", "-o", next});
     ASSERT_EQ(outcome.code, kExitDone) << outcome.err;
     EXPECT_EQ(outcome.err, "");
     const auto json = nlohmann::json::parse(outcome.out);
@@ -165,7 +154,7 @@ TEST(IdentifyCommand, PrintsATableWithUnits) {
     const QTemporaryDir folder;
     const QString session = folder.filePath("run.bask");
     ASSERT_NO_FATAL_FAILURE(record(threeObjects(), session));
-    const Outcome outcome = identify({session});
+    const test::Captured outcome = identify({session});
     EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
     for (const char* words : {"circle           lambda1", "hand             lambda3", "1/(K3 s)", "std_error",
                               "of_nominal", "of_controller", "circle: m c/A = "})
@@ -173,7 +162,7 @@ TEST(IdentifyCommand, PrintsATableWithUnits) {
     EXPECT_EQ(outcome.out.find("h A/(m c)"), std::string::npos);
     // 15 K cannot tell the two apart, and it says so; start values are fitted without convection.
     const QString next = folder.filePath("next.json");
-    const Outcome convection = identify({session, "--convection", "-o", next});
+    const test::Captured convection = identify({session, "--convection", "-o", next});
     EXPECT_EQ(convection.code, kExitNegative);
     EXPECT_NE(convection.out.find("h A/(m c)"), std::string::npos);
     EXPECT_NE(convection.out.find("circle: not usable: the record tells lambda2 within"), std::string::npos)
@@ -189,13 +178,13 @@ TEST(IdentifyCommand, ARunThatTellsNothingIsANegativeVerdict) {
     {
         auto writer = SessionWriter::create(session.toStdString(), testing::twoDisks(), true);
         ASSERT_TRUE(writer);
-        const Outcome empty = identify({session}); // being recorded, no sample yet
+        const test::Captured empty = identify({session}); // being recorded, no sample yet
         EXPECT_EQ(empty.code, kExitNegative);
         EXPECT_NE(empty.out.find("too few"), std::string::npos) << empty.out;
         for (int k = 0; k < 20; ++k)
             ASSERT_TRUE((*writer)->add(testing::madeUpSample(testing::twoDisks(), k)));
     }
-    const Outcome outcome = identify({session, "--json", "-o", next});
+    const test::Captured outcome = identify({session, "--json", "-o", next});
     EXPECT_EQ(outcome.code, kExitNegative);
     EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << outcome.err;
     EXPECT_NE(outcome.err.find("next.json is not written"), std::string::npos) << outcome.err;
@@ -237,7 +226,7 @@ TEST(IdentifyCommand, RefusesWhatIsNoSession) {
     for (const QString& path :
          {write("empty.bask", ""), write("text.bask", "temperature,300\n"), write("damaged.bask", damaged),
           write("short.bask", damaged.left(5000)), folder.filePath("none.bask"), folder.path()}) {
-        const Outcome outcome = identify({path});
+        const test::Captured outcome = identify({path});
         EXPECT_EQ(outcome.code, kExitBadInput) << path.toStdString();
         EXPECT_EQ(outcome.out, "") << path.toStdString();
         EXPECT_NE(outcome.err.find("bask identify: " + path.toStdString() + ": "), std::string::npos)

@@ -4,6 +4,7 @@
 
 #include "engine/shape/fourier_contour.h"
 #include "tests/engine/shape/shape_samples.h"
+#include "tests/support/captured_command.h"
 
 #include <QCoreApplication>
 
@@ -16,10 +17,7 @@
 namespace bask {
 namespace {
 
-struct Outcome {
-    int code = -1;
-    std::string out, err;
-
+struct Outcome : test::Captured {
     std::map<std::string, double> figures() const {
         std::map<std::string, double> figures;
         std::istringstream in(out);
@@ -32,13 +30,7 @@ struct Outcome {
 };
 
 Outcome run(const QStringList& arguments) {
-    testing::internal::CaptureStdout();
-    testing::internal::CaptureStderr();
-    Outcome outcome;
-    outcome.code = fitContourCommand(arguments);
-    outcome.out = testing::internal::GetCapturedStdout();
-    outcome.err = testing::internal::GetCapturedStderr();
-    return outcome;
+    return {test::captured(fitContourCommand, arguments)};
 }
 
 QString example(const char* name) {
