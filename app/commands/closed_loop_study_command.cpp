@@ -6,18 +6,11 @@
 
 #include "widgets/plots/figure_png.h"
 
-#include <QDir>
-#include <QFile>
 #include <QTemporaryDir>
 
 #include <algorithm>
 #include <cstdio>
 #include <unistd.h>
-
-// Q_INIT_RESOURCE declares a function and must stand outside any namespace.
-static void initStudyResources() {
-    Q_INIT_RESOURCE(study);
-}
 
 namespace bask {
 namespace {
@@ -26,16 +19,11 @@ namespace {
 constexpr const char* kMark = "Bask closed-loop study";
 
 Result<Experiment> studyRig(StudyMounting mounting) {
-    initStudyResources();
     const QTemporaryDir folder;
-    for (const char* name :
-         {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"}) {
-        const QString file = folder.filePath(QLatin1String(name));
-        if (!QDir().mkpath(QFileInfo(file).path()) ||
-            !QFile::copy(QLatin1String(":/study/") + QLatin1String(name), file))
-            return Error(MessageCode::FileUnwritable, file.toStdString(),
-                         {folder.errorString().toStdString()});
-    }
+    const auto copied = copyStudyFiles(
+        folder, {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"});
+    if (!copied)
+        return copied.error();
     return readExperiment(
         folder.filePath(mounting == StudyMounting::Line ? "line.json" : "triangle.json").toStdString());
 }

@@ -7,6 +7,11 @@
 
 #include <cstdio>
 
+// Q_INIT_RESOURCE declares a function and must stand outside any namespace.
+static void initStudyResources() {
+    Q_INIT_RESOURCE(study);
+}
+
 namespace bask {
 namespace {
 
@@ -41,6 +46,18 @@ int refuseStudy(const Error& error) {
 int refuseStudy(const QString& words) {
     std::fprintf(stderr, "bask study: %s (see bask study --help)\n", qPrintable(words));
     return kExitBadInput;
+}
+
+Result<void> copyStudyFiles(const QTemporaryDir& folder, std::initializer_list<const char*> names) {
+    initStudyResources();
+    for (const char* name : names) {
+        const QString file = folder.filePath(QLatin1String(name));
+        if (!QDir().mkpath(QFileInfo(file).path()) ||
+            !QFile::copy(QLatin1String(":/study/") + QLatin1String(name), file))
+            return Error(MessageCode::FileUnwritable, file.toStdString(),
+                         {folder.errorString().toStdString()});
+    }
+    return {};
 }
 
 std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const char* mark, const char* stem,

@@ -4,6 +4,7 @@
 #include "app/commands/output_file.h"
 
 #include <QString>
+#include <QTemporaryDir>
 
 #include <initializer_list>
 #include <optional>
@@ -13,6 +14,9 @@ namespace bask {
 /// Says on standard error why the study is not done; returns the exit code.
 int refuseStudy(const Error& error);
 int refuseStudy(const QString& words);
+
+/// Copies files of the studies' own resources, for readers that want a file.
+Result<void> copyStudyFiles(const QTemporaryDir& folder, std::initializer_list<const char*> names);
 
 /// Makes the folder and returns one file in it for each ending ("stem.csv", "stem_time.png"). Nothing, and
 /// words on standard error, when a file cannot be written or would replace one that does not hold `mark` near

@@ -1,10 +1,10 @@
 #include "app/commands/view_factor_study.h"
 
+#include "app/commands/study_output.h"
 #include "engine/radiation/paper_methods.h"
 #include "engine/radiation/view_factor.h"
 #include "engine/shape/contour_import.h"
 
-#include <QFile>
 #include <QTemporaryDir>
 
 #include <algorithm>
@@ -13,11 +13,6 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-
-// Q_INIT_RESOURCE declares a function and must stand outside any namespace.
-static void initStudyResources() {
-    Q_INIT_RESOURCE(study);
-}
 
 namespace bask {
 namespace {
@@ -49,12 +44,11 @@ double timed(const std::function<double()>& evaluate, double& time_us) {
 }
 
 Result<Contour> bunny() {
-    initStudyResources();
     const QTemporaryDir folder;
-    const QString file = folder.filePath(QStringLiteral("bunny_mm.csv"));
-    if (!QFile::copy(QStringLiteral(":/study/bunny_mm.csv"), file))
-        return Error(MessageCode::FileUnwritable, file.toStdString(), {folder.errorString().toStdString()});
-    const auto outline = readContourCsv(file.toStdString(), LengthUnit::Millimetre);
+    if (const auto copied = copyStudyFiles(folder, {"bunny_mm.csv"}); !copied)
+        return copied.error();
+    const auto outline =
+        readContourCsv(folder.filePath("bunny_mm.csv").toStdString(), LengthUnit::Millimetre);
     if (!outline)
         return outline.error();
     return centred(*outline);

@@ -51,14 +51,13 @@ public:
         if (const auto [table, exponent] = tabulated(fromCentre, nearest); table) {
             const double reached = m_source.prepare(o, m_object.reach, nearest, m_exponent + kHalf);
             if (reached > m_exponent) {
-                add(table->view(), false);
+                addSums(sumsOver(table->view()));
                 m_error = 2.0 * errorAt(std::min(exponent, reached));
                 return total();
             }
         }
         if (!m_object.isPolygon && !m_object.disk && doubled(fromCentre, nearest))
             return total();
-        m_sums = {};
         return over(m_object.allPieces());
     }
 
@@ -189,9 +188,9 @@ private:
         return change;
     }
 
-    kernels::Sums sumsOver(const kernels::Outline& points) const {
+    kernels::Sums sumsOver(const kernels::Outline& points, bool onCut = false) const {
         if constexpr (kMoments)
-            return m_source.sums(points, false);
+            return m_source.sums(points, onCut);
         kernels::Sums sums;
         sums.value = m_source.value(points);
         return sums;
@@ -330,15 +329,8 @@ private:
             return;
         while (m_buffer.count % kernels::kPadding != 0)
             m_buffer.add(m_buffer.x[0], m_buffer.y[0], 0.0, 0.0);
-        add({m_buffer.x, m_buffer.y, m_buffer.dx, m_buffer.dy, m_buffer.count}, onCut);
+        addSums(sumsOver({m_buffer.x, m_buffer.y, m_buffer.dx, m_buffer.dy, m_buffer.count}, onCut));
         m_buffer.count = 0;
-    }
-
-    void add(const kernels::Outline& points, bool onCut) {
-        if constexpr (kMoments)
-            addSums(m_source.sums(points, onCut));
-        else
-            m_sums.value += m_source.value(points);
     }
 
     void addSums(const kernels::Sums& sums) {

@@ -25,23 +25,6 @@ std::vector<std::complex<double>> seriesOf(const Shape& shape) {
     return {};
 }
 
-double seriesArea(const std::vector<std::complex<double>>& coefficients, int harmonics) {
-    double sum = 0.0;
-    for (int j = -harmonics; j <= harmonics; ++j)
-        sum += j * std::norm(coefficients[static_cast<std::size_t>(j + harmonics)]);
-    return std::numbers::pi * sum;
-}
-
-double polygonArea(const std::vector<Eigen::Vector2d>& points) {
-    double twice = 0.0;
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Eigen::Vector2d a = points[i] - points[0];
-        const Eigen::Vector2d b = points[(i + 1) % points.size()] - points[0];
-        twice += a.x() * b.y() - a.y() * b.x();
-    }
-    return 0.5 * twice;
-}
-
 } // namespace
 
 void OutlineTable::add(double x, double y, double dx, double dy) {
@@ -126,20 +109,17 @@ int AnalyticStrip::widest(const Table& table, double distance_m) {
     return static_cast<int>(std::upper_bound(table.begin(), table.end(), distance_m) - table.begin()) - 1;
 }
 
-RadiatingContour::Impl::Impl(const Shape& outline) : shape(outline), m_coefficients(seriesOf(outline)) {
+RadiatingContour::Impl::Impl(const Shape& outline)
+    : shape(outline), area(shapeArea(outline)), m_coefficients(seriesOf(outline)) {
     disk = std::get_if<Disk>(&shape);
+    if (!(area > kLeastArea_m2) || !std::isfinite(area) || (disk && !(disk->radius_m > 0.0)))
+        throw std::invalid_argument("RadiatingContour: an outline without area");
     if (const auto* polygon = std::get_if<Contour>(&shape)) {
         isPolygon = true;
-        area = polygonArea(polygon->points_m);
-        if (!(area > kLeastArea_m2))
-            throw std::invalid_argument("RadiatingContour: an outline without area");
         tabulatePolygon(*polygon);
         return;
     }
     harmonics = (static_cast<int>(m_coefficients.size()) - 1) / 2;
-    area = harmonics < 1 ? 0.0 : seriesArea(m_coefficients, harmonics);
-    if (!(area > kLeastArea_m2) || !std::isfinite(area) || (disk && !(disk->radius_m > 0.0)))
-        throw std::invalid_argument("RadiatingContour: an outline without area");
     tabulateSmooth();
 }
 
@@ -246,17 +226,6 @@ void RadiatingContour::Impl::tabulatePolygon(const Contour& polygon) {
         }
         made.table.seal();
     }
-}
-
-double RadiatingContour::Impl::distance_m(const Eigen::Vector3d& p) const {
-    if (disk)
-        return std::hypot(std::hypot(p.x(), p.y()) - disk->radius_m, p.z());
-    if (!isPolygon)
-        return curveDistance_m(p);
-    double square = 1e300;
-    for (const kernels::Edge& edge : edges)
-        square = std::min(square, squaredDistance(edge, p));
-    return std::sqrt(square);
 }
 
 // Branch and bound: an interval of the parameter is no nearer than its middle less half its length. The

@@ -121,8 +121,8 @@ struct RadiatingContour::Impl {
     /// The whole outline as pieces.
     std::vector<OutlinePiece> allPieces() const;
 
-    /// Lower bound of the distance (m) of a point of O to the outline, within a third of it.
-    double distance_m(const Eigen::Vector3d& p) const;
+    /// Lower bound of the distance (m) of a point of O to a smooth outline, within a third of it.
+    double curveDistance_m(const Eigen::Vector3d& p) const;
 
     Shape shape;
     double area = 0.0;        ///< m2
@@ -141,7 +141,6 @@ private:
     std::vector<double> crossings(const HeightPlane& height) const;
     std::vector<OutlinePiece> smoothPieces(const HeightPlane& height) const;
     std::vector<OutlinePiece> polygonPieces(const HeightPlane& height) const;
-    double curveDistance_m(const Eigen::Vector3d& p) const;
 
     std::vector<std::complex<double>> m_coefficients; // j = -harmonics .. harmonics
     std::vector<TrapezoidTable> m_trapezoids;         // of a smooth outline, counts rising

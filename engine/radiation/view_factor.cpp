@@ -15,15 +15,6 @@ namespace {
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-PlaneSide sourceSide(const RadiatingContour::Impl& source, const HeightPlane& height) {
-    if (!source.disk)
-        return source.side(height);
-    const double swing = source.disk->radius_m * height.slope;
-    return height.z0 >= swing         ? PlaneSide::Front
-           : height.z0 + swing <= 0.0 ? PlaneSide::Behind
-                                      : PlaneSide::Across;
-}
-
 // Within rounding of the source's plane: a hair above it the face sees its own size, a hair below nothing.
 void refuseOverlapInPlane(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
                           const Sight& sight) {
@@ -80,7 +71,7 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
         throw std::invalid_argument("viewFactor: the tolerance is negative or there are no points");
     const Sight sight(X_SO);
     refuseOverlapInPlane(source, object, sight);
-    const PlaneSide seen = sourceSide(source, sight.overObject);
+    const PlaneSide seen = source.side(sight.overObject);
     if (seen == PlaneSide::Behind)
         return {};
     const PlaneSide side = object.side(sight.overSource);

@@ -151,7 +151,7 @@ double LoopSource::distance_m(const Eigen::Vector3d& p_S) const {
     look(m_loop.edges, m_loop.edgeCount);
     look(m_loop.cutEdges, m_loop.cutEdgeCount);
     const double straight = std::sqrt(square);
-    return m_smooth.empty() ? straight : std::min(straight, m_source.distance_m(p_S));
+    return m_smooth.empty() ? straight : std::min(straight, m_source.curveDistance_m(p_S));
 }
 
 void LoopSource::follow(const Eigen::Vector3d& a, const Eigen::Vector3d& b, bool onCut) {
