@@ -1,28 +1,11 @@
 #pragma once
-// Bask's own controller: asks each object for a view factor instead of an acceleration, and goes to the pose
-// that has it.
-//
-// The heat balance has relative degree one in F. Outer loop, per object:
-//     v_des = (T* - T) / tau_c + integral,     F_des = (v_des + lambda2 (T^4 - T3^4)) / (s lambda1), clamped
-//     to [0, 1]
-// with s the measured source strength (tau_c is lengthened for slow objects, so that noise does not throw
-// F_des from bound to bound). Inner step: the pose whose view factors are F_des, by a look-up over the
-// sampled workspace, refined with the exact gradient under the robot's limits; of several the one whose
-// errors of F, summed over the way there and a while at it, are least.
-//
-// Stability: with F = F_des and right rates the error obeys de/dt = -e / tau_c. Rates that are wrong by
-// factors a = lambda1/lambda1^, b = lambda2/lambda2^ give de/dt = -a e / tau_c + d with a slowly varying d =
-// (b - a) lambda2^ (T^4 - T3^4): still a contraction for every a > 0, with the offset d tau_c / a, which
-// identification and, near the target, the integral take away. Under a clamp F_des is at the bound, the error
-// shrinks at the physical rate, and the integral stands still.
-//
-// Targets that no pose holds together: as soon as the identified rates are sure enough, the servo aims at the
-// nearest temperatures that one pose does hold (least squares in K over the workspace), instead of wandering
-// between poses.
+// Bask's own controller.
 
 #include "engine/control/controller.h"
+#include "engine/control/heating_plan.h"
 #include "engine/control/pose_lookup.h"
 #include "engine/control/rate_identification.h"
+#include "engine/control/velocity_solve.h"
 
 #include <optional>
 
@@ -36,23 +19,29 @@ public:
     void setGains(const ControllerSettings& settings) override { m_settings = settings; }
 
 private:
-    PoseQuery query(const Observation& observation, double dt_s);
-    std::vector<Vector6d> candidates(const PoseQuery& query, int count) const;
-    double cost(const PoseQuery& query, const Vector6d& goal) const;
-    Vector6d choosePose(const PoseQuery& query) const;
-    void updateAim(const Observation& observation);
+    HeatingTask identify(const Observation& observation, const Eigen::VectorXd& F, double dt_s);
+    PoseQuery level(const HeatingTask& task) const;
+    PoseQuery steady(const HeatingTask& task, const std::vector<double>& aim_K) const;
+    void findRest(const HeatingTask& task, double time_s);
+    bool sure() const;
+    void choosePlan(const HeatingTask& task);
+    std::vector<HeatingPlan> proposals(const HeatingTask& task) const;
+    VelocitySolution follow(const HeatingTask& task, double dt_s);
 
     ControllerSettings m_settings;
     ControlModel m_model;
     std::optional<PoseLookup> m_lookup;
     std::vector<RateIdentification> m_identification;
-    std::vector<double> m_integral_K_s; ///< N, wanted rate from the integral action
-    Eigen::VectorXd m_unmet;            ///< N, F_des - F of the pose chosen last
-    double m_unmetTime_s = 0.0;         ///< how long that has been more than a trifle
-    std::optional<Vector6d> m_goal;
+    Eigen::VectorXd m_drift_K_s;   ///< N, what the identified rates leave unexplained, slowly
+    Eigen::VectorXd m_expected_K;  ///< N, temperatures at this sample as the last one let expect
+    std::vector<Vector6d> m_rests; ///< poses that hold the aim
+    std::optional<HeatingPlan> m_plan;
     std::vector<double> m_aim_K; ///< the targets, or the nearest temperatures that one pose holds
     bool m_compromise = false;   ///< m_aim_K are not the targets
-    double m_nextAim_s = 0.0;    ///< when the aim is looked at again
+    double m_nextRest_s = 0.0;   ///< when rests are looked for again
+    double m_cost = 0.0;
+    double m_time_s = 0.0;
+    double m_nextSearch_s = 0.0; ///< when other plans are looked for again
 };
 
 } // namespace bask

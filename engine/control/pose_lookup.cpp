@@ -1,6 +1,7 @@
 #include "engine/control/pose_lookup.h"
 
 #include "engine/control/bounded_least_squares.h"
+#include "engine/control/travel_time.h"
 #include "engine/control/velocity_solve.h"
 
 #include <algorithm>
@@ -68,9 +69,10 @@ double residualCost(const PoseQuery& query, const Eigen::VectorXd& F) {
 
 std::vector<Vector6d> PoseLookup::best(const PoseQuery& query, int count) const {
     std::vector<double> cost(m_poses.size());
+    const TravelTime travel(m_geometry->limits(), query.from);
     for (std::size_t k = 0; k < m_poses.size(); ++k)
-        cost[k] = residualCost(query, m_F.col(static_cast<Eigen::Index>(k))) +
-                  kTravelPrice * travelTime_s(m_geometry->limits(), query.from, m_poses[k]);
+        cost[k] =
+            residualCost(query, m_F.col(static_cast<Eigen::Index>(k))) + kTravelPrice * travel.to(m_poses[k]);
     std::vector<std::size_t> order(m_poses.size());
     std::iota(order.begin(), order.end(), 0U);
     const auto some = std::min<std::size_t>(order.size(), 64);

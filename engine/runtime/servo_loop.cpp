@@ -95,6 +95,7 @@ Result<void> ServoLoop::arm() {
     if (!m_sensors.zeroed()) {
         if (const auto zeroed = m_sensors.zero(m_experiment.environment_K); !zeroed)
             return zeroed;
+        takeReadings(); // or the first step would see them as they were before
         event(MessageCode::EventZeroed);
     }
     const SourceSpec& source = m_experiment.source;

@@ -71,6 +71,7 @@ public:
 
 private:
     void readSensors();
+    void takeReadings(); ///< from the channels into the latest sample
     void readRobotAndSource();
     void watchSensors();
     void control();

@@ -45,6 +45,10 @@ void ServoLoop::readSensors() {
     if (readings)
         m_sensors.add(*readings);
     m_sampleTime_s = m_clock.now_s();
+    takeReadings();
+}
+
+void ServoLoop::takeReadings() {
     const double now_s = m_clock.now_s();
     m_latest.objects.resize(m_sensors.size());
     const std::vector<double> truth = m_devices.truth ? m_devices.truth() : std::vector<double>();

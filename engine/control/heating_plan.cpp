@@ -1,0 +1,249 @@
+#include "engine/control/heating_plan.h"
+
+#include "engine/control/velocity_solve.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+constexpr int kLegSteps = 8;      ///< of a way between poses
+constexpr int kStaySteps = 8;     ///< of a stay
+constexpr double kHere_s = 0.05;  ///< a way this short is none
+constexpr double kFar_K = 8.0;    ///< from here on squared errors grow linearly
+constexpr double kHotShare = 2.5; ///< of the slowest object's time a kelvin, for every kelvin too hot
+constexpr double kHotSteepness_1_K = 10.0;
+constexpr double kFastShare = 0.3;    ///< of the slowest object's time, the least that a fast object counts
+constexpr double kLeastPull = 0.05;   ///< of the view factor, for the time to heat or cool
+constexpr double kNear_K = 0.25;      ///< errors this small count less: they are within the settled band
+constexpr double kNearWeight = 0.4;   ///< by this factor
+constexpr double kMissedRest_s = 120; ///< time for which a rest that misses the aim is paid
+constexpr double kTravelPrice = 0.02; ///< K2 s for a second of travel, squared
+
+/// Temperatures along a plan, and the residuals that they make.
+class Walk {
+public:
+    Walk(const RigGeometry& geometry, const HeatingTask& task)
+        : m_geometry(geometry), m_task(task), m_T(task.temperature_K), m_at(task.from),
+          m_cold_s_K(m_T.size()), m_residuals(Eigen::VectorXd::Zero(count(task))) {
+        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
+            const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
+            const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, 1.0 - kLeastPull);
+            m_cold_s_K[i] = 1.0 / (rates.lambda1 * (1.0 - F));
+        }
+        const double most = m_cold_s_K.maxCoeff();
+        m_cold_s_K = m_cold_s_K.cwiseMax(kFastShare * most);
+        m_hot_s_K = kHotShare * most;
+    }
+
+    static Eigen::Index count(const HeatingTask& task) {
+        return task.temperature_K.size() * (3 * kLegSteps + 2 * kStaySteps + 2) + 3;
+    }
+
+    void go(const Vector6d& to) {
+        const double time_s = travelTime_s(m_geometry.limits(), m_at, to);
+        if (time_s < kHere_s)
+            m_next += kLegSteps * m_T.size();
+        else
+            for (int k = 0; k < kLegSteps; ++k) {
+                m_F = m_geometry.viewFactorsFast(m_at + (k + 0.5) / kLegSteps * (to - m_at));
+                step(time_s / kLegSteps);
+            }
+        m_residuals[m_next++] = std::sqrt(kTravelPrice) * time_s;
+        m_at = to;
+    }
+
+    void stay(double time_s) {
+        if (time_s <= 0.0) {
+            m_next += kStaySteps * m_T.size();
+            return;
+        }
+        m_F = m_geometry.viewFactorsFast(m_at);
+        for (int k = 0; k < kStaySteps; ++k)
+            step(time_s / kStaySteps);
+    }
+
+    /// For ever at this pose: errors decay to those of its steady temperatures.
+    void rest() {
+        m_F = m_geometry.viewFactorsFast(m_at);
+        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
+            const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
+            const double steady_K = rates.steadyTemperature_K(m_F[i]);
+            const double decay = std::sqrt(0.5 * rates.timeConstant_s(m_task.aim_K[i]));
+            const double missed_s = toGo_s(i, steady_K);
+            m_residuals[m_next++] = decay * (toGo_s(i, m_T[i]) - missed_s);
+            m_residuals[m_next++] = std::sqrt(kMissedRest_s) * missed_s;
+        }
+    }
+
+    Eigen::VectorXd take() { return std::move(m_residuals); }
+
+private:
+    /// How long an object at T_K is from its aim, signed: cold, the time to heat it, in which large errors
+    /// grow as a root, so that their squares grow linearly; hot, steeply.
+    double toGo_s(Eigen::Index i, double T_K) const {
+        const double error_K = T_K - m_task.aim_K[i];
+        const double size_K = std::abs(error_K);
+        const double felt_K =
+            size_K < kNear_K ? kNearWeight * size_K : size_K - (1.0 - kNearWeight) * kNear_K;
+        if (error_K > 0.0)
+            return m_hot_s_K * felt_K * (1.0 + kHotSteepness_1_K * felt_K);
+        if (felt_K < kFar_K)
+            return -m_cold_s_K[i] * felt_K;
+        return -m_cold_s_K[i] * std::sqrt((2.0 * felt_K - kFar_K) * kFar_K);
+    }
+
+    void step(double dt_s) {
+        const double root = std::sqrt(dt_s);
+        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
+            const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
+            const double T3 = m_T[i] * m_T[i] * m_T[i];
+            const double rate = rates.lambda1 * m_F[i] - rates.lambda2 * T3 * m_T[i] + rates.lambda3;
+            m_T[i] += dt_s * rate / (1.0 + 2.0 * dt_s * rates.lambda2 * T3); // linearly implicit midpoint
+            m_residuals[m_next++] = root * toGo_s(i, m_T[i]);
+        }
+    }
+
+    const RigGeometry& m_geometry;
+    const HeatingTask& m_task;
+    Eigen::VectorXd m_T;
+    Eigen::VectorXd m_F;
+    Vector6d m_at;
+    double m_hot_s_K = 0.0;     ///< what a kelvin too hot counts as
+    Eigen::VectorXd m_cold_s_K; ///< time to heat by a kelvin at F = 1
+    Eigen::VectorXd m_residuals;
+    Eigen::Index m_next = 0;
+};
+
+constexpr double kRotationLength_m = 0.1;
+constexpr double kLengthStep_m = 1e-3;        // of the differences
+constexpr double kTimePerLength_s_m = 1000.0; // 1 cm of a stay's pose counts as 10 s of its time
+
+/// Variables of a plan: the free coordinates and the time of each stay, all as lengths.
+class Variables {
+public:
+    explicit Variables(const RigGeometry& geometry) : m_geometry(geometry) {}
+    Eigen::Index count() const { return 2 * (free() + 1); }
+
+    /// `plan` moved by `step`, its poses put back into workspace and clearance.
+    HeatingPlan moved(const HeatingPlan& plan, const Eigen::VectorXd& step) const {
+        HeatingPlan out = plan;
+        Eigen::Index k = 0;
+        for (Stay& stay : out.stays) {
+            // z counts as the height of the lowest point, so that tilting goes along the clearance.
+            const double height_m = m_geometry.lowestPoint_m(stay.pose);
+            double rise_m = 0.0;
+            for (const int c : m_geometry.freeCoordinates()) {
+                if (c == kZ)
+                    rise_m = step[k];
+                else
+                    stay.pose[c] += step[k] / scale(c);
+                ++k;
+            }
+            if (m_geometry.limits().free[kZ])
+                stay.pose[kZ] += height_m + rise_m - m_geometry.lowestPoint_m(stay.pose);
+            stay.time_s = std::max(0.0, stay.time_s + timeScale(stay) * step[k++]);
+            putBack(stay.pose);
+        }
+        return out;
+    }
+
+    /// Steps of the differences of each variable, away from the limits of the workspace.
+    Eigen::VectorXd differences(const HeatingPlan& plan) const {
+        Eigen::VectorXd out = Eigen::VectorXd::Constant(count(), kLengthStep_m);
+        Eigen::Index k = 0;
+        for (const Stay& stay : plan.stays) {
+            for (const int c : m_geometry.freeCoordinates()) {
+                if (stay.pose[c] + kLengthStep_m / scale(c) > m_geometry.limits().upper[c])
+                    out[k] = -out[k];
+                ++k;
+            }
+            ++k;
+        }
+        return out;
+    }
+
+private:
+    static double scale(int coordinate) { return coordinate < 3 ? 1.0 : kRotationLength_m; }
+    Eigen::Index free() const { return static_cast<Eigen::Index>(m_geometry.freeCoordinates().size()); }
+    static double timeScale(const Stay& stay) { return std::max(kTimePerLength_s_m, 20.0 * stay.time_s); }
+
+    void putBack(Vector6d& q) const {
+        const RobotLimits& limits = m_geometry.limits();
+        for (const int c : m_geometry.freeCoordinates())
+            q[c] = std::clamp(q[c], limits.lower[c], limits.upper[c]);
+        const double lacking_m = limits.clearance_m - m_geometry.lowestPoint_m(q);
+        if (lacking_m > 0.0 && limits.free[kZ])
+            q[kZ] = std::min(limits.upper[kZ], q[kZ] + lacking_m);
+    }
+
+    const RigGeometry& m_geometry;
+};
+
+} // namespace
+
+void HeatingPlan::spend(double time_s, const Stay& next) {
+    stays[0].time_s -= time_s;
+    if (stays[0].time_s <= 0.0) {
+        stays[0] = stays[1];
+        stays[1] = next;
+    }
+}
+
+Eigen::VectorXd planResiduals(const RigGeometry& geometry, const HeatingTask& task, const HeatingPlan& plan) {
+    Walk walk(geometry, task);
+    for (const Stay& stay : plan.stays) {
+        walk.go(stay.pose);
+        walk.stay(stay.time_s);
+    }
+    walk.go(plan.rest);
+    walk.rest();
+    return walk.take();
+}
+
+HeatingPlan improvePlan(const RigGeometry& geometry, const HeatingTask& task, const HeatingPlan& plan,
+                        int iterations, double& cost) {
+    const Variables variables(geometry);
+    const Eigen::Index n = variables.count();
+    HeatingPlan best = plan;
+    Eigen::VectorXd residuals = planResiduals(geometry, task, best);
+    cost = residuals.squaredNorm();
+    double damping = 1e-2;
+    for (int i = 0; i < iterations; ++i) {
+        Eigen::MatrixXd J(residuals.size(), n);
+        const Eigen::VectorXd differences = variables.differences(best);
+        for (Eigen::Index k = 0; k < n; ++k) {
+            const Eigen::VectorXd step = differences[k] * Eigen::VectorXd::Unit(n, k);
+            J.col(k) =
+                (planResiduals(geometry, task, variables.moved(best, step)) - residuals) / differences[k];
+        }
+        const Eigen::MatrixXd H = J.transpose() * J;
+        const Eigen::VectorXd g = -J.transpose() * residuals;
+        bool better = false;
+        for (int attempt = 0; attempt < 3 && !better; ++attempt) {
+            Eigen::MatrixXd damped = H;
+            damped.diagonal().array() += damping * (H.trace() / static_cast<double>(n) + 1e-9);
+            const HeatingPlan next = variables.moved(best, damped.ldlt().solve(g));
+            Eigen::VectorXd there = planResiduals(geometry, task, next);
+            const double nextCost = there.squaredNorm();
+            better = nextCost < cost;
+            if (better) {
+                best = next;
+                residuals = std::move(there);
+                const bool done = nextCost > 0.999 * cost;
+                cost = nextCost;
+                if (done)
+                    return best;
+            }
+            damping = better ? std::max(1e-6, 0.2 * damping) : 10.0 * damping;
+        }
+        if (!better)
+            break;
+    }
+    return best;
+}
+
+} // namespace bask
