@@ -48,6 +48,10 @@ QString markerWord(MessageCode code) {
         return RunPage::tr("Sensor lost");
     case MessageCode::EventSensorBack:
         return RunPage::tr("Sensor back");
+    case MessageCode::ReasonSourcePoseLost:
+        return RunPage::tr("Source lost");
+    case MessageCode::EventSourcePoseBack:
+        return RunPage::tr("Source back");
     default:
         return alarmPriority(code) == 1 ? RunPage::tr("Fault") : QString();
     }
