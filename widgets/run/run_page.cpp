@@ -113,6 +113,7 @@ void RunPage::showScene(const Snapshot& snapshot) {
     for (const ObjectSample& object : snapshot.latest.objects)
         temperatures_K.push_back(object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN());
     m_scene->setPose(snapshot.latest.coordinates);
+    m_scene->setSourcePose(snapshot.latest.source);
     m_scene->setTemperatures(temperatures_K);
 }
 
