@@ -177,6 +177,7 @@ TEST(MovingSource, LostFromViewHoldsAndThenEndsTheRun) {
     EXPECT_FALSE(run.loop.heatOn());
 }
 
+// Catches an Arm on a pose that nobody has measured.
 TEST(MovingSource, IsNotReadyWhileATrackedSourceIsNotSeen) {
     LoopOnRig run(movedSource(true));
     run.rig.simulatedSourceTracker().setLost(true);

@@ -270,6 +270,7 @@ TEST(Refusal, NamesTheAllowedRangeAndTheKnownKeys) {
               std::string::npos);
 }
 
+// Catches a plant that cannot heat although what is believed can.
 TEST(Refusal, NamesTheTrueEmittanceThatCannotHeat) {
     json j = base();
     j["source"]["source_model"] = "paper";
