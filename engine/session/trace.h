@@ -3,6 +3,7 @@
 
 #include "engine/base/message.h"
 #include "engine/base/pose.h"
+#include "engine/control/robot_limits.h"
 
 #include <optional>
 #include <string>
@@ -31,7 +32,7 @@ struct TraceSample {
     Vector6d twist = Vector6d::Zero();       ///< commanded, R axes, m/s and rad/s
     double source_K = 0.0;                   ///< measured
     double smallestSingularValue = 0.0;      ///< of the interaction matrix, rotation scaled
-    bool limited = false;                    ///< a limit was active in the command
+    ActiveLimits limits;                     ///< that held the command back
 };
 
 /// Something that happened.

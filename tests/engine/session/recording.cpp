@@ -62,7 +62,8 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
     s.twist << 0.01, -0.02, 1.0 / 3.0, 0.1, 0.0, -0.05 / (k + 1.0);
     s.source_K = 473.15 + 0.1 * k;
     s.smallestSingularValue = 0.7 / (k + 1.0);
-    s.limited = k % 3 == 0;
+    if (k % 3 == 0)
+        s.limits.add(Limit::Workspace, k % 6);
     return s;
 }
 
@@ -71,7 +72,7 @@ bool sameSample(const TraceSample& a, const TraceSample& b) {
     for (std::size_t i = 0; objects && i < a.objects.size(); ++i)
         objects = sameObject(a.objects[i], b.objects[i]);
     return objects && a.time_s == b.time_s && a.twist == b.twist && a.source_K == b.source_K &&
-           a.smallestSingularValue == b.smallestSingularValue && a.limited == b.limited &&
+           a.smallestSingularValue == b.smallestSingularValue && a.limits == b.limits &&
            (a.coordinates - b.coordinates).cwiseAbs().maxCoeff() < 1e-12;
 }
 
