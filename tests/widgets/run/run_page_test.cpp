@@ -138,6 +138,29 @@ TEST(RunPage, ShowsWhatTheSnapshotSays) {
               QStringLiteral("Temperature (°F)"));
 }
 
+// Catches a limit that is active and not told, told in the wrong word, or told when the run is over.
+TEST(RunPage, SaysWhichLimitsHoldTheRobotBack) {
+    RunPage page;
+    page.setExperiment(threeObjects());
+    auto* said = page.findChild<QLabel*>(QStringLiteral("activeLimits"));
+    ASSERT_NE(said, nullptr);
+    Snapshot snapshot = snapshotOf(likeARun(5));
+    snapshot.state = RunState::Running;
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QStringLiteral("No limit holds the robot back."));
+    snapshot.latest.limits.add(Limit::Speed);
+    snapshot.latest.limits.add(Limit::Workspace, kThetaX);
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QStringLiteral("Held back by: speed, workspace \u03b8x"));
+    snapshot.latest.limits = {};
+    snapshot.latest.limits.addUnnamed();
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QStringLiteral("A limit holds the robot back."));
+    snapshot.state = RunState::Stopped;
+    page.apply(snapshot);
+    EXPECT_TRUE(said->text().isEmpty());
+}
+
 // Catches two runs drawn into each other.
 TEST(RunPage, ANewRunBeginsANewTrace) {
     Shown shown;
