@@ -20,10 +20,17 @@ QString number(double value, int digits = 4) {
     return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : QString(kNoValue);
 }
 
+/// Both with as many digits as make two of the error.
 QString withError(const IdentifiedRow::Value& value) {
-    return std::isfinite(value.value)
-               ? number(value.value) + QStringLiteral(" \u00b1 ") + number(value.standardError, 2)
-               : QString(kNoValue);
+    if (!std::isfinite(value.value))
+        return kNoValue;
+    const QString between = QStringLiteral(" \u00b1 ");
+    const double error = value.standardError;
+    if (std::abs(value.value) < 1e-3 || !(error > 0.0))
+        return number(value.value) + between + number(error, 2);
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(error))), 0, 6);
+    return QLocale().toString(value.value, 'f', decimals) + between +
+           QLocale().toString(error, 'f', decimals);
 }
 
 } // namespace

@@ -305,6 +305,10 @@ TEST(RunPage, Pictures) {
         const auto samples = likeARun(140);
         for (const TraceSample& sample : samples) {
             Snapshot snapshot = snapshotOf({sample});
+            snapshot.state = RunState::Running;
+            snapshot.latest.limits.add(Limit::Speed);
+            snapshot.latest.limits.add(Limit::Clearance);
+            snapshot.controller.kind = dark ? ControllerKind::ModelBased : ControllerKind::Adaptive;
             if (sample.time_s == 52.0)
                 snapshot.newNotes = {{52.0, "lamp cover opened"}};
             if (sample.time_s == 96.0)
