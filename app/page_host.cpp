@@ -4,6 +4,7 @@
 #include "app/error_text.h"
 #include "widgets/objects/message_bar.h"
 #include "widgets/objects/objects_page.h"
+#include "widgets/review/identified_table.h"
 #include "widgets/review/review_page.h"
 #include "widgets/run/run_page.h"
 #include "widgets/targets/targets_page.h"
@@ -46,10 +47,12 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
             [this](double factor) { emit commandIssued(SetSimulationSpeed{factor}); });
     connect(m_review, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
     connect(m_review, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
+    connect(m_review, &ReviewPage::useIdentifiedRequested, this, &PageHost::useIdentified);
     connect(&m_files, &SessionActions::sessionOpened, this,
             [this](std::shared_ptr<const SessionRecord> record) {
                 m_record = std::move(record);
                 m_bar->clear();
+                identify();
                 showSession();
                 show(Page::Review);
             });
@@ -121,6 +124,58 @@ void PageHost::showSession() {
     for (const TraceEvent& event : m_record->events)
         sentences << sentence(event.message);
     m_review->setSession(*m_record, sentences);
+    showIdentified();
+}
+
+void PageHost::identify() {
+    m_rates.reset();
+    m_identify.run([record = m_record] { return sessionRates(*record); },
+                   [this](Result<SessionRates> rates) {
+                       m_rates = std::move(rates);
+                       showIdentified();
+                   });
+}
+
+void PageHost::showIdentified() {
+    if (!m_rates)
+        return;
+    if (!*m_rates)
+        return m_review->setIdentificationFailed(sentence(m_rates->error()));
+    const std::vector<TraceSample> samples = m_record->controlledSamples();
+    std::vector<IdentifiedRow> rows;
+    for (std::size_t i = 0; i < (*m_rates)->identified.size(); ++i) {
+        const IdentifiedRates& fit = (*m_rates)->identified[i];
+        IdentifiedRow row;
+        row.name = QString::fromStdString(m_record->experiment.objects[i].name);
+        row.lambda1 = {fit.lambda1.value, fit.lambda1.standardError};
+        row.lambda2 = {fit.lambda2.value, fit.lambda2.standardError};
+        row.lambda3 = {fit.lambda3.value, fit.lambda3.standardError};
+        row.material = (*m_rates)->material[i].lambda1;
+        if (!samples.empty())
+            row.controller = samples.back().objects[i].lambda1;
+        if (!fit.usable())
+            row.unusable = sentence(fit.reason);
+        rows.push_back(std::move(row));
+    }
+    m_review->setIdentified(rows);
+}
+
+void PageHost::useIdentified() {
+    if (!m_editable)
+        return showProblem(tr("A run is armed or on. Objects can be changed once it has stopped."));
+    if (!m_rates || !*m_rates)
+        return;
+    const StartValues start = withStartValues(m_document.experiment(), *m_record, **m_rates);
+    if (start.objects.empty())
+        return showProblem(tr("No object of the open experiment has the name and material of one of this run "
+                              "under the same source and environment."));
+    if (const auto edited = m_document.edit(start.experiment); !edited)
+        return showProblem(sentence(edited.error()));
+    m_objects->setExperiment(m_document.experiment());
+    QStringList names;
+    for (const std::string& name : start.objects)
+        names << QString::fromStdString(name);
+    showNote(tr("Start values taken from this run: %1").arg(names.join(QStringLiteral(", "))));
 }
 
 void PageHost::showEditable() {

@@ -3,6 +3,7 @@
 
 #include "app/document.h"
 #include "app/session_actions.h"
+#include "app/session_rates.h"
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
@@ -10,6 +11,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 class QStackedWidget;
 
@@ -58,6 +60,9 @@ private:
     void showDocument();
     void importContour(const QString& path, const ContourImportOptions& options);
     void showSession();
+    void identify();
+    void showIdentified();
+    void useIdentified();
     void showEditable();
 
     Document& m_document;
@@ -69,8 +74,10 @@ private:
     RunPage* m_run;
     ReviewPage* m_review;
     std::shared_ptr<const SessionRecord> m_record;
+    std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way
     bool m_editable = true;
     LatestJob<Result<Contour>> m_import;
+    LatestJob<Result<SessionRates>> m_identify;
 };
 
 } // namespace bask

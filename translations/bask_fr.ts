@@ -823,6 +823,38 @@
             <source>dv/dt = −D v − K Δτ</source>
             <translation>dv/dt = −D v − K Δτ</translation>
         </message>
+        <message>
+            <source>After a step of %1 K, without limits and noise: it never settles.</source>
+            <translation>Après un échelon de %1 K, sans limites ni bruit : ne se stabilise jamais.</translation>
+        </message>
+        <message>
+            <source>After a step of %1 K, without limits and noise: overshoot %2 %, within ±%3 K after %4 s.</source>
+            <translation>Après un échelon de %1 K, sans limites ni bruit : dépassement %2 %, à ±%3 K près après %4 s.</translation>
+        </message>
+        <message>
+            <source>After a step of %1 K, once it has adapted, without limits and noise: no overshoot, within ±%2 K after %3 s at best.</source>
+            <translation>Après un échelon de %1 K, une fois adapté, sans limites ni bruit : aucun dépassement, à ±%2 K près après %3 s au mieux.</translation>
+        </message>
+        <message>
+            <source>Frequency ω</source>
+            <translation>Pulsation ω</translation>
+        </message>
+        <message>
+            <source>rad/s</source>
+            <translation>rad/s</translation>
+        </message>
+        <message>
+            <source>Natural frequency: ω = √K. Changes D and K together.</source>
+            <translation>Pulsation propre : ω = √K. Modifie D et K ensemble.</translation>
+        </message>
+        <message>
+            <source>Damping ratio ζ</source>
+            <translation>Taux d’amortissement ζ</translation>
+        </message>
+        <message>
+            <source>ζ = D / (2√K): overshoots below 1. Changes D.</source>
+            <translation>ζ = D / (2√K) : dépassement au-dessous de 1. Modifie D.</translation>
+        </message>
     </context>
     <context>
         <name>bask::Display</name>
@@ -1011,6 +1043,49 @@
         <message>
             <source>not settled</source>
             <translation>non stabilisé</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::IdentifiedTable</name>
+        <message>
+            <source>Heat rates from the record</source>
+            <translation>Coefficients thermiques tirés de l’enregistrement</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Identified</source>
+            <translation>Identifié</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Régulateur</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Matériau</translation>
+        </message>
+        <message>
+            <source>λ₁ by least squares on the whole record, with its standard error</source>
+            <translation>λ₁ par moindres carrés sur tout l’enregistrement, avec son erreur type</translation>
+        </message>
+        <message>
+            <source>λ₁ that the controller believed at the end</source>
+            <translation>λ₁ que le régulateur retenait à la fin</translation>
+        </message>
+        <message>
+            <source>λ₁ of the experiment's material and source</source>
+            <translation>λ₁ du matériau et de la source de l’expérience</translation>
+        </message>
+        <message>
+            <source>λ₂ = %1 1/(K³ s), λ₃ = %2 K/s</source>
+            <translation>λ₂ = %1 1/(K³ s), λ₃ = %2 K/s</translation>
+        </message>
+        <message>
+            <source>not usable</source>
+            <translation>inutilisable</translation>
         </message>
     </context>
     <context>
@@ -1544,6 +1619,14 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
             <source>A run is armed or on. Objects can be changed once it has stopped.</source>
             <translation>Un essai est armé ou en cours. Les objets pourront être modifiés après son arrêt.</translation>
         </message>
+        <message>
+            <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
+            <translation>Aucun objet de l’expérience ouverte n’a le nom et le matériau d’un objet de cet essai, sous la même source et dans le même milieu.</translation>
+        </message>
+        <message>
+            <source>Start values taken from this run: %1</source>
+            <translation>Valeurs de départ reprises de cet essai : %1</translation>
+        </message>
     </context>
     <context>
         <name>bask::ReachBar</name>
@@ -1672,6 +1755,22 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>LIVE</source>
             <translation>RÉEL</translation>
+        </message>
+        <message>
+            <source>Heat rates λ₁ in K/s</source>
+            <translation>Coefficients thermiques λ₁ en K/s</translation>
+        </message>
+        <message>
+            <source>Use as start values</source>
+            <translation>Prendre comme départ</translation>
+        </message>
+        <message>
+            <source>Controllers of the open experiment start with the identified rates, in the objects of the same name and material under the same source.</source>
+            <translation>Les régulateurs de l’expérience ouverte partent des coefficients identifiés, pour les objets de même nom et de même matériau sous la même source.</translation>
+        </message>
+        <message>
+            <source>Fitting the heat balance to the record…</source>
+            <translation>Ajustement du bilan thermique à l’enregistrement…</translation>
         </message>
     </context>
     <context>
@@ -1863,6 +1962,42 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>Simulated seconds a second; only on the simulated rig.</source>
             <translation>Secondes simulées par seconde ; banc simulé seulement.</translation>
+        </message>
+        <message>
+            <source>speed</source>
+            <translation>vitesse</translation>
+        </message>
+        <message>
+            <source>rotation</source>
+            <translation>rotation</translation>
+        </message>
+        <message>
+            <source>acceleration</source>
+            <translation>accélération</translation>
+        </message>
+        <message>
+            <source>angular acceleration</source>
+            <translation>accélération angulaire</translation>
+        </message>
+        <message>
+            <source>clearance</source>
+            <translation>distance à la source</translation>
+        </message>
+        <message>
+            <source>workspace %1</source>
+            <translation>espace de travail %1</translation>
+        </message>
+        <message>
+            <source>No limit holds the robot back.</source>
+            <translation>Aucune limite ne retient le robot.</translation>
+        </message>
+        <message>
+            <source>A limit holds the robot back.</source>
+            <translation>Une limite retient le robot.</translation>
+        </message>
+        <message>
+            <source>Held back by: %1</source>
+            <translation>Retenu par : %1</translation>
         </message>
     </context>
     <context>

@@ -1,6 +1,6 @@
 #include "engine/control/adaptive.h"
 
-#include "engine/control/velocity_solve.h"
+#include "engine/control/paper_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,27 +35,21 @@ ControlOutput AdaptiveController::step(const Observation& observation, double dt
     if (observation.objects.size() != N)
         throw std::invalid_argument("AdaptiveController: wrong number of objects");
     const AdaptiveGains& gains = m_settings.adaptive;
-    VelocityProblem problem;
-    problem.rows = m_model.geometry->viewFactors(observation.coordinates).dF * observation.sourceStrength;
-    problem.wanted.resize(static_cast<Eigen::Index>(N));
+    Eigen::VectorXd wanted(static_cast<Eigen::Index>(N));
     std::vector<double> zeta(N);
     for (std::size_t i = 0; i < N; ++i) {
         const auto [T, v] = observation.objects[i];
         const Estimate& estimate = m_estimates[i];
         zeta[i] = v + gains.mu * (T - m_model.targets_K[i]);
-        problem.wanted[static_cast<Eigen::Index>(i)] =
+        wanted[static_cast<Eigen::Index>(i)] =
             -gains.mu * estimate.a1 * v - gains.K * zeta[i] + 4.0 * std::pow(T, 3) * estimate.a2 * v;
     }
-    problem.coordinates = observation.coordinates;
-    problem.dt_s = dt_s;
-    problem.rotationLength_m = m_settings.rotationLength_m;
-    problem.damping = m_settings.damping;
-    const VelocitySolution solution = solveVelocity(*m_model.geometry, problem);
-
-    ControlOutput out{solution.rates, solution.smallestSingularValue, solution.limited, {}, {}};
+    const auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
+    ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s,
+                                     rows * observation.sourceStrength, wanted);
     for (std::size_t i = 0; i < N; ++i) {
         const auto [T, v] = observation.objects[i];
-        if (!solution.limited)
+        if (!out.limited)
             adapt(m_estimates[i], v, zeta[i], T, dt_s);
         HeatRates rates;
         rates.lambda1 = 1.0 / m_estimates[i].a1;

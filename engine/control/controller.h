@@ -22,6 +22,8 @@ struct Observation {
     Vector6d coordinates = Vector6d::Zero(); ///< of the end-effector, measured
     double sourceStrength = 1.0; ///< net source power now over the one the believed lambda1 stand for
     std::vector<ObjectObservation> objects;
+    /// Rates of the pose coordinates that the robot was told last, from which it accelerates; zero at rest.
+    Vector6d lastRates = Vector6d::Zero();
 };
 
 /// What a step asks of the robot and what the controller thinks.
@@ -32,6 +34,7 @@ struct ControlOutput {
     std::vector<double>
         compromise_K; ///< the temperatures aimed at where the targets cannot be had together; else empty
     std::vector<HeatRates> belief; ///< N, as the controller believes them now
+    ActiveLimits limits;           ///< which ones
 };
 
 /// What a controller knows before it starts.

@@ -20,6 +20,25 @@ struct ModelBasedGains {
     bool operator==(const ModelBasedGains&) const = default;
 };
 
+/// The same law as a frequency and a damping ratio: D = 2 damping frequency, K = frequency^2.
+struct NaturalGains {
+    double frequency_rad_s = 0.0;
+    double damping = 0.0; ///< 1: critical
+};
+NaturalGains naturalGains(const ModelBasedGains& gains);
+ModelBasedGains gainsFromNatural(const NaturalGains& gains);
+
+/// Error after a step of the target at rest, as a share of the step, t seconds later: the analytic solution
+/// of d2e/dt2 = -D de/dt - K e without limits, noise or delay.
+double errorAfterStep(const ModelBasedGains& gains, double t_s);
+
+/// What errorAfterStep says of a step of step_K.
+struct StepPrediction {
+    double overshoot = 0.0;  ///< share of the step
+    double settling_s = 0.0; ///< until the error stays within +-band_K; infinite without damping
+};
+StepPrediction predictStep(const ModelBasedGains& gains, double step_K, double band_K);
+
 /// Paper, adaptive: zeta = v + mu dtau.
 struct AdaptiveGains {
     double mu = 0.05;
@@ -28,6 +47,10 @@ struct AdaptiveGains {
     double gamma2 = 1e-22;
     bool operator==(const AdaptiveGains&) const = default;
 };
+
+/// Time until the error is within +-band_K once zeta is zero, where it dies as exp(-mu t): what the adaptive
+/// law comes to when it has adapted, and its least settling time. It does not overshoot then.
+double predictSettling_s(const AdaptiveGains& gains, double step_K, double band_K);
 
 /// Controller and gains of all three kinds, so that switching loses nothing.
 struct ControllerSettings {

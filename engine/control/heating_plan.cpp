@@ -193,6 +193,15 @@ void HeatingPlan::spend(double time_s, const Stay& next) {
     }
 }
 
+void HeatingPlan::move(const Pose& motion, const RobotLimits& limits) {
+    for (Vector6d* pose : {&stays[0].pose, &stays[1].pose, &rest}) {
+        const Vector6d moved = coordinatesFromPose(motion * poseFromCoordinates(*pose));
+        for (int k = 0; k < 6; ++k)
+            if (limits.free[static_cast<std::size_t>(k)])
+                (*pose)[k] = std::clamp(moved[k], limits.lower[k], limits.upper[k]);
+    }
+}
+
 Eigen::VectorXd planResiduals(const RigGeometry& geometry, const HeatingTask& task, const HeatingPlan& plan) {
     Walk walk(geometry, task);
     for (const Stay& stay : plan.stays) {

@@ -23,6 +23,8 @@ struct HeatingPlan {
 
     /// Takes time_s from the first stay; one that is over makes room for `next` at the end.
     void spend(double time_s, const Stay& next);
+    /// Takes every pose along with a source that has moved by `motion` in R, as far as the robot can.
+    void move(const Pose& motion, const RobotLimits& limits);
 };
 
 /// Present state of the objects, and what they are to come to.

@@ -2,8 +2,6 @@
 
 #include "engine/control/velocity_solve.h"
 
-#include <Eigen/SVD>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -24,15 +22,9 @@ constexpr double kSure_K = 0.3;  ///< identified rates are sure enough to judge 
 constexpr double kUnmet_K = 0.4; ///< a compromise begins when the best pose misses a target by this
 constexpr double kMet_K = 0.3;   ///< and ends below this
 constexpr double kRestTravelPrice_K2_s = 1e-3;
-
-double singularValue(const RigGeometry& geometry, const ViewFactors& fields, double rotationLength_m) {
-    const auto& free = geometry.freeCoordinates();
-    Eigen::MatrixXd J(fields.F.size(), static_cast<Eigen::Index>(free.size()));
-    for (std::size_t k = 0; k < free.size(); ++k)
-        J.col(static_cast<Eigen::Index>(k)) = fields.dF.col(free[k]) / (free[k] < 3 ? 1.0 : rotationLength_m);
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J);
-    return svd.singularValues().size() > 0 ? svd.singularValues().tail<1>()[0] : 0.0;
-}
+// The look-up gives starting points only: it may be this far behind a moving source.
+constexpr double kTableShift_m = 0.01;
+constexpr double kTableTurn_rad = 0.05;
 
 /// Time until an object at T_K with view factor F has come to aim_K; infinite if it does not.
 double arrival_s(const HeatRates& rates, double F, double T_K, double aim_K) {
@@ -65,6 +57,18 @@ void LevelServo::setTargets(const std::vector<double>& targets_K) {
     m_compromise = false;
     m_nextRest_s = 0.0;
     m_nextSearch_s = 0.0;
+}
+
+void LevelServo::setGeometry(std::shared_ptr<const RigGeometry> geometry) {
+    // What was planned over the source goes with it.
+    const Pose moved = geometry->X_RS() * m_model.geometry->X_RS().inverse();
+    if (m_plan)
+        m_plan->move(moved, geometry->limits());
+    m_model.geometry = std::move(geometry);
+    const Pose sinceTable = m_tableSource.inverse() * m_model.geometry->X_RS();
+    if (sinceTable.translation().norm() > kTableShift_m ||
+        Eigen::AngleAxisd(sinceTable.linear()).angle() > kTableTurn_rad)
+        m_lookup.reset();
 }
 
 HeatingTask LevelServo::identify(const Observation& observation, const Eigen::VectorXd& F, double dt_s) {
@@ -269,19 +273,20 @@ void LevelServo::choosePlan(const HeatingTask& task) {
     }
 }
 
-VelocitySolution LevelServo::follow(const HeatingTask& task, double dt_s) {
+VelocitySolution LevelServo::follow(const HeatingTask& task, const Vector6d& lastRates, double dt_s) {
     const RigGeometry& geometry = *m_model.geometry;
     const Stay last{m_plan->rest, restStay_s(task)};
     for (int k = 0; k < 2 && m_plan->stays[0].time_s < 0.25 * dt_s; ++k)
         m_plan->spend(dt_s, last); // no use to go there
     const double travel_s = travelTime_s(geometry.limits(), task.from, m_plan->stays[0].pose);
     if (travel_s > 0.5 * dt_s)
-        return velocityTowards(geometry, task.from, m_plan->stays[0].pose, dt_s);
+        return velocityTowards(geometry, task.from, m_plan->stays[0].pose, dt_s, lastRates);
     const double here_s = std::min(dt_s, m_plan->stays[0].time_s);
     const Vector6d goal = here_s < dt_s ? m_plan->stays[1].pose : m_plan->stays[0].pose;
     m_plan->spend(dt_s - travel_s, last);
-    VelocitySolution out = velocityTowards(geometry, task.from, goal, dt_s);
-    if (here_s < dt_s) // leave within the step, by going slower for the whole of it
+    VelocitySolution out = velocityTowards(geometry, task.from, goal, dt_s, lastRates);
+    if (here_s < dt_s &&
+        !geometry.limits().limitsAcceleration()) // leave within the step, by going slower for the whole of it
         out.rates *= 1.0 - here_s / dt_s;
     return out;
 }
@@ -289,15 +294,17 @@ VelocitySolution LevelServo::follow(const HeatingTask& task, double dt_s) {
 ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     if (observation.objects.size() != m_identification.size())
         throw std::invalid_argument("LevelServo: wrong number of objects");
-    if (!m_lookup)
+    if (!m_lookup) {
         m_lookup.emplace(m_model.geometry, observation.coordinates);
+        m_tableSource = m_model.geometry->X_RS();
+    }
     const ViewFactors fields = m_model.geometry->viewFactors(observation.coordinates);
     HeatingTask task = identify(observation, fields.F, dt_s);
     m_time_s = observation.time_s;
     findRest(task, observation.time_s);
     task.aim_K = Eigen::Map<const Eigen::VectorXd>(m_aim_K.data(), task.aim_K.size());
     choosePlan(task);
-    const VelocitySolution motion = follow(task, dt_s);
+    const VelocitySolution motion = follow(task, observation.lastRates, dt_s);
     const Eigen::VectorXd F =
         m_model.geometry->viewFactorsFast(observation.coordinates + 0.5 * dt_s * motion.rates);
     m_expected_K.resize(F.size());
@@ -309,7 +316,9 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
         out.belief.push_back(identification.rates());
     out.rates = motion.rates;
     out.limited = motion.limited;
-    out.smallestSingularValue = singularValue(*m_model.geometry, fields, m_settings.rotationLength_m);
+    out.limits = motion.limits;
+    out.smallestSingularValue =
+        singularRange(*m_model.geometry, fields.dF, m_settings.rotationLength_m).smallest;
     if (m_compromise)
         out.compromise_K = m_aim_K;
     return out;

@@ -16,10 +16,7 @@ public:
     LevelServo(const ControllerSettings& settings, ControlModel model);
     ControlOutput step(const Observation& observation, double dt_s) override;
     void setTargets(const std::vector<double>& targets_K) override;
-    void setGeometry(std::shared_ptr<const RigGeometry> geometry) override {
-        m_model.geometry = std::move(geometry);
-        m_lookup.reset();
-    }
+    void setGeometry(std::shared_ptr<const RigGeometry> geometry) override;
     void setGains(const ControllerSettings& settings) override { m_settings = settings; }
 
 private:
@@ -30,11 +27,12 @@ private:
     bool sure() const;
     void choosePlan(const HeatingTask& task);
     std::vector<HeatingPlan> proposals(const HeatingTask& task) const;
-    VelocitySolution follow(const HeatingTask& task, double dt_s);
+    VelocitySolution follow(const HeatingTask& task, const Vector6d& lastRates, double dt_s);
 
     ControllerSettings m_settings;
     ControlModel m_model;
     std::optional<PoseLookup> m_lookup;
+    Pose m_tableSource = Pose::Identity(); ///< where the source lay when the look-up was made
     std::vector<RateIdentification> m_identification;
     Eigen::VectorXd m_drift_K_s;   ///< N, what the identified rates leave unexplained, slowly
     Eigen::VectorXd m_expected_K;  ///< N, temperatures at this sample as the last one let expect

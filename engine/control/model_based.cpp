@@ -1,6 +1,6 @@
 #include "engine/control/model_based.h"
 
-#include "engine/control/velocity_solve.h"
+#include "engine/control/paper_law.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -15,23 +15,19 @@ ControlOutput ModelBasedController::step(const Observation& observation, double 
     if (observation.objects.size() != N)
         throw std::invalid_argument("ModelBasedController: wrong number of objects");
     const ModelBasedGains& gains = m_settings.modelBased;
-    VelocityProblem problem;
-    problem.rows = m_model.geometry->viewFactors(observation.coordinates).dF;
-    problem.wanted.resize(static_cast<Eigen::Index>(N));
+    auto rows = m_model.geometry->viewFactors(observation.coordinates).dF;
+    Eigen::VectorXd wanted(static_cast<Eigen::Index>(N));
     for (std::size_t i = 0; i < N; ++i) {
         const HeatRates& rates = m_model.believed[i];
         const auto [T, v] = observation.objects[i];
         const auto row = static_cast<Eigen::Index>(i);
-        problem.rows.row(row) *= rates.lambda1 * observation.sourceStrength;
-        problem.wanted[row] =
+        rows.row(row) *= rates.lambda1 * observation.sourceStrength;
+        wanted[row] =
             -gains.D * v - gains.K * (T - m_model.targets_K[i]) + 4.0 * rates.lambda2 * std::pow(T, 3) * v;
     }
-    problem.coordinates = observation.coordinates;
-    problem.dt_s = dt_s;
-    problem.rotationLength_m = m_settings.rotationLength_m;
-    problem.damping = m_settings.damping;
-    const VelocitySolution solution = solveVelocity(*m_model.geometry, problem);
-    return {solution.rates, solution.smallestSingularValue, solution.limited, {}, m_model.believed};
+    ControlOutput out = followWanted(*m_model.geometry, m_settings, observation, dt_s, rows, wanted);
+    out.belief = m_model.believed;
+    return out;
 }
 
 } // namespace bask

@@ -1,94 +1,209 @@
 #include "engine/control/velocity_solve.h"
 
-#include "engine/control/bounded_least_squares.h"
+#include "engine/control/norm_bounded.h"
+#include "engine/control/travel_time.h"
 
 #include <Eigen/SVD>
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace bask {
 namespace {
 
-constexpr double kRelaxed = 1e-12; ///< relative slack on the speed norms
+constexpr double kLeastDamping = 1e-6; ///< keeps the normal matrix regular
 
-/// The problem in the free coordinates, rotation scaled: y = scale * rates.
+/// Rates after braking at full strength for dt_s, on a straight line.
+Vector6d brakedRates(const RigGeometry& geometry, const Vector6d& q, const Vector6d& lastRates, double dt_s) {
+    const RobotLimits& limits = geometry.limits();
+    if (!limits.limitsAcceleration())
+        return Vector6d::Zero();
+    const double speed = lastRates.head<3>().norm();
+    const double rotation = (rotationAxes(q) * lastRates.tail<3>()).norm();
+    double share = 1.0; // of the velocity that is taken away
+    if (limits.maxAcceleration_m_s2 > 0.0 && speed > 0.0)
+        share = std::min(share, limits.maxAcceleration_m_s2 * dt_s / speed);
+    if (limits.maxAngularAcceleration_rad_s2 > 0.0 && rotation > 0.0)
+        share = std::min(share, limits.maxAngularAcceleration_rad_s2 * dt_s / rotation);
+    return (1.0 - share) * lastRates;
+}
+
+/// Longest time that braking on a straight line takes, from any allowed velocity.
+double longestBraking_s(const RobotLimits& limits) {
+    double time_s = 0.0;
+    if (limits.maxAcceleration_m_s2 > 0.0)
+        time_s = limits.maxSpeed_m_s / limits.maxAcceleration_m_s2;
+    if (limits.maxAngularAcceleration_rad_s2 > 0.0)
+        time_s = std::max(time_s, limits.maxRotation_rad_s / limits.maxAngularAcceleration_rad_s2);
+    return time_s;
+}
+
+/// Largest p with dt max(p, (p + last) / 2) + p braking_s <= distance.
+double fastestTowards(double distance, double last, double dt_s, double braking_s) {
+    const double steady = distance / (dt_s + braking_s);
+    return steady >= last ? steady : (distance - 0.5 * dt_s * last) / (0.5 * dt_s + braking_s);
+}
+
+/// The problem in the free coordinates about braking at full strength: rates = braked + scale * y.
 struct Scaled {
-    Eigen::MatrixXd A;
-    Eigen::MatrixXd H; ///< damped normal matrix
-    Eigen::VectorXd f;
-    Eigen::MatrixXd G;
-    Eigen::VectorXd h;
-    Eigen::VectorXd scale;
-    Eigen::MatrixXd speed;    ///< v = speed * y
-    Eigen::MatrixXd rotation; ///< w = rotation * y
+    SmallMatrix H; ///< damped normal matrix
+    SmallVector f;
+    SmallRows G;
+    RowVector h;
+    SmallVector scale;
+    std::vector<NormBound> norms;
+    std::vector<Limit> normNames;
 };
 
-BoundedSolution solveWithPrices(const Scaled& s, double speedPrice, double rotationPrice) {
-    const Eigen::MatrixXd H = s.H + speedPrice * s.speed.transpose() * s.speed +
-                              rotationPrice * s.rotation.transpose() * s.rotation;
-    return solveBounded(H, s.f, s.G, s.h);
+SmallVector freeOf(const std::vector<int>& free, const Vector6d& rates) {
+    SmallVector out(static_cast<Eigen::Index>(free.size()));
+    for (std::size_t k = 0; k < free.size(); ++k)
+        out[static_cast<Eigen::Index>(k)] = rates[free[k]];
+    return out;
 }
 
-/// Smallest price at which `excess` (falling in the price) is not positive, by bracketing and bisection in
-/// its logarithm.
-template <class Excess> double priceFor(double unit, Excess excess) {
-    if (excess(0.0) <= 0.0)
-        return 0.0;
-    double high = unit;
-    while (excess(high) > 0.0 && high < 1e12 * unit)
-        high *= 10.0;
-    double low = high / 10.0;
-    if (high == unit)
-        low = 1e-9 * unit;
-    for (int i = 0; i < 40 && high / low > 1.0 + 1e-7; ++i) {
-        const double middle = std::sqrt(low * high);
-        (excess(middle) > 0.0 ? low : high) = middle;
+/// Adds |M (rates - centre)| <= radius, M acting on the free coordinates.
+void addNorm(Scaled& s, Limit name, const NormBound& M, const SmallVector& braked, const SmallVector& centre,
+             double radius) {
+    NormBound norm;
+    norm.B = M.B * s.scale.asDiagonal();
+    norm.b = M.B * (centre - braked);
+    norm.radius = radius;
+    s.norms.push_back(norm);
+    s.normNames.push_back(name);
+}
+
+void addNorms(Scaled& s, const RigGeometry& geometry, const VelocityProblem& problem,
+              const SmallVector& braked) {
+    const auto& free = geometry.freeCoordinates();
+    const auto n = static_cast<Eigen::Index>(free.size());
+    const RobotLimits& limits = geometry.limits();
+    const Eigen::Matrix3d axes = rotationAxes(problem.coordinates);
+    NormBound speed, rotation;
+    speed.B.setZero(3, n);
+    rotation.B.setZero(3, n);
+    for (Eigen::Index k = 0; k < n; ++k) {
+        const int c = free[static_cast<std::size_t>(k)];
+        if (c < 3)
+            speed.B(c, k) = 1.0;
+        else
+            rotation.B.col(k) = axes.col(c - 3);
     }
-    return high;
+    const SmallVector zero = SmallVector::Zero(n);
+    const SmallVector last = freeOf(free, problem.lastRates);
+    if (free.front() < 3) {
+        addNorm(s, Limit::Speed, speed, braked, zero, limits.maxSpeed_m_s);
+        if (limits.maxAcceleration_m_s2 > 0.0)
+            addNorm(s, Limit::Acceleration, speed, braked, last, limits.maxAcceleration_m_s2 * problem.dt_s);
+    }
+    if (free.back() >= 3) {
+        addNorm(s, Limit::Rotation, rotation, braked, zero, limits.maxRotation_rad_s);
+        if (limits.maxAngularAcceleration_rad_s2 > 0.0)
+            addNorm(s, Limit::AngularAcceleration, rotation, braked, last,
+                    limits.maxAngularAcceleration_rad_s2 * problem.dt_s);
+    }
 }
 
-Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem, double& smallest) {
+/// Scale of each free coordinate: what the limits leave to it in one step.
+SmallVector scales(const RigGeometry& geometry, double dt_s) {
+    const RobotLimits& limits = geometry.limits();
+    const auto least = [&](double speed, double acceleration) {
+        return acceleration > 0.0 ? std::min(speed, acceleration * dt_s) : speed;
+    };
+    const auto& free = geometry.freeCoordinates();
+    SmallVector scale(static_cast<Eigen::Index>(free.size()));
+    for (std::size_t k = 0; k < free.size(); ++k)
+        scale[static_cast<Eigen::Index>(k)] =
+            free[k] < 3 ? least(limits.maxSpeed_m_s, limits.maxAcceleration_m_s2)
+                        : least(limits.maxRotation_rad_s, limits.maxAngularAcceleration_rad_s2);
+    return scale;
+}
+
+Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& brakedRates,
+                     double largestSingularValue) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
     Scaled s;
-    s.scale.resize(n);
-    s.A.resize(problem.rows.rows(), n);
-    s.speed = Eigen::MatrixXd::Zero(3, n);
-    s.rotation = Eigen::MatrixXd::Zero(3, n);
-    const Eigen::Matrix3d axes = rotationAxes(problem.coordinates);
+    s.scale = scales(geometry, problem.dt_s);
+    const SmallVector braked = freeOf(free, brakedRates);
+    const SmallVector last = freeOf(free, problem.lastRates);
+    SmallMatrix A(problem.rows.rows(), n);
+    SmallVector damping(n);
+    const double mu = std::max(problem.damping, kLeastDamping) * std::max(largestSingularValue, 1e-12);
     for (Eigen::Index k = 0; k < n; ++k) {
         const int c = free[static_cast<std::size_t>(k)];
-        s.scale[k] = c < 3 ? 1.0 : problem.rotationLength_m;
-        s.A.col(k) = problem.rows.col(c) / s.scale[k];
-        if (c < 3)
-            s.speed(c, k) = 1.0;
-        else
-            s.rotation.col(k) = axes.col(c - 3) / s.scale[k];
+        A.col(k) = problem.rows.col(c);
+        damping[k] = std::pow(mu * (c < 3 ? 1.0 : problem.rotationLength_m), 2);
     }
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(s.A);
-    const double largest = svd.singularValues().size() > 0 ? svd.singularValues()[0] : 0.0;
-    smallest = svd.singularValues().size() > 0 ? svd.singularValues().tail<1>()[0] : 0.0;
-    const double mu = problem.damping * std::max(largest, 1e-12);
-    s.H = s.A.transpose() * s.A + mu * mu * Eigen::MatrixXd::Identity(n, n);
-    s.f = s.A.transpose() * problem.wanted;
-    stepLimits(geometry, problem.coordinates, s.G, s.h);
-    s.G = s.G * s.scale.cwiseInverse().asDiagonal();
-    s.h /= problem.dt_s;
+    SmallMatrix H = A.transpose() * A;
+    H.diagonal() += damping;
+    s.f = s.scale.cwiseProduct(A.transpose() * problem.wanted - H * braked);
+    s.H = s.scale.asDiagonal() * H * s.scale.asDiagonal();
+
+    Eigen::MatrixXd G;
+    Eigen::VectorXd h;
+    stepLimits(geometry, problem.coordinates, G, h);
+    s.G = G * s.scale.asDiagonal();
+    s.h = h / problem.dt_s - G * braked;
+    if (geometry.limits().limitsAcceleration()) {
+        const double braking_s = longestBraking_s(geometry.limits());
+        for (Eigen::Index i = 0; i < h.size(); ++i) {
+            const double most =
+                std::max(fastestTowards(-h[i], -G.row(i).dot(last), problem.dt_s, braking_s),
+                         -G.row(i).dot(braked)); // from a start that no braking helps, at least that
+            s.h[i] = -most - G.row(i).dot(braked);
+        }
+    }
+    addNorms(s, geometry, problem, braked);
     return s;
 }
 
-/// Shortens a step until it keeps the clearance that the linearised rows may miss by their curvature.
-void keepClear(const RigGeometry& geometry, const Vector6d& q, double dt_s, VelocitySolution& solution) {
-    const double now = geometry.lowestPoint_m(q);
-    const double least = std::min(now, geometry.limits().clearance_m) - 1e-9;
-    for (int i = 0; i < 30 && geometry.lowestPoint_m(q + dt_s * solution.rates) < least; ++i) {
-        solution.rates *= 0.7;
-        solution.limited = true;
+/// The pose keeps its clearance on the way of one step and of the braking after it, which the linearised rows
+/// may miss by their curvature.
+bool staysClear(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, double dt_s,
+                double least_m) {
+    const RobotLimits& limits = geometry.limits();
+    if (!limits.limitsAcceleration())
+        return geometry.lowestPoint_m(q + dt_s * rates) >= least_m;
+    double braking_s = 0.0;
+    if (limits.maxAcceleration_m_s2 > 0.0)
+        braking_s = rates.head<3>().norm() / limits.maxAcceleration_m_s2;
+    if (limits.maxAngularAcceleration_rad_s2 > 0.0)
+        braking_s = std::max(braking_s, (rotationAxes(q) * rates.tail<3>()).norm() /
+                                            limits.maxAngularAcceleration_rad_s2);
+    const double reach_s = 1.5 * dt_s + 0.5 * braking_s;
+    for (const double share : {0.25, 0.5, 0.75, 1.0})
+        if (geometry.lowestPoint_m(q + share * reach_s * rates) < least_m)
+            return false;
+    return true;
+}
+
+void keepClear(const RigGeometry& geometry, const VelocityProblem& problem, const Vector6d& braked,
+               VelocitySolution& solution) {
+    const Vector6d& q = problem.coordinates;
+    const double least_m = std::min(geometry.lowestPoint_m(q), geometry.limits().clearance_m) - 1e-9;
+    for (int i = 0; i < 30 && !staysClear(geometry, q, solution.rates, problem.dt_s, least_m); ++i) {
+        solution.rates = braked + 0.7 * (solution.rates - braked);
+        solution.limits.add(Limit::Clearance);
     }
 }
 
 } // namespace
+
+SingularRange singularRange(const RigGeometry& geometry, const Eigen::Matrix<double, Eigen::Dynamic, 6>& rows,
+                            double rotationLength_m) {
+    const auto& free = geometry.freeCoordinates();
+    if (rows.rows() > kMostUnknowns)
+        throw std::invalid_argument("singularRange: at most six rows");
+    if (rows.rows() == 0 || free.empty())
+        return {};
+    SmallMatrix A(rows.rows(), static_cast<Eigen::Index>(free.size()));
+    for (std::size_t k = 0; k < free.size(); ++k)
+        A.col(static_cast<Eigen::Index>(k)) = rows.col(free[k]) / (free[k] < 3 ? 1.0 : rotationLength_m);
+    const Eigen::JacobiSVD<SmallMatrix> svd(A);
+    return {svd.singularValues().tail<1>()[0], svd.singularValues()[0]};
+}
 
 void stepLimits(const RigGeometry& geometry, const Vector6d& q, Eigen::MatrixXd& G, Eigen::VectorXd& h) {
     const auto& free = geometry.freeCoordinates();
@@ -116,34 +231,34 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
     const auto& free = geometry.freeCoordinates();
     if (free.empty())
         return out;
-    const Scaled s = scaledProblem(geometry, problem, out.smallestSingularValue);
-    const double maxSpeed = geometry.limits().maxSpeed_m_s * (1.0 + kRelaxed);
-    const double maxRotation = geometry.limits().maxRotation_rad_s * (1.0 + kRelaxed);
-    const double unit = std::max(s.H.trace(), 1e-12);
-
-    double speedPrice = 0.0;
-    const auto rotationPrice = [&](double price) {
-        return priceFor(unit, [&](double w) {
-            return (s.rotation * solveWithPrices(s, price, w).y).norm() - maxRotation;
-        });
-    };
-    speedPrice = priceFor(unit, [&](double price) {
-        return (s.speed * solveWithPrices(s, price, rotationPrice(price)).y).norm() - maxSpeed;
-    });
-    const double wPrice = rotationPrice(speedPrice);
-    const BoundedSolution solution = solveWithPrices(s, speedPrice, wPrice);
-
-    out.limited = solution.constrained || speedPrice > 0.0 || wPrice > 0.0;
-    for (std::size_t k = 0; k < free.size(); ++k)
-        out.rates[free[k]] = solution.y[static_cast<Eigen::Index>(k)] / s.scale[static_cast<Eigen::Index>(k)];
-    keepClear(geometry, problem.coordinates, problem.dt_s, out);
+    const SingularRange range = singularRange(geometry, problem.rows, problem.rotationLength_m);
+    const Vector6d braked = brakedRates(geometry, problem.coordinates, problem.lastRates, problem.dt_s);
+    const Scaled s = scaledProblem(geometry, problem, braked, range.largest);
+    const NormBoundedSolution solution = solveNormBounded(s.H, s.f, s.G, s.h, s.norms);
+    out.smallestSingularValue = range.smallest;
+    out.rates = braked;
+    for (std::size_t k = 0; k < free.size() && solution.converged; ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        out.rates[free[k]] += s.scale[i] * solution.y[i];
+    }
+    const auto boxes = 2 * free.size();
+    const auto rows = static_cast<std::size_t>(s.h.size());
+    for (const int index : solution.active) {
+        const auto i = static_cast<std::size_t>(index);
+        if (i < boxes)
+            out.limits.add(Limit::Workspace, free[i / 2]);
+        else
+            out.limits.add(i < rows ? Limit::Clearance : s.normNames[i - rows]);
+    }
+    if (!solution.converged)
+        out.limits.addUnnamed();
+    keepClear(geometry, problem, braked, out);
+    out.limited = out.limits.any();
     return out;
 }
 
 double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d& b) {
-    const Eigen::Vector3d rotation = rotationAxes(a) * (b - a).tail<3>();
-    return std::max((b - a).head<3>().norm() / limits.maxSpeed_m_s,
-                    rotation.norm() / limits.maxRotation_rad_s);
+    return TravelTime(limits, a).to(b);
 }
 
 Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q) {
@@ -166,37 +281,84 @@ Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q) {
     return goal;
 }
 
-VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q, const Vector6d& goal,
-                                 double dt_s) {
-    VelocitySolution out;
-    const double time_s = travelTime_s(geometry.limits(), q, goal);
-    if (time_s <= 0.0)
-        return out;
-    const Vector6d straight = (goal - q) / std::max(time_s, dt_s);
-    out.limited = time_s > dt_s;
-    if (geometry.allowed(q + dt_s * straight)) {
-        out.rates = straight;
-        return out;
-    }
-    // Something is in the way: the nearest velocity that the limits allow slides along it.
-    VelocityProblem problem;
+namespace {
+
+/// Share of full speed that still lets the robot stop after `path_s` seconds of full speed; braking from full
+/// speed takes `braking_s`. Largest p with dt max(p, (p + last) / 2) + way(p) <= path, where way(p) is that
+/// of braking by dt / braking_s each step, trapezoids: of m whole steps and a remainder r,
+/// dt (m^2 step / 2 + (m + 1/2) r).
+double shareOfSpeed(double path_s, double last, double braking_s, double dt_s) {
+    if (braking_s <= 0.0)
+        return std::min(1.0, path_s / dt_s);
+    const double step = dt_s / braking_s;
+    const double steps = path_s / (dt_s * step);
+    double m = std::floor(std::sqrt(1.0 + 2.0 * steps) - 1.0);
+    const double steady = step * (m + (steps - m - 0.5 * m * m) / (m + 1.5));
+    if (steady >= last)
+        return std::min(1.0, steady);
+    const double left = std::max(0.0, steps - 0.5 * last / step);
+    m = std::floor(0.5 * (std::sqrt(1.0 + 8.0 * left) - 1.0));
+    return std::min({1.0, last, step * (m + (left - 0.5 * (m * m + m)) / (m + 1.0))});
+}
+
+/// The nearest velocity to `wanted` that the limits allow; it slides along what is in the way.
+VelocitySolution nearestVelocity(const RigGeometry& geometry, const Vector6d& q, const Vector6d& wanted,
+                                 double dt_s, const Vector6d& lastRates) {
     constexpr double kRotationLength_m = 0.1;
+    VelocityProblem problem;
     problem.rows =
         Vector6d(1.0, 1.0, 1.0, kRotationLength_m, kRotationLength_m, kRotationLength_m).asDiagonal();
-    problem.wanted = problem.rows * straight;
+    problem.wanted = problem.rows * wanted;
     problem.coordinates = q;
+    problem.lastRates = lastRates;
     problem.dt_s = dt_s;
     problem.rotationLength_m = kRotationLength_m;
     problem.damping = 1e-6;
-    out = solveVelocity(geometry, problem);
-    const bool stuck = (problem.rows * out.rates).norm() < 0.05 * problem.wanted.norm();
+    return solveVelocity(geometry, problem);
+}
+
+/// What `rates` is of `wanted`, in its direction.
+double shareOf(const Vector6d& rates, const Vector6d& wanted) {
+    return rates.dot(wanted) / wanted.squaredNorm();
+}
+
+} // namespace
+
+VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q, const Vector6d& goal,
+                                 double dt_s, const Vector6d& lastRates) {
+    const RobotLimits& limits = geometry.limits();
+    VelocitySolution out;
+    const double time_s = travelTime_s(limits, q, goal);
+    if (time_s <= 0.0)
+        return limits.limitsAcceleration() ? nearestVelocity(geometry, q, Vector6d::Zero(), dt_s, lastRates)
+                                           : out;
+    const Vector6d full = (goal - q) / time_s;
+    const double last = std::max(0.0, shareOf(lastRates, full));
+    const double share = shareOfSpeed(time_s, last, longestBraking_s(limits), dt_s);
+    const Vector6d straight = share * full;
+    const bool open = geometry.allowed(q + dt_s * straight);
+    if (open && !limits.limitsAcceleration()) {
+        out.rates = straight;
+        if (time_s > dt_s)
+            out.limits.add((goal - q).head<3>().norm() / limits.maxSpeed_m_s >= time_s * (1.0 - 1e-9)
+                               ? Limit::Speed
+                               : Limit::Rotation);
+        out.limited = out.limits.any();
+        return out;
+    }
+    out = nearestVelocity(geometry, q, straight, dt_s, lastRates);
+    const bool stuck = !open && out.rates.norm() < 0.05 * straight.norm() &&
+                       (out.limits.has(Limit::Clearance) || !limits.limitsAcceleration());
     const Eigen::Vector3d off = (poseOffSource(geometry, q) - q).head<3>();
     if (stuck && off.norm() > 0.0) { // away from the source is always open
-        out.rates.setZero();
-        out.rates.head<3>() =
-            std::min(geometry.limits().maxSpeed_m_s, off.norm() / dt_s) * (off / off.norm());
+        Vector6d away = Vector6d::Zero();
+        away.head<3>() = std::min(limits.maxSpeed_m_s, off.norm() / dt_s) * off.normalized();
+        out = nearestVelocity(geometry, q, away, dt_s, lastRates);
+        out.limits.add(Limit::Clearance);
     }
-    out.limited = true;
+    if (share >= 1.0)
+        out.limits.add(Limit::Speed);
+    out.limited = out.limits.any();
     return out;
 }
 

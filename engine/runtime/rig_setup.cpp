@@ -88,6 +88,8 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
                     experiment.robot.upper,
                     experiment.robot.maxSpeed_m_s,
                     experiment.robot.maxRotation_rad_s,
+                    experiment.robot.maxAcceleration_m_s2,
+                    experiment.robot.maxAngularAcceleration_rad_s2,
                     simulation.robotStep_m,
                     simulation.robotStep_rad,
                     experiment.start,

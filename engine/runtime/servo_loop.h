@@ -120,6 +120,7 @@ private:
     double m_startTime_s = 0.0;
     double m_sourceStrength = 1.0;
     Vector6d m_coordinates = Vector6d::Zero();
+    Vector6d m_rates = Vector6d::Zero(); ///< of the pose coordinates, commanded last
     TraceSample m_latest;
     double m_sampleTime_s = 0.0;
     std::vector<HeatRates> m_belief; ///< of the controller, after its last step

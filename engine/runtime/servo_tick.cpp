@@ -169,19 +169,23 @@ void ServoLoop::control() {
     observation.time_s = m_clock.now_s() - m_startTime_s;
     observation.coordinates = m_coordinates;
     observation.sourceStrength = m_sourceStrength;
+    observation.lastRates = m_rates;
     for (const ObjectSample& object : m_latest.objects)
         observation.objects.push_back({object.estimated_K, object.rate_K_s});
     const ControlOutput output = m_controller->step(observation, m_experiment.sampling.period_s);
 
     m_belief = output.belief;
     m_latest.smallestSingularValue = output.smallestSingularValue;
-    m_latest.limited = output.limited;
+    m_latest.limits = output.limits;
+    if (output.limited)
+        m_latest.limits.addUnnamed();
     move(output.rates);
     noteSettling();
     noteCompromise(output);
 }
 
 void ServoLoop::move(const Vector6d& rates) {
+    m_rates = rates;
     m_latest.twist.head<3>() = rates.head<3>();
     m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * rates.tail<3>();
     const double validFor_s = kVelocityPeriods * m_experiment.sampling.period_s;
@@ -192,6 +196,7 @@ void ServoLoop::move(const Vector6d& rates) {
 void ServoLoop::standStill() {
     // A dead link is known already; the velocity then expires in the robot.
     (void)m_devices.robot.halt();
+    m_rates.setZero();
     m_latest.twist.setZero();
 }
 
@@ -250,7 +255,8 @@ void ServoLoop::retreat() {
         m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
         return;
     }
-    move(velocityTowards(*m_geometry, m_coordinates, goal, m_experiment.sampling.period_s).rates);
+    const double period_s = m_experiment.sampling.period_s;
+    move(velocityTowards(*m_geometry, m_coordinates, goal, period_s, m_rates).rates);
 }
 
 void ServoLoop::trace() {

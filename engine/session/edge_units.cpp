@@ -22,6 +22,8 @@ constexpr Suffixes suffixes(EdgeUnit unit) {
         return {"mm", "m"};
     case EdgeUnit::SpeedCm:
         return {"cm_s", "m_s"};
+    case EdgeUnit::AccelerationCm:
+        return {"cm_s2", "m_s2"};
     case EdgeUnit::Angle:
         return {"deg", "rad"};
     case EdgeUnit::Temperature:
@@ -34,6 +36,7 @@ double roughlyFromSi(double si, EdgeUnit unit) {
     switch (unit) {
     case EdgeUnit::LengthCm:
     case EdgeUnit::SpeedCm:
+    case EdgeUnit::AccelerationCm:
         return si * 100.0;
     case EdgeUnit::LengthMm:
         return si * 1000.0;
@@ -56,7 +59,14 @@ std::string siKey(std::string_view name, EdgeUnit unit) {
 }
 
 std::string_view readableUnit(EdgeUnit unit) {
-    return unit == EdgeUnit::SpeedCm ? "cm/s" : suffixes(unit).readable;
+    switch (unit) {
+    case EdgeUnit::SpeedCm:
+        return "cm/s";
+    case EdgeUnit::AccelerationCm:
+        return "cm/s2";
+    default:
+        return suffixes(unit).readable;
+    }
 }
 
 // Dividing (not multiplying by 0.01) makes a typed "5" cm the same double as 0.05.
@@ -64,6 +74,7 @@ double toSi(double readable, EdgeUnit unit) {
     switch (unit) {
     case EdgeUnit::LengthCm:
     case EdgeUnit::SpeedCm:
+    case EdgeUnit::AccelerationCm:
         return readable / 100.0;
     case EdgeUnit::LengthMm:
         return readable / 1000.0;

@@ -8,7 +8,7 @@
 namespace bask {
 
 /// How a quantity may be written: `name` + "_" + readable suffix, or `name` + "_" + SI suffix.
-enum class EdgeUnit { Temperature, LengthCm, LengthMm, SpeedCm, Angle };
+enum class EdgeUnit { Temperature, LengthCm, LengthMm, SpeedCm, AccelerationCm, Angle };
 
 /// Key as people write it ("target_degC").
 std::string readableKey(std::string_view name, EdgeUnit unit);

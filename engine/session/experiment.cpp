@@ -241,6 +241,10 @@ void checkRobot(Checker& check, const Experiment& e) {
     const RobotLimits& robot = e.robot;
     check.positiveQuantity("robot.", "max_speed", EdgeUnit::SpeedCm, robot.maxSpeed_m_s, 100.0);
     check.positive("robot.max_rotation_rad_s", robot.maxRotation_rad_s, 10.0, "rad/s");
+    check.quantity("robot.", "max_acceleration", EdgeUnit::AccelerationCm, robot.maxAcceleration_m_s2, 0.0,
+                   1000.0);
+    check.range("robot.max_angular_acceleration_rad_s2", robot.maxAngularAcceleration_rad_s2, 0.0, 100.0,
+                "rad/s2");
     check.quantity("robot.", "clearance", EdgeUnit::LengthCm, robot.clearance_m, 0.0, 100.0);
     for (int k = 0; k < 6 && !check.failed(); ++k) {
         const auto name = kCoordinateNames[static_cast<std::size_t>(k)];

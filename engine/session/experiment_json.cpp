@@ -466,6 +466,8 @@ void readRobot(const json& j, const std::string& path, Failure& failure, Experim
     readFree(fields, out.robot);
     fields.read("max_speed", EdgeUnit::SpeedCm, out.robot.maxSpeed_m_s);
     fields.read("max_rotation_rad_s", out.robot.maxRotation_rad_s);
+    fields.read("max_acceleration", EdgeUnit::AccelerationCm, out.robot.maxAcceleration_m_s2);
+    fields.read("max_angular_acceleration_rad_s2", out.robot.maxAngularAcceleration_rad_s2);
     fields.read("clearance", EdgeUnit::LengthCm, out.robot.clearance_m);
     const auto coordinates = [&](const std::string& key, Vector6d& q) {
         readPart(fields, key, false, [&](const json& part, const std::string& where) {

@@ -131,6 +131,8 @@ Json robotJson(const Experiment& e) {
     }
     putQuantity(j, "max_speed", EdgeUnit::SpeedCm, e.robot.maxSpeed_m_s);
     j["max_rotation_rad_s"] = e.robot.maxRotation_rad_s;
+    putQuantity(j, "max_acceleration", EdgeUnit::AccelerationCm, e.robot.maxAcceleration_m_s2);
+    j["max_angular_acceleration_rad_s2"] = e.robot.maxAngularAcceleration_rad_s2;
     putQuantity(j, "clearance", EdgeUnit::LengthCm, e.robot.clearance_m);
     j["lower"] = coordinatesJson(e.robot.lower);
     j["upper"] = coordinatesJson(e.robot.upper);

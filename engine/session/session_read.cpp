@@ -164,7 +164,7 @@ private:
                 for (int k = 0; k < 6; ++k)
                     sample.twist[k] = numberOf(row[static_cast<std::size_t>(k)]);
                 sample.smallestSingularValue = numberOf(row[6]);
-                sample.limited = numberOf(row[7]) == 1.0;
+                sample.limits.bits = static_cast<unsigned>(numberOf(row[7]));
             });
         if (done)
             done = eachSample("source", "temperature_K",

@@ -192,7 +192,7 @@ struct SessionWriter::Impl {
         if (done)
             done = put(kInsertMotion, s.time_s, sqlNumber(u[0]), sqlNumber(u[1]), sqlNumber(u[2]),
                        sqlNumber(u[3]), sqlNumber(u[4]), sqlNumber(u[5]), sqlNumber(s.smallestSingularValue),
-                       std::int64_t{s.limited});
+                       std::int64_t{s.limits.bits});
         if (done)
             done = put(kInsertSource, s.time_s, sqlNumber(s.source_K));
         if (done)

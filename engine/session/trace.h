@@ -3,6 +3,7 @@
 
 #include "engine/base/message.h"
 #include "engine/base/pose.h"
+#include "engine/control/robot_limits.h"
 
 #include <optional>
 #include <string>
@@ -32,7 +33,7 @@ struct TraceSample {
     double source_K = 0.0;                   ///< measured
     Vector6d source = Vector6d::Zero();      ///< coordinates of X_RS as the controllers take them, m and rad
     double smallestSingularValue = 0.0;      ///< of the interaction matrix, rotation scaled
-    bool limited = false;                    ///< a limit was active in the command
+    ActiveLimits limits;                     ///< that held the command back
 };
 
 /// Something that happened.

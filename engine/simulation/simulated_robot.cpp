@@ -23,7 +23,8 @@ Vector6d SimulatedRobot::coordinates() const {
 Result<RobotState> SimulatedRobot::state() {
     if (m_linkLost)
         return Error(MessageCode::ReasonRobotLost, {}, {"simulated link lost"});
-    const bool moving = m_clock.now_s() < m_expires_s && !m_rates.isZero();
+    const bool told = m_clock.now_s() < m_expires_s && !m_wanted.isZero();
+    const bool moving = told || !m_rates.isZero();
     return RobotState{m_clock.now_s(), coordinates(), moving};
 }
 
@@ -62,7 +63,7 @@ void SimulatedRobot::obey(double now_s) {
             rates.head<3>() *= m_config.maxSpeed_m_s / speed;
         if (rotation > m_config.maxRotation_rad_s)
             rates.tail<3>() *= m_config.maxRotation_rad_s / rotation;
-        m_rates = rates;
+        m_wanted = rates;
         m_expires_s = order.time_s + order.validFor_s;
     }
 }
@@ -71,14 +72,28 @@ void SimulatedRobot::advance(double dt_s) {
     const double end_s = m_clock.now_s() + dt_s;
     for (double now_s = m_clock.now_s(); now_s < end_s;) {
         const double next_s = m_orders.empty() ? end_s : std::min(end_s, m_orders.front().time_s);
-        moveFor(std::max(0.0, std::min(next_s, m_expires_s) - now_s));
+        const double told_s = std::clamp(m_expires_s - now_s, 0.0, next_s - now_s);
+        ramp(m_wanted, told_s);
+        ramp(Vector6d::Zero(), next_s - now_s - told_s);
         now_s = next_s;
         obey(now_s);
     }
 }
 
-void SimulatedRobot::moveFor(double time_s) {
-    m_exact += time_s * m_rates;
+void SimulatedRobot::ramp(const Vector6d& wanted, double dt_s) {
+    if (dt_s <= 0.0)
+        return;
+    const Vector6d change = wanted - m_rates;
+    double ramp_s = 0.0; // that the change takes
+    if (m_config.maxAcceleration_m_s2 > 0.0)
+        ramp_s = change.head<3>().norm() / m_config.maxAcceleration_m_s2;
+    if (m_config.maxAngularAcceleration_rad_s2 > 0.0)
+        ramp_s = std::max(ramp_s, (rotationAxes(m_exact) * change.tail<3>()).norm() /
+                                      m_config.maxAngularAcceleration_rad_s2);
+    const double ramping_s = std::min(ramp_s, dt_s);
+    const Vector6d before = m_rates;
+    m_rates = ramp_s > dt_s ? Vector6d(before + dt_s / ramp_s * change) : wanted;
+    m_exact += 0.5 * ramping_s * (before + m_rates) + (dt_s - ramping_s) * wanted;
     for (int k = 0; k < 6; ++k)
         if (m_config.free[static_cast<std::size_t>(k)])
             m_exact[k] = std::clamp(m_exact[k], m_config.lower[k], m_config.upper[k]);

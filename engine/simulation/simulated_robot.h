@@ -1,6 +1,6 @@
 #pragma once
-// A position-stepping robot: moves in steps of its resolution, keeps its own limits, obeys late, forgets a
-// velocity that is not renewed.
+// A position-stepping robot: moves in steps of its resolution, keeps its own limits, obeys late, ramps to a
+// new velocity, forgets one that is not renewed.
 
 #include "engine/base/clock.h"
 #include "engine/devices/robot.h"
@@ -17,6 +17,8 @@ struct SimulatedRobotConfig {
     Vector6d upper = Vector6d::Zero();
     double maxSpeed_m_s = 0.02;
     double maxRotation_rad_s = 0.1;
+    double maxAcceleration_m_s2 = 0.0; ///< 0: takes up a velocity at once
+    double maxAngularAcceleration_rad_s2 = 0.0;
     double step_m = 0.0; ///< 0: continuous
     double step_rad = 0.0;
     Vector6d start = Vector6d::Zero();
@@ -45,12 +47,14 @@ private:
     };
     void give(const Vector6d& twist, double validFor_s);
     void obey(double now_s);
-    void moveFor(double time_s);
+    /// Moves for dt_s towards the rates `wanted`, all coordinates ramping together.
+    void ramp(const Vector6d& wanted, double dt_s);
 
     SimulatedRobotConfig m_config;
     const Clock& m_clock;
-    Vector6d m_exact; ///< continuous position that the steps follow
-    Vector6d m_rates = Vector6d::Zero();
+    Vector6d m_exact;                     ///< continuous position that the steps follow
+    Vector6d m_wanted = Vector6d::Zero(); ///< rates told last
+    Vector6d m_rates = Vector6d::Zero();  ///< rates it has
     double m_expires_s = 0.0;
     std::deque<Order> m_orders; ///< on their way
     bool m_linkLost = false;

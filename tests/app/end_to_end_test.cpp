@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QTemporaryDir>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask::test {
@@ -113,6 +114,13 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
     for (qsizetype k = 0; k < curve.size(); ++k)
         EXPECT_TRUE(curve[k] == liveCurve[k] || (std::isnan(curve[k].y()) && std::isnan(liveCurve[k].y())))
             << k;
+    // The rates come from a job; they become start values of the experiment, which is the one of the run.
+    auto* use = find<QAbstractButton>("useIdentified");
+    ASSERT_TRUE(waitFor([&] { return use->isEnabled(); }));
+    QTest::mouseClick(use, Qt::LeftButton);
+    EXPECT_TRUE(std::ranges::any_of(window->document().experiment().objects, [](const ObjectSpec& object) {
+        return object.believedRates.has_value();
+    }));
     keepPicture(QStringLiteral("opened-review"));
     window->setTheme(Theme::Dark);
     keepPictures(QStringLiteral("opened-dark"));

@@ -182,6 +182,8 @@ void ObjectProperties::edit(const std::function<void(ObjectSpec&)>& change) {
     change(changed);
     if (changed == m_object)
         return;
+    if (!(changed.material == m_object.material))
+        changed.believedRates.reset(); // they were another material's
     m_object = changed;
     showObject();
     emit objectEdited(changed);

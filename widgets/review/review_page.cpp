@@ -5,6 +5,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/final_values.h"
+#include "widgets/review/identified_table.h"
 
 #include <QDateTime>
 #include <QEvent>
@@ -55,6 +56,7 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_stack(new QStackedW
     for (QPushButton* button : {m_open, m_openEmpty})
         connect(button, &QPushButton::clicked, this, &ReviewPage::openRequested);
     connect(m_export, &QPushButton::clicked, this, &ReviewPage::exportRequested);
+    connect(m_useIdentified, &QPushButton::clicked, this, &ReviewPage::useIdentifiedRequested);
     connect(m_temperature, &TracePlot::timeRangeChosen, m_error, &TracePlot::setTimeRange);
     connect(m_error, &TracePlot::timeRangeChosen, m_temperature, &TracePlot::setTimeRange);
     connect(m_events, &EventList::timeChosen, this, [this](double time_s) {
@@ -142,6 +144,28 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     return header;
 }
 
+QWidget* ReviewPage::buildIdentified(QWidget* parent) {
+    auto* box = new QWidget(parent);
+    m_identifiedTitle = bold(box);
+    m_identified = new IdentifiedTable(box);
+    m_identified->setObjectName("identifiedRates");
+    m_identifiedNote = new QLabel(box);
+    m_identifiedNote->setObjectName("identifiedNote");
+    m_identifiedNote->setWordWrap(true);
+    m_useIdentified = new QPushButton(box);
+    m_useIdentified->setObjectName("useIdentified");
+    m_useIdentified->setEnabled(false);
+    auto* row = new QHBoxLayout;
+    row->addWidget(m_identifiedNote, 1);
+    row->addWidget(m_useIdentified, 0, Qt::AlignTop);
+    auto* layout = new QVBoxLayout(box);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_identifiedTitle);
+    layout->addWidget(m_identified);
+    layout->addLayout(row);
+    return box;
+}
+
 QWidget* ReviewPage::buildRun() {
     auto* box = new QWidget(this);
     auto* plots = new QWidget(box);
@@ -170,6 +194,7 @@ QWidget* ReviewPage::buildRun() {
     right->setContentsMargins(6, 0, 0, 0);
     right->addWidget(m_finalTitle);
     right->addWidget(m_final);
+    right->addWidget(buildIdentified(tables));
     right->addWidget(m_eventsTitle);
     right->addWidget(m_events, 1);
     tables->setMinimumWidth(420);
@@ -192,10 +217,30 @@ void ReviewPage::setSession(const SessionRecord& session, const QStringList& eve
     m_session = std::make_unique<SessionRecord>(session);
     m_sentences = eventSentences;
     m_final->setValues(finalValues(session));
+    m_identified->setRows({});
+    m_useIdentified->setEnabled(false);
+    m_identifiedNote->clear();
+    m_identifying = true;
     showTraces();
     showEvents();
     refreshTexts();
     m_stack->setCurrentIndex(1);
+}
+
+void ReviewPage::setIdentified(const std::vector<IdentifiedRow>& rows) {
+    m_identifying = false;
+    m_identified->setRows(rows);
+    QStringList notes;
+    for (const IdentifiedRow& row : rows)
+        if (!row.unusable.isEmpty())
+            notes << QStringLiteral("%1: %2").arg(row.name, row.unusable);
+    m_identifiedNote->setText(notes.join(u'\n'));
+    m_useIdentified->setEnabled(notes.size() < static_cast<qsizetype>(rows.size()));
+}
+
+void ReviewPage::setIdentificationFailed(const QString& sentence) {
+    setIdentified({});
+    m_identifiedNote->setText(sentence);
 }
 
 void ReviewPage::clear() {
@@ -277,6 +322,13 @@ void ReviewPage::refreshTexts() {
     m_errorTitle->setText(tr("Error"));
     m_finalTitle->setText(tr("Final values"));
     m_eventsTitle->setText(tr("Events and notes"));
+    m_identifiedTitle->setText(tr("Heat rates \u03bb\u2081 in K/s"));
+    m_useIdentified->setText(tr("Use as start values"));
+    m_useIdentified->setToolTip(
+        tr("Controllers of the open experiment start with the identified rates, in the "
+           "objects of the same name and material under the same source."));
+    if (m_identifying)
+        m_identifiedNote->setText(tr("Fitting the heat balance to the record\u2026"));
     m_temperature->setAccessibleName(tr("Temperatures of the run"));
     m_error->setAccessibleName(tr("Errors of the run"));
     const QPalette caption = captionPalette(palette());

@@ -16,11 +16,14 @@ namespace bask {
 
 class EventList;
 class FinalValuesTable;
+class IdentifiedTable;
+struct IdentifiedRow;
 class TracePlot;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
-/// "factOutcome", "factSoftware", "reviewTemperature", "reviewError", "finalValues", "reviewEvents".
+/// "factOutcome", "factSoftware", "reviewTemperature", "reviewError", "finalValues", "identifiedRates",
+/// "identifiedNote", "useIdentified", "reviewEvents".
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -30,12 +33,18 @@ public:
 
     /// Shows a run; `eventSentences` are its events translated, in their order.
     void setSession(const SessionRecord& session, const QStringList& eventSentences);
+    /// Heat rates from the record, found by the receiver after setSession; until then they are said to be on
+    /// their way.
+    void setIdentified(const std::vector<IdentifiedRow>& rows);
+    void setIdentificationFailed(const QString& sentence);
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
 signals:
     void openRequested();
     void exportRequested();
+    /// The identified rates shall be start values of the open experiment.
+    void useIdentifiedRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -49,6 +58,7 @@ private:
     QWidget* buildRun();
     QWidget* buildHeader(QWidget* parent);
     Fact addFact(QWidget* parent, const char* name);
+    QWidget* buildIdentified(QWidget* parent);
     void showTraces();
     void showEvents();
     void refreshTexts();
@@ -73,6 +83,11 @@ private:
     TracePlot* m_temperature;
     TracePlot* m_error;
     FinalValuesTable* m_final;
+    QLabel* m_identifiedTitle;
+    IdentifiedTable* m_identified;
+    QLabel* m_identifiedNote;
+    QPushButton* m_useIdentified;
+    bool m_identifying = false;
     EventList* m_events;
 };
 

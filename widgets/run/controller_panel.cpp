@@ -1,5 +1,6 @@
 #include "widgets/run/controller_panel.h"
 
+#include "engine/session/trace.h"
 #include "widgets/common/display.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
@@ -9,14 +10,19 @@
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
+
+#include <cmath>
+#include <utility>
 
 namespace bask {
 namespace {
 
 constexpr ControllerKind kKinds[] = {ControllerKind::LevelServo, ControllerKind::ModelBased,
                                      ControllerKind::Adaptive};
+constexpr double kPredictedStep_K = 10.0;
 
 } // namespace
 
@@ -33,6 +39,10 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
     m_form->setVerticalSpacing(5);
     m_form->addRow(m_choiceLabel, m_choice);
     makeRows();
+    makeNaturalRows();
+    m_prediction = new QLabel(this);
+    m_prediction->setObjectName(QStringLiteral("gainsPrediction"));
+    m_prediction->setWordWrap(true);
 
     m_note = new QLabel(this);
     m_note->setObjectName(QStringLiteral("gainsStaged"));
@@ -49,6 +59,7 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
     layout->setContentsMargins(10, 8, 10, 8);
     layout->setSpacing(6);
     layout->addLayout(m_form);
+    layout->addWidget(m_prediction);
     layout->addLayout(buttons);
 
     connect(m_choice, &QComboBox::currentIndexChanged, this, [this](int index) {
@@ -98,6 +109,56 @@ void ControllerPanel::makeRows() {
     }
 }
 
+void ControllerPanel::makeNaturalRows() {
+    const auto row = [this](QLabel*& label, GainSpinBox*& box, const char* name, double least, double most) {
+        label = new QLabel(this);
+        box = new GainSpinBox(this);
+        box->setObjectName(QLatin1String(name));
+        box->setRange(least, most);
+        label->setBuddy(box);
+        m_form->addRow(label, box);
+        connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
+            if (m_showing)
+                return;
+            m_staged.modelBased = gainsFromNatural({m_frequency->value(), m_damping->value()});
+            showStaged();
+        });
+    };
+    row(m_frequencyLabel, m_frequency, "gain.modelFrequency", 1e-3, 10.0);
+    row(m_dampingLabel, m_damping, "gain.modelDamping", 1e-4, 100.0);
+}
+
+/// Frequency and damping of the staged gains, which are left as they are.
+void ControllerPanel::showNatural() {
+    const bool showing = std::exchange(m_showing, true);
+    const NaturalGains natural = naturalGains(m_staged.modelBased);
+    m_frequency->setValue(natural.frequency_rad_s);
+    m_damping->setValue(natural.damping);
+    m_showing = showing;
+}
+
+/// What the staged gains promise; empty for the level servo, whose time is that of travel and heat.
+QString ControllerPanel::prediction() const {
+    const QString band = QLocale().toString(kSettledBand_K);
+    const QString step = QLocale().toString(kPredictedStep_K);
+    if (m_staged.kind == ControllerKind::ModelBased) {
+        const StepPrediction said = predictStep(m_staged.modelBased, kPredictedStep_K, kSettledBand_K);
+        const QString overshoot = QLocale().toString(100.0 * said.overshoot, 'f', 1);
+        if (!std::isfinite(said.settling_s))
+            return tr("After a step of %1 K, without limits and noise: it never settles.").arg(step);
+        return tr("After a step of %1 K, without limits and noise: overshoot %2 %, within \u00b1%3 K after "
+                  "%4 s.")
+            .arg(step, overshoot, band, QLocale().toString(said.settling_s, 'f', 0));
+    }
+    if (m_staged.kind == ControllerKind::Adaptive)
+        return tr("After a step of %1 K, once it has adapted, without limits and noise: no overshoot, within "
+                  "\u00b1%2 K after %3 s at best.")
+            .arg(step, band,
+                 QLocale().toString(predictSettling_s(m_staged.adaptive, kPredictedStep_K, kSettledBand_K),
+                                    'f', 0));
+    return {};
+}
+
 void ControllerPanel::setSettings(const ControllerSettings& settings) {
     if (settings == m_applied)
         return;
@@ -118,6 +179,8 @@ void ControllerPanel::showStaged() {
         gain.box->setValue(gain.of(m_staged));
         m_form->setRowVisible(gain.box, gain.kind == m_staged.kind);
     }
+    for (GainSpinBox* box : {m_frequency, m_damping})
+        m_form->setRowVisible(box, m_staged.kind == ControllerKind::ModelBased);
     m_showing = false;
     showChanges();
 }
@@ -135,6 +198,10 @@ void ControllerPanel::showChanges() {
         mark(gain.label, differs);
         changes += differs ? 1 : 0;
     }
+    showNatural();
+    m_prediction->setText(prediction());
+    m_prediction->setPalette(captionPalette(palette()));
+    m_prediction->setVisible(!m_prediction->text().isEmpty());
     m_note->setText(changes > 0 ? tr("Not applied: %1", "number of changes").arg(changes) : QString());
     m_note->setToolTip(m_note->text());
     m_apply->setEnabled(changes > 0);
@@ -175,6 +242,17 @@ void ControllerPanel::retranslateUi() {
         m_gains[i].box->setToolTip(texts[i].help);
         m_gains[i].box->setAccessibleName(QStringLiteral("%1 (%2)").arg(texts[i].label, texts[i].unit));
     }
+    const auto natural = [](QLabel* label, GainSpinBox* box, const QString& text, const QString& unit,
+                            const QString& help) {
+        label->setText(text);
+        box->setSuffix(unit.isEmpty() ? QString() : QChar(0x00a0) + unit);
+        box->setToolTip(help);
+        box->setAccessibleName(unit.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(text, unit));
+    };
+    natural(m_frequencyLabel, m_frequency, tr("Frequency \u03c9"), tr("rad/s"),
+            tr("Natural frequency: \u03c9 = \u221aK. Changes D and K together."));
+    natural(m_dampingLabel, m_damping, tr("Damping ratio \u03b6"), QString(),
+            tr("\u03b6 = D / (2\u221aK): overshoots below 1. Changes D."));
     m_showing = false;
     m_apply->setText(tr("Apply"));
     m_apply->setToolTip(tr("Use these settings from the next control step on; noted in the run's log."));
@@ -187,6 +265,8 @@ void ControllerPanel::changeEvent(QEvent* event) {
     QGroupBox::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslateUi();
+    else if (event->type() == QEvent::PaletteChange && m_prediction != nullptr)
+        m_prediction->setPalette(captionPalette(palette()));
 }
 
 } // namespace bask

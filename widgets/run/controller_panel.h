@@ -18,8 +18,9 @@ class GainSpinBox;
 
 /// Edits are staged: nothing happens until Apply; Revert goes back to what the engine uses. Both are enabled
 /// only while something differs. Object names: "controllerPanel", "controllerChoice", "gain.<key>"
-/// (timeConstant, integralTime, modelD, modelK, adaptiveMu, adaptiveK, adaptiveGamma1, adaptiveGamma2),
-/// "gainsApply", "gainsRevert", "gainsStaged".
+/// (timeConstant, integralTime, modelD, modelK, modelFrequency, modelDamping, adaptiveMu, adaptiveK,
+/// adaptiveGamma1, adaptiveGamma2), "gainsPrediction", "gainsApply", "gainsRevert", "gainsStaged". Frequency
+/// and damping are D and K in other words: each follows the other.
 class ControllerPanel : public QGroupBox {
     Q_OBJECT
 public:
@@ -47,6 +48,9 @@ private:
     };
 
     void makeRows();
+    void makeNaturalRows();
+    void showNatural();
+    QString prediction() const;
     void retranslateUi();
     void showStaged();
     void showChanges();
@@ -54,6 +58,9 @@ private:
     ControllerSettings m_applied;
     ControllerSettings m_staged;
     std::vector<Gain> m_gains;
+    QLabel *m_frequencyLabel = nullptr, *m_dampingLabel = nullptr;
+    GainSpinBox *m_frequency = nullptr, *m_damping = nullptr;
+    QLabel* m_prediction = nullptr;
     bool m_showing = false;
     QComboBox* m_choice = nullptr;
     QLabel* m_choiceLabel = nullptr;

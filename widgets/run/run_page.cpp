@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -55,6 +56,26 @@ QString markerWord(MessageCode code) {
     default:
         return alarmPriority(code) == 1 ? RunPage::tr("Fault") : QString();
     }
+}
+
+/// "speed, workspace x".
+QString limitWords(const ActiveLimits& limits) {
+    const std::pair<Limit, QString> named[] = {
+        {Limit::Speed, RunPage::tr("speed")},
+        {Limit::Rotation, RunPage::tr("rotation")},
+        {Limit::Acceleration, RunPage::tr("acceleration")},
+        {Limit::AngularAcceleration, RunPage::tr("angular acceleration")},
+        {Limit::Clearance, RunPage::tr("clearance")},
+    };
+    const char* const axes[] = {"x", "y", "z", "\u03b8x", "\u03b8y", "\u03b8z"};
+    QStringList words;
+    for (const auto& [limit, word] : named)
+        if (limits.has(limit))
+            words << word;
+    for (int k = 0; k < 6; ++k)
+        if (limits.has(Limit::Workspace, k))
+            words << RunPage::tr("workspace %1").arg(QString::fromUtf8(axes[k]));
+    return words.join(QStringLiteral(", "));
 }
 
 } // namespace
@@ -100,6 +121,7 @@ void RunPage::apply(const Snapshot& snapshot) {
     addMarkers(snapshot);
     showTiles(snapshot);
     showScene(snapshot);
+    showLimits(snapshot);
     m_controller->setSettings(snapshot.controller);
     m_speedRow->setVisible(snapshot.simulated);
     if (const int index = m_speed->findData(snapshot.simulationSpeed);
@@ -127,6 +149,20 @@ void RunPage::showTiles(const Snapshot& snapshot) {
             sample.target_K = m_targets_K[i]; // the engine's present target; the sample may be older
         m_tiles[i]->setSample(snapshot.latest.time_s, sample);
     }
+}
+
+void RunPage::showLimits(const Snapshot& snapshot) {
+    const bool controlled = snapshot.state == RunState::Running || snapshot.state == RunState::Settled;
+    const ActiveLimits& limits = snapshot.latest.limits;
+    const QString words = limitWords(limits);
+    if (!controlled)
+        m_limits->clear();
+    else if (!limits.any())
+        m_limits->setText(tr("No limit holds the robot back."));
+    else
+        m_limits->setText(words.isEmpty() ? tr("A limit holds the robot back.")
+                                          : tr("Held back by: %1").arg(words));
+    m_limits->setToolTip(m_limits->text());
 }
 
 void RunPage::addMarkers(const Snapshot& snapshot) {

@@ -30,7 +30,7 @@ class TracePlot;
 /// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>"; plots
 /// "plot.temperature", "plot.error", "plot.viewFactor", "plot.speed", "plot.rate", "plot.strength", their
 /// tabs "plotTabs"; "followLive", "followWindow", "jumpToLive"; "runScene", "viewTop", "viewSide",
-/// "viewIsometric"; "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
+/// "viewIsometric"; "activeLimits"; "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
 class RunPage : public QWidget {
     Q_OBJECT
 public:
@@ -66,6 +66,7 @@ private:
     void showBehind();
     void showScene(const Snapshot& snapshot);
     void showTiles(const Snapshot& snapshot);
+    void showLimits(const Snapshot& snapshot);
     void addMarkers(const Snapshot& snapshot);
     void beginTrace();
     void addNote();
@@ -89,6 +90,7 @@ private:
     SceneView* m_scene = nullptr;
     QLabel* m_sceneLabel = nullptr;
     QToolButton *m_viewTop = nullptr, *m_viewSide = nullptr, *m_viewIsometric = nullptr;
+    QLabel* m_limits = nullptr;
     ControllerPanel* m_controller = nullptr;
     QLabel* m_noteLabel = nullptr;
     QLineEdit* m_note = nullptr;

@@ -170,6 +170,9 @@ QWidget* RunPage::makeSide() {
     bar->addWidget(m_viewSide);
     bar->addWidget(m_viewIsometric);
 
+    m_limits = new QLabel(side);
+    m_limits->setObjectName(QStringLiteral("activeLimits"));
+    m_limits->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_controller = new ControllerPanel(side);
     connect(m_controller, &ControllerPanel::controllerApplied, this, &RunPage::controllerApplied);
 
@@ -192,6 +195,7 @@ QWidget* RunPage::makeSide() {
     layout->setSpacing(6);
     layout->addLayout(bar);
     layout->addWidget(m_scene, 1);
+    layout->addWidget(m_limits);
     layout->addWidget(m_controller);
     layout->addWidget(m_speedRow);
     return side;

@@ -49,6 +49,29 @@ TEST(Example, SettlesAllThreeInUnder120SecondsFor20SeedsOfWrongBeliefs) {
     }
 }
 
+// Catches a controller that does not know what velocity the robot has: its commands would jump.
+TEST(SimulatedRun, CommandsKeepTheAcceleration) {
+    Experiment experiment = example("three-objects.json");
+    experiment.controller.kind = ControllerKind::Adaptive;
+    experiment.robot.maxAcceleration_m_s2 = 0.004;
+    experiment.robot.maxAngularAcceleration_rad_s2 = 0.02;
+    experiment.robot.maxRotation_rad_s = 0.05;
+    Vector6d last = Vector6d::Zero();
+    double most = 0.0, fastest_m_s = 0.0;
+    SimulatedRunOptions options;
+    options.duration_s = 60.0;
+    options.progress = [&](double, const TraceSample& sample) {
+        const Vector6d change = sample.twist - last;
+        most = std::max({most, change.head<3>().norm() / experiment.robot.maxAcceleration_m_s2,
+                         change.tail<3>().norm() / experiment.robot.maxAngularAcceleration_rad_s2});
+        fastest_m_s = std::max(fastest_m_s, sample.twist.head<3>().norm());
+        last = sample.twist;
+    };
+    ASSERT_TRUE(runSimulated(experiment, options));
+    EXPECT_LT(most, 1.0 + 1e-6);    // in a period of 1 s
+    EXPECT_GT(fastest_m_s, 0.0079); // it has gathered speed over several periods
+}
+
 TEST(Example, OtherReachableTargetsSettleToo) {
     const struct {
         std::vector<double> targets_degC;

@@ -98,6 +98,8 @@ public:
         e.source = source();
         e.environment_K = real(250, 310);
         e.robot.maxSpeed_m_s = real(0.001, 0.1);
+        e.robot.maxAcceleration_m_s2 = real(0.0, 10.0);
+        e.robot.maxAngularAcceleration_rad_s2 = real(0.0, 100.0);
         e.robot.maxRotation_rad_s = real(0.01, 1);
         e.robot.clearance_m = real(0, 0.02);
         for (int k = 0; k < 6; ++k) {

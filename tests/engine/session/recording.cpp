@@ -64,7 +64,8 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
     s.source << 0.02 * std::cos(0.2 * k), 0.3, -0.001 * k, 0.4 * std::sin(0.5 * k), 0.1,
         -2.0 * std::sin(0.3 * k);
     s.smallestSingularValue = 0.7 / (k + 1.0);
-    s.limited = k % 3 == 0;
+    if (k % 3 == 0)
+        s.limits.add(Limit::Workspace, k % 6);
     return s;
 }
 
@@ -73,7 +74,7 @@ bool sameSample(const TraceSample& a, const TraceSample& b) {
     for (std::size_t i = 0; objects && i < a.objects.size(); ++i)
         objects = sameObject(a.objects[i], b.objects[i]);
     return objects && a.time_s == b.time_s && a.twist == b.twist && a.source_K == b.source_K &&
-           a.smallestSingularValue == b.smallestSingularValue && a.limited == b.limited &&
+           a.smallestSingularValue == b.smallestSingularValue && a.limits == b.limits &&
            (a.coordinates - b.coordinates).cwiseAbs().maxCoeff() < 1e-12 &&
            (a.source - b.source).cwiseAbs().maxCoeff() < 1e-12;
 }

@@ -102,6 +102,31 @@ TEST(SimulatedRobot, StepsInItsResolution) {
     EXPECT_NEAR(robot.coordinates()[kY], 0.003, 1e-12);
 }
 
+// A robot with mass neither jumps to a velocity nor stands at once, whatever its host asks.
+TEST(SimulatedRobot, RampsWithItsAcceleration) {
+    ManualClock clock;
+    SimulatedRobotConfig config = robotConfig();
+    config.step_m = 0.0;
+    config.maxAcceleration_m_s2 = 0.004;
+    SimulatedRobot robot(config, clock);
+    const double from_m = robot.coordinates()[kX];
+    const auto advance = [&](double dt_s) {
+        robot.advance(dt_s);
+        clock.advance(dt_s);
+        return robot.coordinates()[kX] - from_m;
+    };
+    Vector6d twist = Vector6d::Zero();
+    twist[kX] = 0.01;
+    ASSERT_TRUE(robot.setTwist(twist, 100.0));
+    EXPECT_NEAR(advance(1.0), 0.002, 1e-12);          // a t^2 / 2
+    EXPECT_NEAR(advance(2.0), 0.0125 + 0.005, 1e-12); // at full speed after 2.5 s
+    ASSERT_TRUE(robot.halt());
+    ASSERT_TRUE(robot.state());
+    EXPECT_TRUE(robot.state()->moving);
+    EXPECT_NEAR(advance(10.0), 0.0175 + 0.0125, 1e-12); // v^2 / 2a more
+    EXPECT_FALSE(robot.state()->moving);
+}
+
 TEST(SimulatedThermometer, RoundsDelaysOffsetsAndRepeatsItsSeed) {
     ManualClock clock;
     SimulatedThermometerConfig config{2, 0.0, 0.1, 0.3, 2.0, 42};

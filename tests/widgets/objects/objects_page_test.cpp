@@ -27,6 +27,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
@@ -245,6 +247,22 @@ TEST_F(ObjectsPageTest, WhatThePageDoesNotShowOutlivesAnEdit) {
     experiment.objects[0].material.emittance = 0.5;
     experiment.objects[0].material.name = last().objects[0].material.name;
     EXPECT_EQ(last(), experiment);
+}
+
+// Catches start values of one material that go on steering an object of another.
+TEST_F(ObjectsPageTest, AnotherMaterialTakesTheBelievedRatesAway) {
+    Experiment experiment = example();
+    for (ObjectSpec& object : experiment.objects)
+        object.believedRates = HeatRates{0.2, 2e-11, 0.16};
+    page.setExperiment(experiment);
+    child<QDoubleSpinBox>("emittance")->setValue(0.5);
+    const auto changed = std::ranges::count_if(
+        last().objects, [](const ObjectSpec& object) { return !object.believedRates.has_value(); });
+    EXPECT_EQ(changed, 1);
+    page.undoStack()->undo();
+    EXPECT_TRUE(std::ranges::all_of(page.experiment().objects, [](const ObjectSpec& object) {
+        return object.believedRates.has_value();
+    }));
 }
 
 // Catches a rename that is lost or an undo that does not bring the name back.

@@ -5,6 +5,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/final_values.h"
+#include "widgets/review/identified_table.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -122,6 +123,43 @@ TEST_F(ReviewPageTest, FinalValuesPerObject) {
     const double error_K = -15.0 * std::exp(-200.0 / 110.0);
     EXPECT_EQ(cell(2, 3), QString(QChar(0x2212)) + QString::number(-error_K, 'f', 2) + " K");
     EXPECT_EQ(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(2)->text(), "Final, true");
+}
+
+// Catches rates without their error, an object's failure without its reason, and a button that has nothing to
+// give.
+TEST_F(ReviewPageTest, ShowsTheIdentifiedRatesBesideTheControllers) {
+    page.setSession(record(), sentences());
+    auto* use = child<QPushButton>("useIdentified");
+    EXPECT_FALSE(use->isEnabled());
+    EXPECT_TRUE(text("identifiedNote").startsWith("Fitting"));
+    IdentifiedRow good;
+    good.name = "circle";
+    good.lambda1 = {0.21537, 0.0042};
+    good.lambda2 = {2.1e-11, 3e-13};
+    good.controller = 0.2301;
+    good.material = 0.2203;
+    IdentifiedRow bad;
+    bad.name = "hand";
+    bad.unusable = "The source was never in view.";
+    page.setIdentified({good, bad});
+    auto* table = child<IdentifiedTable>("identifiedRates");
+    ASSERT_EQ(table->rowCount(), 2);
+    EXPECT_EQ(table->item(0, 1)->text(), QString("0.2154 \u00b1 0.0042"));
+    EXPECT_EQ(table->item(0, 2)->text(), "0.2301");
+    EXPECT_EQ(table->item(0, 3)->text(), "0.2203");
+    EXPECT_EQ(table->item(1, 1)->text(), "not usable");
+    EXPECT_EQ(text("identifiedNote"), "hand: The source was never in view.");
+    QSignalSpy wanted(&page, &ReviewPage::useIdentifiedRequested);
+    ASSERT_TRUE(use->isEnabled());
+    QTest::mouseClick(use, Qt::LeftButton);
+    EXPECT_EQ(wanted.count(), 1);
+    page.setIdentified({bad});
+    EXPECT_FALSE(use->isEnabled());
+    page.setIdentificationFailed("It went wrong.");
+    EXPECT_EQ(text("identifiedNote"), "It went wrong.");
+    EXPECT_EQ(table->rowCount(), 0);
+    page.setSession(record(), sentences()); // another one: what was said of the last is gone
+    EXPECT_TRUE(text("identifiedNote").startsWith("Fitting"));
 }
 
 // Catches the cool-down after Stop taken for the run's end.

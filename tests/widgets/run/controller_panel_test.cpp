@@ -10,6 +10,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace bask;
 
 namespace {
@@ -95,4 +97,40 @@ TEST(ControllerPanel, ShowsTheChosenControllersGains) {
     QTest::mouseClick(shown.button("gainsApply"), Qt::LeftButton);
     ASSERT_EQ(shown.sent.count(), 1);
     EXPECT_EQ(shown.sent.first().first().value<ControllerSettings>().kind, ControllerKind::Adaptive);
+}
+
+// Catches a prediction that lags behind what is typed, or speaks of another law.
+TEST(ControllerPanel, SaysWhatTheStagedGainsPromise) {
+    Shown shown;
+    auto* choice = shown.panel.findChild<QComboBox*>(QStringLiteral("controllerChoice"));
+    auto* said = shown.panel.findChild<QLabel*>(QStringLiteral("gainsPrediction"));
+    EXPECT_FALSE(said->isVisible());
+    choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::ModelBased)));
+    EXPECT_TRUE(said->text().contains(QStringLiteral("20.8"))) << said->text().toStdString(); // D 0.2, K 0.05
+    EXPECT_TRUE(said->text().contains(QStringLiteral("23 s"))) << said->text().toStdString();
+    shown.type("modelD", "2");
+    EXPECT_TRUE(said->text().contains(QStringLiteral("overshoot 0.0"))) << said->text().toStdString();
+    choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::Adaptive)));
+    EXPECT_TRUE(said->text().contains(QStringLiteral("60 s"))) << said->text().toStdString(); // ln 20 / 0.05
+}
+
+// Catches two ways of typing the same gains that drift apart.
+TEST(ControllerPanel, FrequencyAndDampingAreTheGainsInOtherWords) {
+    Shown shown;
+    auto* choice = shown.panel.findChild<QComboBox*>(QStringLiteral("controllerChoice"));
+    EXPECT_FALSE(shown.gain("modelFrequency")->isVisible());
+    choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::ModelBased)));
+    EXPECT_TRUE(shown.gain("modelFrequency")->isVisible());
+    EXPECT_NEAR(shown.gain("modelDamping")->value(), 0.4472, 1e-3);
+    shown.type("modelDamping", "1");
+    EXPECT_NEAR(shown.gain("modelD")->value(), 2.0 * std::sqrt(0.05), 1e-3);
+    EXPECT_NEAR(shown.gain("modelK")->value(), 0.05, 1e-3);
+    shown.type("modelFrequency", "0.5");
+    EXPECT_DOUBLE_EQ(shown.gain("modelK")->value(), 0.25);
+    EXPECT_NEAR(shown.gain("modelDamping")->value(), 1.0, 1e-3);
+    shown.type("modelK", "0.01");
+    EXPECT_NEAR(shown.gain("modelFrequency")->value(), 0.1, 1e-9);
+    QTest::mouseClick(shown.button("gainsApply"), Qt::LeftButton);
+    ASSERT_EQ(shown.sent.count(), 1);
+    EXPECT_DOUBLE_EQ(shown.sent.first().first().value<ControllerSettings>().modelBased.K, 0.01);
 }

@@ -139,6 +139,29 @@ TEST(RunPage, ShowsWhatTheSnapshotSays) {
               QStringLiteral("Temperature (°F)"));
 }
 
+// Catches a limit that is active and not told, told in the wrong word, or told when the run is over.
+TEST(RunPage, SaysWhichLimitsHoldTheRobotBack) {
+    RunPage page;
+    page.setExperiment(threeObjects());
+    auto* said = page.findChild<QLabel*>(QStringLiteral("activeLimits"));
+    ASSERT_NE(said, nullptr);
+    Snapshot snapshot = snapshotOf(likeARun(5));
+    snapshot.state = RunState::Running;
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QStringLiteral("No limit holds the robot back."));
+    snapshot.latest.limits.add(Limit::Speed);
+    snapshot.latest.limits.add(Limit::Workspace, kThetaX);
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QStringLiteral("Held back by: speed, workspace \u03b8x"));
+    snapshot.latest.limits = {};
+    snapshot.latest.limits.addUnnamed();
+    page.apply(snapshot);
+    EXPECT_EQ(said->text(), QStringLiteral("A limit holds the robot back."));
+    snapshot.state = RunState::Stopped;
+    page.apply(snapshot);
+    EXPECT_TRUE(said->text().isEmpty());
+}
+
 // Catches two runs drawn into each other.
 TEST(RunPage, ANewRunBeginsANewTrace) {
     Shown shown;
@@ -316,6 +339,10 @@ TEST(RunPage, Pictures) {
         const auto samples = likeARun(140);
         for (const TraceSample& sample : samples) {
             Snapshot snapshot = snapshotOf({sample});
+            snapshot.state = RunState::Running;
+            snapshot.latest.limits.add(Limit::Speed);
+            snapshot.latest.limits.add(Limit::Clearance);
+            snapshot.controller.kind = dark ? ControllerKind::ModelBased : ControllerKind::Adaptive;
             if (sample.time_s == 52.0)
                 snapshot.newNotes = {{52.0, "lamp cover opened"}};
             if (sample.time_s == 96.0)

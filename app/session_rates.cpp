@@ -1,0 +1,40 @@
+#include "app/session_rates.h"
+
+#include "engine/runtime/rig_setup.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace bask {
+
+Result<SessionRates> sessionRates(const SessionRecord& session) {
+    try {
+        return SessionRates{identifySession(session),
+                            nominalRates(session.experiment, session.experiment.environment_K)};
+    } catch (const std::exception& exception) {
+        return Error(MessageCode::ReasonInternalFault, session.path, {exception.what()});
+    }
+}
+
+StartValues withStartValues(const Experiment& experiment, const SessionRecord& session,
+                            const SessionRates& rates) {
+    StartValues out{experiment, {}};
+    const Experiment& recorded = session.experiment;
+    const SourceSpec& source = recorded.source;
+    const bool sameHeat = source.temperature_K == experiment.source.temperature_K &&
+                          source.emittance == experiment.source.emittance &&
+                          source.model == experiment.source.model &&
+                          recorded.environment_K == experiment.environment_K;
+    for (std::size_t i = 0; i < rates.identified.size() && sameHeat; ++i) {
+        const ObjectSpec& from = recorded.objects[i];
+        const auto to = std::ranges::find(out.experiment.objects, from.name, &ObjectSpec::name);
+        if (to == out.experiment.objects.end() || !(to->material == from.material) ||
+            !rates.identified[i].usable())
+            continue;
+        to->believedRates = rates.identified[i].rates();
+        out.objects.push_back(to->name);
+    }
+    return out;
+}
+
+} // namespace bask

@@ -1,0 +1,32 @@
+#pragma once
+// Heat rates of a recorded run as the Review page shows them, and as start values of the open experiment.
+
+#include "engine/session/experiment.h"
+#include "engine/session/session_file.h"
+#include "engine/session/session_identification.h"
+
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// In the session's order; lambda1 at its source's set temperature.
+struct SessionRates {
+    std::vector<IdentifiedRates> identified;
+    std::vector<HeatRates> material;
+};
+
+/// Takes some 0.1 s: run it as a job. A record that cannot be judged is an Error.
+Result<SessionRates> sessionRates(const SessionRecord& session);
+
+struct StartValues {
+    Experiment experiment;
+    std::vector<std::string> objects; ///< that got them
+};
+
+/// The experiment with the usable rates as believed ones, in the objects that have the name and the material
+/// of the session's under the same source and environment.
+StartValues withStartValues(const Experiment& experiment, const SessionRecord& session,
+                            const SessionRates& rates);
+
+} // namespace bask

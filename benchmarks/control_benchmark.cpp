@@ -1,0 +1,123 @@
+// One control step for three objects (the three-object example). Wanted: 20 us for the paper's two laws, 20
+// ms for the level servo, 200 ms for the rebuilding of its look-up. Baseline: the same interaction matrix and
+// a plain damped pseudo-inverse, without any limit.
+
+#include "engine/control/controller.h"
+#include "engine/runtime/rig_setup.h"
+
+#include <QCoreApplication>
+
+#include <Eigen/SVD>
+#include <benchmark/benchmark.h>
+
+#include <optional>
+
+namespace bask {
+namespace {
+
+struct Bench {
+    Experiment experiment;
+    std::shared_ptr<const RigGeometry> geometry;
+    ControlModel model;
+    Observation observation;
+};
+
+/// Half-way to the targets over the source, moving; `error_K` how far from them.
+std::optional<Bench> makeBench(benchmark::State& state, double error_K, double acceleration_m_s2) {
+    auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
+    if (!experiment) {
+        state.SkipWithError(describe(experiment.error()).c_str());
+        return std::nullopt;
+    }
+    experiment->robot.maxAcceleration_m_s2 = acceleration_m_s2;
+    experiment->robot.maxAngularAcceleration_rad_s2 = 5.0 * acceleration_m_s2;
+    Bench bench;
+    bench.geometry = rigGeometry(*experiment);
+    bench.model.geometry = bench.geometry;
+    bench.model.believed = nominalRates(*experiment, experiment->environment_K);
+    bench.observation.coordinates = experiment->start;
+    bench.observation.coordinates[kX] = 0.02;
+    bench.observation.coordinates[kThetaX] = 0.1;
+    for (const ObjectSpec& object : experiment->objects) {
+        bench.model.targets_K.push_back(object.target_K);
+        bench.observation.objects.push_back({object.target_K - error_K, 0.01});
+    }
+    bench.experiment = std::move(*experiment);
+    return bench;
+}
+
+void stepOf(benchmark::State& state, ControllerKind kind, double error_K, double acceleration_m_s2) {
+    auto bench = makeBench(state, error_K, acceleration_m_s2);
+    if (!bench)
+        return;
+    bench->experiment.controller.kind = kind;
+    const auto controller = makeController(bench->experiment.controller, bench->model);
+    (void)controller->step(bench->observation, 1.0); // builds what it needs
+    bool limited = false;
+    for (auto _ : state) {
+        bench->observation.time_s += 1.0;
+        const ControlOutput output = controller->step(bench->observation, 1.0);
+        limited = output.limited;
+        benchmark::DoNotOptimize(output.rates.data());
+    }
+    state.counters["limited"] = limited ? 1.0 : 0.0;
+}
+
+void baselinePseudoInverse(benchmark::State& state) {
+    const auto bench = makeBench(state, 0.1, 0.0);
+    if (!bench)
+        return;
+    const Vector6d& q = bench->observation.coordinates;
+    const Eigen::VectorXd wanted = Eigen::VectorXd::Constant(3, 1e-3);
+    for (auto _ : state) {
+        const ViewFactors fields = bench->geometry->viewFactors(q);
+        const Eigen::MatrixXd J = fields.dF.leftCols<4>();
+        const Eigen::JacobiSVD<Eigen::MatrixXd> svd(J, Eigen::ComputeThinU | Eigen::ComputeThinV);
+        const Eigen::VectorXd u = svd.solve(wanted);
+        benchmark::DoNotOptimize(u.data());
+    }
+}
+
+void lookUpRebuild(benchmark::State& state) {
+    auto bench = makeBench(state, 0.1, 0.0);
+    if (!bench)
+        return;
+    bench->experiment.controller.kind = ControllerKind::LevelServo;
+    for (auto _ : state) { // its first step builds the look-up
+        const auto controller = makeController(bench->experiment.controller, bench->model);
+        const ControlOutput output = controller->step(bench->observation, 1.0);
+        benchmark::DoNotOptimize(output.rates.data());
+    }
+}
+
+constexpr double kNear_K = 0.02; // nothing limits
+constexpr double kFar_K = 15.0;  // the robot goes as fast as it may
+constexpr double kAcceleration_m_s2 = 0.005;
+
+BENCHMARK(baselinePseudoInverse)->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stepOf, modelBasedFree, ControllerKind::ModelBased, kNear_K, 0.0)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stepOf, modelBasedLimited, ControllerKind::ModelBased, kFar_K, 0.0)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stepOf, modelBasedAccelerating, ControllerKind::ModelBased, kFar_K, kAcceleration_m_s2)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stepOf, adaptiveFree, ControllerKind::Adaptive, kNear_K, 0.0)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stepOf, adaptiveLimited, ControllerKind::Adaptive, kFar_K, 0.0)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stepOf, adaptiveAccelerating, ControllerKind::Adaptive, kFar_K, kAcceleration_m_s2)
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stepOf, levelServoNear, ControllerKind::LevelServo, kNear_K, 0.0)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(stepOf, levelServoFar, ControllerKind::LevelServo, kFar_K, 0.0)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(lookUpRebuild)->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace bask
+
+int main(int argc, char** argv) {
+    benchmark::Initialize(&argc, argv);
+    const QCoreApplication application(argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+}

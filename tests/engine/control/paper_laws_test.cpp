@@ -1,0 +1,207 @@
+// The paper's two laws against what its section IV proves of them: one painted circle under the disk, source
+// model of the paper, no limits, noise or rounding.
+
+#include "engine/base/units.h"
+#include "engine/control/adaptive.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <vector>
+
+namespace bask {
+namespace {
+
+constexpr double kT3_K = 298.15;
+
+/// The circle 10 cm over the source (F = 0.5), at its steady state there.
+struct Bench {
+    std::shared_ptr<const RigGeometry> geometry;
+    HeatRates rates;
+    Vector6d q = Vector6d::Zero();
+    double T_K = 0.0;
+    double leastF = 1.0, mostF = 0.0;
+
+    explicit Bench(double maxSpeed_m_s = 10.0) {
+        RobotLimits limits;
+        limits.maxSpeed_m_s = maxSpeed_m_s;
+        limits.free = {false, false, true, false, false, false};
+        geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}},
+                                                 std::vector<Vector6d>{Vector6d::Zero()}, limits);
+        const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
+        rates = heatRates(painted, netSourcePower_W_m2(SourceModel::Paper, 473.15, 0.25, kT3_K), kT3_K);
+        q[kZ] = 0.10;
+        T_K = rates.steadyTemperature_K(F());
+    }
+    double F() const { return geometry->viewFactors(q).F[0]; }
+    double v() const { return rates.rate_K_s(F(), T_K); }
+
+    /// One control step held for dt_s (small: Euler will do for the temperature).
+    ControlOutput step(Controller& controller, double dt_s) {
+        const double F_now = F();
+        leastF = std::min(leastF, F_now);
+        mostF = std::max(mostF, F_now);
+        const double v_now = rates.rate_K_s(F_now, T_K);
+        ControlOutput output = controller.step({0.0, q, 1.0, {{T_K, v_now}}}, dt_s);
+        q += dt_s * output.rates;
+        T_K += 0.5 * dt_s * (v_now + v());
+        return output;
+    }
+};
+
+ControllerSettings settingsOf(ControllerKind kind) {
+    ControllerSettings settings;
+    settings.kind = kind;
+    settings.damping = 0.0;
+    return settings;
+}
+
+/// H of one object: zeta^2 / (2 lambda1) + da1^2 / (2 gamma1) + da2^2 / (2 gamma2), a1 = 1 / lambda1, a2 =
+/// lambda2 / lambda1, da the errors of the estimates. Along the law dH/dt = -K zeta^2 (paper, section IV-B).
+double lyapunov(const AdaptiveGains& gains, const HeatRates& truth, const HeatRates& belief, double zeta) {
+    const double da1 = 1.0 / belief.lambda1 - 1.0 / truth.lambda1;
+    const double da2 = belief.lambda2 / belief.lambda1 - truth.lambda2 / truth.lambda1;
+    return 0.5 * zeta * zeta / truth.lambda1 + 0.5 * da1 * da1 / gains.gamma1 +
+           0.5 * da2 * da2 / gains.gamma2;
+}
+
+Observation moving(const Bench& bench, double T_K, double v_K_s) {
+    return {0.0, bench.q, 1.0, {{T_K, v_K_s}}};
+}
+
+} // namespace
+
+TEST(ModelBasedLaw, FollowsTheAnalyticResponseWithinOnePercentOfTheStep) {
+    const struct {
+        double K;
+        double step_K;
+    } cases[] = {{0.005, 0.2}, {0.05, 0.2}, {0.5, 0.05}};
+    for (const auto& [K, step_K] : cases) {
+        Bench bench;
+        ControllerSettings settings = settingsOf(ControllerKind::ModelBased);
+        settings.modelBased = {0.2, K};
+        const double target_K = bench.T_K + step_K;
+        const auto controller = makeController(settings, {bench.geometry, {bench.rates}, {target_K}});
+        double worst = 0.0;
+        const double dt_s = 0.002;
+        for (int i = 0; i < 40000; ++i) {
+            const double analytic_K = target_K - step_K * errorAfterStep(settings.modelBased, i * dt_s);
+            worst = std::max(worst, std::abs(bench.T_K - analytic_K) / step_K);
+            ASSERT_FALSE(bench.step(*controller, dt_s).limited);
+        }
+        RecordProperty("worst_of_step_K" + std::to_string(K), std::to_string(worst));
+        EXPECT_LT(worst, 0.01) << "K = " << K;
+        EXPECT_GT(bench.leastF, 0.02) << "K = " << K;
+        EXPECT_LT(bench.mostF, 0.98) << "K = " << K;
+    }
+}
+
+TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
+    const struct {
+        double factor1, factor2; ///< believed over true
+    } cases[] = {{1.0, 1.0}, {2.0, 1.0}, {0.5, 1.0}, {1.0, 3.0}, {0.4, 2.5}, {3.0, 0.3}};
+    for (const auto& [factor1, factor2] : cases) {
+        Bench bench;
+        ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+        HeatRates believed = bench.rates;
+        believed.lambda1 *= factor1;
+        believed.lambda2 *= factor2;
+        believed.lambda3 *= factor2;
+        const double target_K = bench.T_K + 0.6;
+        const auto controller = makeController(settings, {bench.geometry, {believed}, {target_K}});
+        const double dt_s = 0.002;
+        double before = lyapunov(settings.adaptive, bench.rates, believed,
+                                 bench.v() + settings.adaptive.mu * (bench.T_K - target_K));
+        const double start = before;
+        int judged = 0;
+        for (int i = 0; i < 100000; ++i) {
+            const double zeta = bench.v() + settings.adaptive.mu * (bench.T_K - target_K);
+            const ControlOutput output = bench.step(*controller, dt_s);
+            const double after = lyapunov(settings.adaptive, bench.rates, output.belief[0],
+                                          bench.v() + settings.adaptive.mu * (bench.T_K - target_K));
+            // Below the dead zone nothing is adapted, and H may rise by what zeta alone holds.
+            if (std::abs(zeta) > AdaptiveController::kZetaDeadZone_K_s) {
+                ASSERT_LE(after, before + 1e-9 * start) << factor1 << " " << factor2 << " at " << i * dt_s;
+                ++judged;
+            }
+            before = after;
+        }
+        EXPECT_GT(judged, 1000);
+        EXPECT_LT(std::abs(bench.T_K - target_K), 0.3) << factor1 << " " << factor2;
+    }
+}
+
+// The rate of H is that of the theory, not only its sign.
+TEST(AdaptiveLaw, ItsLyapunovFunctionFallsAsKZetaSquared) {
+    Bench bench;
+    const ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+    HeatRates believed = bench.rates;
+    believed.lambda1 *= 1.5;
+    const double target_K = bench.T_K + 0.6;
+    const auto controller = makeController(settings, {bench.geometry, {believed}, {target_K}});
+    const double dt_s = 0.002;
+    const auto zeta = [&] { return bench.v() + settings.adaptive.mu * (bench.T_K - target_K); };
+    const double start = lyapunov(settings.adaptive, bench.rates, believed, zeta());
+    double wanted = 0.0, after = start;
+    for (int i = 0; i < 5000; ++i) {
+        wanted += settings.adaptive.K * std::pow(zeta(), 2) * dt_s;
+        const ControlOutput output = bench.step(*controller, dt_s);
+        after = lyapunov(settings.adaptive, bench.rates, output.belief[0], zeta());
+    }
+    EXPECT_NEAR(start - after, wanted, 0.01 * wanted);
+}
+
+TEST(AdaptiveLaw, EstimatesStayWithinTheirFactor) {
+    const Bench bench;
+    ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+    settings.adaptive.gamma1 = 1e4;
+    settings.adaptive.gamma2 = 1e-12;
+    for (const double v_K_s : {0.05, -0.05}) {
+        const auto controller = makeController(settings, {bench.geometry, {bench.rates}, {bench.T_K + 1e-3}});
+        ControlOutput output;
+        for (int i = 0; i < 200;
+             ++i) // zeta v > 0: a1 grows and a2 falls; with the target far above, the reverse
+            output = controller->step(moving(bench, v_K_s > 0.0 ? bench.T_K : bench.T_K + 2.0, v_K_s), 1.0);
+        const double range = AdaptiveController::kEstimateRange * (1.0 + 1e-12);
+        EXPECT_GE(output.belief[0].lambda1, bench.rates.lambda1 / range);
+        EXPECT_LE(output.belief[0].lambda1, bench.rates.lambda1 * range);
+        const double a2 = output.belief[0].lambda2 / output.belief[0].lambda1;
+        const double start2 = bench.rates.lambda2 / bench.rates.lambda1;
+        EXPECT_GE(a2, start2 / range);
+        EXPECT_LE(a2, start2 * range);
+        EXPECT_GT(std::abs(std::log(output.belief[0].lambda1 / bench.rates.lambda1)), 2.9); // it was pushed
+    }
+}
+
+TEST(AdaptiveLaw, NoiseBelowTheDeadZoneTeachesNothing) {
+    const Bench bench;
+    const ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+    const auto beliefAfter = [&](double zeta_K_s) {
+        const auto controller = makeController(settings, {bench.geometry, {bench.rates}, {bench.T_K}});
+        ControlOutput output;
+        for (int i = 0; i < 100; ++i)
+            output = controller->step(moving(bench, bench.T_K, zeta_K_s), 1e-3);
+        return output.belief[0].lambda1;
+    };
+    EXPECT_DOUBLE_EQ(beliefAfter(0.9 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
+    EXPECT_NE(beliefAfter(1.1 * AdaptiveController::kZetaDeadZone_K_s), bench.rates.lambda1);
+}
+
+TEST(AdaptiveLaw, StandsStillWhileALimitHoldsTheCommandBack) {
+    const auto beliefAfter = [](const Bench& bench) {
+        const auto controller = makeController(settingsOf(ControllerKind::Adaptive),
+                                               {bench.geometry, {bench.rates}, {bench.T_K + 20.0}});
+        ControlOutput output;
+        for (int i = 0; i < 50; ++i)
+            output = controller->step(moving(bench, bench.T_K, 0.02), 1e-3);
+        EXPECT_EQ(output.limited, bench.geometry->limits().maxSpeed_m_s < 1.0);
+        return output.belief[0].lambda1;
+    };
+    const Bench slow(0.001);
+    EXPECT_DOUBLE_EQ(beliefAfter(slow), slow.rates.lambda1);
+    const Bench fast;
+    EXPECT_NE(beliefAfter(fast), fast.rates.lambda1);
+}
+
+} // namespace bask
