@@ -139,30 +139,6 @@ double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, 
     return std::numeric_limits<double>::infinity();
 }
 
-void findBounds(const std::shared_ptr<const RigGeometry>& geometry, const Experiment& rig,
-                ClosedLoopCase& drawn) {
-    const PoseLookup lookup(geometry, rig.start, kReachPoses);
-    std::vector<double> travel_s(lookup.size());
-    for (std::size_t k = 0; k < lookup.size(); ++k)
-        travel_s[k] = travelTime_s(geometry->limits(), drawn.start, lookup.pose(k));
-    std::vector<std::size_t> order(lookup.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::size_t k) { return travel_s[k]; });
-    const Eigen::VectorXd F = geometry->viewFactors(drawn.start).F;
-    for (std::size_t i = 0; i < rig.objects.size(); ++i) {
-        const double target_K = drawn.targets_K[i];
-        const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
-        const auto row = static_cast<Eigen::Index>(i);
-        Reach reach(lookup, travel_s, order, row, sign, F[row]);
-        const double ideal = sign > 0.0 ? 1.0 : 0.0;
-        drawn.radiation_s =
-            std::max(drawn.radiation_s, timeToBand_s(rig, i, target_K, [&](double) { return ideal; }));
-        drawn.bound_s = std::max(drawn.bound_s,
-                                 timeToBand_s(rig, i, target_K, [&](double t_s) { return reach.at(t_s); }));
-    }
-    drawn.travel_s = travelTime_s(geometry->limits(), drawn.start, drawn.goal);
-}
-
 /// "circle +1.2 K, hand -0.8 K": who is where at the end.
 std::string objectsOutside(const RunOutcome& outcome) {
     std::string words;
@@ -269,6 +245,31 @@ std::string csvRow(int index, const ClosedLoopRow& row) {
 
 } // namespace
 
+SettlingBound settlingBound(const Experiment& experiment) {
+    const auto geometry = rigGeometry(experiment);
+    const PoseLookup lookup(geometry, experiment.start, kReachPoses);
+    std::vector<double> travel_s(lookup.size());
+    for (std::size_t k = 0; k < lookup.size(); ++k)
+        travel_s[k] = travelTime_s(geometry->limits(), experiment.start, lookup.pose(k));
+    std::vector<std::size_t> order(lookup.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, [&](std::size_t k) { return travel_s[k]; });
+    const Eigen::VectorXd F = geometry->viewFactors(experiment.start).F;
+    SettlingBound bound;
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const double target_K = experiment.objects[i].target_K;
+        const double sign = target_K > experiment.environment_K ? 1.0 : -1.0;
+        const auto row = static_cast<Eigen::Index>(i);
+        Reach reach(lookup, travel_s, order, row, sign, F[row]);
+        const double ideal = sign > 0.0 ? 1.0 : 0.0;
+        bound.radiation_s =
+            std::max(bound.radiation_s, timeToBand_s(experiment, i, target_K, [&](double) { return ideal; }));
+        bound.bound_s = std::max(
+            bound.bound_s, timeToBand_s(experiment, i, target_K, [&](double t_s) { return reach.at(t_s); }));
+    }
+    return bound;
+}
+
 ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
     Random random = randomOf(study.seed, index);
     ClosedLoopCase drawn;
@@ -285,7 +286,10 @@ ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
     const auto geometry = rigGeometry(rig);
     drawn.start = drawPose(random, *geometry, rig.start);
     drawGoal(random, *geometry, rig, drawn);
-    findBounds(geometry, rig, drawn);
+    const SettlingBound bound = settlingBound(closedLoopExperiment(study, drawn));
+    drawn.radiation_s = bound.radiation_s;
+    drawn.bound_s = bound.bound_s;
+    drawn.travel_s = travelTime_s(geometry->limits(), drawn.start, drawn.goal);
     return drawn;
 }
 
