@@ -23,11 +23,11 @@ const QString kComment = QStringLiteral("Bask reproduction");
 QString controllerWords(ControllerKind kind) {
     switch (kind) {
     case ControllerKind::ModelBased:
-        return QStringLiteral("model-based law");
+        return QStringLiteral("Model-based law");
     case ControllerKind::Adaptive:
-        return QStringLiteral("adaptive law");
+        return QStringLiteral("Adaptive law");
     case ControllerKind::LevelServo:
-        return QStringLiteral("level servo");
+        return QStringLiteral("Level servo");
     }
     return {};
 }
@@ -104,7 +104,7 @@ std::vector<ReportPicture> errorPictures(const Experiments& experiments) {
         for (const std::size_t by : kBoth) {
             const ReproducedRun& run = each->runs[by];
             Figure figure =
-                emptyFigure(controllerWords(run.controller) + QStringLiteral(", ") + targetWords(experiment),
+                emptyFigure(controllerWords(run.controller) + QStringLiteral(": ") + targetWords(experiment),
                             QString::fromStdString(each->paper.name), duration_s(*each));
             figure.yRange = errorRange({each});
             for (std::size_t i = 0; i < experiment.objects.size(); ++i)
@@ -195,7 +195,7 @@ std::vector<ReportPicture> pathPictures(const Experiments& experiments) {
             figure.source_cm << QPointF(100.0 * point.x(), 100.0 * point.y());
         for (const std::size_t by : kBoth) {
             const ReproducedRun& run = each->runs[by];
-            figure.title = controllerWords(run.controller) + QStringLiteral(", ") + targetWords(experiment);
+            figure.title = controllerWords(run.controller) + QStringLiteral(": ") + targetWords(experiment);
             figure.note = QString::fromStdString(each->paper.name) +
                           QStringLiteral(": from the ring to the dot; black: the source");
             figure.paths.clear();

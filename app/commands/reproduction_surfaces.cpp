@@ -13,6 +13,8 @@ namespace bask {
 namespace {
 
 const QString kComment = QStringLiteral("Bask reproduction");
+const QString kDisks =
+    QStringLiteral("disk of 1.5 cm over a disk of 10 cm (black); the quarter towards the eye is cut away");
 constexpr double kTolerance = 1e-7;
 constexpr std::array kLevels{0.1, 0.3, 0.5, 0.7, 0.9};
 
@@ -199,8 +201,7 @@ Result<std::vector<ReportPicture>> subsetPictures() {
                                {QStringLiteral("rotations at (0, 0, 5) cm"), true, kZ, 0.05}});
     if (!panels)
         return panels.error();
-    return onePicture({QStringLiteral("Surfaces of equal view factor"),
-                       QStringLiteral("disk of 1.5 cm over a disk of 10 cm (black)"), std::move(*panels)});
+    return onePicture({QStringLiteral("Surfaces of equal view factor"), kDisks, std::move(*panels)});
 }
 
 Result<std::vector<ReportPicture>> panelPictures() {
@@ -216,8 +217,8 @@ Result<std::vector<ReportPicture>> panelPictures() {
     auto panels = levelPanels(cases);
     if (!panels)
         return panels.error();
-    return onePicture({QStringLiteral("Surfaces of equal view factor as a fourth coordinate changes"),
-                       QStringLiteral("disk of 1.5 cm over a disk of 10 cm (black)"), std::move(*panels), 3});
+    return onePicture({QStringLiteral("Surfaces of equal view factor as a fourth coordinate changes"), kDisks,
+                       std::move(*panels), 3});
 }
 
 Result<std::vector<ReportPicture>>
@@ -226,7 +227,8 @@ steadySurfacePictures(const std::vector<const ReproducedExperiment*>& all) {
     if (!panels)
         return panels.error();
     SurfacesFigure figure{QStringLiteral("Where the objects' centres are steady"),
-                          QStringLiteral("black: the source"), std::move(*panels), 3};
+                          QStringLiteral("black: the source; the quarter towards the eye is cut away"),
+                          std::move(*panels), 3};
     std::vector<ReportPicture> pictures = onePicture(figure);
     figure = {
         QStringLiteral("The targets' surfaces and the paths of the centres"),

@@ -71,42 +71,52 @@ private:
             if (isLast || colour(path.points[k + 1].temperature_degC) != now) {
                 if (!isLast)
                     piece << view.of(path.points[k + 1]);
-                QPen pen(now, 2.4);
+                QPen pen(now, 1.6);
                 pen.setCapStyle(Qt::RoundCap);
                 line(view, piece, pen);
                 piece.clear();
             }
         }
-        if (!path.points.isEmpty())
-            markEnds(view, path);
+        if (path.points.isEmpty())
+            return;
+        const QColor first = colour(path.points.front().temperature_degC);
+        mark(view, path.points.front(),
+             {QCPScatterStyle::ssCircle, QPen(first, 1.8), QBrush(Qt::white), 7.0});
+        const QColor last = colour(path.points.back().temperature_degC);
+        mark(view, path.points.back(), {QCPScatterStyle::ssCircle, QPen(Qt::white, 1.5), QBrush(last), 11.0});
+        addName(view, path);
     }
 
-    void markEnds(const View& view, const FigurePath& path) {
-        mark(view, path.points.front(), QCPScatterStyle::ssCircle, 7.0);
-        mark(view, path.points.back(), QCPScatterStyle::ssDisc, 9.0);
-        const QPointF end = view.of(path.points.back());
+    /// A name at the start, where the paths are apart; paths that start at one place share theirs.
+    void addName(const View& view, const FigurePath& path) {
+        const QPointF start = view.of(path.points.front());
+        QStringList names;
+        for (const FigurePath& other : m_figure.paths) {
+            const QPointF distance =
+                other.points.isEmpty() ? QPointF(1e9, 0.0) : view.of(other.points.front()) - start;
+            if (distance.manhattanLength() > 0.1)
+                continue;
+            if (names.isEmpty() && &other != &path)
+                return; // said already
+            names << other.name;
+        }
         auto* name = new QCPItemText(&m_plot);
         name->setClipToAxisRect(false);
-        for (QCPItemPosition* place : {name->position}) {
-            place->setAxes(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
-            place->setAxisRect(view.rect);
-            place->setType(QCPItemPosition::ptPlotCoords);
-            place->setCoords(end);
-        }
-        name->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
-        name->setPadding({7, 0, 0, 5});
-        name->setText(path.name);
-        name->setFont(figureFont(13));
+        name->position->setAxes(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
+        name->position->setAxisRect(view.rect);
+        name->position->setType(QCPItemPosition::ptPlotCoords);
+        name->position->setCoords(start);
+        name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+        name->setPadding({0, 0, 0, 7});
+        name->setText(names.join(QStringLiteral(", ")));
+        name->setFont(figureFont(14));
         name->setColor(themePalette(false).color(QPalette::Text));
-        name->setBrush(QColor(255, 255, 255, 150));
     }
 
-    void mark(const View& view, const PathPoint& point, QCPScatterStyle::ScatterShape shape, double size) {
+    void mark(const View& view, const PathPoint& point, const QCPScatterStyle& style) {
         auto* graph = m_plot.addGraph(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
-        const QColor now = colour(point.temperature_degC);
         graph->setLineStyle(QCPGraph::lsNone);
-        graph->setScatterStyle({shape, QPen(now, 1.8),
-                                QBrush(shape == QCPScatterStyle::ssDisc ? now : QColor(Qt::white)), size});
+        graph->setScatterStyle(style);
         const QPointF place = view.of(point);
         graph->addData(place.x(), place.y());
     }
@@ -134,8 +144,8 @@ Extents extentsOf(const PathsFigure& figure) {
     return {1.15 * most.side, 1.12 * most.top};
 }
 
-QCPAxisRect* addRect(QCustomPlot& plot, int column, const QString& title, const QString& xLabel,
-                     const QString& yLabel) {
+QCPAxisRect* addRect(QCustomPlot& plot, QCPLayoutGrid& views, int column, const QString& title,
+                     const QString& xLabel, const QString& yLabel) {
     auto* rect = new QCPAxisRect(&plot);
     rect->setupFullAxesBox(true);
     styleAxis(rect->axis(QCPAxis::atBottom), xLabel);
@@ -147,8 +157,8 @@ QCPAxisRect* addRect(QCustomPlot& plot, int column, const QString& title, const 
     rect->setMinimumMargins({12, 4, 16, 0});
     auto* words = new QCPTextElement(&plot, title, figureFont(14));
     words->setTextColor(secondaryText(false));
-    plot.plotLayout()->addElement(0, column, words);
-    plot.plotLayout()->addElement(1, column, rect);
+    views.addElement(0, column, words);
+    views.addElement(1, column, rect);
     return rect;
 }
 
@@ -161,7 +171,7 @@ void setEqualScales(QCPAxisRect* rect, const QCPRange& across, const QCPRange& u
     rect->axis(QCPAxis::atLeft)->setRange(up.center() - 0.5 * height, up.center() + 0.5 * height);
 }
 
-void addColours(QCustomPlot& plot, const PathsFigure& figure) {
+void addColours(QCustomPlot& plot, QCPLayoutGrid& views, const PathsFigure& figure) {
     auto* scale = new QCPColorScale(&plot);
     scale->setGradient(blueToRed());
     scale->setDataRange({figure.coldest_degC, figure.hottest_degC});
@@ -169,8 +179,12 @@ void addColours(QCustomPlot& plot, const PathsFigure& figure) {
     scale->setBarWidth(14);
     styleAxis(scale->axis(), QString::fromUtf8("Temperature (°C)"));
     scale->axis()->grid()->setVisible(false);
-    plot.plotLayout()->addElement(1, 2, scale);
-    plot.plotLayout()->setColumnStretchFactor(2, 0.001);
+    // As high as the views.
+    auto* group = new QCPMarginGroup(&plot);
+    views.element(1, 0)->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+    scale->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+    views.addElement(1, 2, scale);
+    views.setColumnStretchFactor(2, 0.001);
 }
 
 } // namespace
@@ -179,29 +193,20 @@ QByteArray pathsPng(const PathsFigure& figure, const QString& comment) {
     QCustomPlot plot;
     plot.setBackground(Qt::white);
     plot.plotLayout()->clear();
+    auto* views = new QCPLayoutGrid;
+    plot.plotLayout()->addElement(0, 0, views);
     const View above{[](const PathPoint& p) { return QPointF(p.x_cm, p.y_cm); },
-                     addRect(plot, 0, QStringLiteral("seen along -z of the source"), QStringLiteral("x (cm)"),
-                             QStringLiteral("y (cm)"))};
+                     addRect(plot, *views, 0, QStringLiteral("seen along -z of the source"),
+                             QStringLiteral("x (cm)"), QStringLiteral("y (cm)"))};
     const View aside{[](const PathPoint& p) { return QPointF(p.y_cm, p.z_cm); },
-                     addRect(plot, 1, QStringLiteral("seen along x of the source"), QStringLiteral("y (cm)"),
-                             QStringLiteral("z (cm)"))};
+                     addRect(plot, *views, 1, QStringLiteral("seen along x of the source"),
+                             QStringLiteral("y (cm)"), QStringLiteral("z (cm)"))};
     aside.rect->axis(QCPAxis::atBottom)->setRangeReversed(true);
-    plot.plotLayout()->setRowStretchFactor(0, 0.001);
+    views->setRowStretchFactor(0, 0.001);
     Drawing drawing(plot, figure);
     drawing.add(above);
     drawing.add(aside);
-    addColours(plot, figure);
-    // The head spans the columns: it gets a row of its own outside of them.
-    auto* inner = new QCPLayoutGrid;
-    for (int row = 0; row < 2; ++row)
-        for (int column = 0; column < 3; ++column)
-            if (QCPLayoutElement* element = plot.plotLayout()->element(row, column))
-                inner->addElement(row, column, element);
-    plot.plotLayout()->clear();
-    plot.plotLayout()->simplify();
-    inner->setRowStretchFactor(0, 0.001);
-    inner->setColumnStretchFactor(2, 0.001);
-    plot.plotLayout()->addElement(0, 0, inner);
+    addColours(plot, *views, figure);
     addHead(plot, figure.title, figure.note);
     const int width = static_cast<int>(figure.size_px.width() / kFigureScale);
     const int height = static_cast<int>(figure.size_px.height() / kFigureScale);

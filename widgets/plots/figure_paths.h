@@ -17,7 +17,7 @@ struct PathPoint {
 };
 
 struct FigurePath {
-    QString name; ///< stands at its end
+    QString name; ///< stands at its start
     QList<PathPoint> points;
 };
 

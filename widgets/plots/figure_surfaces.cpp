@@ -15,7 +15,7 @@ namespace {
 constexpr double kAzimuth = -60.0 * std::numbers::pi / 180.0, kElevation = 24.0 * std::numbers::pi / 180.0;
 constexpr int kFiner =
     2; // surfaces are drawn on so many times finer pixels: their edges must not be smoothed
-constexpr float kOpacity = 0.55F;
+constexpr float kOpacity = 0.7F;
 constexpr int kHead = 96, kMargin = 24; // pixels
 
 /// Parallel projection: to the right, up, and towards the eye, which is at greater x and lesser y.
@@ -75,11 +75,18 @@ QColor shaded(const QColor& color, const Eigen::Vector3d& normal) {
                             static_cast<float>(color.blueF() * part), kOpacity);
 }
 
-void addSurface(std::vector<Piece>& pieces, const FigureSurface& surface, const Projection& project) {
+/// But for the quarter of the box that is nearest to the eye, so that what is inside can be seen.
+void addSurface(std::vector<Piece>& pieces, const FigureSurface& surface, const Projection& project,
+                const Eigen::Vector3d& cut) {
     std::vector<Eigen::Vector3d> seen;
     for (const Eigen::Vector3d& point : surface.points)
         seen.push_back(project.seen(point));
     for (const auto& triangle : surface.triangles) {
+        Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+        for (const int corner : triangle)
+            centre += surface.points[static_cast<std::size_t>(corner)] / 3.0;
+        if (centre.x() > cut.x() && centre.y() < cut.y())
+            continue;
         Piece piece;
         Eigen::Vector3d normal = Eigen::Vector3d::Zero();
         for (std::size_t k = 0; k < 3; ++k) {
@@ -112,7 +119,7 @@ void addLine(std::vector<Piece>& pieces, const FigureLine& line, const Projectio
 void paintPieces(QPainter& painter, const SurfacePanel& panel, const Projection& project, double lineWidth) {
     std::vector<Piece> pieces;
     for (const FigureSurface& surface : panel.surfaces)
-        addSurface(pieces, surface, project);
+        addSurface(pieces, surface, project, 0.5 * (panel.lower + panel.upper));
     for (const FigureLine& line : panel.lines)
         addLine(pieces, line, project);
     std::ranges::stable_sort(pieces, {}, &Piece::depth);
@@ -170,14 +177,13 @@ void paintAxis(QPainter& painter, const SurfacePanel& panel, const Projection& p
         paintWords(painter, project(place) + 34.0 * outwards, QString::number(number(value)));
     }
     painter.setFont(figureFont(28));
-    painter.setPen(themePalette(false).color(QPalette::Text));
-    paintWords(painter, project(0.5 * (from + to)) + 84.0 * outwards,
+    paintWords(painter, project(0.5 * (from + to)) + (axis == 2 ? 112.0 : 92.0) * outwards,
                panel.axes[static_cast<std::size_t>(axis)]);
 }
 
 void paintAxes(QPainter& painter, const SurfacePanel& panel, const Projection& project) {
-    paintAxis(painter, panel, project, 0, corner(panel, false, false, false), {-0.35, 0.94});
-    paintAxis(painter, panel, project, 1, corner(panel, true, false, false), {0.75, 0.66});
+    paintAxis(painter, panel, project, 0, corner(panel, false, false, false), {-0.7, 0.72});
+    paintAxis(painter, panel, project, 1, corner(panel, true, false, false), {0.85, 0.52});
     paintAxis(painter, panel, project, 2, corner(panel, false, false, false), {-1.0, 0.0});
 }
 
@@ -206,7 +212,7 @@ void paintLegend(QPainter& painter, const SurfacePanel& panel, const QRectF& pla
 }
 
 void paintPanel(QImage& image, const SurfacePanel& panel, const QRectF& place) {
-    const QRectF box = place.adjusted(130, 70, -90, -190);
+    const QRectF box = place.adjusted(185, 60, -70, -150);
     const Projection project(panel, box);
     {
         QPainter painter(&image);

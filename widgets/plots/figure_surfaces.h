@@ -28,7 +28,8 @@ struct FigureLine {
     QColor color; ///< invalid: blue to red
 };
 
-/// One box. Points are in the units of its axes.
+/// One box. Points are in the units of its axes. Of its surfaces the quarter nearest to the eye, at greater x
+/// and lesser y than the middle, is left out.
 struct SurfacePanel {
     QString title;
     std::array<QString, 3> axes; ///< "x (cm)"
