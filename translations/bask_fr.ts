@@ -167,6 +167,14 @@
             <translation>au départ, « %1 » est à %2 mm du plan de la source ; il faut au moins %3 mm</translation>
         </message>
         <message>
+            <source>the times must grow, but %1 s comes after %2 s</source>
+            <translation>les temps doivent croître, mais %1 s vient après %2 s</translation>
+        </message>
+        <message>
+            <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
+            <translation>le mouvement doit commencer à source.pose, où %1 vaut %3 et non %2</translation>
+        </message>
+        <message>
             <source>the lower limit %1 must be less than the upper limit %2</source>
             <translation>la limite inférieure %1 doit être plus petite que la limite supérieure %2</translation>
         </message>
@@ -317,6 +325,14 @@
         <message>
             <source>The sensor of "%1" gives no plausible value. Check it, then resume.</source>
             <translation>Le capteur de « %1 » ne donne aucune valeur plausible. Vérifiez-le, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The source's pose is not measured any more. Bring the source back into view, then resume.</source>
+            <translation>La pose de la source n’est plus mesurée. Ramenez la source dans le champ, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The source's pose is measured again</source>
+            <translation>La pose de la source est de nouveau mesurée</translation>
         </message>
         <message>
             <source>The robot does not answer: %1. Check its link, then reset.</source>
@@ -1699,6 +1715,14 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>Compromise</source>
             <translation>Compromis</translation>
+        </message>
+        <message>
+            <source>Source lost</source>
+            <translation>Source perdue</translation>
+        </message>
+        <message>
+            <source>Source back</source>
+            <translation>Source revenue</translation>
         </message>
         <message>
             <source>Sensor back</source>

@@ -57,6 +57,8 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(LimitsReversed, QT_TRANSLATE_NOOP("Message", "the lower limit %1 must be less than the upper limit %2")),
     Entry BASK_MESSAGE(NoFreeAxis, QT_TRANSLATE_NOOP("Message", "no axis of the robot is free; free at least one")),
     Entry BASK_MESSAGE(SourceTooWeak, QT_TRANSLATE_NOOP("Message", "this source cannot heat: its net power is %1 W/m2; raise its temperature or emittance, or use the gray source model")),
+    Entry BASK_MESSAGE(TimesNotGrowing, QT_TRANSLATE_NOOP("Message", "the times must grow, but %1 s comes after %2 s")),
+    Entry BASK_MESSAGE(MotionElsewhere, QT_TRANSLATE_NOOP("Message", "the motion must begin at source.pose, where %1 is %3, not %2")),
     Entry BASK_MESSAGE(ContourTooFewPoints, QT_TRANSLATE_NOOP("Message", "only %1 points; an outline needs at least %2")),
     Entry BASK_MESSAGE(ContourNotFinite, QT_TRANSLATE_NOOP("Message", "%1 has a coordinate that is not a finite number")),
     Entry BASK_MESSAGE(ContourNotANumber, QT_TRANSLATE_NOOP("Message", "\"%1\" in line %2 is not a number")),
@@ -93,6 +95,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(ReasonTargetInfeasible, QT_TRANSLATE_NOOP("Message", "The target of \"%1\" cannot be reached. Change it on the Targets page.")),
     Entry BASK_MESSAGE(ReasonSensorStale, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given nothing new for %2 s. Check its cable, then resume.")),
     Entry BASK_MESSAGE(ReasonSensorInvalid, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" gives no plausible value. Check it, then resume.")),
+    Entry BASK_MESSAGE(ReasonSourcePoseLost, QT_TRANSLATE_NOOP("Message", "The source's pose is not measured any more. Bring the source back into view, then resume.")),
     Entry BASK_MESSAGE(ReasonRobotLost, QT_TRANSLATE_NOOP("Message", "The robot does not answer: %1. Check its link, then reset.")),
     Entry BASK_MESSAGE(ReasonSourceLost, QT_TRANSLATE_NOOP("Message", "The heat source does not answer: %1. Check its link, then reset.")),
     Entry BASK_MESSAGE(ReasonEmergencyStop, QT_TRANSLATE_NOOP("Message", "STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.")),
@@ -112,6 +115,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(EventZeroed, QT_TRANSLATE_NOOP("Message", "Sensors zeroed at ambient")),
     Entry BASK_MESSAGE(EventCompromise, QT_TRANSLATE_NOOP("Message", "No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets")),
     Entry BASK_MESSAGE(EventSensorBack, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is back")),
+    Entry BASK_MESSAGE(EventSourcePoseBack, QT_TRANSLATE_NOOP("Message", "The source's pose is measured again")),
     Entry BASK_MESSAGE(CommandNotNow, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be done in the state \"%2\"")),
     Entry BASK_MESSAGE(SessionAlreadyRunning, QT_TRANSLATE_NOOP("Message", "A run is on; stop it first")),
 };
@@ -141,6 +145,7 @@ int alarmPriority(MessageCode code) {
     switch (code) {
     case MessageCode::ReasonSensorStale:
     case MessageCode::ReasonSensorInvalid:
+    case MessageCode::ReasonSourcePoseLost:
     case MessageCode::ReasonRobotLost:
     case MessageCode::ReasonSourceLost:
     case MessageCode::ReasonRecorderFailed:

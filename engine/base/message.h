@@ -45,6 +45,8 @@ enum class MessageCode {
     LimitsReversed,        ///< %1 lower, %2 upper
     NoFreeAxis,            ///< no args
     SourceTooWeak,         ///< %1 net emissive power W/m2
+    TimesNotGrowing,       ///< %1 time s, %2 the one before
+    MotionElsewhere,       ///< %1 coordinate, %2 value, %3 of source.pose
     // Contours
     ContourTooFewPoints,  ///< %1 points, %2 least
     ContourNotFinite,     ///< %1 line or point
@@ -86,6 +88,7 @@ enum class MessageCode {
     ReasonTargetInfeasible, ///< %1 object
     ReasonSensorStale,      ///< %1 object, %2 age s
     ReasonSensorInvalid,    ///< %1 object
+    ReasonSourcePoseLost,   ///< no args
     ReasonRobotLost,        ///< %1 words
     ReasonSourceLost,       ///< %1 words
     ReasonEmergencyStop,    ///< no args
@@ -106,6 +109,7 @@ enum class MessageCode {
     EventZeroed,
     EventCompromise, ///< %1 words: objects with residuals
     EventSensorBack, ///< %1 object
+    EventSourcePoseBack,
     // Commands refused
     CommandNotNow, ///< %1 command, %2 state
     SessionAlreadyRunning,

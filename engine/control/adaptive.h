@@ -17,6 +17,9 @@ public:
     AdaptiveController(const ControllerSettings& settings, ControlModel model);
     ControlOutput step(const Observation& observation, double dt_s) override;
     void setTargets(const std::vector<double>& targets_K) override { m_model.targets_K = targets_K; }
+    void setGeometry(std::shared_ptr<const RigGeometry> geometry) override {
+        m_model.geometry = std::move(geometry);
+    }
     void setGains(const ControllerSettings& settings) override { m_settings = settings; }
 
 private:

@@ -48,6 +48,8 @@ public:
     /// The velocity to hold for the next dt_s. Throws std::invalid_argument on a wrong number of objects.
     virtual ControlOutput step(const Observation& observation, double dt_s) = 0;
     virtual void setTargets(const std::vector<double>& targets_K) = 0;
+    /// The source has moved: the same rig in another geometry, without a bump.
+    virtual void setGeometry(std::shared_ptr<const RigGeometry> geometry) = 0;
     /// New gains of the same kind, without a bump: estimates are kept.
     virtual void setGains(const ControllerSettings& settings) = 0;
 };

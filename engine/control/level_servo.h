@@ -33,6 +33,10 @@ public:
     LevelServo(const ControllerSettings& settings, ControlModel model);
     ControlOutput step(const Observation& observation, double dt_s) override;
     void setTargets(const std::vector<double>& targets_K) override;
+    void setGeometry(std::shared_ptr<const RigGeometry> geometry) override {
+        m_model.geometry = std::move(geometry);
+        m_lookup.reset();
+    }
     void setGains(const ControllerSettings& settings) override { m_settings = settings; }
 
 private:

@@ -10,11 +10,17 @@ namespace {
 
 constexpr double kTableTolerance = 1e-6;
 
+std::optional<Pose> inverseUnlessIdentity(const Pose& X) {
+    if (X.matrix() == Pose::Identity().matrix())
+        return std::nullopt;
+    return X.inverse();
+}
+
 } // namespace
 
 RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
-                         const std::vector<Vector6d>& mountings, const RobotLimits& limits)
-    : m_source(source), m_limits(limits) {
+                         const std::vector<Vector6d>& mountings, const RobotLimits& limits, const Pose& X_RS)
+    : m_source(source), m_limits(limits), m_X_RS(X_RS), m_X_SR(inverseUnlessIdentity(X_RS)) {
     if (shapes.size() != mountings.size())
         throw std::invalid_argument("RigGeometry: one mounting a shape");
     for (int k = 0; k < 6; ++k)
@@ -30,8 +36,21 @@ RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
     }
 }
 
+std::shared_ptr<const RigGeometry> RigGeometry::withSourceAt(const Pose& X_RS) const {
+    auto moved = std::make_shared<RigGeometry>(*this);
+    moved->m_X_RS = X_RS;
+    moved->m_X_SR = inverseUnlessIdentity(X_RS);
+    return moved;
+}
+
+Pose RigGeometry::X_SE(const Vector6d& q) const {
+    const Pose X_RE = poseFromCoordinates(q);
+    return m_X_SR ? *m_X_SR * X_RE : X_RE;
+}
+
 ViewFactors RigGeometry::viewFactors(const Vector6d& q) const {
-    const InteractionMatrix byTwist = interactionMatrix(m_source, m_mounted, poseFromCoordinates(q));
+    const InteractionMatrix byTwist =
+        interactionMatrix(m_source, m_mounted, X_SE(q), kAllFree, m_X_RS.linear());
     ViewFactors out{byTwist.F, byTwist.J};
     for (int i = 0; i < objects(); ++i)
         out.dF.row(i) = coordinateGradient(q, byTwist.J.row(i).transpose()).transpose();
@@ -39,38 +58,41 @@ ViewFactors RigGeometry::viewFactors(const Vector6d& q) const {
 }
 
 Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
-    const Pose X_SE = poseFromCoordinates(q);
+    const Pose X = X_SE(q);
     Eigen::VectorXd F(objects());
     for (int i = 0; i < objects(); ++i) {
         const MountedContour& object = m_mounted[static_cast<std::size_t>(i)];
-        F[i] = viewFactorValue(m_source, object.contour, X_SE * object.X_EO, kTableTolerance);
+        F[i] = viewFactorValue(m_source, object.contour, X * object.X_EO, kTableTolerance);
     }
     return F;
 }
 
 std::vector<Clearance> RigGeometry::clearances(const Vector6d& q) const {
-    const Pose X_SE = poseFromCoordinates(q);
-    const Eigen::RowVector3d down = X_SE.linear().row(2);
+    const Pose X_RE = poseFromCoordinates(q);
+    const Eigen::Vector3d n = away();
+    const double origin_m = n.dot(X_RE.translation() - m_X_RS.translation());
+    const Eigen::RowVector3d down = n.transpose() * X_RE.linear();
     std::vector<Clearance> out;
     for (const auto& outline : m_outlines_E) {
         const auto lowest = std::ranges::min_element(
             outline, {}, [&](const Eigen::Vector3d& p_E) { return down.dot(p_E.transpose()); });
-        const Eigen::Vector3d arm = X_SE.linear() * *lowest;
-        Vector6d byTwist = Vector6d::Zero();
-        byTwist[kZ] = 1.0;
-        byTwist.tail<3>() = arm.cross(Eigen::Vector3d::UnitZ()); // dz = (w x arm).z = w . (arm x ez)
-        out.push_back({q[kZ] + arm.z(), coordinateGradient(q, byTwist)});
+        const Eigen::Vector3d arm = X_RE.linear() * *lowest;
+        Vector6d byTwist;
+        byTwist << n, arm.cross(n); // dh = n . (v + w x arm) = n . v + w . (arm x n)
+        out.push_back({origin_m + n.dot(arm), coordinateGradient(q, byTwist)});
     }
     return out;
 }
 
 double RigGeometry::lowestPoint_m(const Vector6d& q) const {
-    const Eigen::RowVector3d down = poseFromCoordinates(q).linear().row(2);
+    const Pose X_RE = poseFromCoordinates(q);
+    const Eigen::Vector3d n = away();
+    const Eigen::RowVector3d down = n.transpose() * X_RE.linear();
     double lowest = std::numeric_limits<double>::infinity();
     for (const auto& outline : m_outlines_E)
         for (const Eigen::Vector3d& p_E : outline)
             lowest = std::min(lowest, down.dot(p_E.transpose()));
-    return q[kZ] + lowest;
+    return n.dot(X_RE.translation() - m_X_RS.translation()) + lowest;
 }
 
 bool RigGeometry::allowed(const Vector6d& q) const {

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace bask {
@@ -24,13 +26,20 @@ struct Clearance {
     Vector6d gradient = Vector6d::Zero();
 };
 
-/// Immutable; calls are thread-safe. All poses are the end-effector's coordinates in S.
+/// Immutable; calls are thread-safe. All poses q are the end-effector's coordinates in the robot's base R,
+/// and so is the workspace; the source lies at X_RS.
 class RigGeometry {
 public:
     /// `mountings` are X_EO as pose coordinates, one a shape. Throws std::invalid_argument on different
     /// lengths.
     RigGeometry(const Shape& source, const std::vector<Shape>& shapes, const std::vector<Vector6d>& mountings,
-                const RobotLimits& limits);
+                const RobotLimits& limits, const Pose& X_RS = Pose::Identity());
+
+    /// The same rig with its source elsewhere. Shares the contours: cheap enough for every sample.
+    std::shared_ptr<const RigGeometry> withSourceAt(const Pose& X_RS) const;
+    const Pose& X_RS() const { return m_X_RS; }
+    /// The source's normal in R: the way off its plane.
+    Eigen::Vector3d away() const { return m_X_RS.linear().col(2); }
 
     int objects() const { return static_cast<int>(m_mounted.size()); }
     const RobotLimits& limits() const { return m_limits; }
@@ -47,11 +56,15 @@ public:
     bool allowed(const Vector6d& q) const;
 
 private:
+    Pose X_SE(const Vector6d& q) const;
+
     RadiatingContour m_source;
     RobotLimits m_limits;
     std::vector<int> m_free;
     std::vector<MountedContour> m_mounted;
     std::vector<std::vector<Eigen::Vector3d>> m_outlines_E; ///< contour points in E
+    Pose m_X_RS;
+    std::optional<Pose> m_X_SR; ///< empty where R and S are one
 };
 
 } // namespace bask

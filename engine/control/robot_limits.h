@@ -7,7 +7,8 @@
 
 namespace bask {
 
-/// Limits in the end-effector's coordinates (x, y, z, theta_x, theta_y, theta_z; m, rad), source frame S.
+/// Limits in the end-effector's coordinates (x, y, z, theta_x, theta_y, theta_z; m, rad) in the robot's base
+/// R.
 struct RobotLimits {
     std::array<bool, 6> free{true, true, true, true, false, false};
     double maxSpeed_m_s = 0.02;     ///< of the translation's norm

@@ -146,6 +146,26 @@ double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d
                     rotation.norm() / limits.maxRotation_rad_s);
 }
 
+Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q) {
+    const RobotLimits& limits = geometry.limits();
+    const Eigen::Vector3d n = geometry.away();
+    int most = -1; // the free axis that leads away most: its end is the goal's
+    for (int k = 0; k < 3; ++k)
+        if (limits.free[static_cast<std::size_t>(k)] && n[k] != 0.0 &&
+            (most < 0 || std::abs(n[k]) > std::abs(n[most])))
+            most = k;
+    Vector6d goal = q;
+    if (most < 0)
+        return goal;
+    const double end = n[most] > 0.0 ? limits.upper[most] : limits.lower[most];
+    const double way = (end - q[most]) / n[most];
+    for (int k = 0; k < 3; ++k)
+        if (limits.free[static_cast<std::size_t>(k)] && n[k] != 0.0)
+            goal[k] = std::clamp(q[k] + way * n[k], limits.lower[k], limits.upper[k]);
+    goal[most] = end;
+    return goal;
+}
+
 VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q, const Vector6d& goal,
                                  double dt_s) {
     VelocitySolution out;
@@ -170,10 +190,11 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
     problem.damping = 1e-6;
     out = solveVelocity(geometry, problem);
     const bool stuck = (problem.rows * out.rates).norm() < 0.05 * problem.wanted.norm();
-    if (stuck && geometry.limits().free[kZ]) { // away from the source is always open
+    const Eigen::Vector3d off = (poseOffSource(geometry, q) - q).head<3>();
+    if (stuck && off.norm() > 0.0) { // away from the source is always open
         out.rates.setZero();
-        out.rates[kZ] =
-            std::min(geometry.limits().maxSpeed_m_s, (geometry.limits().upper[kZ] - q[kZ]) / dt_s);
+        out.rates.head<3>() =
+            std::min(geometry.limits().maxSpeed_m_s, off.norm() / dt_s) * (off / off.norm());
     }
     out.limited = true;
     return out;

@@ -34,6 +34,10 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
 VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q, const Vector6d& goal,
                                  double dt_s);
 
+/// Where a retreat from q ends: along the source's normal to the end of the workspace, the angles as they
+/// are.
+Vector6d poseOffSource(const RigGeometry& geometry, const Vector6d& q);
+
 /// Time to go from a to b at the robot's limits, s.
 double travelTime_s(const RobotLimits& limits, const Vector6d& a, const Vector6d& b);
 

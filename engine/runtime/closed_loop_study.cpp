@@ -72,7 +72,7 @@ Vector6d drawPose(Random& random, const RigGeometry& geometry, const Vector6d& r
 }
 
 void drawGoal(Random& random, const RigGeometry& geometry, const Experiment& rig, ClosedLoopCase& drawn) {
-    const std::vector<HeatRates> rates = nominalRates(rig, rig.environment_K);
+    const std::vector<HeatRates> rates = trueRates(rig);
     for (int attempt = 0; attempt < kMostDraws; ++attempt) {
         drawn.goal = drawPose(random, geometry, rig.start);
         const Eigen::VectorXd F = geometry.viewFactors(drawn.goal).F;
@@ -119,9 +119,8 @@ private:
 /// Time in which the plant's object comes within the settled band of its target under view factors F(t).
 template <class ViewFactorAt>
 double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
-    const double J = netSourcePower_W_m2(rig.source.model, rig.source.temperature_K, rig.source.emittance,
-                                         rig.environment_K);
-    ThermalPlant plant({{rig.objects[object].material, rig.environment_K}}, rig.environment_K,
+    const double J = trueSourcePower_W_m2(rig);
+    ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K}}, rig.environment_K,
                        rig.simulation.convection_W_m2K);
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
     const double edge_K = target_K - sign * kSettledBand_K;

@@ -22,10 +22,11 @@ template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
 struct EngineWorker::Session {
     explicit Session(const Experiment& experiment)
-        : rig(simulatedRigConfig(experiment)), loop(experiment,
-                                                    {rig.robot(), rig.thermometer(), rig.heatSource(),
-                                                     [this] { return rig.trueTemperatures_K(); }},
-                                                    rig.clock()) {}
+        : rig(simulatedRigConfig(experiment)),
+          loop(experiment,
+               {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); },
+                &rig.sourceTracker()},
+               rig.clock()) {}
     SimulatedRig rig;
     ServoLoop loop;
 };

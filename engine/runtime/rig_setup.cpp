@@ -12,7 +12,8 @@ std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment) {
         shapes.push_back(object.shape);
         mountings.push_back(object.mounting);
     }
-    return std::make_shared<RigGeometry>(experiment.source.shape, shapes, mountings, experiment.robot);
+    return std::make_shared<RigGeometry>(experiment.source.shape, shapes, mountings, experiment.robot,
+                                         poseFromCoordinates(experiment.source.pose));
 }
 
 std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K) {
@@ -21,6 +22,25 @@ std::vector<HeatRates> nominalRates(const Experiment& experiment, double environ
     std::vector<HeatRates> rates;
     for (const ObjectSpec& object : experiment.objects)
         rates.push_back(heatRates(object.material, J, environment_K));
+    return rates;
+}
+
+const Material& trueMaterial(const ObjectSpec& object) {
+    return object.simulatedMaterial ? *object.simulatedMaterial : object.material;
+}
+
+double trueSourcePower_W_m2(const Experiment& experiment) {
+    const SourceSpec& source = experiment.source;
+    return netSourcePower_W_m2(source.model, source.temperature_K,
+                               experiment.simulation.sourceEmittance.value_or(source.emittance),
+                               experiment.environment_K);
+}
+
+std::vector<HeatRates> trueRates(const Experiment& experiment) {
+    const double J = trueSourcePower_W_m2(experiment);
+    std::vector<HeatRates> rates;
+    for (const ObjectSpec& object : experiment.objects)
+        rates.push_back(heatRates(trueMaterial(object), J, experiment.environment_K));
     return rates;
 }
 
@@ -55,12 +75,14 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     SimulatedRigConfig config;
     config.source = experiment.source.shape;
     config.sourceModel = experiment.source.model;
-    config.sourceEmittance = experiment.source.emittance;
-    config.sourceTemperature_K = experiment.source.temperature_K;
+    config.sourceEmittance = simulation.sourceEmittance.value_or(experiment.source.emittance);
+    config.sourceTemperature_K = sourceSetPoint_K(experiment.source, 0.0);
+    config.sourcePose = experiment.source.pose;
+    config.sourceMotion = simulation.sourceMotion;
     config.environment_K = experiment.environment_K;
     config.convection_W_m2K = simulation.convection_W_m2K;
     for (const ObjectSpec& object : experiment.objects)
-        config.objects.push_back({object.shape, object.mounting, object.material});
+        config.objects.push_back({object.shape, object.mounting, trueMaterial(object)});
     config.robot = {experiment.robot.free,
                     experiment.robot.lower,
                     experiment.robot.upper,
@@ -68,13 +90,18 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
                     experiment.robot.maxRotation_rad_s,
                     simulation.robotStep_m,
                     simulation.robotStep_rad,
-                    experiment.start};
+                    experiment.start,
+                    simulation.robotLatency_s};
     config.thermometer = {static_cast<int>(experiment.objects.size()),
                           simulation.sensorNoise_K,
                           simulation.sensorResolution_K,
                           simulation.sensorOffset_K,
                           simulation.sensorDelay_s,
-                          simulation.seed};
+                          simulation.seed,
+                          simulation.sensorLag_s,
+                          simulation.sensorDropout};
+    config.tracker = {simulation.trackingNoise_m, simulation.trackingNoise_rad, simulation.trackingDelay_s,
+                      simulation.seed};
     return config;
 }
 

@@ -13,8 +13,16 @@ namespace bask {
 
 std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);
 
-/// Rates of the objects' materials at the source's set temperature and the given environment.
+/// Rates of the objects' materials, as believed, at the source's set temperature and the given environment.
 std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K);
+
+/// Rates that the simulated plant truly has, but for convection.
+std::vector<HeatRates> trueRates(const Experiment& experiment);
+
+/// Material that a simulated object truly is.
+const Material& trueMaterial(const ObjectSpec& object);
+/// Net power of the simulated source at its set temperature, W/m2.
+double trueSourcePower_W_m2(const Experiment& experiment);
 
 /// Where a controller starts: an object's believed rates, else its material's, wrong by the experiment's
 /// random factors (seeded).

@@ -56,7 +56,7 @@ double SensorChannels::age_s(std::size_t i, double now_s) const {
 }
 
 bool SensorChannels::fresh(std::size_t i, double now_s) const {
-    return !m_channels[i].lastInvalid && age_s(i, now_s) <= kStalePeriods * m_sampling.period_s;
+    return age_s(i, now_s) <= kStalePeriods * m_sampling.period_s;
 }
 
 double SensorChannels::measured_K(std::size_t i) const {

@@ -22,7 +22,7 @@ public:
     void add(const std::vector<Reading>& readings);
 
     std::size_t size() const { return m_channels.size(); }
-    /// Newest reading with the zeroing applied is valid and not older than three periods.
+    /// The newest valid reading is not older than three periods: one that drops out is not a lost sensor.
     bool fresh(std::size_t i, double now_s) const;
     /// Age of the newest valid reading, s.
     double age_s(std::size_t i, double now_s) const;

@@ -37,6 +37,7 @@ ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clo
     : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock),
       m_geometry(rigGeometry(experiment)), m_sensors(experiment.objects.size(), experiment.sampling) {
     m_coordinates = experiment.start;
+    m_latest.source = experiment.source.pose;
 }
 
 ServoLoop::~ServoLoop() {
@@ -136,6 +137,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_retreatRaised = false;
     m_retreatStill = 0;
     m_sensorLost.assign(m_sensors.size(), false);
+    m_sourceLost = false;
     ControlModel model;
     model.geometry = m_geometry;
     const double environment_K = m_sensors.environment_K().value_or(m_experiment.environment_K);
@@ -168,6 +170,8 @@ Result<void> ServoLoop::requireFreshSensors() const {
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
         if (!m_sensors.fresh(i, m_clock.now_s()))
             return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
+    if (!sourceSeen())
+        return Error(MessageCode::ReasonSourcePoseLost, {});
     return {};
 }
 
@@ -290,12 +294,16 @@ std::vector<Message> ServoLoop::reasons() const {
     const double now_s = m_clock.now_s();
     for (std::size_t i = 0; i < m_sensors.size(); ++i) {
         const std::string& name = m_experiment.objects[i].name;
+        if (m_sensors.fresh(i, now_s))
+            continue;
         if (m_sensors.lastInvalid(i))
             out.push_back({MessageCode::ReasonSensorInvalid, {name}});
-        else if (m_sensors.leastCount() > 0 && !m_sensors.fresh(i, now_s))
+        else if (m_sensors.leastCount() > 0)
             out.push_back(
                 {MessageCode::ReasonSensorStale, {name, formatNumber(m_sensors.age_s(i, now_s), 2)}});
     }
+    if (!sourceSeen())
+        out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !m_sensors.full())
         out.push_back(
             {MessageCode::ReasonEstimatorFilling,
@@ -305,6 +313,13 @@ std::vector<Message> ServoLoop::reasons() const {
     if (!m_compromise.empty() && running())
         out.push_back({MessageCode::EventCompromise, {m_compromise}});
     return out;
+}
+
+bool ServoLoop::sourceSeen() const {
+    constexpr double kUnseen_s = 3.0; // a hand before the marker is no loss
+    constexpr double kUnseenPeriods = 3.0;
+    const double most_s = std::max(kUnseen_s, kUnseenPeriods * m_experiment.sampling.period_s);
+    return !m_experiment.source.tracked || m_clock.now_s() - m_sourceSeen_s <= most_s;
 }
 
 bool ServoLoop::allWithinBand() const {
@@ -332,6 +347,7 @@ void ServoLoop::updateReadiness() {
     bool ready = m_sensors.full();
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
         ready = ready && m_sensors.fresh(i, m_clock.now_s());
+    ready = ready && sourceSeen();
     m_state = ready ? RunState::Ready : RunState::NotReady;
 }
 

@@ -6,6 +6,7 @@
 #include "engine/control/controller.h"
 #include "engine/devices/heat_source.h"
 #include "engine/devices/robot.h"
+#include "engine/devices/source_tracker.h"
 #include "engine/devices/thermometer.h"
 #include "engine/runtime/loop_record.h"
 #include "engine/runtime/sensor_channels.h"
@@ -26,6 +27,8 @@ struct RigDevices {
     HeatSource& source;
     /// The plant's own temperatures, K, where the rig is simulated; empty function otherwise.
     std::function<std::vector<double>()> truth;
+    /// Asked where the experiment's source is tracked; may be null.
+    SourceTracker* tracker = nullptr;
 };
 
 /// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal
@@ -71,8 +74,10 @@ public:
 
 private:
     void readSensors();
+    void readSourcePose();
     void readRobotAndSource();
     void watchSensors();
+    bool noteLosses(); ///< tells what has been lost or found; true while anything is lost
     void control();
     void keepHeating();
     void retreat();
@@ -83,6 +88,7 @@ private:
     void makeSafe();
     void endRun(const std::string& outcome);
     void updateReadiness();
+    bool sourceSeen() const; ///< where its pose is tracked, that was measured lately
     Result<void> requireFreshSensors() const;
     void trace();
     void event(MessageCode code, std::vector<std::string> args = {});
@@ -100,8 +106,10 @@ private:
     RunState m_state = RunState::NotReady;
     std::vector<Message> m_faults;  ///< latched
     std::vector<bool> m_sensorLost; ///< at the last sample of the run
+    bool m_sourceLost = false;      ///< tracked, but not seen at the last sample of the run
+    double m_sourceSeen_s = -1e300; ///< when its pose was last measured
     bool m_heldBySensor = false;
-    double m_lostSince_s = 0.0;   ///< when all sensors were last fresh, while one is lost
+    double m_lostSince_s = 0.0;   ///< when nothing was lost last, while something is
     bool m_retreatRaised = false; ///< the retreat's way up is done
     int m_retreatStill = 0;       ///< periods of the retreat without a move
     Vector6d m_retreatFrom = Vector6d::Zero();

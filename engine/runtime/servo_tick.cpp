@@ -11,10 +11,14 @@
 namespace bask {
 namespace {
 
-constexpr double kHeldLimit_s = 15.0;    ///< a lost sensor holds this long, then the run ends with a retreat
+constexpr double kHeldLimit_s =
+    15.0; ///< a lost sensor or source holds this long, then the run ends with a retreat
 constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
 constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after this many periods
 constexpr double kHeatPeriods = 3.0;     ///< heat goes off by itself after this many periods
+// A source that has moved by less is taken to lie still: less than the resolution of the sensors in any F.
+constexpr double kTrifle_m = 2e-4;
+constexpr double kTrifle_rad = 2e-3;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
@@ -22,6 +26,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 void ServoLoop::tick() {
     try {
         readSensors();
+        readSourcePose();
         readRobotAndSource();
         if (running())
             watchSensors();
@@ -50,16 +55,35 @@ void ServoLoop::readSensors() {
     const std::vector<double> truth = m_devices.truth ? m_devices.truth() : std::vector<double>();
     for (std::size_t i = 0; i < m_sensors.size(); ++i) {
         ObjectSample& object = m_latest.objects[i];
-        object.valid = m_sensors.fresh(i, now_s);
+        const bool fresh = m_sensors.fresh(i, now_s);
+        object.valid = fresh && !m_sensors.lastInvalid(i);
         object.measured_K = object.valid ? m_sensors.measured_K(i) : kNaN;
-        const auto estimate = object.valid ? m_sensors.estimate(i) : std::nullopt;
-        object.estimated_K = estimate ? estimate->temperature_K : kNaN;
+        const auto estimate = fresh ? m_sensors.estimate(i) : std::nullopt;
+        // After a reading that dropped out the estimate is carried on to now.
+        object.estimated_K =
+            estimate ? estimate->temperature_K + estimate->rate_K_s * m_sensors.age_s(i, now_s) : kNaN;
         object.rate_K_s = estimate ? estimate->rate_K_s : kNaN;
         object.target_K = m_experiment.objects[i].target_K;
         object.true_K = i < truth.size() ? truth[i] : kNaN;
         object.lambda1 = i < m_belief.size() ? m_belief[i].lambda1 : kNaN;
         object.lambda2 = i < m_belief.size() ? m_belief[i].lambda2 : kNaN;
     }
+}
+
+void ServoLoop::readSourcePose() {
+    if (!m_experiment.source.tracked || m_devices.tracker == nullptr)
+        return;
+    const auto reading = m_devices.tracker->read();
+    if (!reading || !reading->valid || !reading->X_RS.matrix().allFinite())
+        return;
+    m_sourceSeen_s = reading->time_s;
+    const Pose moved = m_geometry->X_RS().inverse() * reading->X_RS;
+    if (moved.translation().norm() < kTrifle_m && Eigen::AngleAxisd(moved.linear()).angle() < kTrifle_rad)
+        return;
+    m_geometry = m_geometry->withSourceAt(reading->X_RS);
+    m_latest.source = coordinatesFromPose(reading->X_RS);
+    if (m_controller)
+        m_controller->setGeometry(m_geometry);
 }
 
 void ServoLoop::readRobotAndSource() {
@@ -85,11 +109,8 @@ void ServoLoop::readRobotAndSource() {
     }
 }
 
-void ServoLoop::watchSensors() {
-    if (m_state == RunState::Stopping)
-        return;
+bool ServoLoop::noteLosses() {
     bool lost = false;
-    const bool lostBefore = std::ranges::find(m_sensorLost, true) != m_sensorLost.end();
     for (std::size_t i = 0; i < m_sensors.size(); ++i) {
         const bool fresh = m_sensors.fresh(i, m_clock.now_s());
         const std::string& name = m_experiment.objects[i].name;
@@ -100,20 +121,32 @@ void ServoLoop::watchSensors() {
         m_sensorLost[i] = !fresh;
         lost = lost || !fresh;
     }
+    const bool sourceLost = !sourceSeen();
+    if (sourceLost != m_sourceLost)
+        event(sourceLost ? MessageCode::ReasonSourcePoseLost : MessageCode::EventSourcePoseBack);
+    m_sourceLost = sourceLost;
+    return lost || sourceLost;
+}
+
+void ServoLoop::watchSensors() {
+    if (m_state == RunState::Stopping)
+        return;
+    const bool lostBefore = m_sourceLost || std::ranges::find(m_sensorLost, true) != m_sensorLost.end();
+    const bool lost = noteLosses();
     if (lost && !lostBefore)
         m_lostSince_s = m_clock.now_s();
     if (lost && m_state != RunState::Holding) {
         (void)hold();
         m_heldBySensor = true;
     } else if (lost && m_clock.now_s() - m_lostSince_s > kHeldLimit_s) {
-        (void)stop(); // whoever holds: nobody sees how hot the object is
+        (void)stop(); // whoever holds: nobody sees how hot the object is, or where the source
     }
 }
 
 void ServoLoop::keepHeating() {
-    if (const auto result = m_devices.source.keepHeating(m_experiment.source.temperature_K,
-                                                         kHeatPeriods * m_experiment.sampling.period_s);
-        !result)
+    const double setPoint_K = sourceSetPoint_K(m_experiment.source, m_clock.now_s() - m_startTime_s);
+    const double validFor_s = kHeatPeriods * m_experiment.sampling.period_s;
+    if (const auto result = m_devices.source.keepHeating(setPoint_K, validFor_s); !result)
         stopFor(result.error().message);
 }
 
@@ -184,7 +217,8 @@ void ServoLoop::noteCompromise(const ControlOutput& output) {
 }
 
 void ServoLoop::retreat() {
-    // Up first, then level: never sideways near the source. A robot that cannot come nearer has arrived.
+    // Off the source's plane first, then level: never sideways near the source. A robot that cannot come
+    // nearer has arrived.
     const RobotLimits& limits = m_experiment.robot;
     constexpr double kThere = 1e-3;
     constexpr int kStillPeriods = 3;
@@ -193,9 +227,7 @@ void ServoLoop::retreat() {
     const auto arrived = [&](const Vector6d& goal) {
         return (goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere || m_retreatStill >= kStillPeriods;
     };
-    Vector6d goal = m_coordinates;
-    if (limits.free[kZ])
-        goal[kZ] = limits.upper[kZ];
+    Vector6d goal = poseOffSource(*m_geometry, m_coordinates);
     if (!m_retreatRaised && arrived(goal)) {
         m_retreatRaised = true;
         m_retreatStill = 0;

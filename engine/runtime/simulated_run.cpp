@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 
 namespace bask {
 namespace {
+
+constexpr int kFillingWindows = 4;
 
 /// Keeps, sample by sample, since when each object's true temperature has been within the band.
 class SettlingWatch {
@@ -37,14 +40,18 @@ class Drive {
 public:
     Drive(const Experiment& experiment, SimulatedRig& rig)
         : m_period_s(experiment.sampling.period_s), m_rig(rig),
-          m_loop(
-              experiment,
-              {rig.robot(), rig.thermometer(), rig.heatSource(), [&rig] { return rig.trueTemperatures_K(); }},
-              rig.clock()) {}
+          m_loop(experiment,
+                 {rig.robot(), rig.thermometer(), rig.heatSource(),
+                  [&rig] { return rig.trueTemperatures_K(); }, &rig.sourceTracker()},
+                 rig.clock()) {}
 
     ServoLoop& loop() { return m_loop; }
     void period() {
-        m_rig.advance(m_period_s);
+        try {
+            m_rig.advance(m_period_s);
+        } catch (const std::exception& exception) { // a source that is moved through the objects
+            m_loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
+        }
         m_loop.tick();
     }
 
@@ -62,7 +69,8 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     SimulatedRig rig(simulatedRigConfig(experiment));
     Drive drive(experiment, rig);
     ServoLoop& loop = drive.loop();
-    for (int i = 0; i < experiment.sampling.window && loop.state() != RunState::Ready; ++i)
+    const int patience = kFillingWindows * experiment.sampling.window; // readings drop out
+    for (int i = 0; i < patience && loop.state() != RunState::Ready; ++i)
         drive.period();
     if (const auto armed = loop.arm(); !armed)
         return armed.error();

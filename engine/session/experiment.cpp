@@ -28,6 +28,10 @@ constexpr std::size_t kMostCorners = 5000; // more would make a run slower than 
 constexpr double kMaxObjectRadius_m = 1.0;
 constexpr double kMaxRate_K_s = 1e5;       // a foil of 10 um before a source of 2000 degC
 constexpr double kMaxLambda2_1_K3s = 1e-7; // and what it radiates
+constexpr double kMaxPlace_cm = 500.0;     // of the robot's workspace and of the source
+constexpr double kMaxTime_s = 1e7;         // of a run
+constexpr double kSamePlace = 1e-9;        // m, rad
+constexpr double kMaxDropout = 0.5;
 
 /// Collects the first complaint; later checks are skipped.
 class Checker {
@@ -127,9 +131,40 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
                    {to_string(polygon->points_m.size()), "3", to_string(kMostCorners), "corners"});
 }
 
+/// Coordinates of a pose, lengths within +-most_cm and angles within +-180 degrees, theta_y within +-90 where
+/// the three angles are to be unique.
+void checkCoordinates(Checker& check, const std::string& path, const Vector6d& q, double most_cm,
+                      bool unique) {
+    for (int k = 0; k < 6 && !check.failed(); ++k) {
+        const double most = k < 3 ? most_cm : (unique && k == kThetaY ? 90.0 : 180.0);
+        check.quantity(path, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k], -most,
+                       most);
+    }
+}
+
+/// Calls checkValue(path of the point, value) for each point of a table; its times must not be negative and
+/// grow.
+template <class T, class CheckValue>
+void checkTimeTable(Checker& check, const std::string& path, const TimeTable<T>& table,
+                    CheckValue checkValue) {
+    for (std::size_t i = 0; i < table.size() && !check.failed(); ++i) {
+        const std::string point = path + '[' + to_string(i) + "].";
+        check.range(point + "time_s", table[i].time_s, 0.0, kMaxTime_s, "s");
+        if (i > 0 && !(table[i].time_s > table[i - 1].time_s))
+            check.fail(MessageCode::TimesNotGrowing, point + "time_s",
+                       {formatNumber(table[i].time_s, 10), formatNumber(table[i - 1].time_s, 10)});
+        checkValue(point, table[i].value);
+    }
+}
+
 void checkSource(Checker& check, const Experiment& e) {
     checkShape(check, "source.contour", e.source.shape, e.source.origin, kMaxSourceRadius_m);
-    check.quantity("source.", "temperature", EdgeUnit::Temperature, e.source.temperature_K, -50.0, 2000.0);
+    const auto temperature = [&](const std::string& path, double value_K) {
+        check.quantity(path, "temperature", EdgeUnit::Temperature, value_K, -50.0, 2000.0);
+    };
+    temperature("source.", e.source.temperature_K);
+    checkTimeTable(check, "source.temperature_profile", e.source.temperatureProfile, temperature);
+    checkCoordinates(check, "source.pose.", e.source.pose, kMaxPlace_cm, true);
     check.positive("source.emittance", e.source.emittance, 1.0);
     check.quantity("environment.", "temperature", EdgeUnit::Temperature, e.environment_K, -50.0, 500.0);
     if (check.failed())
@@ -176,12 +211,9 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
         check.fail(MessageCode::DuplicateName, path + ".name", {object.name});
     checkShape(check, path + ".contour", object.shape, object.origin, kMaxObjectRadius_m);
     checkMaterial(check, path + ".material", object.material);
-    for (int k = 0; k < 6; ++k) {
-        const EdgeUnit unit = coordinateUnit(k);
-        const double most = k < 3 ? 100.0 : 180.0;
-        check.quantity(path + ".mounting.", kCoordinateNames[static_cast<std::size_t>(k)], unit,
-                       object.mounting[k], -most, most);
-    }
+    if (object.simulatedMaterial)
+        checkMaterial(check, path + ".simulated_material", *object.simulatedMaterial);
+    checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
     check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, -50.0, 2000.0);
     if (const auto& rates = object.believedRates) {
         const std::string place = path + ".believed_rates.";
@@ -214,7 +246,7 @@ void checkRobot(Checker& check, const Experiment& e) {
         const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
         const EdgeUnit unit = coordinateUnit(k);
         // theta_y ends at 90 degrees, where the three angles are no longer unique.
-        const double most = k < 3 ? 500.0 : (k == kThetaY ? 90.0 : 180.0);
+        const double most = k < 3 ? kMaxPlace_cm : (k == kThetaY ? 90.0 : 180.0);
         check.quantity("robot.lower.", name, unit, robot.lower[k], -most, most);
         check.quantity("robot.upper.", name, unit, robot.upper[k], -most, most);
         const bool free = robot.free[static_cast<std::size_t>(k)];
@@ -253,7 +285,7 @@ void checkStart(Checker& check, const Experiment& e) {
     }
     if (check.failed())
         return;
-    const Pose X_SE = poseFromCoordinates(e.start);
+    const Pose X_SE = poseFromCoordinates(e.source.pose).inverse() * poseFromCoordinates(e.start);
     for (const ObjectSpec& object : e.objects) {
         const double height_m = leastHeight_m(object, X_SE);
         if (height_m < e.robot.clearance_m - 1e-9)
@@ -294,10 +326,46 @@ void checkSimulation(Checker& check, const SimulationSpec& s, double period_s) {
     if (s.durationLimit_s <= 0.0)
         check.fail(MessageCode::ValueNotPositive, "simulation.duration_limit_s",
                    {formatNumber(s.durationLimit_s, 10)});
-    check.range("simulation.duration_limit_s", s.durationLimit_s, period_s, 1e7, "s");
+    check.range("simulation.duration_limit_s", s.durationLimit_s, period_s, kMaxTime_s, "s");
+    check.range("simulation.sensor_lag_s", s.sensorLag_s, 0.0, 600.0, "s");
+    check.range("simulation.sensor_dropout", s.sensorDropout, 0.0, kMaxDropout);
+    check.range("simulation.robot_latency_s", s.robotLatency_s, 0.0, 10.0, "s");
+    check.quantity("simulation.", "tracking_noise", EdgeUnit::LengthMm, s.trackingNoise_m, 0.0, 100.0);
+    check.quantity("simulation.", "tracking_noise", EdgeUnit::Angle, s.trackingNoise_rad, 0.0, 10.0);
+    check.range("simulation.tracking_delay_s", s.trackingDelay_s, 0.0, 2.0, "s");
+}
+
+/// The simulated source: where it goes and what it truly is.
+void checkTrueSource(Checker& check, const Experiment& e) {
+    const TimeTable<Vector6d>& motion = e.simulation.sourceMotion;
+    const std::string path = "simulation.source_motion";
+    checkTimeTable(check, path, motion, [&](const std::string& point, const Vector6d& q) {
+        checkCoordinates(check, point, q, kMaxPlace_cm, false);
+    });
+    for (int k = 0; k < 6 && !motion.empty() && !check.failed(); ++k) {
+        const EdgeUnit unit = coordinateUnit(k);
+        const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
+        const auto text = [unit](double si) {
+            return formatNumber(fromSi(si, unit).value, 6) + ' ' + std::string(readableUnit(unit));
+        };
+        if (std::abs(motion.front().value[k] - e.source.pose[k]) > kSamePlace)
+            check.fail(MessageCode::MotionElsewhere, path + "[0]." + readableKey(name, unit),
+                       {name, text(motion.front().value[k]), text(e.source.pose[k])});
+    }
+    if (!e.simulation.sourceEmittance || check.failed())
+        return;
+    check.positive("simulation.source_emittance", *e.simulation.sourceEmittance, 1.0);
+    const double J = netSourcePower_W_m2(e.source.model, e.source.temperature_K,
+                                         *e.simulation.sourceEmittance, e.environment_K);
+    if (!check.failed() && !(J > 0.0))
+        check.fail(MessageCode::SourceTooWeak, "simulation.source_emittance", {formatNumber(J)});
 }
 
 } // namespace
+
+double sourceSetPoint_K(const SourceSpec& source, double time_s) {
+    return valueAt(source.temperatureProfile, time_s, source.temperature_K);
+}
 
 Result<void> validate(const Experiment& e) {
     Checker check;
@@ -309,6 +377,7 @@ Result<void> validate(const Experiment& e) {
     checkController(check, e.controller);
     checkSampling(check, e.sampling);
     checkSimulation(check, e.simulation, e.sampling.period_s);
+    checkTrueSource(check, e);
     if (!check.failed())
         checkStart(check, e);
     if (check.failed())

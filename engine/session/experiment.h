@@ -2,6 +2,7 @@
 // The experiment as one value: source, environment, objects, robot, controller, sampling, simulation, seed.
 
 #include "engine/base/result.h"
+#include "engine/base/time_table.h"
 #include "engine/control/controller_settings.h"
 #include "engine/control/robot_limits.h"
 #include "engine/shape/contour_import.h"
@@ -26,10 +27,15 @@ struct ContourOrigin {
 /// Heat source: a shape about S's origin, emitting along +z.
 struct SourceSpec {
     Shape shape = Disk{0.10};
-    double temperature_K = 473.15; ///< set point; control uses the measured one
+    /// Set point, and what believed rates and verdicts stand for; control uses the measured one.
+    double temperature_K = 473.15;
     double emittance = 0.25;
     SourceModel model = SourceModel::Gray;
-    ContourOrigin origin;
+    ContourOrigin origin{};
+    Vector6d pose = Vector6d::Zero(); ///< coordinates of X_RS, S in the robot's base R (m, rad)
+    /// Set point by run time, K; empty: temperature_K throughout.
+    TimeTable<double> temperatureProfile{};
+    bool tracked = false; ///< its pose is measured during the run, and the controllers use it
     bool operator==(const SourceSpec&) const = default;
 };
 
@@ -37,12 +43,14 @@ struct ObjectSpec {
     std::string name;
     Shape shape;
     ContourOrigin origin;
-    Material material;
+    Material material; ///< as believed
     Vector6d mounting =
         Vector6d::Zero(); ///< coordinates of O in E (m, rad): X_EO = poseFromCoordinates(mounting)
     double target_K = 313.15;
     /// Where a controller starts, at the source's set temperature; empty: from the material.
     std::optional<HeatRates> believedRates;
+    /// What the simulated object truly is; empty: as believed.
+    std::optional<Material> simulatedMaterial;
     bool operator==(const ObjectSpec&) const = default;
 };
 
@@ -64,6 +72,15 @@ struct SimulationSpec {
     double robotStep_m = 0.0001; ///< position resolution; 0: none
     double robotStep_rad = 0.0005;
     double durationLimit_s = 1800.0; ///< a run without --duration ends here at the latest
+    double sensorLag_s = 0.0;        ///< time constant, first order
+    double sensorDropout = 0.0;      ///< probability that a channel gives no reading
+    double robotLatency_s = 0.0;     ///< a command takes effect this late
+    double trackingNoise_m = 0.0;    ///< standard deviation of the tracked source's pose, each axis
+    double trackingNoise_rad = 0.0;
+    double trackingDelay_s = 0.0;
+    /// Coordinates of X_RS by run time, linear in between; empty: the source lies still.
+    TimeTable<Vector6d> sourceMotion{};
+    std::optional<double> sourceEmittance{}; ///< what the source truly has; empty: as believed
     bool operator==(const SimulationSpec&) const = default;
 };
 
@@ -73,7 +90,7 @@ struct Experiment {
     double environment_K = 298.15;
     std::vector<ObjectSpec> objects;
     RobotLimits robot;
-    Vector6d start{0.0, 0.0, 0.15, 0.0, 0.0, 0.0}; ///< end-effector's coordinates at the start
+    Vector6d start{0.0, 0.0, 0.15, 0.0, 0.0, 0.0}; ///< end-effector's coordinates in R at the start
     ControllerSettings controller;
     SamplingSpec sampling;
     SimulationSpec simulation;
@@ -82,6 +99,9 @@ struct Experiment {
 };
 
 inline constexpr int kExperimentFormat = 1; ///< version written to and accepted from JSON
+
+/// Set point of the source at a run time, K.
+double sourceSetPoint_K(const SourceSpec& source, double time_s);
 
 /// Checks every range and the relations between parts: N <= free coordinates, unique names, start inside the
 /// workspace and clear of the source, a source that can heat. The error's `where` is a JSON path such as

@@ -11,6 +11,7 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <type_traits>
 
 namespace bask {
 namespace {
@@ -96,6 +97,15 @@ public:
         if (!j->is_number_unsigned())
             return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
         out = j->get<std::uint64_t>();
+    }
+
+    void read(const std::string& key, bool& out) {
+        const json* j = find(key);
+        if (j == nullptr)
+            return;
+        if (!j->is_boolean())
+            return fail(MessageCode::JsonWrongType, pathOf(key), {"true or false", typeName(*j)});
+        out = j->get<bool>();
     }
 
     void read(const std::string& key, std::string& out, bool required = false) {
@@ -331,11 +341,36 @@ template <class Read> void readPart(Fields& parent, const std::string& key, bool
         read(*j, parent.pathOf(key));
 }
 
-void readCoordinates(const json& j, const std::string& path, Failure& failure, Vector6d& out) {
-    Fields fields(j, path, failure);
+void readCoordinateFields(Fields& fields, Vector6d& out) {
     for (int k = 0; k < 6; ++k)
         fields.read(kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), out[k]);
+}
+
+void readCoordinates(const json& j, const std::string& path, Failure& failure, Vector6d& out) {
+    Fields fields(j, path, failure);
+    readCoordinateFields(fields, out);
     fields.close();
+}
+
+/// An array of objects of a time and a value, which readValue(fields, value) reads.
+template <class T, class ReadValue>
+void readTimeTable(Fields& parent, const std::string& key, TimeTable<T>& out, ReadValue readValue) {
+    const json* j = parent.find(key);
+    if (j == nullptr)
+        return;
+    const std::string path = parent.pathOf(key);
+    if (!j->is_array())
+        return parent.fail(MessageCode::JsonWrongType, path, {"an array", typeName(*j)});
+    for (std::size_t i = 0; i < j->size() && !parent.failure(); ++i) {
+        Fields fields((*j)[i], path + '[' + std::to_string(i) + ']', parent.failure());
+        TimePoint<T> point;
+        if constexpr (std::is_same_v<T, Vector6d>)
+            point.value.setZero();
+        fields.read("time_s", point.time_s, true);
+        readValue(fields, point.value);
+        fields.close();
+        out.push_back(point);
+    }
 }
 
 void readMaterial(const json& j, const std::string& path, Failure& failure, Material& out) {
@@ -375,6 +410,9 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     readPart(fields, "believed_rates", false, [&](const json& part, const std::string& where) {
         readBelievedRates(part, where, failure, object.believedRates.emplace());
     });
+    readPart(fields, "simulated_material", false, [&](const json& part, const std::string& where) {
+        readMaterial(part, where, failure, object.simulatedMaterial.emplace());
+    });
     fields.close();
     return object;
 }
@@ -388,6 +426,13 @@ void readSource(const json& j, const std::string& path, const std::string& folde
     fields.read("temperature", EdgeUnit::Temperature, out.temperature_K, true);
     fields.read("emittance", out.emittance, true);
     fields.readWord("source_model", {{"gray", SourceModel::Gray}, {"paper", SourceModel::Paper}}, out.model);
+    readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.pose);
+    });
+    readTimeTable(fields, "temperature_profile", out.temperatureProfile, [](Fields& point, double& value_K) {
+        point.read("temperature", EdgeUnit::Temperature, value_K, true);
+    });
+    fields.read("tracked", out.tracked);
     fields.close();
 }
 
@@ -479,6 +524,15 @@ void readSimulation(const json& j, const std::string& path, Failure& failure, Si
     fields.read("robot_step", EdgeUnit::LengthMm, out.robotStep_m);
     fields.read("robot_step_rad", out.robotStep_rad);
     fields.read("duration_limit_s", out.durationLimit_s);
+    fields.read("sensor_lag_s", out.sensorLag_s);
+    fields.read("sensor_dropout", out.sensorDropout);
+    fields.read("robot_latency_s", out.robotLatency_s);
+    fields.read("tracking_noise", EdgeUnit::LengthMm, out.trackingNoise_m);
+    fields.read("tracking_noise", EdgeUnit::Angle, out.trackingNoise_rad);
+    fields.read("tracking_delay_s", out.trackingDelay_s);
+    readTimeTable(fields, "source_motion", out.sourceMotion, readCoordinateFields);
+    if (fields.find("source_emittance") != nullptr)
+        fields.read("source_emittance", out.sourceEmittance.emplace());
     fields.close();
 }
 

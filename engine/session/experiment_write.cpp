@@ -58,6 +58,28 @@ Json coordinatesJson(const Vector6d& q) {
     return j;
 }
 
+Json setPointsJson(const TimeTable<double>& profile) {
+    Json j = Json::array();
+    for (const auto& [time_s, value_K] : profile) {
+        Json point;
+        point["time_s"] = time_s;
+        putQuantity(point, "temperature", EdgeUnit::Temperature, value_K);
+        j.push_back(std::move(point));
+    }
+    return j;
+}
+
+Json motionJson(const TimeTable<Vector6d>& motion) {
+    Json j = Json::array();
+    for (const auto& [time_s, coordinates] : motion) {
+        Json point;
+        point["time_s"] = time_s;
+        point.update(coordinatesJson(coordinates));
+        j.push_back(std::move(point));
+    }
+    return j;
+}
+
 Json materialJson(const Material& material) {
     Json j;
     if (!material.name.empty())
@@ -82,6 +104,8 @@ Json objectJson(const ObjectSpec& object) {
         j["believed_rates"] = {{"lambda1_K_s", rates->lambda1},
                                {"lambda2_1_K3s", rates->lambda2},
                                {"lambda3_K_s", rates->lambda3}};
+    if (object.simulatedMaterial)
+        j["simulated_material"] = materialJson(*object.simulatedMaterial);
     return j;
 }
 
@@ -89,8 +113,12 @@ Json sourceJson(const SourceSpec& source) {
     Json j;
     j["contour"] = contourJson(source.shape, source.origin);
     putQuantity(j, "temperature", EdgeUnit::Temperature, source.temperature_K);
+    if (!source.temperatureProfile.empty())
+        j["temperature_profile"] = setPointsJson(source.temperatureProfile);
     j["emittance"] = source.emittance;
     j["source_model"] = source.model == SourceModel::Paper ? "paper" : "gray";
+    j["pose"] = coordinatesJson(source.pose);
+    j["tracked"] = source.tracked;
     return j;
 }
 
@@ -137,6 +165,16 @@ Json simulationJson(const SimulationSpec& s) {
     putQuantity(j, "robot_step", EdgeUnit::LengthMm, s.robotStep_m);
     j["robot_step_rad"] = s.robotStep_rad;
     j["duration_limit_s"] = s.durationLimit_s;
+    j["sensor_lag_s"] = s.sensorLag_s;
+    j["sensor_dropout"] = s.sensorDropout;
+    j["robot_latency_s"] = s.robotLatency_s;
+    putQuantity(j, "tracking_noise", EdgeUnit::LengthMm, s.trackingNoise_m);
+    putQuantity(j, "tracking_noise", EdgeUnit::Angle, s.trackingNoise_rad);
+    j["tracking_delay_s"] = s.trackingDelay_s;
+    if (!s.sourceMotion.empty())
+        j["source_motion"] = motionJson(s.sourceMotion);
+    if (s.sourceEmittance)
+        j["source_emittance"] = *s.sourceEmittance;
     return j;
 }
 

@@ -18,6 +18,8 @@ namespace {
 
 using Row = SessionStore::Row;
 
+constexpr const char* kPoseColumns = "x_m, y_m, z_m, qw, qx, qy, qz";
+
 /// Reads the tables of one session into a record; the first failure ends it.
 class Reader {
 public:
@@ -70,18 +72,23 @@ private:
         return {};
     }
 
+    /// Coordinates of a row's columns kPoseColumns.
+    static Vector6d coordinatesOf(Row row) {
+        Pose X = Pose::Identity();
+        X.translation() << numberOf(row[0]), numberOf(row[1]), numberOf(row[2]);
+        const Eigen::Quaterniond q(numberOf(row[3]), numberOf(row[4]), numberOf(row[5]), numberOf(row[6]));
+        X.linear() = q.normalized().toRotationMatrix();
+        return coordinatesFromPose(X);
+    }
+
     /// One pose a sample: they make the samples that the other tables fill.
     Result<void> poses() {
-        return m_store.select("SELECT time_s, x_m, y_m, z_m, qw, qx, qy, qz FROM pose ORDER BY rowid",
+        return m_store.select(std::string("SELECT time_s, ") + kPoseColumns + " FROM pose ORDER BY rowid",
                               [&](Row row) {
                                   TraceSample sample;
                                   sample.time_s = numberOf(row[0]);
-                                  Pose X_SE = Pose::Identity();
-                                  X_SE.translation() << numberOf(row[1]), numberOf(row[2]), numberOf(row[3]);
-                                  const Eigen::Quaterniond q(numberOf(row[4]), numberOf(row[5]),
-                                                             numberOf(row[6]), numberOf(row[7]));
-                                  X_SE.linear() = q.normalized().toRotationMatrix();
-                                  sample.coordinates = coordinatesFromPose(X_SE);
+                                  sample.coordinates = coordinatesOf(row.subspan(1));
+                                  sample.source = m_record.experiment.source.pose;
                                   sample.objects.resize(m_record.experiment.objects.size());
                                   for (ObjectSample& object : sample.objects)
                                       object.true_K = std::numeric_limits<double>::quiet_NaN();
@@ -162,6 +169,12 @@ private:
         if (done)
             done = eachSample("source", "temperature_K",
                               [](TraceSample& sample, Row row) { sample.source_K = numberOf(row[0]); });
+        const auto tables = m_store.tables();
+        if (!tables)
+            return tables.error();
+        if (done && std::ranges::find(*tables, "source_pose") != tables->end()) // later than the first files
+            done = eachSample("source_pose", kPoseColumns,
+                              [](TraceSample& sample, Row row) { sample.source = coordinatesOf(row); });
         return done;
     }
 

@@ -22,6 +22,7 @@ enum Statement : std::size_t {
     kInsertPose,
     kInsertMotion,
     kInsertSource,
+    kInsertSourcePose,
     kInsertCommand,
     kInsertEvent,
     kInsertNote,
@@ -43,6 +44,8 @@ constexpr std::array kTables{
     "wy_rad_s REAL, "
     "wz_rad_s REAL, smallest_singular_value REAL, limited INTEGER NOT NULL)",
     "CREATE TABLE source(time_s REAL NOT NULL, temperature_K REAL)",
+    "CREATE TABLE source_pose(time_s REAL NOT NULL, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, "
+    "qz REAL)",
     "CREATE TABLE command(time_s REAL NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL)",
     "CREATE TABLE event(time_s REAL NOT NULL, code TEXT NOT NULL, args TEXT NOT NULL, text TEXT NOT NULL)",
     "CREATE TABLE note(time_s REAL NOT NULL, text TEXT NOT NULL)",
@@ -56,6 +59,7 @@ constexpr std::array kStatements{
     "INSERT INTO pose VALUES(?, ?, ?, ?, ?, ?, ?, ?)",
     "INSERT INTO motion VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)",
     "INSERT INTO source VALUES(?, ?)",
+    "INSERT INTO source_pose VALUES(?, ?, ?, ?, ?, ?, ?, ?)",
     "INSERT INTO command VALUES(?, ?, ?)",
     "INSERT INTO event VALUES(?, ?, ?, ?)",
     "INSERT INTO note VALUES(?, ?)",
@@ -174,13 +178,16 @@ struct SessionWriter::Impl {
         return {};
     }
 
-    Result<void> addRig(const TraceSample& s) {
-        Eigen::Quaterniond q(poseFromCoordinates(s.coordinates).linear());
+    Result<void> putPose(Statement statement, double time_s, const Vector6d& x) {
+        Eigen::Quaterniond q(poseFromCoordinates(x).linear());
         if (q.w() < 0.0)
             q.coeffs() = -q.coeffs();
-        const auto& x = s.coordinates;
-        auto done = put(kInsertPose, s.time_s, sqlNumber(x[0]), sqlNumber(x[1]), sqlNumber(x[2]),
-                        sqlNumber(q.w()), sqlNumber(q.x()), sqlNumber(q.y()), sqlNumber(q.z()));
+        return put(statement, time_s, sqlNumber(x[0]), sqlNumber(x[1]), sqlNumber(x[2]), sqlNumber(q.w()),
+                   sqlNumber(q.x()), sqlNumber(q.y()), sqlNumber(q.z()));
+    }
+
+    Result<void> addRig(const TraceSample& s) {
+        auto done = putPose(kInsertPose, s.time_s, s.coordinates);
         const auto& u = s.twist;
         if (done)
             done = put(kInsertMotion, s.time_s, sqlNumber(u[0]), sqlNumber(u[1]), sqlNumber(u[2]),
@@ -188,6 +195,8 @@ struct SessionWriter::Impl {
                        std::int64_t{s.limited});
         if (done)
             done = put(kInsertSource, s.time_s, sqlNumber(s.source_K));
+        if (done)
+            done = putPose(kInsertSourcePose, s.time_s, s.source);
         return done;
     }
 };

@@ -27,9 +27,10 @@ struct ObjectSample {
 struct TraceSample {
     double time_s = 0.0;                     ///< since Start
     std::vector<ObjectSample> objects;       ///< in the experiment's order
-    Vector6d coordinates = Vector6d::Zero(); ///< end-effector, m and rad
+    Vector6d coordinates = Vector6d::Zero(); ///< end-effector in R, m and rad
     Vector6d twist = Vector6d::Zero();       ///< commanded, R axes, m/s and rad/s
     double source_K = 0.0;                   ///< measured
+    Vector6d source = Vector6d::Zero();      ///< coordinates of X_RS as the controllers take them, m and rad
     double smallestSingularValue = 0.0;      ///< of the interaction matrix, rotation scaled
     bool limited = false;                    ///< a limit was active in the command
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace bask {
 namespace {
@@ -21,14 +20,15 @@ std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
 SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
     : m_config(config), m_plant(plantObjects(config), config.environment_K, config.convection_W_m2K),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
-      m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_sourceContour(config.source),
-      m_computedAt(Vector6d::Constant(std::numeric_limits<double>::quiet_NaN())) {
+      m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
+      m_sourceContour(config.source), m_X_RS(poseFromCoordinates(config.sourcePose)) {
     for (const SimulatedObject& object : config.objects) {
         m_contours.emplace_back(object.shape);
         m_X_EO.push_back(poseFromCoordinates(object.mounting));
     }
     m_F.assign(m_contours.size(), 0.0);
     m_thermometer.observe(trueTemperatures_K());
+    m_tracker.observe(m_X_RS);
 }
 
 std::vector<double> SimulatedRig::trueTemperatures_K() const {
@@ -48,14 +48,14 @@ void SimulatedRig::advance(double dt_s) {
 void SimulatedRig::step(double until_s) {
     const double dt_s = until_s - m_clock.now_s();
     m_robot.advance(dt_s);
-    const Vector6d q = m_robot.coordinates();
-    if (q != m_computedAt) {
-        const Pose X_SE = poseFromCoordinates(q);
-        for (std::size_t i = 0; i < m_contours.size(); ++i)
-            m_F[i] = viewFactorValue(m_sourceContour, m_contours[i], X_SE * m_X_EO[i], kTolerance);
-        m_computedAt = q;
-    }
     const bool open = m_source.heating();
+    if (open && !m_heated)
+        m_heatedSince_s = m_clock.now_s();
+    m_heated = open;
+    if (open && !m_config.sourceMotion.empty())
+        m_X_RS = poseFromCoordinates(
+            valueAt(m_config.sourceMotion, until_s - m_heatedSince_s, m_config.sourcePose));
+    seeSource();
     const double J = open ? netSourcePower_W_m2(m_config.sourceModel, m_source.temperature_K(),
                                                 m_config.sourceEmittance, m_config.environment_K)
                           : 0.0;
@@ -63,6 +63,16 @@ void SimulatedRig::step(double until_s) {
     m_source.advance(dt_s);
     m_clock.advanceTo(until_s);
     m_thermometer.observe(trueTemperatures_K());
+    m_tracker.observe(m_X_RS);
+}
+
+void SimulatedRig::seeSource() {
+    const Pose X_SE = m_X_RS.inverse() * poseFromCoordinates(m_robot.coordinates());
+    if (m_computedAt && X_SE.matrix() == m_computedAt->matrix())
+        return;
+    for (std::size_t i = 0; i < m_contours.size(); ++i)
+        m_F[i] = viewFactorValue(m_sourceContour, m_contours[i], X_SE * m_X_EO[i], kTolerance);
+    m_computedAt = X_SE;
 }
 
 } // namespace bask

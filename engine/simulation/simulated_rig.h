@@ -1,11 +1,15 @@
 #pragma once
-// The simulated rig: plant, robot, thermometers and heat source on one manual clock. Ships in the release.
+// The simulated rig: plant, robot, thermometers, heat source and its tracker on one manual clock. Ships in
+// the release.
 
+#include "engine/base/time_table.h"
 #include "engine/radiation/view_factor.h"
 #include "engine/simulation/simulated_robot.h"
 #include "engine/simulation/simulated_sensors.h"
+#include "engine/simulation/simulated_source_tracker.h"
 #include "engine/simulation/thermal_plant.h"
 
+#include <optional>
 #include <vector>
 
 namespace bask {
@@ -21,15 +25,20 @@ struct SimulatedRigConfig {
     Shape source = Disk{0.10};
     SourceModel sourceModel = SourceModel::Gray;
     double sourceEmittance = 0.25;
-    double sourceTemperature_K = 473.15;
+    double sourceTemperature_K = 473.15;    ///< at the beginning
+    Vector6d sourcePose = Vector6d::Zero(); ///< coordinates of X_RS
+    TimeTable<Vector6d> sourceMotion;       ///< of X_RS since the heat came on; empty: it lies still
     double environment_K = 298.15;
     double convection_W_m2K = 0.0;
     std::vector<SimulatedObject> objects;
     SimulatedRobotConfig robot;
     SimulatedThermometerConfig thermometer;
+    SimulatedTrackerConfig tracker;
 };
 
 /// Advances everything together. The source radiates only while its heat is on (its shutter is open then).
+/// Its motion begins when the heat comes on, from the first pose each time; without heat it stays where it
+/// is.
 class SimulatedRig {
 public:
     explicit SimulatedRig(const SimulatedRigConfig& config);
@@ -40,19 +49,23 @@ public:
     Robot& robot() { return m_robot; }
     Thermometer& thermometer() { return m_thermometer; }
     HeatSource& heatSource() { return m_source; }
+    SourceTracker& sourceTracker() { return m_tracker; }
 
     /// Advances the clock by dt_s in steps of at most kStep_s.
     void advance(double dt_s);
     std::vector<double> trueTemperatures_K() const;
+    const Pose& X_RS() const { return m_X_RS; } ///< where the source truly is
 
     SimulatedRobot& simulatedRobot() { return m_robot; }
     SimulatedThermometer& simulatedThermometer() { return m_thermometer; }
     SimulatedHeatSource& simulatedHeatSource() { return m_source; }
+    SimulatedSourceTracker& simulatedSourceTracker() { return m_tracker; }
 
     static constexpr double kStep_s = 0.1;
 
 private:
     void step(double until_s);
+    void seeSource();
 
     SimulatedRigConfig m_config;
     ManualClock m_clock;
@@ -62,9 +75,13 @@ private:
     SimulatedRobot m_robot;
     SimulatedThermometer m_thermometer;
     SimulatedHeatSource m_source;
+    SimulatedSourceTracker m_tracker;
     RadiatingContour m_sourceContour;
-    std::vector<double> m_F; ///< at m_computedAt
-    Vector6d m_computedAt;
+    Pose m_X_RS;
+    bool m_heated = false; ///< in the last step
+    double m_heatedSince_s = 0.0;
+    std::vector<double> m_F; ///< at m_computedAt, the end-effector in S
+    std::optional<Pose> m_computedAt;
 };
 
 } // namespace bask

@@ -30,35 +30,55 @@ Result<RobotState> SimulatedRobot::state() {
 Result<void> SimulatedRobot::setTwist(const Vector6d& twist, double validFor_s) {
     if (m_linkLost)
         return Error(MessageCode::ReasonRobotLost, {}, {"simulated link lost"});
-    Vector6d rates;
-    rates.head<3>() = twist.head<3>();
-    rates.tail<3>() = rotationAxes(m_exact).inverse() * twist.tail<3>();
-    for (int k = 0; k < 6; ++k)
-        if (!m_config.free[static_cast<std::size_t>(k)])
-            rates[k] = 0.0;
-    // The motors' own limits, for a host that asks too much.
-    const double speed = rates.head<3>().norm();
-    const double rotation = rates.tail<3>().norm();
-    if (speed > m_config.maxSpeed_m_s)
-        rates.head<3>() *= m_config.maxSpeed_m_s / speed;
-    if (rotation > m_config.maxRotation_rad_s)
-        rates.tail<3>() *= m_config.maxRotation_rad_s / rotation;
-    m_rates = rates;
-    m_expires_s = m_clock.now_s() + validFor_s;
+    give(twist, validFor_s);
     return {};
 }
 
 Result<void> SimulatedRobot::halt() {
-    m_rates.setZero();
+    give(Vector6d::Zero(), 0.0);
     if (m_linkLost)
         return Error(MessageCode::ReasonRobotLost, {}, {"simulated link lost"});
     return {};
 }
 
+void SimulatedRobot::give(const Vector6d& twist, double validFor_s) {
+    m_orders.push_back({m_clock.now_s() + m_config.latency_s, twist, validFor_s});
+    obey(m_clock.now_s());
+}
+
+void SimulatedRobot::obey(double now_s) {
+    for (; !m_orders.empty() && m_orders.front().time_s <= now_s; m_orders.pop_front()) {
+        const Order& order = m_orders.front();
+        Vector6d rates = order.twist;
+        if (!order.twist.isZero(0.0)) // a halt needs no axes, not even where they have no inverse
+            rates.tail<3>() = rotationAxes(m_exact).inverse() * order.twist.tail<3>();
+        for (int k = 0; k < 6; ++k)
+            if (!m_config.free[static_cast<std::size_t>(k)])
+                rates[k] = 0.0;
+        // The motors' own limits, for a host that asks too much.
+        const double speed = rates.head<3>().norm();
+        const double rotation = rates.tail<3>().norm();
+        if (speed > m_config.maxSpeed_m_s)
+            rates.head<3>() *= m_config.maxSpeed_m_s / speed;
+        if (rotation > m_config.maxRotation_rad_s)
+            rates.tail<3>() *= m_config.maxRotation_rad_s / rotation;
+        m_rates = rates;
+        m_expires_s = order.time_s + order.validFor_s;
+    }
+}
+
 void SimulatedRobot::advance(double dt_s) {
-    const double until_s = std::min(m_clock.now_s() + dt_s, m_expires_s);
-    const double moving_s = std::max(0.0, until_s - m_clock.now_s());
-    m_exact += moving_s * m_rates;
+    const double end_s = m_clock.now_s() + dt_s;
+    for (double now_s = m_clock.now_s(); now_s < end_s;) {
+        const double next_s = m_orders.empty() ? end_s : std::min(end_s, m_orders.front().time_s);
+        moveFor(std::max(0.0, std::min(next_s, m_expires_s) - now_s));
+        now_s = next_s;
+        obey(now_s);
+    }
+}
+
+void SimulatedRobot::moveFor(double time_s) {
+    m_exact += time_s * m_rates;
     for (int k = 0; k < 6; ++k)
         if (m_config.free[static_cast<std::size_t>(k)])
             m_exact[k] = std::clamp(m_exact[k], m_config.lower[k], m_config.upper[k]);

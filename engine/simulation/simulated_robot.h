@@ -1,11 +1,12 @@
 #pragma once
-// A position-stepping robot: moves in steps of its resolution, keeps its own limits, forgets a velocity that
-// is not renewed.
+// A position-stepping robot: moves in steps of its resolution, keeps its own limits, obeys late, forgets a
+// velocity that is not renewed.
 
 #include "engine/base/clock.h"
 #include "engine/devices/robot.h"
 
 #include <array>
+#include <deque>
 
 namespace bask {
 
@@ -19,6 +20,7 @@ struct SimulatedRobotConfig {
     double step_m = 0.0; ///< 0: continuous
     double step_rad = 0.0;
     Vector6d start = Vector6d::Zero();
+    double latency_s = 0.0; ///< a command, halt too, takes effect this late
 };
 
 class SimulatedRobot final : public Robot {
@@ -36,11 +38,21 @@ public:
     void setLinkLost(bool lost) { m_linkLost = lost; }
 
 private:
+    struct Order {
+        double time_s; ///< when it takes effect
+        Vector6d twist;
+        double validFor_s;
+    };
+    void give(const Vector6d& twist, double validFor_s);
+    void obey(double now_s);
+    void moveFor(double time_s);
+
     SimulatedRobotConfig m_config;
     const Clock& m_clock;
     Vector6d m_exact; ///< continuous position that the steps follow
     Vector6d m_rates = Vector6d::Zero();
     double m_expires_s = 0.0;
+    std::deque<Order> m_orders; ///< on their way
     bool m_linkLost = false;
 };
 

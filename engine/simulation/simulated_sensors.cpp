@@ -17,7 +17,14 @@ SimulatedThermometer::SimulatedThermometer(const SimulatedThermometerConfig& con
 void SimulatedThermometer::observe(const std::vector<double>& true_K) {
     if (true_K.size() != m_offset_K.size())
         throw std::invalid_argument("SimulatedThermometer: one temperature a channel");
-    m_history.push_back({m_clock.now_s(), true_K});
+    std::vector<double> felt_K = true_K;
+    if (m_config.lag_s > 0.0 && !m_history.empty()) {
+        const Moment& last = m_history.back();
+        const double lagging = std::exp(-(m_clock.now_s() - last.time_s) / m_config.lag_s);
+        for (std::size_t i = 0; i < felt_K.size(); ++i)
+            felt_K[i] += (last.felt_K[i] - felt_K[i]) * lagging;
+    }
+    m_history.push_back({m_clock.now_s(), std::move(felt_K)});
     while (m_history.size() > 1 && m_history[1].time_s <= m_clock.now_s() - m_config.delay_s)
         m_history.pop_front();
 }
@@ -27,12 +34,14 @@ Result<std::vector<Reading>> SimulatedThermometer::read() {
     if (m_history.empty())
         return out;
     std::normal_distribution<double> noise(0.0, 1.0);
+    std::bernoulli_distribution dropout(m_config.dropout);
     const Moment& moment = m_history.front();
     for (std::size_t i = 0; i < out.size(); ++i) {
-        double value = moment.true_K[i] + m_offset_K[i] + m_config.noise_K * noise(m_random);
+        double value = moment.felt_K[i] + m_offset_K[i] + m_config.noise_K * noise(m_random);
         if (m_config.resolution_K > 0.0)
             value = std::round(value / m_config.resolution_K) * m_config.resolution_K;
-        if (m_lost[i])
+        const bool dropped = m_config.dropout > 0.0 && dropout(m_random);
+        if (m_lost[i] || dropped)
             out[i] = {m_clock.now_s(), std::numeric_limits<double>::quiet_NaN(), false};
         else
             out[i] = {m_clock.now_s(), value, true};

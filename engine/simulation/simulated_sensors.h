@@ -1,6 +1,6 @@
 #pragma once
-// Simulated thermometers (offset, noise, resolution, delay, lost) and the simulated heat source behind a
-// shutter.
+// Simulated thermometers (offset, noise, resolution, lag, delay, dropouts, lost) and the simulated heat
+// source behind a shutter.
 
 #include "engine/base/clock.h"
 #include "engine/devices/heat_source.h"
@@ -18,6 +18,8 @@ struct SimulatedThermometerConfig {
     double offset_K = 0.0;     ///< each channel's constant error is uniform in +- this
     double delay_s = 0.0;
     std::uint64_t seed = 1;
+    double lag_s = 0.0;   ///< time constant, first order
+    double dropout = 0.0; ///< probability that a channel gives no reading
 };
 
 /// Follows true temperatures that it is given by observe().
@@ -36,7 +38,7 @@ public:
 private:
     struct Moment {
         double time_s;
-        std::vector<double> true_K;
+        std::vector<double> felt_K; ///< of the sensor itself, which lags behind its object
     };
     SimulatedThermometerConfig m_config;
     const Clock& m_clock;

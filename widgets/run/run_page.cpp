@@ -48,6 +48,10 @@ QString markerWord(MessageCode code) {
         return RunPage::tr("Sensor lost");
     case MessageCode::EventSensorBack:
         return RunPage::tr("Sensor back");
+    case MessageCode::ReasonSourcePoseLost:
+        return RunPage::tr("Source lost");
+    case MessageCode::EventSourcePoseBack:
+        return RunPage::tr("Source back");
     default:
         return alarmPriority(code) == 1 ? RunPage::tr("Fault") : QString();
     }
@@ -109,6 +113,7 @@ void RunPage::showScene(const Snapshot& snapshot) {
     for (const ObjectSample& object : snapshot.latest.objects)
         temperatures_K.push_back(object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN());
     m_scene->setPose(snapshot.latest.coordinates);
+    m_scene->setSourcePose(snapshot.latest.source);
     m_scene->setTemperatures(temperatures_K);
 }
 

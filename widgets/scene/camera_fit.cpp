@@ -68,11 +68,11 @@ Projection::Projection(vtkCamera& camera, QSizeF size) : m_size(size) {
     const vtkMatrix4x4* matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
     for (int row = 0; row < 4; ++row)
         for (int column = 0; column < 4; ++column)
-            m_clipFromS(row, column) = matrix->GetElement(row, column);
+            m_clipFromR(row, column) = matrix->GetElement(row, column);
 }
 
-QPointF Projection::operator()(const Eigen::Vector3d& p_S) const {
-    const Eigen::Vector4d clip = m_clipFromS * p_S.homogeneous();
+QPointF Projection::operator()(const Eigen::Vector3d& p_R) const {
+    const Eigen::Vector4d clip = m_clipFromR * p_R.homogeneous();
     const double w = clip.w() != 0.0 ? clip.w() : 1.0;
     return {0.5 * (clip.x() / w + 1.0) * m_size.width(), 0.5 * (1.0 - clip.y() / w) * m_size.height()};
 }

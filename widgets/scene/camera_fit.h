@@ -12,7 +12,7 @@ class vtkCamera;
 
 namespace bask {
 
-/// Box in S (m).
+/// Box in R (m).
 using Box = Eigen::AlignedBox3d;
 
 /// Directions a scene is looked at from.
@@ -25,14 +25,14 @@ void applyPreset(vtkCamera& camera, ViewPreset preset);
 /// pixels) less `margins`. Margins that leave less than half of the view are scaled down.
 void fitCamera(vtkCamera& camera, const Box& box, QSizeF size, QMarginsF margins);
 
-/// From S (m) to logical pixels of the widget, y down.
+/// From R (m) to logical pixels of the widget, y down.
 class Projection {
 public:
     Projection(vtkCamera& camera, QSizeF size);
-    QPointF operator()(const Eigen::Vector3d& p_S) const;
+    QPointF operator()(const Eigen::Vector3d& p_R) const;
 
 private:
-    Eigen::Matrix4d m_clipFromS;
+    Eigen::Matrix4d m_clipFromR;
     QSizeF m_size;
 };
 

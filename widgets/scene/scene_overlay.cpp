@@ -102,7 +102,7 @@ QFont smaller(QFont font) {
 
 QRectF boundsOf(const SceneLabel& label, const Projection& projection) {
     QPolygonF polygon;
-    for (const Eigen::Vector3d& p : label.outline_S)
+    for (const Eigen::Vector3d& p : label.outline_R)
         polygon << projection(p);
     return polygon.boundingRect();
 }

@@ -24,7 +24,7 @@ struct SceneLabel {
     QString value;                          ///< after the text, lighter; may be empty
     QColor colour;                          ///< of its mark; invalid: no mark
     bool optional = false;                  ///< left out where it would hide something
-    std::vector<Eigen::Vector3d> outline_S; ///< m; the label stands beside this and avoids it
+    std::vector<Eigen::Vector3d> outline_R; ///< m; the label stands beside this and avoids it
 };
 
 /// Everything the overlay shows, as values.

@@ -167,7 +167,15 @@ void setGlow(vtkPolyData& data, vtkTexture& texture, const std::vector<Eigen::Ve
     texture.SetInputData(image);
 }
 
-/// Floor lines every kGridStep_m, left out where the source lies on them.
+/// An outline in S as it stands over the floor, the plane z = 0 of R.
+std::vector<Eigen::Vector2d> overTheFloor(const std::vector<Eigen::Vector2d>& outline, const Pose& X_RS) {
+    std::vector<Eigen::Vector2d> points;
+    for (const Eigen::Vector2d& p : outline)
+        points.emplace_back((X_RS * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
+    return points;
+}
+
+/// Floor lines every kGridStep_m, left out where the source is over them.
 Points gridLines(const Box& frame, const std::vector<Eigen::Vector2d>& source) {
     Points points;
     for (const int along : {1, 0}) {
@@ -175,8 +183,9 @@ Points gridLines(const Box& frame, const std::vector<Eigen::Vector2d>& source) {
         const double first = std::ceil(frame.min()[across] / kGridStep_m - 1e-9);
         for (double k = first; k * kGridStep_m <= frame.max()[across] + 1e-9; k += 1.0) {
             const double at = k * kGridStep_m;
-            // The frame holds the source, so that the ends ascend.
             std::vector<double> ends = outlineCrossings(source, along, at);
+            for (double& end : ends) // a source that has left the frame: the ends ascend all the same
+                end = std::clamp(end, frame.min()[along], frame.max()[along]);
             ends.insert(ends.begin(), frame.min()[along]);
             ends.push_back(frame.max()[along]);
             for (const double end : ends) {
@@ -212,7 +221,7 @@ struct ObjectParts {
     Part fill;
     Part outline;
     Part mount;
-    Part drop; ///< from the centroid straight down to the source plane
+    Part drop; ///< from the centroid along the source's normal to its plane
     Part trail;
     Pose X_EO = Pose::Identity();
 };
@@ -235,6 +244,9 @@ struct SceneProps::Impl {
     std::optional<Shape> glowing; ///< what source, glow and rim show
     Part sourceRim;
     Part grid;
+    Box frame;
+    std::vector<Eigen::Vector2d> sourceOutline;
+    std::optional<Pose> gridFor; ///< where the source is that the floor lines leave out
     Part workspace;
     Box workspaceBox;
     int nearest = -1; ///< corner of the workspace whose edges are left out
@@ -278,7 +290,9 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
         m->glowing = experiment.source.shape;
     }
     m->sourceRim.width_px = 3.0F;
-    setSegments(*m->grid.data, gridLines(frame, source));
+    m->frame = frame;
+    m->sourceOutline = source;
+    m->gridFor.reset();
     const RobotLimits& robot = experiment.robot;
     m->workspaceBox = Box(robot.lower.head<3>().eval(), robot.upper.head<3>().eval());
     m->nearest = -1;
@@ -329,18 +343,25 @@ void SceneProps::setViewDirection(const Eigen::Vector3d& direction) {
     m->workspace.data->Modified();
 }
 
-void SceneProps::setPose(const Pose& X_SE, const Eigen::Vector3d& lift) {
+void SceneProps::setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vector3d& lift) {
     const auto lifted = [&lift](const Pose& X) { return Pose(Eigen::Translation3d(lift) * X); };
-    m->sourceRim.setTransform(lifted(Pose::Identity()));
+    if (!m->gridFor || m->gridFor->matrix() != X_RS.matrix()) {
+        setSegments(*m->grid.data, gridLines(m->frame, overTheFloor(m->sourceOutline, X_RS)));
+        m->grid.data->Modified();
+        m->gridFor = X_RS;
+    }
+    m->source.setTransform(X_RS);
+    m->sourceRim.setTransform(lifted(X_RS));
+    const Eigen::Vector3d normal = X_RS.linear().col(2);
     for (ObjectParts& object : m->objects) {
-        const Pose X_SO = X_SE * object.X_EO;
-        const Eigen::Vector3d p_SO = X_SO.translation();
-        object.fill.setTransform(X_SO);
-        object.outline.setTransform(lifted(X_SO));
-        object.mount.setTransform(lifted(X_SE));
-        Pose drop = Pose::Identity();
-        drop.translation() << p_SO.x(), p_SO.y(), 0.0;
-        drop.linear()(2, 2) = p_SO.z(); // a line of length one, stretched
+        const Pose X_RO = X_RE * object.X_EO;
+        const double height_m = normal.dot(X_RO.translation() - X_RS.translation());
+        object.fill.setTransform(X_RO);
+        object.outline.setTransform(lifted(X_RO));
+        object.mount.setTransform(lifted(X_RE));
+        Pose drop = X_RS;
+        drop.translation() = X_RO.translation() - height_m * normal;
+        drop.linear().col(2) *= height_m; // a line of length one, stretched
         object.drop.setTransform(lifted(drop));
     }
 }
@@ -354,7 +375,7 @@ void SceneProps::setTrail(std::size_t index, const Trail& trail, const Temperatu
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetNumberOfComponents(3);
     const auto add = [&](const Trail::Point& point) {
-        points.push_back(point.p_SO);
+        points.push_back(point.p_RO);
         const QColor rgb = colour(point.temperature_K);
         for (const int part : {rgb.red(), rgb.green(), rgb.blue()})
             colours->InsertNextValue(static_cast<unsigned char>(part));

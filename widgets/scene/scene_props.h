@@ -41,12 +41,12 @@ public:
     /// Factor of all line widths: device pixel ratio, and less than that in a small view.
     void setLineScale(double scale);
 
-    /// Where the camera looks to (S): the workspace's edges on this side are left out.
+    /// Where the camera looks to (R): the workspace's edges on this side are left out.
     void setViewDirection(const Eigen::Vector3d& direction);
-    /// Moves the objects. Lines are moved by `lift` (S, m) as well: towards the viewer by a few pixels'
-    /// worth, which in a parallel projection does not show, lets the whole width of a line stand before the
-    /// filling that it bounds.
-    void setPose(const Pose& X_SE, const Eigen::Vector3d& lift);
+    /// Moves objects and source. Lines are moved by `lift` (R, m) as well: towards the viewer by a few
+    /// pixels' worth, which in a parallel projection does not show, lets the whole width of a line stand
+    /// before the filling that it bounds.
+    void setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vector3d& lift);
     void setObjectColour(std::size_t index, const QColor& colour);
     /// Uploads one trail of at most Trail::kMostPoints points.
     void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);

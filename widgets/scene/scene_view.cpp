@@ -44,12 +44,15 @@ std::vector<Eigen::Vector3d> labelOutline(const Shape& shape) {
     return points;
 }
 
-/// Workspace and source: what the axes measure and the presets show.
+/// Workspace and source, wherever that is moved: what the axes measure and the presets show.
 Box frameOf(const Experiment& experiment) {
     Box box(experiment.robot.lower.head<3>().eval());
     box.extend(experiment.robot.upper.head<3>().eval());
-    for (const Eigen::Vector2d& p : shapeOutline(experiment.source.shape, kOutlinePoints))
-        box.extend(Eigen::Vector3d(p.x(), p.y(), 0.0));
+    TimeTable<Vector6d> places = experiment.simulation.sourceMotion;
+    places.push_back({0.0, experiment.source.pose});
+    for (const auto& [time_s, place] : places)
+        for (const Eigen::Vector2d& p : shapeOutline(experiment.source.shape, kOutlinePoints))
+            box.extend(poseFromCoordinates(place) * Eigen::Vector3d(p.x(), p.y(), 0.0));
     // A plane or a line is no box: give it some height.
     const double least = 0.1 * box.diagonal().norm();
     for (int axis = 0; axis < 3; ++axis)
@@ -70,7 +73,8 @@ struct SceneView::Impl {
     Experiment experiment;
     bool hasExperiment = false;
     Box frame;
-    Pose X_SE = Pose::Identity();
+    Pose X_RE = Pose::Identity();
+    Pose X_RS = Pose::Identity();
     std::vector<Pose> X_EO;
     std::vector<std::vector<Eigen::Vector3d>> outlines_O;
     std::vector<Trail> trails;
@@ -141,9 +145,9 @@ OverlayContent SceneView::Impl::overlayContent(bool dark) const {
         if (std::isfinite(temperatures_K[i]))
             label.value = formatTemperature(temperatures_K[i], unit);
         label.colour = seriesColor(static_cast<int>(i), dark);
-        const Pose X_SO = X_SE * X_EO[i];
+        const Pose X_RO = X_RE * X_EO[i];
         for (const Eigen::Vector3d& p_OQ : outlines_O[i])
-            label.outline_S.push_back(X_SO * p_OQ);
+            label.outline_R.push_back(X_RO * p_OQ);
         result.labels.push_back(label);
     }
     SceneLabel source;
@@ -151,7 +155,8 @@ OverlayContent SceneView::Impl::overlayContent(bool dark) const {
     source.optional = true;
     source.value =
         formatTemperature(std::isfinite(source_K) ? source_K : experiment.source.temperature_K, unit, 0);
-    source.outline_S = labelOutline(experiment.source.shape);
+    for (const Eigen::Vector3d& p_SQ : labelOutline(experiment.source.shape))
+        source.outline_R.push_back(X_RS * p_SQ);
     result.labels.push_back(source);
     return result;
 }
@@ -234,7 +239,8 @@ void SceneView::setExperiment(const Experiment& experiment) {
     m->experiment = experiment;
     m->hasExperiment = true;
     m->frame = frameOf(experiment);
-    m->X_SE = poseFromCoordinates(experiment.start);
+    m->X_RE = poseFromCoordinates(experiment.start);
+    m->X_RS = poseFromCoordinates(experiment.source.pose);
     m->X_EO.clear();
     m->outlines_O.clear();
     for (const ObjectSpec& object : experiment.objects) {
@@ -257,13 +263,15 @@ void SceneView::appendSamples(const std::vector<TraceSample>& samples) {
     for (const TraceSample& sample : samples) {
         if (!m->hasExperiment || sample.objects.size() != m->X_EO.size() || !sample.coordinates.allFinite())
             continue;
-        m->X_SE = poseFromCoordinates(sample.coordinates);
+        m->X_RE = poseFromCoordinates(sample.coordinates);
+        if (sample.source.allFinite())
+            m->X_RS = poseFromCoordinates(sample.source);
         if (std::isfinite(sample.source_K) && sample.source_K > 0.0)
             m->source_K = sample.source_K;
         for (std::size_t i = 0; i < m->X_EO.size(); ++i) {
             m->temperatures_K[i] = temperatureOf_K(sample.objects[i]);
             m->sawTemperature(m->temperatures_K[i]);
-            m->trails[i].append({m->X_SE * m->X_EO[i].translation(), m->temperatures_K[i]});
+            m->trails[i].append({m->X_RE * m->X_EO[i].translation(), m->temperatures_K[i]});
         }
         m->trailsGrew = true;
     }
@@ -278,7 +286,14 @@ void SceneView::setSamples(const std::vector<TraceSample>& samples) {
 void SceneView::setPose(const Vector6d& coordinates) {
     if (!coordinates.allFinite())
         return;
-    m->X_SE = poseFromCoordinates(coordinates);
+    m->X_RE = poseFromCoordinates(coordinates);
+    requestFrame();
+}
+
+void SceneView::setSourcePose(const Vector6d& coordinates) {
+    if (!coordinates.allFinite())
+        return;
+    m->X_RS = poseFromCoordinates(coordinates);
     requestFrame();
 }
 
@@ -353,7 +368,7 @@ void SceneView::prepareFrame() {
         const Eigen::Vector3d direction(camera->GetDirectionOfProjection());
         const double metresPerPixel = 2.0 * camera->GetParallelScale() / std::max(1, m->view->height());
         m->props->setViewDirection(direction);
-        m->props->setPose(m->X_SE, -kLift_px * metresPerPixel * direction);
+        m->props->setPoses(m->X_RE, m->X_RS, -kLift_px * metresPerPixel * direction);
         const bool allTrails = m->rebuild || m->recolour || newRange || m->trailsGrew;
         for (std::size_t i = 0; i < m->trails.size(); ++i) {
             m->props->setObjectColour(i, m->colourOf(m->temperatures_K[i], dark));

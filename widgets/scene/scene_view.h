@@ -12,7 +12,7 @@
 
 namespace bask {
 
-/// Setters in, a picture out; S axes in cm, heated faces look down. Setters only note what is new: frames are
+/// Setters in, a picture out; R axes in cm, heated faces look down. Setters only note what is new: frames are
 /// drawn later, at most about 15 a second, and none while hidden. Without OpenGL 3.2 it says so in words in
 /// place of the picture. Colours follow the palette, words the language.
 class SceneView : public QWidget {
@@ -32,6 +32,8 @@ public:
     void setSamples(const std::vector<TraceSample>& samples);
     /// Moves the objects only (readings outside of a run, replay).
     void setPose(const Vector6d& coordinates);
+    /// Moves the source only, X_RS in the robot's base; a trace's samples move it too.
+    void setSourcePose(const Vector6d& coordinates);
     /// Colours the objects only, K in the experiment's order; NaN or missing: not known.
     void setTemperatures(const std::vector<double>& temperatures_K);
     void setTemperatureUnit(TemperatureUnit unit);

@@ -18,12 +18,12 @@ bool Trail::differs(const Point& a, const Point& b) const {
     if (std::isnan(a.temperature_K) != std::isnan(b.temperature_K))
         return true;
     // A comparison with NaN is false, as wanted when both are unknown.
-    return (a.p_SO - b.p_SO).squaredNorm() > m_tolerance_m * m_tolerance_m ||
+    return (a.p_RO - b.p_RO).squaredNorm() > m_tolerance_m * m_tolerance_m ||
            std::abs(a.temperature_K - b.temperature_K) > m_tolerance_K;
 }
 
 void Trail::append(const Point& point) {
-    if (!point.p_SO.allFinite())
+    if (!point.p_RO.allFinite())
         return;
     m_newest = point;
     if (!m_kept.empty() && !differs(m_kept.back(), point))

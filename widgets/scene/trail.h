@@ -13,7 +13,7 @@ namespace bask {
 class Trail {
 public:
     struct Point {
-        Eigen::Vector3d p_SO = Eigen::Vector3d::Zero(); ///< m
+        Eigen::Vector3d p_RO = Eigen::Vector3d::Zero(); ///< m
         double temperature_K = 0.0;                     ///< NaN: not known
     };
 

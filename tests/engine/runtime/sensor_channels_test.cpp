@@ -45,7 +45,8 @@ TEST(SensorChannels, BadReadingsNeverEnterAndAreTold) {
           Reading{10.0, 26.0, true} /* -247 degC: a dead interface */, Reading{10.0, 1300.0, true}}) {
         channels.add({bad});
         EXPECT_TRUE(channels.lastInvalid(0));
-        EXPECT_FALSE(channels.fresh(0, 10.0));
+        EXPECT_TRUE(channels.fresh(0, 12.0)); // the last good one is three periods old: a dropout
+        EXPECT_FALSE(channels.fresh(0, 12.5));
         EXPECT_EQ(channels.measured_K(0), 300.0);
     }
     channels.add({{11.0, 300.5, true}});

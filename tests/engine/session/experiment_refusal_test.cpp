@@ -153,6 +153,54 @@ INSTANTIATE_TEST_SUITE_P(
         Change{"/simulation/duration_limit_s", "0.01", ValueOutOfRange, "simulation.duration_limit_s"},
         Change{"/simulation/duration_limit_s", "-1", ValueNotPositive, "simulation.duration_limit_s"}));
 
+// Catches a source or simulation that is taken although it means nothing: times that stand still, a motion
+// that begins elsewhere, a probability above a half.
+INSTANTIATE_TEST_SUITE_P(
+    MovingSource, ChangedKey,
+    ::testing::Values(
+        Change{"/source/tracked", "1", JsonWrongType, "source.tracked"},
+        Change{"/source/pose/x_cm", "501", ValueOutOfRange, "source.pose.x_cm"},
+        Change{"/source/pose/theta_y_deg", "91", ValueOutOfRange, "source.pose.theta_y_deg"},
+        Change{"/source/pose/w_cm", "1", JsonUnknownKey, "source.pose"},
+        Change{"/source/pose/z_cm", "14.5", StartTooClose, "robot.start"},
+        Change{"/source/pose/theta_y_deg", "80", StartTooClose, "robot.start"},
+        Change{"/source/temperature_profile", "200", JsonWrongType, "source.temperature_profile"},
+        Change{"/source/temperature_profile", "[200]", JsonWrongType, "source.temperature_profile[0]"},
+        Change{"/source/temperature_profile", R"([{"temperature_degC":200}])", JsonMissingKey,
+               "source.temperature_profile[0]"},
+        Change{"/source/temperature_profile", R"([{"time_s":0}])", JsonMissingKey,
+               "source.temperature_profile[0]"},
+        Change{"/source/temperature_profile", R"([{"time_s":-1,"temperature_degC":200}])", ValueOutOfRange,
+               "source.temperature_profile[0].time_s"},
+        Change{"/source/temperature_profile",
+               R"([{"time_s":5,"temperature_degC":200},{"time_s":5,"temperature_degC":300}])",
+               TimesNotGrowing, "source.temperature_profile[1].time_s"},
+        Change{"/source/temperature_profile",
+               R"([{"time_s":0,"temperature_degC":200},{"time_s":5,"temperature_degC":2001}])",
+               ValueOutOfRange, "source.temperature_profile[1].temperature_degC"},
+        Change{"/simulation/source_motion", R"([{"time_s":0,"x_cm":1}])", MotionElsewhere,
+               "simulation.source_motion[0].x_cm"},
+        Change{"/simulation/source_motion", R"([{"time_s":0},{"time_s":0}])", TimesNotGrowing,
+               "simulation.source_motion[1].time_s"},
+        Change{"/simulation/source_motion", R"([{"time_s":0},{"time_s":9,"theta_x_deg":181}])",
+               ValueOutOfRange, "simulation.source_motion[1].theta_x_deg"},
+        Change{"/simulation/source_motion", R"([{"time_s":0,"y":1}])", JsonUnknownKey,
+               "simulation.source_motion[0]"},
+        Change{"/simulation/source_emittance", "0", ValueNotPositive, "simulation.source_emittance"},
+        Change{"/simulation/source_emittance", "1.1", ValueOutOfRange, "simulation.source_emittance"},
+        Change{"/simulation/tracking_noise_mm", "-1", ValueOutOfRange, "simulation.tracking_noise_mm"},
+        Change{"/simulation/tracking_noise_deg", "11", ValueOutOfRange, "simulation.tracking_noise_deg"},
+        Change{"/simulation/tracking_noise_m", "0.001", JsonTwoSpellings, "simulation"},
+        Change{"/simulation/tracking_delay_s", "3", ValueOutOfRange, "simulation.tracking_delay_s"},
+        Change{"/simulation/sensor_lag_s", "-1", ValueOutOfRange, "simulation.sensor_lag_s"},
+        Change{"/simulation/sensor_dropout", "0.6", ValueOutOfRange, "simulation.sensor_dropout"},
+        Change{"/simulation/robot_latency_s", "11", ValueOutOfRange, "simulation.robot_latency_s"},
+        Change{"/objects/1/simulated_material", "{}", JsonMissingKey, "objects[1].simulated_material"},
+        Change{
+            "/objects/1/simulated_material",
+            R"({"emittance":2,"absorptance":0.9,"specific_heat_J_kgK":904,"density_kg_m3":2700,"thickness_mm":1})",
+            ValueOutOfRange, "objects[1].simulated_material.emittance"}));
+
 INSTANTIATE_TEST_SUITE_P(
     Outlines, ChangedKey,
     ::testing::Values(
@@ -220,6 +268,15 @@ TEST(Refusal, NamesTheAllowedRangeAndTheKnownKeys) {
     j["sampling"]["periode_s"] = 2;
     EXPECT_NE(describe(refused(j.dump())).find("\"periode_s\"; known here: order, period_s, window"),
               std::string::npos);
+}
+
+TEST(Refusal, NamesTheTrueEmittanceThatCannotHeat) {
+    json j = base();
+    j["source"]["source_model"] = "paper";
+    j["simulation"]["source_emittance"] = 0.1;
+    const Error error = refused(j.dump());
+    EXPECT_EQ(error.code(), SourceTooWeak);
+    EXPECT_EQ(error.where, "e.json: simulation.source_emittance");
 }
 
 TEST(Refusal, TakesNamesInAnyScriptAndTheLargestDoubtInTheRates) {

@@ -61,6 +61,8 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
         3.0 * std::sin(0.1 * k);
     s.twist << 0.01, -0.02, 1.0 / 3.0, 0.1, 0.0, -0.05 / (k + 1.0);
     s.source_K = 473.15 + 0.1 * k;
+    s.source << 0.02 * std::cos(0.2 * k), 0.3, -0.001 * k, 0.4 * std::sin(0.5 * k), 0.1,
+        -2.0 * std::sin(0.3 * k);
     s.smallestSingularValue = 0.7 / (k + 1.0);
     s.limited = k % 3 == 0;
     return s;
@@ -72,7 +74,8 @@ bool sameSample(const TraceSample& a, const TraceSample& b) {
         objects = sameObject(a.objects[i], b.objects[i]);
     return objects && a.time_s == b.time_s && a.twist == b.twist && a.source_K == b.source_K &&
            a.smallestSingularValue == b.smallestSingularValue && a.limited == b.limited &&
-           (a.coordinates - b.coordinates).cwiseAbs().maxCoeff() < 1e-12;
+           (a.coordinates - b.coordinates).cwiseAbs().maxCoeff() < 1e-12 &&
+           (a.source - b.source).cwiseAbs().maxCoeff() < 1e-12;
 }
 
 int recordUntilKilled(const std::string& path) {

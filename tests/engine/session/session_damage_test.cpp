@@ -102,8 +102,9 @@ TEST_F(DamagedSession, MissingAndInconsistentTables) {
     for (const char* sql :
          {"DROP TABLE pose", "DROP TABLE sample", "DROP TABLE meta", "DROP TABLE truth",
           "DELETE FROM pose WHERE rowid = 7", "DELETE FROM sample WHERE rowid = 7",
-          "DELETE FROM motion WHERE rowid = 500", "UPDATE sample SET object = 'x' WHERE rowid = 3",
-          "UPDATE source SET time_s = 0.5 WHERE rowid = 3", "ALTER TABLE sample DROP COLUMN view_factor"})
+          "DELETE FROM motion WHERE rowid = 500", "DELETE FROM source_pose WHERE rowid = 5",
+          "UPDATE sample SET object = 'x' WHERE rowid = 3", "UPDATE source SET time_s = 0.5 WHERE rowid = 3",
+          "ALTER TABLE sample DROP COLUMN view_factor"})
         EXPECT_EQ(readSession(altered(sql)).error().code(), MessageCode::SessionDamaged) << sql;
     const auto experiment = readSession(altered("UPDATE experiment SET json = '{'"));
     ASSERT_FALSE(experiment);

@@ -115,6 +115,34 @@ TEST_F(SessionFile, AnEmptyRunIsReadToo) {
     EXPECT_TRUE(record->samples.empty());
 }
 
+// Catches files of the first versions refused or misread for a table that they cannot have.
+TEST_F(SessionFile, OneWithoutTheSourcesPoseHasItAsInTheExperiment) {
+    const std::string path = file("old.bask");
+    Experiment experiment = twoDisks();
+    experiment.source.pose[kX] = 0.03;
+    {
+        auto writer = SessionWriter::create(path, experiment, true);
+        ASSERT_TRUE(writer) << describe(writer.error());
+        for (int k = 0; k < 3; ++k)
+            ASSERT_TRUE((*writer)->add(madeUpSample(experiment, k)));
+        ASSERT_TRUE((*writer)->finish("settled"));
+    }
+    {
+        auto db = QSqlDatabase::addDatabase("QSQLITE", "older");
+        db.setDatabaseName(QString::fromStdString(path));
+        ASSERT_TRUE(db.open());
+        EXPECT_TRUE(QSqlQuery(db).exec("DROP TABLE source_pose"));
+        db.close();
+    }
+    QSqlDatabase::removeDatabase("older");
+    const auto record = readSession(path);
+    ASSERT_TRUE(record) << describe(record.error());
+    ASSERT_EQ(record->samples.size(), 3u);
+    for (const TraceSample& sample : record->samples)
+        EXPECT_LT((sample.source - experiment.source.pose).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 11u);
+}
+
 // The columns are a promise to scripts.
 TEST_F(SessionFile, HasThePromisedHeaderAndColumns) {
     const std::string path = recorded("run.bask", 3);
@@ -136,6 +164,7 @@ TEST_F(SessionFile, HasThePromisedHeaderAndColumns) {
         EXPECT_EQ(one("PRAGMA journal_mode"), "wal");
         EXPECT_EQ(columns("sample"), "time_s,object,measured_K,estimated_K,rate_K_s,target_K,view_factor");
         EXPECT_EQ(columns("pose"), "time_s,x_m,y_m,z_m,qw,qx,qy,qz");
+        EXPECT_EQ(columns("source_pose"), "time_s,x_m,y_m,z_m,qw,qx,qy,qz");
         EXPECT_EQ(one("SELECT count(*) FROM sample"), "6");
         EXPECT_EQ(one("SELECT count(*) FROM sample WHERE rate_K_s IS NULL"), "6") << "not known is NULL";
         EXPECT_EQ(one("SELECT max(abs(qw*qw + qx*qx + qy*qy + qz*qz - 1)) < 1e-14 FROM pose"), "1");
@@ -333,7 +362,7 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     const std::string folder = file("deep/csv");
     const auto files = exportSessionCsv(path, folder);
     ASSERT_TRUE(files) << describe(files.error());
-    EXPECT_EQ(files->size(), 11u);
+    EXPECT_EQ(files->size(), 12u);
     ASSERT_TRUE(exportSessionCsv(path, folder)) << "existing files are replaced";
 
     std::istringstream sample(contents(qfile("deep/csv/sample.csv")));

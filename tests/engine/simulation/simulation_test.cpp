@@ -19,6 +19,15 @@ SimulatedRobotConfig robotConfig() {
     return config;
 }
 
+SimulatedRigConfig oneDisk() {
+    SimulatedRigConfig config;
+    config.source = Disk{0.1};
+    config.objects.push_back({Disk{0.015}, Vector6d::Zero(), kPainted});
+    config.robot = robotConfig();
+    config.thermometer.channels = 1;
+    return config;
+}
+
 } // namespace
 
 TEST(ThermalPlant, ReachesTheSteadyTemperatureOfTheHeatBalance) {
@@ -116,6 +125,104 @@ TEST(SimulatedThermometer, RoundsDelaysOffsetsAndRepeatsItsSeed) {
     EXPECT_NEAR((*first.read())[0].value_K, 350.0, 0.35);
 }
 
+// Catches a lag that depends on how often the plant is stepped, or that is none.
+TEST(SimulatedThermometer, LagsBehindAStepByItsTimeConstant) {
+    for (const double step_s : {0.1, 2.5}) {
+        ManualClock clock;
+        SimulatedThermometerConfig config{1, 0.0, 0.0, 0.0, 0.0, 1};
+        config.lag_s = 5.0;
+        SimulatedThermometer thermometer(config, clock);
+        thermometer.observe({300.0});
+        for (double t_s = 0.0; t_s < 5.0 - 1e-9; t_s += step_s) {
+            clock.advance(step_s);
+            thermometer.observe({400.0});
+        }
+        EXPECT_NEAR((*thermometer.read())[0].value_K, 400.0 - 100.0 * std::exp(-1.0), 1e-9) << step_s;
+    }
+}
+
+// Catches dropouts that come as numbers, that all channels share, or at another rate than asked.
+TEST(SimulatedThermometer, LosesReadingsAtItsRateAndNeverGivesThemANumber) {
+    ManualClock clock;
+    SimulatedThermometerConfig config{2, 0.0, 0.0, 0.0, 0.0, 7};
+    config.dropout = 0.2;
+    SimulatedThermometer thermometer(config, clock);
+    thermometer.observe({310.0, 320.0});
+    int lost = 0, both = 0;
+    constexpr int kReads = 20000;
+    for (int i = 0; i < kReads; ++i) {
+        const auto readings = *thermometer.read();
+        for (std::size_t k = 0; k < 2; ++k) {
+            EXPECT_EQ(std::isnan(readings[k].value_K), !readings[k].valid);
+            lost += readings[k].valid ? 0 : 1;
+        }
+        both += !readings[0].valid && !readings[1].valid ? 1 : 0;
+    }
+    EXPECT_NEAR(lost / (2.0 * kReads), 0.2, 0.01);
+    EXPECT_NEAR(both / (1.0 * kReads), 0.04, 0.006);
+}
+
+// Catches a command that takes effect at once, a halt that overtakes it, an expiry that comes early.
+TEST(SimulatedRobot, ObeysLateAndThenForAsLongAsItWasTold) {
+    ManualClock clock;
+    SimulatedRobotConfig config = robotConfig();
+    config.latency_s = 0.25;
+    SimulatedRobot robot(config, clock);
+    Vector6d twist = Vector6d::Zero();
+    twist[kX] = 0.01;
+    const auto pass = [&](int tenths) {
+        for (int i = 0; i < tenths; ++i) {
+            robot.advance(0.1);
+            clock.advance(0.1);
+        }
+    };
+    ASSERT_TRUE(robot.setTwist(twist, 1.0));
+    pass(2);
+    EXPECT_EQ(robot.coordinates()[kX], 0.0);
+    pass(1);
+    EXPECT_NEAR(robot.coordinates()[kX], 0.0005, 1e-12);
+    pass(30);
+    EXPECT_NEAR(robot.coordinates()[kX], 0.01, 1e-12);
+    ASSERT_TRUE(robot.setTwist(twist, 10.0));
+    pass(10);
+    ASSERT_TRUE(robot.halt());
+    pass(30);
+    EXPECT_NEAR(robot.coordinates()[kX], 0.02, 1e-12); // 0.75 s before the halt was given, 0.25 s after
+}
+
+// Catches a pose that is stamped with the time of the reading, noise in the wrong unit, and a lost source
+// that still has a pose.
+TEST(SimulatedSourceTracker, GivesThePoseOfItsTimeWithItsNoise) {
+    ManualClock clock;
+    SimulatedTrackerConfig config;
+    config.delay_s = 0.5;
+    SimulatedSourceTracker exact(config, clock);
+    config.noise_m = 0.002;
+    config.noise_rad = 0.01;
+    SimulatedSourceTracker noisy(config, clock);
+    for (int i = 0; i <= 20; ++i) {
+        const Pose X_RS(Eigen::Translation3d(0.1 * clock.now_s(), 0.0, 0.0));
+        exact.observe(X_RS);
+        noisy.observe(X_RS);
+        clock.advance(i < 20 ? 0.1 : 0.0);
+    }
+    const PoseReading reading = *exact.read();
+    EXPECT_TRUE(reading.valid);
+    EXPECT_NEAR(reading.time_s, 1.5, 1e-9);
+    EXPECT_NEAR(reading.X_RS.translation().x(), 0.15, 1e-9);
+    double squares_m2 = 0.0, squares_rad2 = 0.0;
+    constexpr int kReads = 5000;
+    for (int i = 0; i < kReads; ++i) {
+        const Pose error = reading.X_RS.inverse() * noisy.read()->X_RS;
+        squares_m2 += error.translation().squaredNorm() / kReads;
+        squares_rad2 += std::pow(Eigen::AngleAxisd(error.linear()).angle(), 2) / kReads;
+    }
+    EXPECT_NEAR(std::sqrt(squares_m2 / 3.0), 0.002, 1e-4);
+    EXPECT_NEAR(std::sqrt(squares_rad2 / 3.0), 0.01, 5e-4);
+    noisy.setLost(true);
+    EXPECT_FALSE(noisy.read()->valid);
+}
+
 TEST(SimulatedHeatSource, HeatGoesOffByItselfWhenNobodySaysOn) {
     ManualClock clock;
     SimulatedHeatSource source(473.15, kRoom_K, clock);
@@ -127,13 +234,55 @@ TEST(SimulatedHeatSource, HeatGoesOffByItselfWhenNobodySaysOn) {
     EXPECT_FALSE(source.heating());
 }
 
-TEST(SimulatedRig, WarmsObjectsOnlyWhileTheHeatIsOn) {
-    SimulatedRigConfig config;
-    config.source = Disk{0.1};
-    config.objects.push_back({Disk{0.015}, Vector6d::Zero(), kPainted});
-    config.robot = robotConfig();
-    config.thermometer.channels = 1;
+// Catches a plant that does not see where its source is: a source 4 cm to the right is a robot 4 cm to the
+// left.
+TEST(SimulatedRig, ASourceMovedIsARobotMovedTheOtherWay) {
+    SimulatedRigConfig moved = oneDisk();
+    moved.sourcePose[kX] = 0.04;
+    SimulatedRigConfig robot = oneDisk();
+    robot.robot.start[kX] = -0.04;
+    SimulatedRig a(moved), b(robot), c(oneDisk());
+    for (SimulatedRig* rig : {&a, &b, &c}) {
+        ASSERT_TRUE(rig->heatSource().keepHeating(473.15, 100.0));
+        rig->advance(50.0);
+    }
+    EXPECT_NEAR(a.trueTemperatures_K()[0], b.trueTemperatures_K()[0], 1e-5);
+    EXPECT_LT(a.trueTemperatures_K()[0], c.trueTemperatures_K()[0] - 0.2);
+}
+
+// Catches a motion that begins with the rig instead of the run, stops in it, or is not begun anew by the
+// next.
+TEST(SimulatedRig, TheSourceMovesFromWhenTheHeatComesOnAndAnewTheNextTime) {
+    SimulatedRigConfig config = oneDisk();
+    Vector6d there = Vector6d::Zero();
+    there[kY] = 0.1;
+    config.sourceMotion = {{0.0, Vector6d::Zero()}, {10.0, Vector6d::Zero()}, {20.0, there}};
     SimulatedRig rig(config);
+    const auto place_m = [&rig] { return rig.X_RS().translation().y(); };
+    const auto heatFor = [&rig](int seconds) {
+        for (int i = 0; i < seconds; ++i) {
+            ASSERT_TRUE(rig.heatSource().keepHeating(473.15, 3.0));
+            rig.advance(1.0);
+        }
+    };
+    rig.advance(30.0);
+    EXPECT_EQ(place_m(), 0.0);
+    heatFor(10);
+    EXPECT_NEAR(place_m(), 0.0, 1e-12);
+    heatFor(5);
+    EXPECT_NEAR(place_m(), 0.05, 1e-12);
+    EXPECT_NEAR(rig.sourceTracker().read()->X_RS.translation().y(), 0.05, 1e-12);
+    ASSERT_TRUE(rig.heatSource().heatOff());
+    rig.advance(60.0);
+    EXPECT_NEAR(place_m(), 0.05, 1e-12);
+    heatFor(15);
+    EXPECT_NEAR(place_m(), 0.05, 1e-12);
+    heatFor(20);
+    EXPECT_NEAR(place_m(), 0.1, 1e-12);
+}
+
+TEST(SimulatedRig, WarmsObjectsOnlyWhileTheHeatIsOn) {
+    SimulatedRig rig(oneDisk());
     rig.advance(100.0);
     EXPECT_NEAR(rig.trueTemperatures_K()[0], kRoom_K, 1e-6);
     ASSERT_TRUE(rig.heatSource().keepHeating(473.15, 50.0));

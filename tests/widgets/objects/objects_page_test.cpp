@@ -231,6 +231,22 @@ TEST_F(ObjectsPageTest, MaterialPresets) {
     EXPECT_TRUE(preset->currentText().startsWith("typed values"));
 }
 
+// Catches edits that lose what this page does not show.
+TEST_F(ObjectsPageTest, WhatThePageDoesNotShowOutlivesAnEdit) {
+    Experiment experiment = example();
+    experiment.objects[0].simulatedMaterial = experiment.objects[1].material;
+    experiment.source.pose[kX] = 0.02;
+    experiment.source.tracked = true;
+    experiment.source.temperatureProfile = {{0.0, 473.15}, {1000.0, 573.15}};
+    experiment.simulation.sourceMotion = {{0.0, experiment.source.pose}};
+    experiment.simulation.sourceEmittance = 0.3;
+    page.setExperiment(experiment);
+    type(child<QDoubleSpinBox>("emittance"), "0.5");
+    experiment.objects[0].material.emittance = 0.5;
+    experiment.objects[0].material.name = last().objects[0].material.name;
+    EXPECT_EQ(last(), experiment);
+}
+
 // Catches a rename that is lost or an undo that does not bring the name back.
 TEST_F(ObjectsPageTest, RenameAndUndoByKeyboard) {
     type(child<QLineEdit>("objectName"), "plate");

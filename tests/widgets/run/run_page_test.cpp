@@ -10,6 +10,7 @@
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QLineEdit>
+#include <QOpenGLWidget>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTabWidget>
@@ -272,6 +273,39 @@ TEST(RunPage, EveryControlHasAName) {
         EXPECT_TRUE(!widget->accessibleName().isEmpty() || (button != nullptr && !button->text().isEmpty()))
             << widget->objectName().toStdString() << " " << widget->metaObject()->className();
     }
+}
+
+// Catches a source that stands still on this page while it is moved, and one that only a run's samples move.
+TEST(RunPage, TheSourceIsDrawnWhereTheEngineHasIt) {
+    Shown shown;
+    auto* picture = shown.page.findChild<QOpenGLWidget*>();
+    if (picture == nullptr)
+        GTEST_SKIP() << "no OpenGL here";
+    const auto glow = [picture] { // mean place of its middle's colour
+        const QImage image = picture->grabFramebuffer();
+        QPointF sum;
+        int count = 0;
+        for (int y = 0; y < image.height(); ++y)
+            for (int x = 0; x < image.width(); ++x) {
+                const QColor c = image.pixelColor(x, y);
+                if (std::abs(c.red() - 0xff) + std::abs(c.green() - 0xb4) + std::abs(c.blue() - 0x5c) < 40) {
+                    sum += QPointF(x, y);
+                    ++count;
+                }
+            }
+        return sum / std::max(1, count);
+    };
+    auto samples = likeARun(60);
+    shown.page.apply(snapshotOf(samples));
+    const QPointF first = glow();
+    for (TraceSample& sample : samples)
+        sample.source << 0.1, -0.03, 0.02, 0.2, 0.0, 0.0;
+    Snapshot moved = snapshotOf(samples);
+    moved.newSamples.clear(); // not in a run
+    shown.page.apply(moved);
+    const QPointF second = glow();
+    EXPECT_GT(second.x(), first.x() + 30.0);
+    EXPECT_TRUE(shown.page.grab().save(QStringLiteral("run_page_moved_source.png")));
 }
 
 // Pictures of the page with a made-up run, in both themes, kept beside the test.

@@ -104,6 +104,52 @@ TEST_F(SceneViewTest, PoseMovesTheObjectsOnScreen) {
     EXPECT_NEAR(second.y(), first.y(), 25.0);
 }
 
+// Catches a source that is drawn at the robot's base wherever it is: by the experiment, by a live pose, by a
+// trace.
+TEST_F(SceneViewTest, TheSourceIsDrawnWhereItLies) {
+    SceneView view;
+    view.resize(1000, 700);
+    Experiment experiment = testing::threeObjects();
+    experiment.objects.clear(); // nothing in the way
+    experiment.source.pose[kX] = -0.1;
+    view.setExperiment(experiment);
+    view.viewAlongMinusZ();
+    show(view);
+    const QPointF first = testing::middleOf(grab(view), kSource);
+    Vector6d place = Vector6d::Zero();
+    place[kY] = 0.1;
+    view.setSourcePose(place);
+    const QPointF second = testing::middleOf(grab(view), kSource);
+    TraceSample sample;
+    sample.source[kX] = 0.1;
+    view.appendSamples({sample});
+    const QPointF third = testing::middleOf(grab(view), kSource);
+    EXPECT_GT(second.x(), first.x() + 80.0);
+    EXPECT_LT(second.y(), first.y() - 80.0);
+    EXPECT_NEAR(third.x() - second.x(), second.x() - first.x(), 3.0);
+    EXPECT_NEAR(third.y(), first.y(), 3.0);
+}
+
+// Catches floor lines that shine through a source that has been moved, and a tilted one that lies flat.
+TEST_F(SceneViewTest, AMovedAndTiltedSourceLooksSo) {
+    SceneView view;
+    view.resize(1000, 700);
+    view.setExperiment(testing::threeObjects());
+    show(view);
+    const int flat = testing::pixelsOf(grab(view), kSource, 60);
+    std::vector<TraceSample> samples = testing::spiral(300);
+    for (TraceSample& sample : samples) {
+        sample.source[kX] = 0.08;
+        sample.source[kY] = -0.05;
+        sample.source[kZ] = 0.04;
+        sample.source[kThetaX] = 0.7; // towards the viewer of the isometric preset: more of it is seen
+    }
+    view.setSamples(samples);
+    const QImage image = grab(view);
+    keepScreenshot(image, QStringLiteral("scene-moved-source"));
+    EXPECT_GT(testing::pixelsOf(image, kSource, 60), 1.2 * flat);
+}
+
 // Catches a fill that spills over between the fingers of a non-convex outline.
 TEST_F(SceneViewTest, NonConvexShapesAreFilledTruly) {
     SceneView view;

@@ -15,7 +15,7 @@ TEST(Trail, TheNewestPointIsAlwaysThere) {
     trail.append({{0.0, 0.0, 0.1}, 300.0});
     trail.append({{0.0, 0.0, 0.1 + 0.1 * Trail::kTolerance_m}, 300.0});
     EXPECT_EQ(trail.kept().size(), 1U);
-    EXPECT_DOUBLE_EQ(trail.newest().p_SO.z(), 0.1 + 0.1 * Trail::kTolerance_m);
+    EXPECT_DOUBLE_EQ(trail.newest().p_RO.z(), 0.1 + 0.1 * Trail::kTolerance_m);
 }
 
 // Catches decimation by distance alone: standing still while heating must change the colour.
@@ -38,8 +38,8 @@ TEST(Trail, ThirtyThousandSamplesStaySmallAndTrue) {
     EXPECT_LE(trail.kept().size(), Trail::kMostPoints);
     ASSERT_GE(trail.kept().size(), 1000U);
     for (std::size_t i = 1; i < trail.kept().size(); ++i)
-        EXPECT_LT((trail.kept()[i].p_SO - trail.kept()[i - 1].p_SO).norm(), 0.04);
-    EXPECT_NEAR(trail.kept().front().p_SO.z(), 0.3, 1e-12);
+        EXPECT_LT((trail.kept()[i].p_RO - trail.kept()[i - 1].p_RO).norm(), 0.04);
+    EXPECT_NEAR(trail.kept().front().p_RO.z(), 0.3, 1e-12);
 }
 
 // Catches an endless thinning when tolerances cannot tell points apart any more.
