@@ -191,9 +191,8 @@ Result<SurfacePanel> targetPanel(const ReproducedExperiment& experiment, std::si
 } // namespace
 
 Eigen::Vector3d objectCentre_m(const Experiment& experiment, const TraceSample& sample, std::size_t object) {
-    return (poseFromCoordinates(sample.coordinates) *
-            poseFromCoordinates(experiment.objects[object].mounting))
-        .translation();
+    const Pose X_SE = poseFromCoordinates(sample.source).inverse() * poseFromCoordinates(sample.coordinates);
+    return (X_SE * poseFromCoordinates(experiment.objects[object].mounting)).translation();
 }
 
 Result<std::vector<ReportPicture>> subsetPictures() {

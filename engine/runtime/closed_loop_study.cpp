@@ -119,7 +119,6 @@ private:
 /// Time in which the plant's object comes within the settled band of its target under view factors F(t).
 template <class ViewFactorAt>
 double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
-    const double J = trueSourcePower_W_m2(rig);
     ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K}}, rig.environment_K,
                        rig.simulation.convection_W_m2K);
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
@@ -133,7 +132,9 @@ double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, 
             return (step - 1 + part) * kBoundStep_s;
         }
         before_K = plant.temperature_K(0);
-        plant.advance(kBoundStep_s, {viewFactorAt(step * kBoundStep_s)}, J);
+        const double time_s = step * kBoundStep_s;
+        const double J = trueSourcePower_W_m2(rig, sourceSetPoint_K(rig.source, time_s));
+        plant.advance(kBoundStep_s, {viewFactorAt(time_s)}, J);
     }
     return std::numeric_limits<double>::infinity();
 }
