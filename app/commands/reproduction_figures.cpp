@@ -156,7 +156,7 @@ std::vector<ReportPicture> normPictures(const Experiments& experiments) {
         Figure figure =
             emptyFigure(QStringLiteral("Norm of the error, ") + targetWords(each->paper.experiment),
                         QString::fromStdString(each->paper.name), duration_s(*each));
-        figure.yLabel = QStringLiteral("Norm of the temperature errors (K)");
+        figure.yLabel = QStringLiteral("Norm of the errors (K)");
         figure.band = 0.0;
         double most = 1.0;
         for (const std::size_t by : kBoth) {

@@ -231,7 +231,7 @@ void paintPanel(QImage& image, const SurfacePanel& panel, const QRectF& place) {
         QPainter painter(&finer);
         painter.scale(kFiner, kFiner);
         painter.translate(-place.topLeft());
-        paintPieces(painter, panel, project, 6.0);
+        paintPieces(painter, panel, project, 3.5);
     }
     QPainter painter(&image);
     painter.drawImage(place.topLeft(),
