@@ -105,6 +105,33 @@ std::string endedWords(const ReproducedRun& run) {
     return words + ", at the end " + finalErrorWords(run) + " K";
 }
 
+/// Where three objects end: the paper finds the one with the higher target closer to the source's centre.
+std::string placeWords(const ReproducedExperiment& experiment, const ReproducedRun& run) {
+    const Experiment& rig = experiment.paper.experiment;
+    if (rig.objects.size() < 3)
+        return "";
+    std::string words;
+    std::vector<double> distances_m;
+    for (std::size_t i = 0; i < rig.objects.size(); ++i) {
+        distances_m.push_back(objectCentre_m(rig, run.samples.back(), i).head<2>().norm());
+        char text[32];
+        std::snprintf(text, sizeof text, " %.1f", 100.0 * distances_m.back());
+        words += (words.empty() ? "" : ", ") + rig.objects[i].name + text;
+    }
+    bool differ = false, closer = true;
+    for (std::size_t i = 0; i < rig.objects.size(); ++i)
+        for (std::size_t j = 0; j < rig.objects.size(); ++j)
+            if (rig.objects[i].target_K > rig.objects[j].target_K + kSettledBand_K) {
+                differ = true;
+                closer = closer && distances_m[i] < distances_m[j];
+            }
+    words = " At the end the centres are beside the source's axis by (cm): " + words;
+    if (!differ)
+        return words + ".";
+    return words + (closer ? "; as in the paper, a higher target is closer."
+                           : "; not as in the paper, where a higher target is closer.");
+}
+
 std::string quoted(const std::string& text) {
     return '"' + text + '"';
 }
@@ -155,6 +182,11 @@ Result<std::vector<ReproducedExperiment>> reproduce(const std::vector<PaperExper
     return std::move(jobs.results);
 }
 
+Eigen::Vector3d objectCentre_m(const Experiment& experiment, const TraceSample& sample, std::size_t object) {
+    const Pose X_SE = poseFromCoordinates(sample.source).inverse() * poseFromCoordinates(sample.coordinates);
+    return (X_SE * poseFromCoordinates(experiment.objects[object].mounting)).translation();
+}
+
 std::string unreachableWords(const ReproducedExperiment& experiment) {
     std::string words;
     for (std::size_t i = 0; i < experiment.verdicts.size(); ++i) {
@@ -189,7 +221,7 @@ std::string verdictWords(const ReproducedExperiment& experiment, std::size_t by)
     }
     words += endedWords(run) + ". ";
     if (experiment.asExpected(by))
-        return words + expected.reason;
+        return words + expected.reason + placeWords(experiment, run);
     return words + "Not as recorded, which is \u201c" + runEndingName(expected.ending) +
            "\u201d: " + expected.reason;
 }

@@ -46,6 +46,9 @@ std::string unreachableWords(const ReproducedExperiment& experiment);
 /// "+0.12, -1.40": true temperatures less targets at the end, K.
 std::string finalErrorWords(const ReproducedRun& run);
 
+/// Centre of an object in the source's frame.
+Eigen::Vector3d objectCentre_m(const Experiment& experiment, const TraceSample& sample, std::size_t object);
+
 /// One sentence on a run: agrees with the paper or not and why; whether it is what was expected.
 std::string verdictWords(const ReproducedExperiment& experiment, std::size_t by);
 

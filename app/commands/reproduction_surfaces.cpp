@@ -190,11 +190,6 @@ Result<SurfacePanel> targetPanel(const ReproducedExperiment& experiment, std::si
 
 } // namespace
 
-Eigen::Vector3d objectCentre_m(const Experiment& experiment, const TraceSample& sample, std::size_t object) {
-    const Pose X_SE = poseFromCoordinates(sample.source).inverse() * poseFromCoordinates(sample.coordinates);
-    return (X_SE * poseFromCoordinates(experiment.objects[object].mounting)).translation();
-}
-
 Result<std::vector<ReportPicture>> subsetPictures() {
     auto panels = levelPanels({{QStringLiteral("translations, parallel"), false, kThetaX, 0.0},
                                {QStringLiteral("rotations at (0, 0, 5) cm"), true, kZ, 0.05}});

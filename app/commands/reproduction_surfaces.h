@@ -13,7 +13,4 @@ Result<std::vector<ReportPicture>> panelPictures();
 /// then, for each experiment and controller, the surfaces of the targets and the paths of the centres.
 Result<std::vector<ReportPicture>> steadySurfacePictures(const std::vector<const ReproducedExperiment*>& all);
 
-/// Centre of an object in the source's frame.
-Eigen::Vector3d objectCentre_m(const Experiment& experiment, const TraceSample& sample, std::size_t object);
-
 } // namespace bask

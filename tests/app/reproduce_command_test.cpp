@@ -1,7 +1,7 @@
 // bask reproduce: the paper's experiments hold what the paper says, and the report says what came of them.
 
 #include "app/commands/command_line.h"
-#include "app/commands/paper_experiments.h"
+#include "app/commands/reproduction.h"
 #include "engine/base/units.h"
 #include "engine/runtime/rig_setup.h"
 #include "tests/support/captured_command.h"
@@ -221,6 +221,35 @@ TEST(PaperExperiments, AreAllInTheProgramInAFigureAndInTheTable) {
         tabled.insert(std::string(row.name) + ".json");
     EXPECT_EQ(shown, names);
     EXPECT_EQ(tabled, names);
+}
+
+/// Three objects at targets of 50, 40 and 40 degC that end with the end-effector at (0, y) over a source that
+/// has been moved by (`aside`, 0).
+std::string verdictAt(double y_m, double aside_m) {
+    ReproducedExperiment experiment;
+    experiment.paper.experiment = read("three-objects-exp-2");
+    experiment.paper.paper = {RunEnding::Settled, "converges"};
+    experiment.paper.expected = {ExpectedEnding{RunEnding::NotSettled, "Reason."}, {}};
+    ReproducedRun& run = experiment.runs[kByThePaper];
+    run.ending = RunEnding::NotSettled;
+    TraceSample last;
+    last.coordinates << aside_m, y_m, 0.1, 0.0, 0.0, 0.0;
+    last.source[kX] = aside_m;
+    run.samples = {last};
+    return verdictWords(experiment, kByThePaper);
+}
+
+// Catches: places in the robot's frame instead of the source's, mountings left out, the comparison the wrong
+// way round.
+TEST(Reproduction, SaysWhetherTheHotterTargetIsCloserToTheAxis) {
+    for (const double aside_m : {0.0, 0.05}) {
+        const std::string closer = verdictAt(-0.05, aside_m);
+        EXPECT_NE(closer.find("circle 0.0, bunny 8.7, hand 8.7; as in the paper"), std::string::npos)
+            << closer;
+        const std::string farther = verdictAt(0.02, aside_m);
+        EXPECT_NE(farther.find("circle 7.0, bunny 4.4, hand 4.4; not as in the paper"), std::string::npos)
+            << farther;
+    }
 }
 
 /// A folder with one short experiment, which nobody can settle in its time.
