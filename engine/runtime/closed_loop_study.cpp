@@ -116,6 +116,18 @@ private:
     std::size_t m_next = 0;
 };
 
+/// Whether no view factor ever holds the object so near its target: seen without convection, which only takes
+/// from the heat.
+bool isOutOfReach(const Experiment& rig, std::size_t object, double edge_K) {
+    const bool heats = edge_K > rig.environment_K;
+    double source_K = rig.source.temperatureProfile.empty() ? rig.source.temperature_K : 0.0;
+    for (const TimePoint<double>& point : rig.source.temperatureProfile)
+        source_K = std::max(source_K, point.value);
+    const HeatRates rates =
+        heatRates(trueMaterial(rig.objects[object]), trueSourcePower_W_m2(rig, source_K), rig.environment_K);
+    return heats ? rates.steadyTemperature_K(1.0) <= edge_K : rates.steadyTemperature_K(0.0) >= edge_K;
+}
+
 /// Time in which the plant's object comes within the settled band of its target under view factors F(t).
 template <class ViewFactorAt>
 double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
@@ -123,6 +135,8 @@ double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, 
                        rig.simulation.convection_W_m2K);
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
     const double edge_K = target_K - sign * kSettledBand_K;
+    if (sign * edge_K > sign * rig.environment_K && isOutOfReach(rig, object, edge_K))
+        return std::numeric_limits<double>::infinity();
     double before_K = plant.temperature_K(0);
     for (int step = 0; step * kBoundStep_s < kMostBound_s; ++step) {
         if (sign * plant.temperature_K(0) >= sign * edge_K) {
