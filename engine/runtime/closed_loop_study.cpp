@@ -135,7 +135,7 @@ double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, 
                        rig.simulation.convection_W_m2K);
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
     const double edge_K = target_K - sign * kSettledBand_K;
-    if (sign * edge_K > sign * rig.environment_K && isOutOfReach(rig, object, edge_K))
+    if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K))
         return std::numeric_limits<double>::infinity();
     double before_K = plant.temperature_K(0);
     for (int step = 0; step * kBoundStep_s < kMostBound_s; ++step) {

@@ -100,14 +100,19 @@ private:
                 return; // said already
             names << other.name;
         }
+        auto* place = new QCPItemTracer(&m_plot);
+        place->setStyle(QCPItemTracer::tsNone);
+        place->position->setAxes(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
+        place->position->setAxisRect(view.rect);
+        place->position->setType(QCPItemPosition::ptPlotCoords);
+        place->position->setCoords(start);
         auto* name = new QCPItemText(&m_plot);
         name->setClipToAxisRect(false);
-        name->position->setAxes(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
-        name->position->setAxisRect(view.rect);
-        name->position->setType(QCPItemPosition::ptPlotCoords);
-        name->position->setCoords(start);
+        name->position->setParentAnchor(place->position);
+        name->position->setCoords(0.0, -7.0); // pixels from there
         name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
-        name->setPadding({0, 0, 0, 7});
+        name->setPadding({3, 0, 3, 0});
+        name->setBrush(QColor(255, 255, 255, 200));
         name->setText(names.join(QStringLiteral(", ")));
         name->setFont(figureFont(14));
         name->setColor(themePalette(false).color(QPalette::Text));
