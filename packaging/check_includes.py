@@ -51,8 +51,8 @@ WIDGETS = {
     "run": {"common", "plots", "scene"},
     "review": {"common", "plots", "scene"},
 }
-# Figures of `bask study`: QCustomPlot is at home in widgets/plots, and this header has no widget in it.
-COMMAND_HEADERS = {"widgets/plots/figure_png.h"}
+# Figures of `bask study` and `bask reproduce`: QCustomPlot is at home in widgets/plots, and these headers have no widget.
+COMMAND_HEADERS = {"widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
 # app/commands sees the whole engine; the rest of app sees the widgets, the value headers and these engine folders.
 APP_ENGINE_FOLDERS = {"runtime", "session", "base"}
 

@@ -21,7 +21,7 @@ constexpr const char* kMark = "Bask closed-loop study";
 Result<Experiment> studyRig(StudyMounting mounting) {
     const QTemporaryDir folder;
     const auto copied = copyStudyFiles(
-        folder, {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"});
+        folder.path(), {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"});
     if (!copied)
         return copied.error();
     return readExperiment(

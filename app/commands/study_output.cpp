@@ -15,6 +15,8 @@ static void initStudyResources() {
 namespace bask {
 namespace {
 
+const QString kResources = QStringLiteral(":/study/");
+
 /// Makes the folder if it is not there. Returns what is wrong with it, in words.
 QString makeFolder(const QString& folder) {
     const QFileInfo info(folder);
@@ -31,52 +33,73 @@ Result<void> checkReplaced(const std::vector<OutputFile>& files, const char* mar
         QFile old(QString::fromStdString(file.path));
         if (old.exists() && old.size() > 0 &&
             (!old.open(QIODevice::ReadOnly) || !old.read(1024).contains(mark)))
-            return Error(MessageCode::OutputForeign, file.path, {"part of a study written by Bask"});
+            return Error(MessageCode::OutputForeign, file.path, {"part of a report written by Bask"});
     }
     return {};
 }
 
 } // namespace
 
-int refuseStudy(const Error& error) {
-    std::fprintf(stderr, "bask study: %s\n", describe(error).c_str());
+int refuse(const char* command, const Error& error) {
+    std::fprintf(stderr, "bask %s: %s\n", command, describe(error).c_str());
     return kExitBadInput;
+}
+
+int refuse(const char* command, const QString& words) {
+    std::fprintf(stderr, "bask %s: %s (see bask %s --help)\n", command, qPrintable(words), command);
+    return kExitBadInput;
+}
+
+int refuseStudy(const Error& error) {
+    return refuse("study", error);
 }
 
 int refuseStudy(const QString& words) {
-    std::fprintf(stderr, "bask study: %s (see bask study --help)\n", qPrintable(words));
-    return kExitBadInput;
+    return refuse("study", words);
 }
 
-Result<void> copyStudyFiles(const QTemporaryDir& folder, std::initializer_list<const char*> names) {
+QStringList studyResources(const QString& below) {
     initStudyResources();
-    for (const char* name : names) {
-        const QString file = folder.filePath(QLatin1String(name));
-        if (!QDir().mkpath(QFileInfo(file).path()) ||
-            !QFile::copy(QLatin1String(":/study/") + QLatin1String(name), file))
+    return QDir(kResources + below).entryList(QDir::Files, QDir::Name);
+}
+
+Result<void> copyStudyFiles(const QString& folder, const QStringList& names) {
+    initStudyResources();
+    for (const QString& name : names) {
+        const QString file = QDir(folder).filePath(name);
+        QFile resource(kResources + name);
+        if (!QDir().mkpath(QFileInfo(file).path()) || !resource.copy(file))
             return Error(MessageCode::FileUnwritable, file.toStdString(),
-                         {folder.errorString().toStdString()});
+                         {resource.errorString().toStdString()});
     }
     return {};
 }
 
-std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const char* mark, const char* stem,
-                                                  std::initializer_list<const char*> endings) {
+std::optional<std::vector<OutputFile>> filesIn(const QString& folder, const char* command, const char* mark,
+                                               const QStringList& names) {
     if (const QString wrong = makeFolder(folder); !wrong.isEmpty()) {
-        refuseStudy(wrong);
+        refuse(command, wrong);
         return std::nullopt;
     }
     std::vector<OutputFile> files;
-    for (const char* ending : endings)
-        files.push_back({QDir(folder).filePath(QLatin1String(stem) + QLatin1String(ending)).toStdString()});
+    for (const QString& name : names)
+        files.push_back({QDir(folder).filePath(name).toStdString()});
     auto place = checkOutputs({}, files);
     if (place)
         place = checkReplaced(files, mark);
     if (!place) {
-        refuseStudy(place.error());
+        refuse(command, place.error());
         return std::nullopt;
     }
     return files;
+}
+
+std::optional<std::vector<OutputFile>> studyFiles(const QString& folder, const char* mark, const char* stem,
+                                                  const QStringList& endings) {
+    QStringList names;
+    for (const QString& ending : endings)
+        names << QLatin1String(stem) + ending;
+    return filesIn(folder, "study", mark, names);
 }
 
 Result<void> writeStudyFiles(const std::vector<OutputFile>& files, const std::vector<std::string>& contents) {

@@ -45,7 +45,7 @@ double timed(const std::function<double()>& evaluate, double& time_us) {
 
 Result<Contour> bunny() {
     const QTemporaryDir folder;
-    if (const auto copied = copyStudyFiles(folder, {"bunny_mm.csv"}); !copied)
+    if (const auto copied = copyStudyFiles(folder.path(), {"bunny_mm.csv"}); !copied)
         return copied.error();
     const auto outline =
         readContourCsv(folder.filePath("bunny_mm.csv").toStdString(), LengthUnit::Millimetre);

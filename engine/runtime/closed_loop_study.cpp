@@ -116,14 +116,27 @@ private:
     std::size_t m_next = 0;
 };
 
+/// Whether no view factor ever holds the object so near its target: seen without convection, which only takes
+/// from the heat.
+bool isOutOfReach(const Experiment& rig, std::size_t object, double edge_K) {
+    const bool heats = edge_K > rig.environment_K;
+    double source_K = rig.source.temperatureProfile.empty() ? rig.source.temperature_K : 0.0;
+    for (const TimePoint<double>& point : rig.source.temperatureProfile)
+        source_K = std::max(source_K, point.value);
+    const HeatRates rates =
+        heatRates(trueMaterial(rig.objects[object]), trueSourcePower_W_m2(rig, source_K), rig.environment_K);
+    return heats ? rates.steadyTemperature_K(1.0) <= edge_K : rates.steadyTemperature_K(0.0) >= edge_K;
+}
+
 /// Time in which the plant's object comes within the settled band of its target under view factors F(t).
 template <class ViewFactorAt>
 double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, ViewFactorAt&& viewFactorAt) {
-    const double J = trueSourcePower_W_m2(rig);
     ThermalPlant plant({{trueMaterial(rig.objects[object]), rig.environment_K}}, rig.environment_K,
                        rig.simulation.convection_W_m2K);
     const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
     const double edge_K = target_K - sign * kSettledBand_K;
+    if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K))
+        return std::numeric_limits<double>::infinity();
     double before_K = plant.temperature_K(0);
     for (int step = 0; step * kBoundStep_s < kMostBound_s; ++step) {
         if (sign * plant.temperature_K(0) >= sign * edge_K) {
@@ -133,33 +146,11 @@ double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, 
             return (step - 1 + part) * kBoundStep_s;
         }
         before_K = plant.temperature_K(0);
-        plant.advance(kBoundStep_s, {viewFactorAt(step * kBoundStep_s)}, J);
+        const double time_s = step * kBoundStep_s;
+        const double J = trueSourcePower_W_m2(rig, sourceSetPoint_K(rig.source, time_s));
+        plant.advance(kBoundStep_s, {viewFactorAt(time_s)}, J);
     }
     return std::numeric_limits<double>::infinity();
-}
-
-void findBounds(const std::shared_ptr<const RigGeometry>& geometry, const Experiment& rig,
-                ClosedLoopCase& drawn) {
-    const PoseLookup lookup(geometry, rig.start, kReachPoses);
-    std::vector<double> travel_s(lookup.size());
-    for (std::size_t k = 0; k < lookup.size(); ++k)
-        travel_s[k] = travelTime_s(geometry->limits(), drawn.start, lookup.pose(k));
-    std::vector<std::size_t> order(lookup.size());
-    std::iota(order.begin(), order.end(), 0U);
-    std::ranges::sort(order, {}, [&](std::size_t k) { return travel_s[k]; });
-    const Eigen::VectorXd F = geometry->viewFactors(drawn.start).F;
-    for (std::size_t i = 0; i < rig.objects.size(); ++i) {
-        const double target_K = drawn.targets_K[i];
-        const double sign = target_K > rig.environment_K ? 1.0 : -1.0;
-        const auto row = static_cast<Eigen::Index>(i);
-        Reach reach(lookup, travel_s, order, row, sign, F[row]);
-        const double ideal = sign > 0.0 ? 1.0 : 0.0;
-        drawn.radiation_s =
-            std::max(drawn.radiation_s, timeToBand_s(rig, i, target_K, [&](double) { return ideal; }));
-        drawn.bound_s = std::max(drawn.bound_s,
-                                 timeToBand_s(rig, i, target_K, [&](double t_s) { return reach.at(t_s); }));
-    }
-    drawn.travel_s = travelTime_s(geometry->limits(), drawn.start, drawn.goal);
 }
 
 /// "circle +1.2 K, hand -0.8 K": who is where at the end.
@@ -268,6 +259,31 @@ std::string csvRow(int index, const ClosedLoopRow& row) {
 
 } // namespace
 
+SettlingBound settlingBound(const Experiment& experiment) {
+    const auto geometry = rigGeometry(experiment);
+    const PoseLookup lookup(geometry, experiment.start, kReachPoses);
+    std::vector<double> travel_s(lookup.size());
+    for (std::size_t k = 0; k < lookup.size(); ++k)
+        travel_s[k] = travelTime_s(geometry->limits(), experiment.start, lookup.pose(k));
+    std::vector<std::size_t> order(lookup.size());
+    std::iota(order.begin(), order.end(), 0U);
+    std::ranges::sort(order, {}, [&](std::size_t k) { return travel_s[k]; });
+    const Eigen::VectorXd F = geometry->viewFactors(experiment.start).F;
+    SettlingBound bound;
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const double target_K = experiment.objects[i].target_K;
+        const double sign = target_K > experiment.environment_K ? 1.0 : -1.0;
+        const auto row = static_cast<Eigen::Index>(i);
+        Reach reach(lookup, travel_s, order, row, sign, F[row]);
+        const double ideal = sign > 0.0 ? 1.0 : 0.0;
+        bound.radiation_s =
+            std::max(bound.radiation_s, timeToBand_s(experiment, i, target_K, [&](double) { return ideal; }));
+        bound.bound_s = std::max(
+            bound.bound_s, timeToBand_s(experiment, i, target_K, [&](double t_s) { return reach.at(t_s); }));
+    }
+    return bound;
+}
+
 ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
     Random random = randomOf(study.seed, index);
     ClosedLoopCase drawn;
@@ -284,7 +300,10 @@ ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
     const auto geometry = rigGeometry(rig);
     drawn.start = drawPose(random, *geometry, rig.start);
     drawGoal(random, *geometry, rig, drawn);
-    findBounds(geometry, rig, drawn);
+    const SettlingBound bound = settlingBound(closedLoopExperiment(study, drawn));
+    drawn.radiation_s = bound.radiation_s;
+    drawn.bound_s = bound.bound_s;
+    drawn.travel_s = travelTime_s(geometry->limits(), drawn.start, drawn.goal);
     return drawn;
 }
 

@@ -28,6 +28,18 @@ inline constexpr double kStudyMountingRadius_m = 0.06; ///< random mountings: of
 inline constexpr double kStudyBounds = 3.0;            ///< a run lasts this many bounds
 inline constexpr double kStudyLeastDuration_s = 400.0; ///< and this besides
 
+/// Times below which no controller brings an experiment's objects from the environment's temperature and its
+/// start to their targets; infinite for a target that no view factor holds.
+struct SettlingBound {
+    /// Until the slowest object is within the settled band, at F = 1 from the first moment (F = 0 where it
+    /// must cool).
+    double radiation_s = 0.0;
+    /// The same with the largest (least) view factor that any pose within the robot's reach by then offers,
+    /// and 1 (0) from when the best of all is within reach: travel at full speed included.
+    double bound_s = 0.0;
+};
+SettlingBound settlingBound(const Experiment& experiment);
+
 /// One draw: targets that the pose `goal` holds, and the times below which nobody can be.
 struct ClosedLoopCase {
     std::uint64_t seed = 0; ///< of noise, sensor offsets and wrong beliefs
@@ -35,11 +47,7 @@ struct ClosedLoopCase {
     Vector6d start = Vector6d::Zero(); ///< end-effector's coordinates in S
     Vector6d goal = Vector6d::Zero();
     std::vector<double> targets_K;
-    /// Until the slowest object is within the settled band, at F = 1 from the first moment (F = 0 where it
-    /// must cool).
-    double radiation_s = 0.0;
-    /// The same with the largest (least) view factor that any pose within the robot's reach by then offers,
-    /// and 1 (0) from when the best of all is within reach: travel at full speed included.
+    double radiation_s = 0.0; ///< SettlingBound
     double bound_s = 0.0;
     double travel_s = 0.0; ///< straight from start to goal at full speed
     double duration_s() const { return kStudyBounds * bound_s + kStudyLeastDuration_s; }

@@ -29,15 +29,15 @@ const Material& trueMaterial(const ObjectSpec& object) {
     return object.simulatedMaterial ? *object.simulatedMaterial : object.material;
 }
 
-double trueSourcePower_W_m2(const Experiment& experiment) {
+double trueSourcePower_W_m2(const Experiment& experiment, double source_K) {
     const SourceSpec& source = experiment.source;
-    return netSourcePower_W_m2(source.model, source.temperature_K,
+    return netSourcePower_W_m2(source.model, source_K,
                                experiment.simulation.sourceEmittance.value_or(source.emittance),
                                experiment.environment_K);
 }
 
 std::vector<HeatRates> trueRates(const Experiment& experiment) {
-    const double J = trueSourcePower_W_m2(experiment);
+    const double J = trueSourcePower_W_m2(experiment, experiment.source.temperature_K);
     std::vector<HeatRates> rates;
     for (const ObjectSpec& object : experiment.objects)
         rates.push_back(heatRates(trueMaterial(object), J, experiment.environment_K));

@@ -21,8 +21,8 @@ std::vector<HeatRates> trueRates(const Experiment& experiment);
 
 /// Material that a simulated object truly is.
 const Material& trueMaterial(const ObjectSpec& object);
-/// Net power of the simulated source at its set temperature, W/m2.
-double trueSourcePower_W_m2(const Experiment& experiment);
+/// Net power of the simulated source at a temperature, W/m2.
+double trueSourcePower_W_m2(const Experiment& experiment, double source_K);
 
 /// Where a controller starts: an object's believed rates, else its material's, wrong by the experiment's
 /// random factors (seeded).

@@ -1,8 +1,8 @@
 #include "widgets/plots/figure_png.h"
 
 #include "widgets/common/theme.h"
+#include "widgets/plots/figure_style.h"
 
-#include <QBuffer>
 #include <QImage>
 
 #include <algorithm>
@@ -14,14 +14,7 @@
 namespace bask {
 namespace {
 
-constexpr double kScale = 2.0; // pixels a unit of the layout
-
-QFont fontOf(int size, bool bold = false) {
-    QFont font;
-    font.setPixelSize(size);
-    font.setBold(bold);
-    return font;
-}
+constexpr double kScale = kFigureScale;
 
 /// Colour, dashes and marker: any one of them is enough to tell the series apart.
 QPen penOf(int index) {
@@ -50,40 +43,11 @@ void makeLogarithmic(QCPAxis* axis, int base) {
     }
 }
 
-void style(QCPAxis* axis, const QString& label) {
-    const QColor ink = themePalette(false).color(QPalette::Text);
-    axis->setLabel(label);
-    axis->setLabelFont(fontOf(15));
-    axis->setTickLabelFont(fontOf(14));
-    axis->setLabelColor(ink);
-    axis->setTickLabelColor(ink);
-    axis->setLabelPadding(6);
-    const QPen pen(secondaryText(false), 1);
-    axis->setBasePen(pen);
-    axis->setTickPen(pen);
-    axis->setSubTickPen(pen);
-    axis->grid()->setPen(QPen(hairline(false), 1));
-    axis->grid()->setZeroLinePen(Qt::NoPen);
-}
-
-void addHead(QCustomPlot& plot, const Figure& figure) {
-    const auto line = [&](int row, const QString& text, const QFont& font, const QColor& color, int below) {
-        auto* element = new QCPTextElement(&plot, text, font);
-        element->setTextColor(color);
-        element->setTextFlags(Qt::AlignLeft | Qt::TextWordWrap);
-        element->setMargins({12, row == 0 ? 10 : 0, 12, below});
-        plot.plotLayout()->insertRow(row);
-        plot.plotLayout()->addElement(row, 0, element);
-    };
-    line(0, figure.title, fontOf(19, true), themePalette(false).color(QPalette::Text), 2);
-    line(1, figure.note, fontOf(13), secondaryText(false), 8);
-}
-
 /// Below the axes, in rows of three.
 void addLegend(QCustomPlot& plot) {
     auto* legend = plot.legend;
     legend->setVisible(true);
-    legend->setFont(fontOf(14));
+    legend->setFont(figureFont(14));
     legend->setBorderPen(Qt::NoPen);
     legend->setIconSize(38, 16);
     legend->setWrap(3);
@@ -106,26 +70,56 @@ void addSeries(QCustomPlot& plot, const Figure& figure) {
         graph->setScatterStyle(series.hasMarkers ? markerOf(i) : QCPScatterStyle::ssNone);
         graph->setLineStyle(series.isJoined ? QCPGraph::lsLine : QCPGraph::lsNone);
         for (const QPointF& point : series.points)
-            graph->addData(point.x(), std::max(point.y(), figure.smallest));
+            graph->addData(point.x(),
+                           figure.isYLogarithmic ? std::max(point.y(), figure.smallest) : point.y());
     }
+}
+
+/// From the first to the last of the series' numbers; from 0 to 1 when there are none.
+FigureRange extent(const Figure& figure, double (*of)(const QPointF&)) {
+    FigureRange range{1e300, -1e300};
+    for (const FigureSeries& series : figure.series)
+        for (const QPointF& point : series.points)
+            range = {std::min(range.least, of(point)), std::max(range.most, of(point))};
+    return range.least <= range.most ? range : FigureRange{};
+}
+
+QCPRange withMargin(const FigureRange& range, double part) {
+    const double margin = part * std::max(range.most - range.least, 1e-9);
+    return {range.least - margin, range.most + margin};
 }
 
 /// Whole decades that hold all points; a linear axis gets a margin.
 void setRanges(QCustomPlot& plot, const Figure& figure) {
-    double low = 1e300, high = 0.0, left = 1e300, right = 0.0;
-    for (const FigureSeries& series : figure.series)
-        for (const QPointF& point : series.points) {
-            left = std::min(left, point.x());
-            right = std::max(right, point.x());
-            low = std::min(low, std::max(point.y(), figure.smallest));
-            high = std::max(high, point.y());
-        }
-    plot.yAxis->setRange(0.7 * std::pow(10.0, std::floor(std::log10(low))),
-                         std::pow(10.0, std::ceil(std::log10(std::max(high, figure.smallest)))));
-    if (figure.isXLogarithmic)
-        plot.xAxis->setRange(left / 1.4, right * 1.4);
+    const FigureRange x = extent(figure, [](const QPointF& point) { return point.x(); });
+    const FigureRange y = extent(figure, [](const QPointF& point) { return point.y(); });
+    if (figure.isYLogarithmic)
+        plot.yAxis->setRange(0.7 * std::pow(10.0, std::floor(std::log10(std::max(y.least, figure.smallest)))),
+                             std::pow(10.0, std::ceil(std::log10(std::max(y.most, figure.smallest)))));
     else
-        plot.xAxis->setRange(left - 0.03 * (right - left), right + 0.03 * (right - left));
+        plot.yAxis->setRange(withMargin(figure.yRange.value_or(y), 0.05));
+    if (figure.isXLogarithmic)
+        plot.xAxis->setRange(x.least / 1.4, x.most * 1.4);
+    else if (figure.xRange)
+        plot.xAxis->setRange(figure.xRange->least, figure.xRange->most);
+    else
+        plot.xAxis->setRange(withMargin(x, 0.03));
+}
+
+/// Below the grid, over the whole width.
+void addBand(QCustomPlot& plot, double band) {
+    if (band <= 0.0)
+        return;
+    auto* rectangle = new QCPItemRect(&plot);
+    rectangle->setLayer(QStringLiteral("background"));
+    for (QCPItemPosition* corner : {rectangle->topLeft, rectangle->bottomRight}) {
+        corner->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        corner->setTypeY(QCPItemPosition::ptPlotCoords);
+    }
+    rectangle->topLeft->setCoords(0.0, band);
+    rectangle->bottomRight->setCoords(1.0, -band);
+    rectangle->setPen(Qt::NoPen);
+    rectangle->setBrush(QColor(0, 0, 0, 22));
 }
 
 } // namespace
@@ -133,26 +127,22 @@ void setRanges(QCustomPlot& plot, const Figure& figure) {
 QByteArray figurePng(const Figure& figure, const QString& comment) {
     QCustomPlot plot;
     plot.setBackground(Qt::white);
-    style(plot.xAxis, figure.xLabel);
-    style(plot.yAxis, figure.yLabel);
-    makeLogarithmic(plot.yAxis, 10);
+    styleAxis(plot.xAxis, figure.xLabel);
+    styleAxis(plot.yAxis, figure.yLabel);
+    if (figure.isYLogarithmic)
+        makeLogarithmic(plot.yAxis, 10);
     if (figure.isXLogarithmic)
         makeLogarithmic(plot.xAxis, figure.xBase);
     plot.axisRect()->setMinimumMargins({12, 4, 20, 0});
     addSeries(plot, figure);
     setRanges(plot, figure);
+    addBand(plot, figure.band);
     addLegend(plot);
-    addHead(plot, figure);
-    QImage image = plot.toPixmap(static_cast<int>(kFigureWidth_px / kScale),
-                                 static_cast<int>(kFigureHeight_px / kScale), kScale)
+    addHead(plot, figure.title, figure.note);
+    QImage image = plot.toPixmap(static_cast<int>(figure.size_px.width() / kScale),
+                                 static_cast<int>(figure.size_px.height() / kScale), kScale)
                        .toImage();
-    image.setDevicePixelRatio(1.0);
-    image.setText(QStringLiteral("Description"), comment);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
-    image.save(&buffer, "PNG");
-    return bytes;
+    return pngOf(image, comment);
 }
 
 } // namespace bask

@@ -5,9 +5,15 @@
 #include <QByteArray>
 #include <QList>
 #include <QPointF>
+#include <QSize>
 #include <QString>
 
+#include <optional>
+
 namespace bask {
+
+inline constexpr int kFigureWidth_px = 1800;
+inline constexpr int kFigureHeight_px = 1200;
 
 /// One series: its points, with markers, joined by a line, or both.
 struct FigureSeries {
@@ -17,20 +23,26 @@ struct FigureSeries {
     bool hasMarkers = true;
 };
 
-/// What a figure shows. Logarithmic axes take positive numbers; `smallest` is where the y-axis ends and where
-/// numbers below it are drawn, so that a zero has a place.
+/// Least and largest number on an axis.
+struct FigureRange {
+    double least = 0.0, most = 1.0;
+};
+
+/// What a figure shows. Logarithmic axes take positive numbers; `smallest` is where a logarithmic y-axis ends
+/// and where numbers below it are drawn, so that a zero has a place.
 struct Figure {
     QString title;
     QString note; ///< one line below the title, in smaller letters
     QString xLabel, yLabel;
-    bool isXLogarithmic = true; ///< the y-axis is logarithmic always
-    int xBase = 10;             ///< ticks of a logarithmic x-axis stand at its powers
+    bool isXLogarithmic = true;
+    bool isYLogarithmic = true;
+    int xBase = 10; ///< ticks of a logarithmic x-axis stand at its powers
     double smallest = 1e-16;
-    QList<FigureSeries> series; ///< at most 5 have colours of their own
+    std::optional<FigureRange> xRange, yRange;        ///< of linear axes; empty: what the points need
+    double band = 0.0;                                ///< shades the linear y-axis from minus this to this
+    QSize size_px{kFigureWidth_px, kFigureHeight_px}; ///< two pixels a unit of letters and lines
+    QList<FigureSeries> series;                       ///< at most 5 have colours of their own
 };
-
-inline constexpr int kFigureWidth_px = 1800;
-inline constexpr int kFigureHeight_px = 1200;
 
 /// PNG of the figure on a light ground; `comment` is stored in the file as its description (Latin-1, short).
 QByteArray figurePng(const Figure& figure, const QString& comment);

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 
 namespace bask {
@@ -107,6 +108,21 @@ TEST(ClosedLoopStudy, TheBoundIsTheSlowestObjectsHeatingAndWaitsForTheRobot) {
 
 // Catches rows that depend on who computed them, runs that are not reproducible, and draws that depend on the
 // controller.
+// Catches: a bound of another scenario than the one that is run, a source that warms up and is taken to be
+// cold or hot at once.
+TEST(SettlingBound, IsThatOfTheScenario) {
+    const auto radiation_s = [](const char* name) {
+        return settlingBound(studyOf((std::string("paper/") + name + ".json").c_str()).rig).radiation_s;
+    };
+    EXPECT_NEAR(radiation_s("three-objects-exp-1"), 185.0, 1.0); // 40 40 40
+    EXPECT_NEAR(radiation_s("three-objects-exp-2"), 394.0, 1.0); // 50 40 40
+    EXPECT_NEAR(radiation_s("three-objects-exp-4"), 991.0, 2.0); // 60 60 30
+    EXPECT_EQ(radiation_s("unfeasible-targets-80-80-80"), std::numeric_limits<double>::infinity());
+    // 45 45 45 at 200 degC takes 275 s; with 100 K more in 1000 s it is less, at 300 degC least.
+    EXPECT_LT(radiation_s("three-objects-exp-8"), 270.0);
+    EXPECT_LT(radiation_s("three-objects-exp-7"), 0.5 * radiation_s("three-objects-exp-8"));
+}
+
 TEST(ClosedLoopStudy, RowsDoNotDependOnThreadsNorDrawsOnTheController) {
     ClosedLoopStudy study = studyOf("three-objects.json");
     const auto one = runClosedLoopStudy(study, 1, {});

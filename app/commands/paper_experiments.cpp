@@ -1,0 +1,138 @@
+#include "app/commands/paper_experiments.h"
+
+#include "app/commands/study_output.h"
+#include "engine/session/json_text.h"
+
+#include <QDir>
+#include <QFile>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+using nlohmann::json;
+
+constexpr RunEnding kEndings[] = {RunEnding::Settled, RunEnding::NotSettled, RunEnding::Compromise,
+                                  RunEnding::Fault};
+
+/// A word that names no ending; caught where the file is read.
+struct UnknownEnding {
+    std::string word;
+};
+
+ExpectedEnding endingFrom(const json& j) {
+    const auto word = j.at("outcome").get<std::string>();
+    const auto* found = std::ranges::find(kEndings, word, runEndingName);
+    if (found == std::end(kEndings))
+        throw UnknownEnding{word};
+    return {*found, j.at("reason").get<std::string>()};
+}
+
+Result<PaperExperiment> experimentFrom(const json& j, const std::string& folder) {
+    PaperExperiment experiment;
+    experiment.name = j.at("name").get<std::string>();
+    auto read = readExperiment(folder + '/' + experiment.name + ".json");
+    if (!read)
+        return read.error();
+    experiment.experiment = std::move(*read);
+    experiment.paper = endingFrom(j.at("paper"));
+    experiment.expected = {endingFrom(j.at("paper_controller")), endingFrom(j.at("level_servo"))};
+    return experiment;
+}
+
+/// Empty experiments where `only` names none of them.
+Result<PaperFigure> figureFrom(const json& j, const std::string& folder, const std::string& only) {
+    PaperFigure figure;
+    figure.name = j.at("name").get<std::string>();
+    figure.title = j.at("title").get<std::string>();
+    figure.paper = j.at("paper").get<std::string>();
+    figure.plots = j.at("plots").get<std::vector<std::string>>();
+    figure.with = j.value("with", std::vector<std::string>());
+    for (const json& each : j.at("experiments")) {
+        if (!only.empty() && only != figure.name && only != each.at("name").get<std::string>())
+            continue;
+        auto experiment = experimentFrom(each, folder);
+        if (!experiment)
+            return experiment.error();
+        figure.experiments.push_back(std::move(*experiment));
+    }
+    return figure;
+}
+
+std::string knownNames(const json& figures) {
+    std::string names;
+    for (const json& figure : figures) {
+        names += (names.empty() ? "" : ", ") + figure.at("name").get<std::string>();
+        for (const json& experiment : figure.at("experiments"))
+            names += ", " + experiment.at("name").get<std::string>();
+    }
+    return names;
+}
+
+Result<std::vector<PaperFigure>> figuresFrom(const json& j, const std::string& path,
+                                             const std::string& folder, const std::string& only) {
+    std::vector<PaperFigure> figures;
+    for (const json& each : j.at("figures")) {
+        auto figure = figureFrom(each, folder, only);
+        if (!figure)
+            return figure.error();
+        if (only.empty() || only == figure->name || !figure->experiments.empty())
+            figures.push_back(std::move(*figure));
+    }
+    if (figures.empty())
+        return Error(MessageCode::ValueUnknown, only.empty() ? path : "--only",
+                     {only, knownNames(j.at("figures"))});
+    return figures;
+}
+
+} // namespace
+
+const char* runEndingName(RunEnding ending) {
+    switch (ending) {
+    case RunEnding::Settled:
+        return "settled";
+    case RunEnding::NotSettled:
+        return "not settled";
+    case RunEnding::Compromise:
+        return "best compromise";
+    case RunEnding::Fault:
+        return "fault";
+    }
+    return "";
+}
+
+Result<std::vector<PaperFigure>> readPaperFigures(const std::string& folder, const std::string& only) {
+    const std::string path = folder + "/expected.json";
+    QFile file(QString::fromStdString(path));
+    if (!file.exists())
+        return Error(MessageCode::FileNotFound, path);
+    if (!file.open(QIODevice::ReadOnly))
+        return Error(MessageCode::FileUnreadable, path, {file.errorString().toStdString()});
+    const std::string text = file.readAll().toStdString();
+    if (const auto wrong = checkJsonText(text))
+        return Error(wrong->code, path, wrong->args);
+    try {
+        return figuresFrom(json::parse(text), path, folder, only);
+    } catch (const UnknownEnding& unknown) {
+        std::string known;
+        for (const RunEnding ending : kEndings)
+            known += (known.empty() ? "" : ", ") + std::string(runEndingName(ending));
+        return Error(MessageCode::ValueUnknown, path + ": outcome", {unknown.word, known});
+    } catch (const json::exception& failure) {
+        return Error(MessageCode::JsonSyntax, path, {plainWords(failure.what())});
+    }
+}
+
+Result<std::string> unpackPaperExperiments(const QString& folder) {
+    QStringList names{QStringLiteral("contours/bunny_1200.png"), QStringLiteral("contours/hand_1200.png")};
+    for (const QString& name : studyResources(QStringLiteral("paper")))
+        names << QStringLiteral("paper/") + name;
+    if (const auto copied = copyStudyFiles(folder, names); !copied)
+        return copied.error();
+    return QDir(folder).filePath(QStringLiteral("paper")).toStdString();
+}
+
+} // namespace bask

@@ -1,0 +1,56 @@
+#pragma once
+// The paper's experiments as files: which figure each belongs to, what the paper saw, what is expected here.
+
+#include "engine/session/experiment.h"
+
+#include <QString>
+#include <QStringList>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// How a run ended, judged on the plant's true temperatures.
+enum class RunEnding {
+    Settled,    ///< every object within the settled band until the end
+    NotSettled, ///< some object outside at the end
+    Compromise, ///< the same, and the controller had said that no pose holds all targets together
+    Fault,
+};
+const char* runEndingName(RunEnding ending); ///< "settled", "not settled", "best compromise", "fault"
+
+struct ExpectedEnding {
+    RunEnding ending = RunEnding::Settled;
+    std::string reason; ///< one sentence
+};
+
+/// By the paper's controller, which is the one of the file, and by the level servo.
+inline constexpr std::size_t kByThePaper = 0, kByTheLevelServo = 1;
+
+struct PaperExperiment {
+    std::string name; ///< of its file, without ".json"
+    Experiment experiment;
+    ExpectedEnding paper; ///< what the paper reports, in its reason
+    std::array<ExpectedEnding, 2> expected;
+};
+
+struct PaperFigure {
+    std::string name, title;
+    std::string paper;              ///< what the figure shows in the paper
+    std::vector<std::string> plots; ///< what is drawn, see reproduction_figures.h
+    std::vector<PaperExperiment> experiments;
+    std::vector<std::string> with; ///< experiments of other figures that an overlay shows too
+};
+
+/// Reads expected.json in `folder` and the experiments that it names, beside it. `only` is the name of a
+/// figure or of an experiment, empty: everything. Errors: what readExperiment says; what is missing in the
+/// JSON; an unknown name (with the known ones).
+Result<std::vector<PaperFigure>> readPaperFigures(const std::string& folder, const std::string& only);
+
+/// Where the files of the program itself are read from: copies them below `folder`. Returns the path for
+/// readPaperFigures.
+Result<std::string> unpackPaperExperiments(const QString& folder);
+
+} // namespace bask

@@ -1,0 +1,225 @@
+#include "widgets/plots/figure_paths.h"
+
+#include "widgets/common/theme.h"
+#include "widgets/plots/figure_style.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+constexpr int kColours = 48; // steps of the gradient: a path is one curve a step
+
+/// Where a point stands in a view.
+struct View {
+    QPointF (*of)(const PathPoint&);
+    QCPAxisRect* rect;
+};
+
+QCPColorGradient blueToRed() {
+    QCPColorGradient gradient;
+    gradient.clearColorStops();
+    gradient.setColorInterpolation(QCPColorGradient::ciRGB);
+    gradient.setColorStopAt(0.0, QColor(0x2b, 0x5f, 0xc4));
+    gradient.setColorStopAt(0.5, QColor(0xb0, 0x6a, 0xa8));
+    gradient.setColorStopAt(1.0, QColor(0xd0, 0x2b, 0x2b));
+    return gradient;
+}
+
+class Drawing {
+public:
+    Drawing(QCustomPlot& plot, const PathsFigure& figure) : m_plot(plot), m_figure(figure) {}
+
+    void add(const View& view) {
+        QList<QPointF> source;
+        for (const QPointF& point : m_figure.source_cm)
+            source << view.of({point.x(), point.y(), 0.0, 0.0});
+        if (!source.isEmpty())
+            source << source.front();
+        line(view, source, QPen(themePalette(false).color(QPalette::Text), 2.2));
+        for (const FigurePath& path : m_figure.paths)
+            addPath(view, path);
+    }
+
+    QColor colour(double temperature_degC) {
+        const QCPRange range(m_figure.coldest_degC, m_figure.hottest_degC);
+        const double step = range.size() / kColours;
+        const double middle =
+            range.lower + (std::floor((temperature_degC - range.lower) / step) + 0.5) * step;
+        return QColor::fromRgb(m_gradient.color(std::clamp(middle, range.lower, range.upper), range));
+    }
+
+private:
+    void line(const View& view, const QList<QPointF>& points, const QPen& pen) {
+        auto* curve = new QCPCurve(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
+        QVector<QCPCurveData> data;
+        for (const QPointF& point : points)
+            data << QCPCurveData(static_cast<double>(data.size()), point.x(), point.y());
+        curve->data()->set(data, true);
+        curve->setPen(pen);
+        curve->removeFromLegend();
+    }
+
+    /// One curve as long as the colour stays, so that the ends meet.
+    void addPath(const View& view, const FigurePath& path) {
+        QList<QPointF> piece;
+        for (qsizetype k = 0; k < path.points.size(); ++k) {
+            const QColor now = colour(path.points[k].temperature_degC);
+            piece << view.of(path.points[k]);
+            const bool isLast = k + 1 == path.points.size();
+            if (isLast || colour(path.points[k + 1].temperature_degC) != now) {
+                if (!isLast)
+                    piece << view.of(path.points[k + 1]);
+                QPen pen(now, 1.6);
+                pen.setCapStyle(Qt::RoundCap);
+                line(view, piece, pen);
+                piece.clear();
+            }
+        }
+        if (path.points.isEmpty())
+            return;
+        const QColor first = colour(path.points.front().temperature_degC);
+        mark(view, path.points.front(),
+             {QCPScatterStyle::ssCircle, QPen(first, 1.8), QBrush(Qt::white), 7.0});
+        const QColor last = colour(path.points.back().temperature_degC);
+        mark(view, path.points.back(), {QCPScatterStyle::ssCircle, QPen(Qt::white, 1.5), QBrush(last), 11.0});
+        addName(view, path);
+    }
+
+    /// A name at the start, where the paths are apart; paths that start at one place share theirs.
+    void addName(const View& view, const FigurePath& path) {
+        const QPointF start = view.of(path.points.front());
+        QStringList names;
+        for (const FigurePath& other : m_figure.paths) {
+            const QPointF distance =
+                other.points.isEmpty() ? QPointF(1e9, 0.0) : view.of(other.points.front()) - start;
+            if (distance.manhattanLength() > 0.1)
+                continue;
+            if (names.isEmpty() && &other != &path)
+                return; // said already
+            names << other.name;
+        }
+        auto* place = new QCPItemTracer(&m_plot);
+        place->setStyle(QCPItemTracer::tsNone);
+        place->position->setAxes(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
+        place->position->setAxisRect(view.rect);
+        place->position->setType(QCPItemPosition::ptPlotCoords);
+        place->position->setCoords(start);
+        auto* name = new QCPItemText(&m_plot);
+        name->setClipToAxisRect(false);
+        name->position->setParentAnchor(place->position);
+        name->position->setCoords(0.0, -7.0); // pixels from there
+        name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
+        name->setPadding({3, 0, 3, 0});
+        name->setBrush(QColor(255, 255, 255, 200));
+        name->setText(names.join(QStringLiteral(", ")));
+        name->setFont(figureFont(14));
+        name->setColor(themePalette(false).color(QPalette::Text));
+    }
+
+    void mark(const View& view, const PathPoint& point, const QCPScatterStyle& style) {
+        auto* graph = m_plot.addGraph(view.rect->axis(QCPAxis::atBottom), view.rect->axis(QCPAxis::atLeft));
+        graph->setLineStyle(QCPGraph::lsNone);
+        graph->setScatterStyle(style);
+        const QPointF place = view.of(point);
+        graph->addData(place.x(), place.y());
+    }
+
+    QCustomPlot& m_plot;
+    const PathsFigure& m_figure;
+    QCPColorGradient m_gradient = blueToRed();
+};
+
+struct Extents {
+    double side = 1.0, top = 1.0; // cm: x and y from -side to side, z up to top
+};
+
+Extents extentsOf(const PathsFigure& figure) {
+    Extents most;
+    const auto take = [&](double x, double y, double z) {
+        most.side = std::max({most.side, std::abs(x), std::abs(y)});
+        most.top = std::max(most.top, z);
+    };
+    for (const QPointF& point : figure.source_cm)
+        take(point.x(), point.y(), 0.0);
+    for (const FigurePath& path : figure.paths)
+        for (const PathPoint& point : path.points)
+            take(point.x_cm, point.y_cm, point.z_cm);
+    return {1.15 * most.side, 1.12 * most.top};
+}
+
+QCPAxisRect* addRect(QCustomPlot& plot, QCPLayoutGrid& views, int column, const QString& title,
+                     const QString& xLabel, const QString& yLabel) {
+    auto* rect = new QCPAxisRect(&plot);
+    rect->setupFullAxesBox(true);
+    styleAxis(rect->axis(QCPAxis::atBottom), xLabel);
+    styleAxis(rect->axis(QCPAxis::atLeft), yLabel);
+    for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) {
+        rect->axis(side)->setTicks(false);
+        rect->axis(side)->setBasePen(QPen(secondaryText(false), 1));
+    }
+    rect->setMinimumMargins({12, 4, 16, 0});
+    auto* words = new QCPTextElement(&plot, title, figureFont(14));
+    words->setTextColor(secondaryText(false));
+    views.addElement(0, column, words);
+    views.addElement(1, column, rect);
+    return rect;
+}
+
+/// Equal centimetres both ways, about the middle of the wanted ranges.
+void setEqualScales(QCPAxisRect* rect, const QCPRange& across, const QCPRange& up) {
+    const double perPixel =
+        std::max(across.size() / std::max(rect->width(), 1), up.size() / std::max(rect->height(), 1));
+    const double width = perPixel * rect->width(), height = perPixel * rect->height();
+    rect->axis(QCPAxis::atBottom)->setRange(across.center() - 0.5 * width, across.center() + 0.5 * width);
+    rect->axis(QCPAxis::atLeft)->setRange(up.center() - 0.5 * height, up.center() + 0.5 * height);
+}
+
+void addColours(QCustomPlot& plot, QCPLayoutGrid& views, const PathsFigure& figure) {
+    auto* scale = new QCPColorScale(&plot);
+    scale->setGradient(blueToRed());
+    scale->setDataRange({figure.coldest_degC, figure.hottest_degC});
+    scale->setType(QCPAxis::atRight);
+    scale->setBarWidth(14);
+    styleAxis(scale->axis(), QString::fromUtf8("Temperature (°C)"));
+    scale->axis()->grid()->setVisible(false);
+    // As high as the views.
+    auto* group = new QCPMarginGroup(&plot);
+    views.element(1, 0)->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+    scale->setMarginGroup(QCP::msTop | QCP::msBottom, group);
+    views.addElement(1, 2, scale);
+    views.setColumnStretchFactor(2, 0.001);
+}
+
+} // namespace
+
+QByteArray pathsPng(const PathsFigure& figure, const QString& comment) {
+    QCustomPlot plot;
+    plot.setBackground(Qt::white);
+    plot.plotLayout()->clear();
+    auto* views = new QCPLayoutGrid;
+    plot.plotLayout()->addElement(0, 0, views);
+    const View above{[](const PathPoint& p) { return QPointF(p.x_cm, p.y_cm); },
+                     addRect(plot, *views, 0, QStringLiteral("seen along -z of the source"),
+                             QStringLiteral("x (cm)"), QStringLiteral("y (cm)"))};
+    const View aside{[](const PathPoint& p) { return QPointF(p.y_cm, p.z_cm); },
+                     addRect(plot, *views, 1, QStringLiteral("seen along x of the source"),
+                             QStringLiteral("y (cm)"), QStringLiteral("z (cm)"))};
+    aside.rect->axis(QCPAxis::atBottom)->setRangeReversed(true);
+    views->setRowStretchFactor(0, 0.001);
+    Drawing drawing(plot, figure);
+    drawing.add(above);
+    drawing.add(aside);
+    addColours(plot, *views, figure);
+    addHead(plot, figure.title, figure.note);
+    const int width = static_cast<int>(figure.size_px.width() / kFigureScale);
+    const int height = static_cast<int>(figure.size_px.height() / kFigureScale);
+    plot.toPixmap(width, height); // lays out: the scales depend on it
+    const Extents most = extentsOf(figure);
+    setEqualScales(above.rect, {-most.side, most.side}, {-most.side, most.side});
+    setEqualScales(aside.rect, {-most.side, most.side}, {-0.08 * most.top, most.top});
+    return pngOf(plot.toPixmap(width, height, kFigureScale).toImage(), comment);
+}
+
+} // namespace bask

@@ -1,0 +1,36 @@
+#pragma once
+// A figure for a report: paths over a source seen from above and from the side, coloured by temperature.
+// Needs a QApplication, no display.
+
+#include <QByteArray>
+#include <QList>
+#include <QPointF>
+#include <QSize>
+#include <QString>
+
+namespace bask {
+
+/// A point of a path in the source's frame.
+struct PathPoint {
+    double x_cm = 0.0, y_cm = 0.0, z_cm = 0.0;
+    double temperature_degC = 0.0;
+};
+
+struct FigurePath {
+    QString name; ///< stands at its start
+    QList<PathPoint> points;
+};
+
+/// Two views beside each other: against the source's normal (x to the right, y up; the source's outline is
+/// true) and along its x (y to the left, z up; the source is a line).
+struct PathsFigure {
+    QString title, note;
+    QList<FigurePath> paths;
+    QList<QPointF> source_cm;                        ///< its outline
+    double coldest_degC = 0.0, hottest_degC = 100.0; ///< ends of the colours, blue and red
+    QSize size_px{1800, 900};
+};
+
+QByteArray pathsPng(const PathsFigure& figure, const QString& comment);
+
+} // namespace bask
