@@ -151,7 +151,7 @@ void addCsvRow(std::string& text, const TraceSample& sample) {
     add(celsiusFromKelvin(sample.source_K));
     for (int k = 0; k < 6; ++k)
         add(k < 3 ? 100.0 * sample.coordinates[k] : degFromRad(sample.coordinates[k]));
-    text += sample.limited ? ",1" : ",0";
+    text += sample.limits.any() ? ",1" : ",0";
     for (const ObjectSample& object : sample.objects) {
         add(celsiusFromKelvin(object.true_K));
         add(celsiusFromKelvin(object.measured_K));
