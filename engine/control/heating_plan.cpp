@@ -14,8 +14,8 @@ constexpr int kLegSteps = 8;      ///< of a way between poses
 constexpr int kStaySteps = 8;     ///< of a stay
 constexpr double kHere_s = 0.05;  ///< a way this short is none
 constexpr double kFar_K = 8.0;    ///< from here on squared errors grow linearly
-constexpr double kHotShare = 2.5; ///< of the slowest object's time a kelvin, for every kelvin too hot
-constexpr double kHotSteepness_1_K = 10.0;
+constexpr double kHotShare = 2.0; ///< of the slowest object's time a kelvin, for every kelvin too hot
+constexpr double kHotSteepness_1_K = 5.0;
 constexpr double kFastShare = 0.3;    ///< of the slowest object's time, the least that a fast object counts
 constexpr double kLeastPull = 0.05;   ///< of the view factor, for the time to heat or cool
 constexpr double kNear_K = 0.25;      ///< errors this small count less: they are within the settled band
@@ -73,8 +73,8 @@ public:
             const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
             const double steady_K = rates.steadyTemperature_K(m_F[i]);
             const double decay = std::sqrt(0.5 * rates.timeConstant_s(m_task.aim_K[i]));
-            const double missed_s = toGo_s(i, steady_K);
-            m_residuals[m_next++] = decay * (toGo_s(i, m_T[i]) - missed_s);
+            const double missed_s = plainToGo_s(i, steady_K);
+            m_residuals[m_next++] = decay * (plainToGo_s(i, m_T[i]) - missed_s);
             m_residuals[m_next++] = std::sqrt(kMissedRest_s) * missed_s;
         }
     }
@@ -94,6 +94,12 @@ private:
         if (felt_K < kFar_K)
             return -m_cold_s_K[i] * felt_K;
         return -m_cold_s_K[i] * std::sqrt((2.0 * felt_K - kFar_K) * kFar_K);
+    }
+
+    /// The same in proportion to the error: beliefs about the far future are not sure enough for more.
+    double plainToGo_s(Eigen::Index i, double T_K) const {
+        const double error_K = T_K - m_task.aim_K[i];
+        return error_K * (error_K > 0.0 ? m_hot_s_K : m_cold_s_K[i]);
     }
 
     void step(double dt_s) {
@@ -247,7 +253,7 @@ HeatingPlan improvePlan(const RigGeometry& geometry, const HeatingTask& task, co
                 if (done)
                     return best;
             }
-            damping = better ? std::max(1e-6, 0.2 * damping) : 10.0 * damping;
+            damping = better ? std::max(1e-8, 0.2 * damping) : 10.0 * damping;
         }
         if (!better)
             break;

@@ -1,5 +1,6 @@
 #include "engine/control/level_servo.h"
 
+#include "engine/control/travel_time.h"
 #include "engine/control/velocity_solve.h"
 
 #include <algorithm>
@@ -11,29 +12,42 @@ namespace bask {
 namespace {
 
 constexpr double kLargestGain_1_K = 1.0; ///< a kelvin of error asks for the whole range of F at most
-constexpr int kRefinements = 12;
+constexpr double kCold_K = 0.3;          ///< an object colder than this is still to be heated
+constexpr int kRefinements = 12;         ///< of a pose from the look-up
+constexpr int kTouches = 3;              ///< of a pose that was right a moment ago
+
 constexpr double kRestPeriod_s = 5.0; ///< how often poses that hold the targets are looked for
 constexpr int kRestCandidates = 10;
-constexpr int kRests = 3;
-constexpr int kLevelPoses = 3;
-constexpr int kFollowIterations = 4; ///< of the plan at each step
-constexpr int kSearchIterations = 6;
+constexpr int kRests = 3;             ///< kept of them
+constexpr double kRestsApart_s = 1.0; ///< travel between two of them
+constexpr double kRestMiss_K = 0.05;  ///< a rest this good stays where it is
+constexpr double kRestTravelPrice_K2_s = 1e-3;
+constexpr double kDriftShare = 0.3; ///< time constants of an object over which its drift is learnt at least
+
+constexpr int kLevelPoses = 3;       ///< hot poses that plans are proposed from
+constexpr int kFollowIterations = 4; ///< of the plan in use, at each step
+constexpr int kSearchIterations = 6; ///< of a proposal
+constexpr double kSearchPeriod_s = 2.0;
+constexpr double kCalmSearchPeriod_s = 10.0; ///< while every object is within kCalm_K
+constexpr double kCalm_K = 0.4;
+constexpr double kBetter = 0.97;     ///< share of the present plan's cost below which another one replaces it
+constexpr double kSurprise = 1.2;    ///< growth of the cost from one step to the next that asks for a search
+constexpr double kWorthGoing = 0.25; ///< periods; a stay shorter than this is left out
+
 constexpr double kSure_K = 0.3;  ///< identified rates are sure enough to judge by
 constexpr double kUnmet_K = 0.4; ///< a compromise begins when the best pose misses a target by this
 constexpr double kMet_K = 0.3;   ///< and ends below this
-constexpr double kRestTravelPrice_K2_s = 1e-3;
+
 // The look-up gives starting points only: it may be this far behind a moving source.
 constexpr double kTableShift_m = 0.01;
 constexpr double kTableTurn_rad = 0.05;
 
-/// Time until an object at T_K with view factor F has come to aim_K; infinite if it does not.
-double arrival_s(const HeatRates& rates, double F, double T_K, double aim_K) {
-    const double steady_K = rates.steadyTemperature_K(F);
-    const double part = (steady_K - T_K) / (steady_K - aim_K);
-    return part > 1.0 ? rates.timeConstant_s(aim_K) * std::log(part)
-                      : std::numeric_limits<double>::infinity();
+/// Slope of the steady temperature by the view factor, K.
+double temperaturePerViewFactor_K(const HeatRates& rates, double T_K) {
+    return rates.lambda1 * rates.timeConstant_s(T_K);
 }
 
+/// A stay at a rest, for plans that have nothing else to do: long enough to be moved by an optimisation.
 double restStay_s(const HeatingTask& task) {
     double out = 0.0;
     for (Eigen::Index i = 0; i < task.aim_K.size(); ++i)
@@ -82,17 +96,22 @@ HeatingTask LevelServo::identify(const Observation& observation, const Eigen::Ve
         m_identification[k].add(observation.time_s, T_K, F[i], observation.sourceStrength);
         HeatRates rates = m_identification[k].rates();
         rates.lambda1 *= observation.sourceStrength;
-        // drift
-        const double surprise = m_expected_K.size() > 0 ? (T_K - m_expected_K[i]) / dt_s : 0.0;
-        if (m_identification[k].steadyViewFactorDeviation(m_model.targets_K[k]) * rates.lambda1 *
-                rates.timeConstant_s(T_K) <
-            kSure_K)
-            m_drift_K_s[i] += dt_s / m_settings.levelServo.integralTime_s * surprise;
+        learnDrift(k, rates, T_K, observation.time_s, dt_s);
         rates.lambda3 += m_drift_K_s[i];
         task.temperature_K[i] = T_K;
         task.rates.push_back(rates);
     }
     return task;
+}
+
+void LevelServo::learnDrift(std::size_t k, const HeatRates& rates, double T_K, double time_s, double dt_s) {
+    // What was not foreseen while nobody looked, or by rates that are guesses, is not drift.
+    const auto i = static_cast<Eigen::Index>(k);
+    if (m_expected_K.size() == 0 || time_s - m_time_s > 1.5 * dt_s || !sure(k))
+        return;
+    const double over_s =
+        std::max(m_settings.levelServo.integralTime_s, kDriftShare * rates.timeConstant_s(T_K));
+    m_drift_K_s[i] += (T_K - m_expected_K[i]) / over_s;
 }
 
 PoseQuery LevelServo::level(const HeatingTask& task) const {
@@ -119,124 +138,124 @@ PoseQuery LevelServo::steady(const HeatingTask& task, const std::vector<double>&
         const auto k = static_cast<std::size_t>(i);
         const HeatRates& rates = task.rates[k];
         out.wanted[i] = std::clamp(rates.steadyViewFactor(aim_K[k]), 0.0, 1.0);
-        out.weights[i] = std::pow(rates.lambda1 * rates.timeConstant_s(aim_K[k]), 2); // (dT/dF)^2
+        out.weights[i] = std::pow(temperaturePerViewFactor_K(rates, aim_K[k]), 2);
     }
     out.weights /= out.weights.maxCoeff();
     return out;
 }
 
-bool LevelServo::sure() const {
-    for (std::size_t k = 0; k < m_identification.size(); ++k) {
-        const HeatRates rates = m_identification[k].rates();
-        const double target_K = m_model.targets_K[k];
-        if (m_identification[k].steadyViewFactorDeviation(target_K) * rates.lambda1 *
-                rates.timeConstant_s(target_K) >
-            kSure_K)
-            return false;
-    }
-    return true;
+bool LevelServo::sure(std::size_t k) const {
+    const HeatRates rates = m_identification[k].rates();
+    const double target_K = m_model.targets_K[k];
+    return m_identification[k].steadyViewFactorDeviation(target_K) *
+               temperaturePerViewFactor_K(rates, target_K) <=
+           kSure_K;
 }
 
-void LevelServo::findRest(const HeatingTask& task, double time_s) {
+Eigen::VectorXd LevelServo::steadyAt_K(const HeatingTask& task, const Vector6d& pose) const {
+    const Eigen::VectorXd F = m_model.geometry->viewFactorsFast(pose);
+    Eigen::VectorXd out(F.size());
+    for (Eigen::Index i = 0; i < F.size(); ++i)
+        out[i] = task.rates[static_cast<std::size_t>(i)].steadyTemperature_K(F[i]);
+    return out;
+}
+
+void LevelServo::findRests(const HeatingTask& task) {
+    const RigGeometry& geometry = *m_model.geometry;
     const PoseQuery query = steady(task, m_model.targets_K);
-    if (time_s < m_nextRest_s) {
-        const PoseQuery near = steady(task, m_aim_K);
-        if (m_plan)
-            m_plan->rest = refinePose(*m_model.geometry, near, m_plan->rest, 3);
-        return;
-    }
-    m_nextRest_s = time_s + kRestPeriod_s;
-    std::vector<Vector6d> poses = m_lookup->best(query, kRestCandidates);
+    const Eigen::Map<const Eigen::VectorXd> targets_K(m_model.targets_K.data(), task.aim_K.size());
+    std::vector<Vector6d> starts = m_lookup->best(query, kRestCandidates);
+    starts.push_back(task.from);
     if (m_plan)
-        poses.push_back(m_plan->rest);
-    poses.push_back(task.from);
+        starts.push_back(m_plan->rest);
     struct Found {
         Vector6d pose;
-        double missed = 0.0;
-        double price = 0.0;
+        double price_K2;
     };
     std::vector<Found> found;
     Eigen::VectorXd nearest_K;
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vector6d& start : poses) {
-        Found rest{refinePose(*m_model.geometry, query, start, kRefinements)};
-        const Eigen::VectorXd F = m_model.geometry->viewFactorsFast(rest.pose);
-        Eigen::VectorXd steady_K(F.size());
-        for (Eigen::Index i = 0; i < F.size(); ++i) {
-            const auto k = static_cast<std::size_t>(i);
-            steady_K[i] = task.rates[k].steadyTemperature_K(F[i]);
-            rest.missed += std::pow(steady_K[i] - m_model.targets_K[k], 2);
-        }
-        rest.price = rest.missed +
-                     kRestTravelPrice_K2_s * travelTime_s(m_model.geometry->limits(), task.from, rest.pose);
-        if (rest.missed < least) {
-            least = rest.missed;
+    const TravelTime travel(geometry.limits(), task.from);
+    for (const Vector6d& start : starts) {
+        const Vector6d pose = refinePose(geometry, query, start, kRefinements);
+        const Eigen::VectorXd steady_K = steadyAt_K(task, pose);
+        const double missed_K2 = (steady_K - targets_K).squaredNorm();
+        if (nearest_K.size() == 0 || missed_K2 < (nearest_K - targets_K).squaredNorm())
             nearest_K = steady_K;
-        }
-        found.push_back(rest);
+        found.push_back({pose, missed_K2 + kRestTravelPrice_K2_s * travel.to(pose)});
     }
-    std::ranges::sort(found, {}, &Found::price);
+    std::ranges::sort(found, {}, &Found::price_K2);
     m_rests.clear();
     for (const Found& rest : found) {
-        const bool other = std::ranges::all_of(m_rests, [&](const Vector6d& q) {
-            return travelTime_s(m_model.geometry->limits(), q, rest.pose) > 1.0;
-        });
-        if (other && static_cast<int>(m_rests.size()) < kRests)
+        const TravelTime away(geometry.limits(), rest.pose);
+        const bool another =
+            std::ranges::all_of(m_rests, [&](const Vector6d& q) { return away.to(q) > kRestsApart_s; });
+        if (another && static_cast<int>(m_rests.size()) < kRests)
             m_rests.push_back(rest.pose);
     }
-    if (!sure())
-        return;
-    double worst_K = 0.0;
+    judgeTargets(nearest_K);
+}
+
+void LevelServo::judgeTargets(const Eigen::VectorXd& nearest_K) {
     for (std::size_t k = 0; k < m_aim_K.size(); ++k)
-        worst_K = std::max(worst_K, std::abs(nearest_K[static_cast<Eigen::Index>(k)] - m_model.targets_K[k]));
+        if (!sure(k))
+            return;
+    const Eigen::Map<const Eigen::VectorXd> targets_K(m_model.targets_K.data(), nearest_K.size());
+    const double worst_K = (nearest_K - targets_K).cwiseAbs().maxCoeff();
     m_compromise = worst_K > (m_compromise ? kMet_K : kUnmet_K);
     for (std::size_t k = 0; k < m_aim_K.size(); ++k)
         m_aim_K[k] = m_compromise ? nearest_K[static_cast<Eigen::Index>(k)] : m_model.targets_K[k];
 }
 
-std::vector<HeatingPlan> LevelServo::proposals(const HeatingTask& task) const {
-    const RigGeometry& geometry = *m_model.geometry;
+std::vector<HeatingPlan> LevelServo::restingPlans(const HeatingTask& task) const {
     std::vector<HeatingPlan> out;
-    for (const Vector6d& rest : m_rests)
-        out.push_back({{Stay{rest, restStay_s(task)}, Stay{rest, restStay_s(task)}}, rest});
+    const double time_s = restStay_s(task);
+    const PoseQuery query = steady(task, m_aim_K);
+    for (const Vector6d& found : m_rests) { // some steps ago, by other beliefs
+        const Vector6d rest = refinePose(*m_model.geometry, query, found, kTouches);
+        out.push_back({{Stay{rest, time_s}, Stay{rest, time_s}}, rest});
+    }
+    return out;
+}
+
+std::vector<HeatingPlan> LevelServo::heatingPlans(const HeatingTask& task, const Vector6d& rest) const {
+    std::vector<HeatingPlan> out;
     const PoseQuery first = level(task);
-    for (const Vector6d& pose : m_lookup->best(first, kLevelPoses)) {
+    for (const Vector6d& start : m_lookup->best(first, kLevelPoses)) {
         HeatingPlan plan;
-        plan.rest = m_rests.front();
-        plan.stays[0].pose = refinePose(geometry, first, pose, kRefinements);
-        const Eigen::VectorXd F = geometry.viewFactorsFast(plan.stays[0].pose);
-        // there until the first object has come to its aim
-        double time_s = std::numeric_limits<double>::infinity();
-        for (Eigen::Index i = 0; i < F.size(); ++i)
-            if (task.aim_K[i] - task.temperature_K[i] > 0.3)
-                time_s = std::min(time_s, arrival_s(task.rates[static_cast<std::size_t>(i)], F[i],
-                                                    task.temperature_K[i], task.aim_K[i]));
-        if (!std::isfinite(time_s))
-            time_s = 0.0;
-        plan.stays[0].time_s = time_s;
+        plan.rest = rest;
+        plan.stays[0].pose = refinePose(*m_model.geometry, first, start, kRefinements);
         HeatingTask then = task;
-        then.from = plan.stays[0].pose;
-        for (Eigen::Index i = 0; i < F.size(); ++i) {
-            const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
-            const double steady_K = rates.steadyTemperature_K(F[i]);
-            then.temperature_K[i] = steady_K + (task.temperature_K[i] - steady_K) *
-                                                   std::exp(-time_s / rates.timeConstant_s(task.aim_K[i]));
-        }
+        plan.stays[0].time_s = heatAt(plan.stays[0].pose, false, then);
         const PoseQuery second = level(then);
         const std::vector<Vector6d> next = m_lookup->best(second, 1);
-        plan.stays[1] = {next.empty() ? plan.rest : refinePose(geometry, second, next.front(), kRefinements),
-                         0.0};
-        const Eigen::VectorXd F2 = geometry.viewFactorsFast(plan.stays[1].pose);
-        for (Eigen::Index i = 0; i < F.size(); ++i)
-            if (task.aim_K[i] - then.temperature_K[i] > 0.3) {
-                const double t = arrival_s(task.rates[static_cast<std::size_t>(i)], F2[i],
-                                           then.temperature_K[i], task.aim_K[i]);
-                if (std::isfinite(t))
-                    plan.stays[1].time_s = std::max(plan.stays[1].time_s, t);
-            }
+        plan.stays[1].pose =
+            next.empty() ? rest : refinePose(*m_model.geometry, second, next.front(), kRefinements);
+        plan.stays[1].time_s = heatAt(plan.stays[1].pose, true, then);
         out.push_back(plan);
     }
     return out;
+}
+
+double LevelServo::heatAt(const Vector6d& pose, bool all, HeatingTask& task) const {
+    const Eigen::VectorXd steady_K = steadyAt_K(task, pose);
+    double time_s = all ? 0.0 : std::numeric_limits<double>::infinity();
+    for (Eigen::Index i = 0; i < steady_K.size(); ++i) {
+        if (task.aim_K[i] - task.temperature_K[i] < kCold_K || steady_K[i] <= task.aim_K[i])
+            continue;
+        const double arrival_s =
+            task.rates[static_cast<std::size_t>(i)].timeConstant_s(task.aim_K[i]) *
+            std::log((steady_K[i] - task.temperature_K[i]) / (steady_K[i] - task.aim_K[i]));
+        time_s = all ? std::max(time_s, arrival_s) : std::min(time_s, arrival_s);
+    }
+    if (!std::isfinite(time_s))
+        time_s = 0.0;
+    task.from = pose;
+    for (Eigen::Index i = 0; i < steady_K.size(); ++i) {
+        const double tau_s = task.rates[static_cast<std::size_t>(i)].timeConstant_s(task.aim_K[i]);
+        task.temperature_K[i] =
+            steady_K[i] + (task.temperature_K[i] - steady_K[i]) * std::exp(-time_s / tau_s);
+    }
+    return time_s;
 }
 
 void LevelServo::choosePlan(const HeatingTask& task) {
@@ -244,39 +263,35 @@ void LevelServo::choosePlan(const HeatingTask& task) {
     double cost = std::numeric_limits<double>::infinity();
     if (m_plan)
         m_plan = improvePlan(geometry, task, *m_plan, kFollowIterations, cost);
-    struct Rated {
-        HeatingPlan plan;
-        double cost;
-    };
-    const double off_K = (task.temperature_K - task.aim_K).cwiseAbs().maxCoeff();
-    const bool expected = cost < 1.2 * m_cost;
+    const bool foreseen = cost < kSurprise * m_cost;
     m_cost = cost;
-    if (m_plan && m_time_s < m_nextSearch_s && expected)
+    if (m_plan && m_time_s < m_nextSearch_s && foreseen)
         return;
-    m_nextSearch_s = m_time_s + (off_K < 0.4 ? 10.0 : 2.0);
-    std::vector<Rated> rated;
-    for (const HeatingPlan& plan : proposals(task))
-        rated.push_back({plan, planResiduals(geometry, task, plan).squaredNorm()});
-    // the best of the ways straight to a rest, and of those by a hot pose
-    const auto hot = rated.begin() + static_cast<std::ptrdiff_t>(m_rests.size());
-    std::ranges::sort(rated.begin(), hot, {}, &Rated::cost);
-    std::ranges::sort(hot, rated.end(), {}, &Rated::cost);
-    for (std::size_t k = 0; k < rated.size(); ++k) {
-        if (k != 0 && (k < m_rests.size() || k >= m_rests.size() + 2))
-            continue;
-        double c = 0.0;
-        const HeatingPlan plan = improvePlan(geometry, task, rated[k].plan, kSearchIterations, c);
-        if (c < 0.97 * cost) {
-            cost = m_cost = c;
+    const bool calm = (task.temperature_K - task.aim_K).cwiseAbs().maxCoeff() < kCalm_K;
+    m_nextSearch_s = m_time_s + (calm ? kCalmSearchPeriod_s : kSearchPeriod_s);
+    const auto consider = [&](std::vector<HeatingPlan> plans, std::size_t most) {
+        std::ranges::sort(plans, {}, [&](const HeatingPlan& plan) {
+            return planResiduals(geometry, task, plan).squaredNorm();
+        });
+        plans.resize(std::min(plans.size(), most));
+        for (const HeatingPlan& proposed : plans) {
+            double its = 0.0;
+            const HeatingPlan plan = improvePlan(geometry, task, proposed, kSearchIterations, its);
+            if (m_plan && its >= kBetter * m_cost)
+                continue;
+            m_cost = its;
             m_plan = plan;
         }
-    }
+    };
+    const std::vector<HeatingPlan> resting = restingPlans(task);
+    consider(resting, 1);
+    consider(heatingPlans(task, resting.front().rest), 2);
 }
 
 VelocitySolution LevelServo::follow(const HeatingTask& task, const Vector6d& lastRates, double dt_s) {
     const RigGeometry& geometry = *m_model.geometry;
     const Stay last{m_plan->rest, restStay_s(task)};
-    for (int k = 0; k < 2 && m_plan->stays[0].time_s < 0.25 * dt_s; ++k)
+    for (int k = 0; k < 2 && m_plan->stays[0].time_s < kWorthGoing * dt_s; ++k)
         m_plan->spend(dt_s, last); // no use to go there
     const double travel_s = travelTime_s(geometry.limits(), task.from, m_plan->stays[0].pose);
     if (travel_s > 0.5 * dt_s)
@@ -301,16 +316,22 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     const ViewFactors fields = m_model.geometry->viewFactors(observation.coordinates);
     HeatingTask task = identify(observation, fields.F, dt_s);
     m_time_s = observation.time_s;
-    findRest(task, observation.time_s);
-    task.aim_K = Eigen::Map<const Eigen::VectorXd>(m_aim_K.data(), task.aim_K.size());
+    if (m_time_s >= m_nextRest_s) {
+        m_nextRest_s = m_time_s + kRestPeriod_s;
+        findRests(task);
+        task.aim_K = Eigen::Map<const Eigen::VectorXd>(m_aim_K.data(), task.aim_K.size());
+    } else if (m_plan && (steadyAt_K(task, m_plan->rest) - task.aim_K).cwiseAbs().maxCoeff() > kRestMiss_K) {
+        m_plan->rest = refinePose(*m_model.geometry, steady(task, m_aim_K), m_plan->rest, kTouches);
+    }
     choosePlan(task);
     const VelocitySolution motion = follow(task, observation.lastRates, dt_s);
     const Eigen::VectorXd F =
         m_model.geometry->viewFactorsFast(observation.coordinates + 0.5 * dt_s * motion.rates);
-    m_expected_K.resize(F.size());
+    m_expected_K = task.temperature_K;
     for (Eigen::Index i = 0; i < F.size(); ++i)
-        m_expected_K[i] = task.temperature_K[i] + dt_s * task.rates[static_cast<std::size_t>(i)].rate_K_s(
-                                                             F[i], task.temperature_K[i]);
+        m_expected_K[i] +=
+            dt_s * task.rates[static_cast<std::size_t>(i)].rate_K_s(F[i], task.temperature_K[i]);
+
     ControlOutput out;
     for (const RateIdentification& identification : m_identification)
         out.belief.push_back(identification.rates());

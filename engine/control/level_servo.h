@@ -1,5 +1,26 @@
 #pragma once
-// Bask's own controller.
+// Bask's own controller: identifies each object's heat rates on the way, and goes the way whose predicted
+// temperatures come to the targets soonest.
+//
+// Outer loop, per object: the view factor that would close the error in tau_c,
+//     F_des = ((T* - T) / tau_c + lambda2 T^4 - lambda3) / (s lambda1), clamped to [0, 1],
+// with s the measured source strength. A look-up over the sampled workspace gives poses that have these view
+// factors together (no local minimum), and poses that hold the targets for ever (rests). From both it makes
+// plans - two stays and a rest - and compares and improves them by what they cost: the time that each object
+// is still away from its target, squared, integrated over the heat balance (heating_plan). The best plan's
+// first step is taken; at the next sample it is improved again.
+//
+// Stability. With right rates and a rest that holds the targets, the cost of a plan is that of its first step
+// and of the plan that is left after it. What is left is among the next step's plans and improvement never
+// makes worse, so the cost V of the plan in use obeys V(k+1) <= V(k) - (what the step cost): it falls until
+// every error is zero, and resting is always among the plans, at which each error decays with the object's
+// own time constant (the heat balance is a contraction at a constant pose). Wrong rates: what they predict
+// wrongly enters the identification as long as anything moves; what remains (convection, a draught) is taken
+// up by a slow integral of the prediction's error, the drift. It cannot wind up: it sees predictions, not
+// targets.
+//
+// Targets that no pose holds together: as soon as the identified rates are sure enough, the servo aims at the
+// nearest temperatures that one pose does hold (least squares in K over the workspace).
 
 #include "engine/control/controller.h"
 #include "engine/control/heating_plan.h"
@@ -21,12 +42,22 @@ public:
 
 private:
     HeatingTask identify(const Observation& observation, const Eigen::VectorXd& F, double dt_s);
-    PoseQuery level(const HeatingTask& task) const;
+    void learnDrift(std::size_t k, const HeatRates& rates, double T_K, double time_s, double dt_s);
+    /// The identified rates of object k tell its steady temperatures within kSure_K.
+    bool sure(std::size_t k) const;
+
+    PoseQuery level(const HeatingTask& task) const; ///< the outer loop's view factors
     PoseQuery steady(const HeatingTask& task, const std::vector<double>& aim_K) const;
-    void findRest(const HeatingTask& task, double time_s);
-    bool sure() const;
+    Eigen::VectorXd steadyAt_K(const HeatingTask& task, const Vector6d& pose) const;
+    void findRests(const HeatingTask& task);
+    void judgeTargets(const Eigen::VectorXd& nearest_K);
+
+    std::vector<HeatingPlan> restingPlans(const HeatingTask& task) const;
+    std::vector<HeatingPlan> heatingPlans(const HeatingTask& task, const Vector6d& rest) const;
+    /// Time at `pose` until the first (or all) of the cold objects has come to its aim; `task` becomes that
+    /// moment.
+    double heatAt(const Vector6d& pose, bool all, HeatingTask& task) const;
     void choosePlan(const HeatingTask& task);
-    std::vector<HeatingPlan> proposals(const HeatingTask& task) const;
     VelocitySolution follow(const HeatingTask& task, const Vector6d& lastRates, double dt_s);
 
     ControllerSettings m_settings;
@@ -40,9 +71,9 @@ private:
     std::optional<HeatingPlan> m_plan;
     std::vector<double> m_aim_K; ///< the targets, or the nearest temperatures that one pose holds
     bool m_compromise = false;   ///< m_aim_K are not the targets
+    double m_cost = 0.0;         ///< of m_plan
+    double m_time_s = 0.0;       ///< of the last step
     double m_nextRest_s = 0.0;   ///< when rests are looked for again
-    double m_cost = 0.0;
-    double m_time_s = 0.0;
     double m_nextSearch_s = 0.0; ///< when other plans are looked for again
 };
 

@@ -10,9 +10,12 @@
 namespace bask {
 
 RateIdentification::RateIdentification(const HeatRates& start)
-    : m_start(start), m_information(Eigen::Matrix2d::Identity() / (kPrior * kPrior)) {}
+    : m_start(start), m_timeConstant_s(start.timeConstant_s(std::pow(start.lambda3 / start.lambda2, 0.25))),
+      m_information(Eigen::Matrix2d::Identity() / (kPrior * kPrior)) {}
 
 void RateIdentification::add(double time_s, double temperature_K, double F, double sourceStrength) {
+    const double window_s = std::max(kWindow_s, kWindow * m_timeConstant_s);
+    double forgetting = kForgetting;
     const double heating = F * sourceStrength;
     const double rest = m_start.lambda3 / m_start.lambda2;
     const double cooling = std::pow(temperature_K, 4) - rest;
@@ -22,7 +25,7 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
     const auto count = m_samples.size();
     if (count >= 2) {
         const double usual_s = m_samples[count - 1].time_s - m_samples[count - 2].time_s;
-        if (time_s - m_samples.back().time_s > std::max(kWindow_s, 3.0 * usual_s))
+        if (time_s - m_samples.back().time_s > std::max(window_s, 3.0 * usual_s))
             m_samples.clear();
     }
     Sample sample{time_s, temperature_K, 0.0, 0.0};
@@ -31,26 +34,27 @@ void RateIdentification::add(double time_s, double temperature_K, double F, doub
         const double dt_s = time_s - last.time_s;
         if (!(dt_s > 0.0))
             return;
+        forgetting = std::max(kForgetting, std::exp(-dt_s / (kMemory * m_timeConstant_s)));
         const double lastCooling = std::pow(last.temperature_K, 4) - rest;
         sample.heating = last.heating + 0.5 * dt_s * (m_lastF + heating);
         sample.cooling = last.cooling + 0.5 * dt_s * (lastCooling + cooling);
     }
     m_lastF = heating;
     m_samples.push_back(sample);
-    while (m_samples.size() > 3 && time_s - m_samples[1].time_s >= kWindow_s)
+    while (m_samples.size() > 3 && time_s - m_samples[1].time_s >= window_s)
         m_samples.pop_front();
     if (m_samples.size() >= 3)
-        update(m_samples.front(), m_samples.back());
+        update(m_samples.front(), m_samples.back(), forgetting);
 }
 
-void RateIdentification::update(const Sample& from, const Sample& to) {
+void RateIdentification::update(const Sample& from, const Sample& to, double forgetting) {
     const Eigen::Vector2d phi(m_start.lambda1 * (to.heating - from.heating),
                               -m_start.lambda2 * (to.cooling - from.cooling));
     const double surprise = to.temperature_K - from.temperature_K - phi.sum();
     const Eigen::Matrix2d prior = Eigen::Matrix2d::Identity() / (kPrior * kPrior);
     m_information =
-        prior + kForgetting * (m_information - prior) + phi * phi.transpose() / (kNoise_K * kNoise_K);
-    m_vector = kForgetting * m_vector + phi * surprise / (kNoise_K * kNoise_K);
+        prior + forgetting * (m_information - prior) + phi * phi.transpose() / (kNoise_K * kNoise_K);
+    m_vector = forgetting * m_vector + phi * surprise / (kNoise_K * kNoise_K);
     Eigen::MatrixXd G(4, 2);
     G << 1.0, 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, -1.0;
     const Eigen::Vector4d h(1.0 / kRange - 1.0, 1.0 / kRange - 1.0, 1.0 - kRange, 1.0 - kRange);

@@ -17,8 +17,10 @@ namespace bask {
 class RateIdentification {
 public:
     static constexpr double kRange = 10.0;       ///< estimates stay within start / kRange .. start * kRange
-    static constexpr double kForgetting = 0.998; ///< a sample
-    static constexpr double kWindow_s = 6.0;     ///< of the integral
+    static constexpr double kForgetting = 0.998; ///< a sample, or slower:
+    static constexpr double kMemory = 0.5;       ///< time constants of the object, at least
+    static constexpr double kWindow_s = 6.0;     ///< of the integral, or longer:
+    static constexpr double kWindow = 0.01;      ///< time constants of the object, at least
     static constexpr double kNoise_K = 0.05;     ///< of a difference of two readings
     static constexpr double kPrior = 2.0;        ///< standard deviation of lambda / start - 1
 
@@ -38,9 +40,10 @@ private:
         double heating; ///< integral of s F since the start, s
         double cooling; ///< integral of T^4 - T0^4 since the start, K4 s
     };
-    void update(const Sample& from, const Sample& to);
+    void update(const Sample& from, const Sample& to, double forgetting);
 
     HeatRates m_start;
+    double m_timeConstant_s; ///< at the environment's temperature, as believed at the start
     double m_lastF = 0.0;
     std::deque<Sample> m_samples;
     // In units of the start values, about them: minimise x'Ax/2 - b'x, x = lambda / start - 1.
