@@ -81,6 +81,7 @@ private:
     bool noteLosses(); ///< tells what has been lost or found; true while anything is lost
     void control();
     void keepHeating();
+    void backOff(); ///< off the source, which is too near
     void retreat();
     void noteSettling();
     void noteCompromise(const ControlOutput& output);

@@ -17,6 +17,7 @@ constexpr double kHeldLimit_s =
 constexpr double kStill_s = 15.0;
 constexpr double kStillPeriods = 3.0;
 constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
+constexpr double kTooNear = 0.8; ///< of the clearance: the source has come nearer, or the robot obeys late
 constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after this many periods
 constexpr double kHeatPeriods = 3.0;     ///< heat goes off by itself after this many periods
 // A source that has moved by less is taken to lie still: less than the resolution of the sensors in any F.
@@ -183,9 +184,18 @@ void ServoLoop::control() {
     m_belief = output.belief;
     m_latest.smallestSingularValue = output.smallestSingularValue;
     m_latest.limits = output.limits;
-    move(output.rates);
+    if (m_geometry->lowestPoint_m(m_coordinates) < kTooNear * m_experiment.robot.clearance_m)
+        backOff();
+    else
+        move(output.rates);
     noteSettling();
     noteCompromise(output);
+}
+
+void ServoLoop::backOff() {
+    const Vector6d goal = poseOffSource(*m_geometry, m_coordinates);
+    m_latest.limits.add(Limit::Clearance);
+    move(velocityTowards(*m_geometry, m_coordinates, goal, m_experiment.sampling.period_s, m_rates).rates);
 }
 
 void ServoLoop::move(const Vector6d& rates) {

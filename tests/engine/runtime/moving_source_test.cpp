@@ -232,6 +232,31 @@ TEST(MovingSource, MovedIntoTheObjectsIsAFault) {
     EXPECT_TRUE(has(*outcome, MessageCode::ReasonInternalFault));
 }
 
+// Catches a robot that waits at its least distance for a source that comes nearer.
+TEST(MovingSource, ThatComesNearerIsBackedOffFrom) {
+    Experiment experiment = twoDisks();
+    experiment.source.tracked = true;
+    experiment.robot.lower[kZ] = -0.1;
+    for (ObjectSpec& object : experiment.objects)
+        object.target_K = kelvinFromCelsius(120.0); // as near as it may
+    Vector6d there = Vector6d::Zero();
+    there[kZ] = 0.1;
+    experiment.simulation.sourceMotion = {{60.0, Vector6d::Zero()}, {160.0, there}};
+    LoopOnRig run(experiment);
+    run.startRun();
+    const auto geometry = rigGeometry(experiment);
+    double least_m = 1.0;
+    for (int i = 0; i < 300; ++i) {
+        run.periods(1);
+        least_m = std::min(
+            least_m,
+            geometry->withSourceAt(run.rig.X_RS())->lowestPoint_m(run.rig.simulatedRobot().coordinates()));
+    }
+    EXPECT_EQ(run.loop.state(), RunState::Running);
+    EXPECT_LT(least_m, 0.0101);
+    EXPECT_GT(least_m, 0.006);
+}
+
 // Catches a verdict over the robot's origin instead of over the source.
 TEST(MovingSource, VerdictsAreForWhereItLies) {
     Experiment experiment = twoDisks();
