@@ -57,7 +57,7 @@ void stepOf(benchmark::State& state, ControllerKind kind, double error_K, double
     for (auto _ : state) {
         bench->observation.time_s += 1.0;
         const ControlOutput output = controller->step(bench->observation, 1.0);
-        limited = output.limited;
+        limited = output.limits.any();
         benchmark::DoNotOptimize(output.rates.data());
     }
     state.counters["limited"] = limited ? 1.0 : 0.0;

@@ -1,5 +1,6 @@
 #include "app/commands/paper_experiments.h"
 
+#include "app/commands/reproduction_plots.h"
 #include "app/commands/study_output.h"
 #include "engine/session/json_text.h"
 
@@ -31,9 +32,36 @@ ExpectedEnding endingFrom(const json& j) {
     return {*found, j.at("reason").get<std::string>()};
 }
 
+/// Names its files and those of its runs: no way out of the folder.
+bool isFileName(const std::string& name) {
+    return !name.empty() && name.front() != '.' && std::ranges::none_of(name, [](char c) {
+        return c == '/' || c == '\\' || static_cast<unsigned char>(c) < 0x20;
+    });
+}
+
+/// Every plot is known, and has the experiments that it shows.
+Result<void> checkPlots(const PaperFigure& figure, const json& experiments, const std::string& path) {
+    std::string known;
+    for (const ReportPlot& plot : reportPlots())
+        known += (known.empty() ? "" : ", ") + std::string(plot.name);
+    for (const std::string& name : figure.plots) {
+        const auto plots = reportPlots();
+        const auto plot = std::ranges::find(plots, name, &ReportPlot::name);
+        if (plot == plots.end())
+            return Error(MessageCode::ValueUnknown, path + ": plots", {name, known});
+        if (plot->showsExperiments && experiments.empty())
+            return Error(MessageCode::JsonWrongType, path + ": experiments",
+                         {"a list of what \"" + name + "\" is to show", "an empty list"});
+    }
+    return {};
+}
+
 Result<PaperExperiment> experimentFrom(const json& j, const std::string& folder) {
     PaperExperiment experiment;
     experiment.name = j.at("name").get<std::string>();
+    if (!isFileName(experiment.name))
+        return Error(MessageCode::JsonWrongType, folder + "/expected.json: name",
+                     {"the name of a file beside it", '"' + experiment.name + '"'});
     auto read = readExperiment(folder + '/' + experiment.name + ".json");
     if (!read)
         return read.error();
@@ -51,6 +79,8 @@ Result<PaperFigure> figureFrom(const json& j, const std::string& folder, const s
     figure.paper = j.at("paper").get<std::string>();
     figure.plots = j.at("plots").get<std::vector<std::string>>();
     figure.with = j.value("with", std::vector<std::string>());
+    if (auto plots = checkPlots(figure, j.at("experiments"), folder + "/expected.json"); !plots)
+        return plots.error();
     for (const json& each : j.at("experiments")) {
         if (!only.empty() && only != figure.name && only != each.at("name").get<std::string>())
             continue;

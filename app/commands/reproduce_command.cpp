@@ -128,6 +128,17 @@ int reproduceInto(const QString& folder, const std::vector<PaperFigure>& figures
     return printSummary(*results) ? kExitDone : kExitNegative;
 }
 
+/// From the folder that is named, or from the program itself. What is unpacked is gone before the runs, which
+/// may be interrupted.
+Result<std::vector<PaperFigure>> figuresOf(const QCommandLineParser& parser) {
+    const std::string only = parser.value("only").toStdString();
+    if (parser.isSet("experiments"))
+        return readPaperFigures(parser.value("experiments").toStdString(), only);
+    const QTemporaryDir unpacked;
+    const auto from = unpackPaperExperiments(unpacked.path());
+    return from ? readPaperFigures(*from, only) : from.error();
+}
+
 } // namespace
 
 int reproduceCommand(const QStringList& arguments) {
@@ -146,12 +157,7 @@ int reproduceCommand(const QStringList& arguments) {
     const QString folder = parser.value("output");
     if (folder.isEmpty())
         return refuse(kCommand, QStringLiteral("-o DIR is needed"));
-    const QTemporaryDir unpacked;
-    auto from = parser.isSet("experiments") ? Result<std::string>(parser.value("experiments").toStdString())
-                                            : unpackPaperExperiments(unpacked.path());
-    if (!from)
-        return refuse(kCommand, from.error());
-    const auto figures = readPaperFigures(*from, parser.value("only").toStdString());
+    const auto figures = figuresOf(parser);
     if (!figures)
         return refuse(kCommand, figures.error());
     return reproduceInto(folder, *figures);

@@ -235,10 +235,7 @@ Result<std::vector<ReportPicture>> reportPictures(const std::string& plot, const
         return panelPictures();
     if (plot == "surfaces")
         return steadySurfacePictures(all);
-    if (plot == "methods")
-        return methodPictures();
-    return Error(MessageCode::ValueUnknown, "plots",
-                 {plot, "overlay, errors, norm, paths, subsets, panels, surfaces, methods"});
+    return methodPictures();
 }
 
 } // namespace bask

@@ -23,8 +23,8 @@ struct ReportPicture {
 ///   "panels"    the same at three inclinations, heights and distances aside
 ///   "surfaces"  surfaces on which the objects are steady at the targets, with the objects' paths
 ///   "methods"   the study of view-factor methods
-/// `all` are the experiments of the figure and of its `with`. Errors: an unknown plot; what the field sampler
-/// and the study say.
+/// `plot` is one of reportPlots(), `all` are the experiments of the figure and of its `with`, at least one
+/// where the plot shows experiments. Errors: what the field sampler and the study say.
 Result<std::vector<ReportPicture>> reportPictures(const std::string& plot,
                                                   const std::vector<const ReproducedExperiment*>& all);
 

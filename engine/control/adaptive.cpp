@@ -49,7 +49,7 @@ ControlOutput AdaptiveController::step(const Observation& observation, double dt
                                      rows * observation.sourceStrength, wanted);
     for (std::size_t i = 0; i < N; ++i) {
         const auto [T, v] = observation.objects[i];
-        if (!out.limited)
+        if (!out.limits.any())
             adapt(m_estimates[i], v, zeta[i], T, dt_s);
         HeatRates rates;
         rates.lambda1 = 1.0 / m_estimates[i].a1;

@@ -30,11 +30,10 @@ struct Observation {
 struct ControlOutput {
     Vector6d rates = Vector6d::Zero();  ///< of the pose coordinates, m/s and rad/s
     double smallestSingularValue = 0.0; ///< of the interaction matrix dF/dx, rotation scaled, 1/m
-    bool limited = false;               ///< a limit of the robot is active
     std::vector<double>
         compromise_K; ///< the temperatures aimed at where the targets cannot be had together; else empty
     std::vector<HeatRates> belief; ///< N, as the controller believes them now
-    ActiveLimits limits;           ///< which ones
+    ActiveLimits limits;           ///< that hold the command back
 };
 
 /// What a controller knows before it starts.

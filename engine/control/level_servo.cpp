@@ -336,7 +336,6 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
     for (const RateIdentification& identification : m_identification)
         out.belief.push_back(identification.rates());
     out.rates = motion.rates;
-    out.limited = motion.limited;
     out.limits = motion.limits;
     out.smallestSingularValue =
         singularRange(*m_model.geometry, fields.dF, m_settings.rotationLength_m).smallest;

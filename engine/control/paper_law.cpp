@@ -20,7 +20,6 @@ ControlOutput followWanted(const RigGeometry& geometry, const ControllerSettings
     ControlOutput out;
     out.rates = solution.rates;
     out.smallestSingularValue = solution.smallestSingularValue;
-    out.limited = solution.limited;
     out.limits = solution.limits;
     return out;
 }

@@ -253,7 +253,6 @@ VelocitySolution solveVelocity(const RigGeometry& geometry, const VelocityProble
     if (!solution.converged)
         out.limits.addUnnamed();
     keepClear(geometry, problem, braked, out);
-    out.limited = out.limits.any();
     return out;
 }
 
@@ -343,7 +342,6 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
             out.limits.add((goal - q).head<3>().norm() / limits.maxSpeed_m_s >= time_s * (1.0 - 1e-9)
                                ? Limit::Speed
                                : Limit::Rotation);
-        out.limited = out.limits.any();
         return out;
     }
     out = nearestVelocity(geometry, q, straight, dt_s, lastRates);
@@ -358,7 +356,6 @@ VelocitySolution velocityTowards(const RigGeometry& geometry, const Vector6d& q,
     }
     if (share >= 1.0)
         out.limits.add(Limit::Speed);
-    out.limited = out.limits.any();
     return out;
 }
 

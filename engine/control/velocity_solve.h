@@ -22,8 +22,7 @@ struct VelocityProblem {
 struct VelocitySolution {
     Vector6d rates = Vector6d::Zero();
     double smallestSingularValue = 0.0; ///< of the rows in the free coordinates, rotation scaled
-    bool limited = false;               ///< a limit is active
-    ActiveLimits limits;                ///< which ones
+    ActiveLimits limits;                ///< that hold it back
 };
 
 /// Extreme singular values of rows (N x 6, N at most 6) in the free coordinates, a radian counting as

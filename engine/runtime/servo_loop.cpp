@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bask {
 const char* runStateName(RunState state) {
@@ -136,13 +137,14 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_compromise.clear();
     m_compromiseTold = false;
     m_retreatRaised = false;
-    m_retreatStill = 0;
     m_sensorLost.assign(m_sensors.size(), false);
     m_sourceLost = false;
+    m_lostLast_s = -std::numeric_limits<double>::infinity();
     ControlModel model;
     model.geometry = m_geometry;
     const double environment_K = m_sensors.environment_K().value_or(m_experiment.environment_K);
     model.believed = believedRates(m_experiment, environment_K);
+    m_belief = model.believed;
     for (const ObjectSpec& object : m_experiment.objects)
         model.targets_K.push_back(object.target_K);
     m_controller = makeController(m_experiment.controller, std::move(model));
@@ -183,6 +185,7 @@ Result<void> ServoLoop::resume() {
         return fresh;
     m_state = RunState::Running;
     m_heldBySensor = false;
+    m_lostLast_s = -std::numeric_limits<double>::infinity();
     m_withinBandSince_s = m_clock.now_s();
     command("resume");
     event(MessageCode::EventResumed);
@@ -198,6 +201,7 @@ Result<void> ServoLoop::stop() {
     if (!allWithinBand())
         event(MessageCode::EventNotSettled, {objectsOffTarget()});
     m_state = RunState::Stopping;
+    m_retreatMoved_s = m_clock.now_s();
     (void)m_devices.source.heatOff();
     command("stop");
     event(MessageCode::EventStopped);

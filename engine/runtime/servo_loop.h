@@ -81,6 +81,7 @@ private:
     bool noteLosses(); ///< tells what has been lost or found; true while anything is lost
     void control();
     void keepHeating();
+    void backOff(); ///< off the source, which is too near
     void retreat();
     void noteSettling();
     void noteCompromise(const ControlOutput& output);
@@ -110,9 +111,10 @@ private:
     bool m_sourceLost = false;      ///< tracked, but not seen at the last sample of the run
     double m_sourceSeen_s = -1e300; ///< when its pose was last measured
     bool m_heldBySensor = false;
-    double m_lostSince_s = 0.0;   ///< when nothing was lost last, while something is
-    bool m_retreatRaised = false; ///< the retreat's way up is done
-    int m_retreatStill = 0;       ///< periods of the retreat without a move
+    double m_lostSince_s = 0.0;    ///< when the present loss began
+    double m_lostLast_s = -1e300;  ///< when something was lost last
+    bool m_retreatRaised = false;  ///< the retreat's way up is done
+    double m_retreatMoved_s = 0.0; ///< when the retreating robot moved last
     Vector6d m_retreatFrom = Vector6d::Zero();
     double m_withinBandSince_s = 0.0;
     std::string m_compromise; ///< predicted errors of the compromise aimed at; empty: none

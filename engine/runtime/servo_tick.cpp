@@ -13,7 +13,11 @@ namespace {
 
 constexpr double kHeldLimit_s =
     15.0; ///< a lost sensor or source holds this long, then the run ends with a retreat
+// A retreating robot that has not moved for so long will not: one may obey late and start slowly.
+constexpr double kStill_s = 15.0;
+constexpr double kStillPeriods = 3.0;
 constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
+constexpr double kTooNear = 0.8; ///< of the clearance: the source has come nearer, or the robot obeys late
 constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after this many periods
 constexpr double kHeatPeriods = 3.0;     ///< heat goes off by itself after this many periods
 // A source that has moved by less is taken to lie still: less than the resolution of the sensors in any F.
@@ -135,14 +139,17 @@ bool ServoLoop::noteLosses() {
 void ServoLoop::watchSensors() {
     if (m_state == RunState::Stopping)
         return;
-    const bool lostBefore = m_sourceLost || std::ranges::find(m_sensorLost, true) != m_sensorLost.end();
+    const double now_s = m_clock.now_s();
     const bool lost = noteLosses();
-    if (lost && !lostBefore)
-        m_lostSince_s = m_clock.now_s();
+    // A loose contact is one loss: what comes back and goes does not begin anew.
+    if (lost && now_s - m_lostLast_s > kHeldLimit_s + 1.5 * m_experiment.sampling.period_s)
+        m_lostSince_s = now_s;
+    if (lost)
+        m_lostLast_s = now_s;
     if (lost && m_state != RunState::Holding) {
         (void)hold();
         m_heldBySensor = true;
-    } else if (lost && m_clock.now_s() - m_lostSince_s > kHeldLimit_s) {
+    } else if (lost && now_s - m_lostSince_s > kHeldLimit_s) {
         (void)stop(); // whoever holds: nobody sees how hot the object is, or where the source
     }
 }
@@ -177,11 +184,18 @@ void ServoLoop::control() {
     m_belief = output.belief;
     m_latest.smallestSingularValue = output.smallestSingularValue;
     m_latest.limits = output.limits;
-    if (output.limited)
-        m_latest.limits.addUnnamed();
-    move(output.rates);
+    if (m_geometry->lowestPoint_m(m_coordinates) < kTooNear * m_experiment.robot.clearance_m)
+        backOff();
+    else
+        move(output.rates);
     noteSettling();
     noteCompromise(output);
+}
+
+void ServoLoop::backOff() {
+    const Vector6d goal = poseOffSource(*m_geometry, m_coordinates);
+    m_latest.limits.add(Limit::Clearance);
+    move(velocityTowards(*m_geometry, m_coordinates, goal, m_experiment.sampling.period_s, m_rates).rates);
 }
 
 void ServoLoop::move(const Vector6d& rates) {
@@ -230,16 +244,20 @@ void ServoLoop::retreat() {
     // nearer has arrived.
     const RobotLimits& limits = m_experiment.robot;
     constexpr double kThere = 1e-3;
-    constexpr int kStillPeriods = 3;
-    m_retreatStill = m_coordinates == m_retreatFrom ? m_retreatStill + 1 : 0;
-    m_retreatFrom = m_coordinates;
+    const double now_s = m_clock.now_s();
+    const double period_s = m_experiment.sampling.period_s;
+    if (m_coordinates != m_retreatFrom) {
+        m_retreatFrom = m_coordinates;
+        m_retreatMoved_s = now_s;
+    }
+    const bool stuck = now_s - m_retreatMoved_s >= std::max(kStill_s, kStillPeriods * period_s);
     const auto arrived = [&](const Vector6d& goal) {
-        return (goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere || m_retreatStill >= kStillPeriods;
+        return (goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere || stuck;
     };
     Vector6d goal = poseOffSource(*m_geometry, m_coordinates);
     if (!m_retreatRaised && arrived(goal)) {
         m_retreatRaised = true;
-        m_retreatStill = 0;
+        m_retreatMoved_s = now_s;
     }
     if (m_retreatRaised) {
         goal = m_coordinates;
@@ -255,7 +273,6 @@ void ServoLoop::retreat() {
         m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
         return;
     }
-    const double period_s = m_experiment.sampling.period_s;
     move(velocityTowards(*m_geometry, m_coordinates, goal, period_s, m_rates).rates);
 }
 

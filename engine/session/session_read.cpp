@@ -164,7 +164,8 @@ private:
                 for (int k = 0; k < 6; ++k)
                     sample.twist[k] = numberOf(row[static_cast<std::size_t>(k)]);
                 sample.smallestSingularValue = numberOf(row[6]);
-                sample.limits.bits = static_cast<unsigned>(numberOf(row[7]));
+                const double bits = numberOf(row[7]);
+                sample.limits.bits = bits >= 0.0 && bits < 4096.0 ? static_cast<unsigned>(bits) : 0U;
             });
         if (done)
             done = eachSample("source", "temperature_K",

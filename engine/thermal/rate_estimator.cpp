@@ -99,6 +99,11 @@ std::optional<RateEstimate> RateEstimator::estimate() const {
     Eigen::MatrixXd A = powers(t, m_order);
     RateEstimate out;
     out.leftOut = outlier(A, b, m_noiseFloor_K);
+    const Sample& newest = m_samples[static_cast<std::size_t>(m_window) - 1];
+    const Sample& before = m_samples[static_cast<std::size_t>(m_window) - 2];
+    if (out.leftOut == m_window - 1 &&
+        std::abs(newest.temperature_K - before.temperature_K) <= kOnset_K_s * (newest.time_s - before.time_s))
+        out.leftOut.reset(); // what an object can do; the next sample will tell
     if (out.leftOut) {
         A.row(*out.leftOut).setZero();
         b[*out.leftOut] = 0.0;

@@ -39,11 +39,14 @@ NoiseGain noiseGain(const std::vector<double>& times_s, int order);
 /// scatter of the others but no less than the noise floor) is left out if that is over kOutlier. The floor
 /// knows the readings' steps: a long row of equal readings has no scatter at all. Windows with fewer than
 /// three samples more than the polynomial has coefficients cannot tell, and keep all. A ramp that begins is
-/// kept: its first sample lies within the spread of the extrapolation unless it jumps by about 0.6 K (window
-/// 10, order 3); it is then believed when the next ones confirm it.
+/// kept: the newest sample is believed, until the next ones tell, when it has not changed faster than
+/// kOnset_K_s. Of a faster ramp the first sample is left out when it jumps by about 0.6 K (window 10, order
+/// 3), which makes the estimate late by that sample.
 class RateEstimator {
 public:
     static constexpr double kOutlier = 8.0;
+    /// Painted aluminium of 1 mm before a source of 300 degC warms by 0.5 K/s.
+    static constexpr double kOnset_K_s = 1.2;
     /// Readings in steps of 0.1 K with noise of 0.02 K.
     static constexpr double kNoiseFloor_K = 0.035;
 

@@ -360,6 +360,31 @@ TEST_F(ReproduceCommand, DrawsAFigureWithoutExperiments) {
     EXPECT_EQ(QDir(path("out")).entryList(QDir::Files), QStringList{"report.html"});
 }
 
+// Catches: files written outside the folder, a crash or a wrong plot seen only after all the runs.
+TEST_F(ReproduceCommand, RefusesADamagedListBeforeItRuns) {
+    ASSERT_TRUE(QFile::copy(path("in/target-coefficient-40.json"), path("evil.json")));
+    const char* experiment = R"({"name": "%1", "paper": {"outcome": "settled", "reason": ""},
+        "paper_controller": {"outcome": "settled", "reason": ""}, "level_servo": {"outcome": "settled", "reason": ""}})";
+    const struct {
+        const char *plot, *name, *words;
+    } cases[] = {{"errors", "../evil", "name of a file"}, {"errors", ".", "name of a file"},
+                 {"wrong", kName, "known: overlay"},      {"overlay", nullptr, "an empty list"},
+                 {"errors", nullptr, "an empty list"},    {"surfaces", nullptr, "an empty list"}};
+    for (const auto& [plot, name, words] : cases) {
+        QFile file(path("in/expected.json"));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(QStringLiteral(R"({"figures": [{"name": "f", "title": "t", "paper": "p", "plots": ["%1"],
+                                      "experiments": [%2]}]})")
+                       .arg(QLatin1String(plot), name ? QString(experiment).arg(name) : QString())
+                       .toUtf8());
+        file.close();
+        const Captured answer = reproduce({});
+        EXPECT_EQ(answer.code, 2) << words;
+        EXPECT_NE(answer.err.find(words), std::string::npos) << answer.err;
+        EXPECT_FALSE(QDir(path("out")).exists());
+    }
+}
+
 // Catches: wrong words taken for right ones, names that are not listed, files of others that are replaced.
 TEST_F(ReproduceCommand, RefusesWrongWordsAndForeignFiles) {
     for (const QStringList& more :

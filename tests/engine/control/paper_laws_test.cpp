@@ -88,7 +88,7 @@ TEST(ModelBasedLaw, FollowsTheAnalyticResponseWithinOnePercentOfTheStep) {
         for (int i = 0; i < 40000; ++i) {
             const double analytic_K = target_K - step_K * errorAfterStep(settings.modelBased, i * dt_s);
             worst = std::max(worst, std::abs(bench.T_K - analytic_K) / step_K);
-            ASSERT_FALSE(bench.step(*controller, dt_s).limited);
+            ASSERT_FALSE(bench.step(*controller, dt_s).limits.any());
         }
         RecordProperty("worst_of_step_K" + std::to_string(K), std::to_string(worst));
         EXPECT_LT(worst, 0.01) << "K = " << K;
@@ -195,7 +195,7 @@ TEST(AdaptiveLaw, StandsStillWhileALimitHoldsTheCommandBack) {
         ControlOutput output;
         for (int i = 0; i < 50; ++i)
             output = controller->step(moving(bench, bench.T_K, 0.02), 1e-3);
-        EXPECT_EQ(output.limited, bench.geometry->limits().maxSpeed_m_s < 1.0);
+        EXPECT_EQ(output.limits.any(), bench.geometry->limits().maxSpeed_m_s < 1.0);
         return output.belief[0].lambda1;
     };
     const Bench slow(0.001);

@@ -40,7 +40,7 @@ TEST(VelocitySolve, GivesTheWantedRatesWhenNothingLimits) {
     auto problem = problemAt(geometry, somewhere(0.02, 0.01, 0.12, 0.1), 0.003, -0.002);
     problem.damping = 1e-6;
     const VelocitySolution solution = solveVelocity(geometry, problem);
-    EXPECT_FALSE(solution.limited);
+    EXPECT_FALSE(solution.limits.any());
     EXPECT_GT(solution.smallestSingularValue, 0.0);
     EXPECT_LT((problem.rows * solution.rates - problem.wanted).norm(), 1e-6);
     EXPECT_EQ(solution.rates[kThetaY], 0.0);
@@ -79,7 +79,7 @@ TEST(VelocitySolve, StopsAtTheWorkspaceAndTheClearance) {
     // Both disks are asked to see more of the source, which lies below the least height.
     Vector6d q = somewhere(0.0, 0.0, 0.0105, 0.0);
     const VelocitySolution down = solveVelocity(geometry, problemAt(geometry, q, 0.5, 0.5));
-    EXPECT_TRUE(down.limited);
+    EXPECT_TRUE(down.limits.any());
     EXPECT_GE(geometry.lowestPoint_m(q + down.rates), 0.01 - 1e-8);
     q = somewhere(0.2, 0.0, 0.1, 0.0);
     const VelocitySolution out = solveVelocity(geometry, problemAt(geometry, q, -0.5, -0.5));

@@ -232,6 +232,31 @@ TEST(MovingSource, MovedIntoTheObjectsIsAFault) {
     EXPECT_TRUE(has(*outcome, MessageCode::ReasonInternalFault));
 }
 
+// Catches a robot that waits at its least distance for a source that comes nearer.
+TEST(MovingSource, ThatComesNearerIsBackedOffFrom) {
+    Experiment experiment = twoDisks();
+    experiment.source.tracked = true;
+    experiment.robot.lower[kZ] = -0.1;
+    for (ObjectSpec& object : experiment.objects)
+        object.target_K = kelvinFromCelsius(120.0); // as near as it may
+    Vector6d there = Vector6d::Zero();
+    there[kZ] = 0.1;
+    experiment.simulation.sourceMotion = {{60.0, Vector6d::Zero()}, {160.0, there}};
+    LoopOnRig run(experiment);
+    run.startRun();
+    const auto geometry = rigGeometry(experiment);
+    double least_m = 1.0;
+    for (int i = 0; i < 300; ++i) {
+        run.periods(1);
+        least_m = std::min(
+            least_m,
+            geometry->withSourceAt(run.rig.X_RS())->lowestPoint_m(run.rig.simulatedRobot().coordinates()));
+    }
+    EXPECT_EQ(run.loop.state(), RunState::Running);
+    EXPECT_LT(least_m, 0.0101);
+    EXPECT_GT(least_m, 0.006);
+}
+
 // Catches a verdict over the robot's origin instead of over the source.
 TEST(MovingSource, VerdictsAreForWhereItLies) {
     Experiment experiment = twoDisks();
@@ -317,6 +342,84 @@ TEST(Dropouts, CarryTheEstimateOn) {
     EXPECT_TRUE(std::isnan(after.measured_K));
     EXPECT_NEAR(after.estimated_K, before.estimated_K + 2.0 * before.rate_K_s, 1e-9);
     EXPECT_GT(std::abs(before.rate_K_s), 0.01);
+}
+
+// Catches a retreat that takes a robot which has not obeyed yet for one that has arrived.
+TEST(LateRobot, RetreatsAllTheSame) {
+    for (const double latency_s : {0.0, 2.0, 4.0, 10.0}) {
+        Experiment experiment = twoDisks();
+        experiment.simulation.robotLatency_s = latency_s;
+        experiment.start[kZ] = 0.05;
+        experiment.start[kThetaX] = 0.3;
+        LoopOnRig run(experiment);
+        run.startRun();
+        ASSERT_TRUE(run.loop.hold());
+        run.periods(20);
+        ASSERT_TRUE(run.loop.stop());
+        for (int i = 0; i < 200 && run.loop.state() == RunState::Stopping; ++i)
+            run.periods(1);
+        EXPECT_EQ(run.loop.state(), RunState::Stopped) << latency_s;
+        const Vector6d q = run.rig.simulatedRobot().coordinates();
+        EXPECT_NEAR(q[kZ], experiment.robot.upper[kZ], 2e-3) << latency_s;
+        EXPECT_NEAR(q[kThetaX], 0.0, 2e-3) << latency_s;
+    }
+}
+
+// The same for one that starts so slowly that its first steps take several periods.
+TEST(LateRobot, RetreatsAllTheSameWhenItStartsSlowly) {
+    Experiment experiment = twoDisks();
+    experiment.sampling.period_s = 0.05;
+    experiment.robot.maxAcceleration_m_s2 = 0.002;
+    experiment.start[kZ] = 0.05;
+    LoopOnRig run(experiment);
+    run.startRun();
+    ASSERT_TRUE(run.loop.hold());
+    run.periods(100);
+    ASSERT_TRUE(run.loop.stop());
+    for (int i = 0; i < 2000 && run.loop.state() == RunState::Stopping; ++i)
+        run.periods(1);
+    EXPECT_EQ(run.loop.state(), RunState::Stopped);
+    EXPECT_NEAR(run.rig.simulatedRobot().coordinates()[kZ], experiment.robot.upper[kZ], 2e-3);
+}
+
+// Catches a loose contact that starts the time of a loss anew each time, so that a held object is heated for
+// ever.
+TEST(Dropouts, ALooseContactEndsTheRunToo) {
+    LoopOnRig run(twoDisks());
+    run.startRun();
+    run.periods(15);
+    for (int i = 0; i < 100 && run.loop.running() && run.loop.state() != RunState::Stopping; ++i) {
+        run.rig.simulatedThermometer().setLost(0, i % 12 != 0);
+        run.periods(1);
+    }
+    EXPECT_FALSE(run.loop.heatOn());
+}
+
+// Catches a limit in seconds that a slow loop never reaches.
+TEST(Dropouts, ALossEndsASlowRunToo) {
+    Experiment experiment = twoDisks();
+    experiment.sampling.period_s = 20.0;
+    LoopOnRig run(experiment);
+    run.startRun();
+    run.rig.simulatedThermometer().setLost(0, true);
+    run.periods(6);
+    EXPECT_FALSE(run.loop.heatOn());
+}
+
+// Catches another kind of controller that begins without a belief: the source is still too cold to heat.
+TEST(TemperatureProfile, AnotherControllerMayTakeOverWhileTheSourceIsCold) {
+    Experiment experiment = twoDisks();
+    experiment.source.temperatureProfile = {
+        {0.0, kelvinFromCelsius(10.0)}, {100.0, kelvinFromCelsius(10.0)}, {200.0, kelvinFromCelsius(200.0)}};
+    ASSERT_TRUE(validate(experiment));
+    LoopOnRig run(experiment);
+    run.startRun();
+    run.periods(20);
+    EXPECT_EQ(run.loop.state(), RunState::Running);
+    experiment.controller.kind = ControllerKind::Adaptive;
+    ASSERT_TRUE(run.loop.setController(experiment.controller));
+    run.periods(600);
+    EXPECT_EQ(run.loop.state(), RunState::Settled);
 }
 
 } // namespace bask

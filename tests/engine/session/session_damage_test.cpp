@@ -112,6 +112,16 @@ TEST_F(DamagedSession, MissingAndInconsistentTables) {
     EXPECT_FALSE(readSession(altered("DELETE FROM experiment")));
 }
 
+// Catches limits read from a number that is no set of limits, of which the conversion is undefined.
+TEST_F(DamagedSession, LimitsThatAreNoneAreNoLimits) {
+    for (const char* value : {"-1", "1e300", "4096", "'x'", "0.0 - 9e999"}) {
+        const auto record =
+            readSession(altered((std::string("UPDATE motion SET limited = ") + value).c_str()));
+        ASSERT_TRUE(record) << describe(record.error());
+        EXPECT_EQ(record->samples[7].limits, ActiveLimits{}) << value;
+    }
+}
+
 TEST_F(DamagedSession, AHostileTableNameIsNotExported) {
     const std::string path = altered("CREATE TABLE \"../evil\"(a)");
     const auto files = exportSessionCsv(path, file("csv"));

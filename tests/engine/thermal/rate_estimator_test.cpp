@@ -171,6 +171,31 @@ TEST(RateEstimator, TheOnsetOfARampIsKept) {
         }
 }
 
+// A foil that starts fast, readings that come when they like or not at all: the first reading of the ramp,
+// the newest, is never thrown away, for the estimate would be late by it, by 0.7 K at 0.8 K/s.
+TEST(RateEstimator, TheFirstReadingOfAFastRampIsBelieved) {
+    std::mt19937 random(9);
+    std::normal_distribution<double> noise(0.0, 0.02);
+    std::uniform_real_distribution<double> phase(0.0, 1.0);
+    for (const double slope_K_s : {0.5, 0.8, -0.8, 1.0})
+        for (int run = 0; run < 300; ++run) {
+            RateEstimator estimator(10, 3);
+            const double onset_s = 20.0 + phase(random);
+            for (int i = 0; i < 40; ++i) {
+                if (phase(random) < 0.1)
+                    continue;
+                const double time_s = i + 0.3 * (2.0 * phase(random) - 1.0);
+                const double true_K = 298.0 + slope_K_s * std::max(0.0, time_s - onset_s);
+                estimator.add(time_s, 0.1 * std::round(10.0 * (true_K + noise(random))));
+                if (const auto estimate = estimator.estimate()) {
+                    ASSERT_NE(estimate->leftOut, 9)
+                        << slope_K_s << " K/s, " << time_s - onset_s << " s after";
+                    ASSERT_NEAR(estimate->temperature_K, true_K, 0.5);
+                }
+            }
+        }
+}
+
 // A step that would pass for an outlier is believed as soon as a second reading confirms it.
 TEST(RateEstimator, AJumpIsBelievedAtItsSecondSample) {
     RateEstimator estimator(10, 3);
