@@ -12,7 +12,7 @@ namespace bask {
 namespace {
 
 constexpr double kLargestGain_1_K = 1.0; ///< a kelvin of error asks for the whole range of F at most
-constexpr double kCold_K = 0.3;          ///< an object colder than this is still to be heated
+constexpr double kOff_K = 0.3;           ///< an object off its aim by this is still to be brought there
 constexpr int kRefinements = 12;         ///< of a pose from the look-up
 constexpr int kTouches = 3;              ///< of a pose that was right a moment ago
 
@@ -225,22 +225,23 @@ std::vector<HeatingPlan> LevelServo::heatingPlans(const HeatingTask& task, const
         plan.rest = rest;
         plan.stays[0].pose = refinePose(*m_model.geometry, first, start, kRefinements);
         HeatingTask then = task;
-        plan.stays[0].time_s = heatAt(plan.stays[0].pose, false, then);
+        plan.stays[0].time_s = stayAt(plan.stays[0].pose, false, then);
         const PoseQuery second = level(then);
         const std::vector<Vector6d> next = m_lookup->best(second, 1);
         plan.stays[1].pose =
             next.empty() ? rest : refinePose(*m_model.geometry, second, next.front(), kRefinements);
-        plan.stays[1].time_s = heatAt(plan.stays[1].pose, true, then);
+        plan.stays[1].time_s = stayAt(plan.stays[1].pose, true, then);
         out.push_back(plan);
     }
     return out;
 }
 
-double LevelServo::heatAt(const Vector6d& pose, bool all, HeatingTask& task) const {
+double LevelServo::stayAt(const Vector6d& pose, bool all, HeatingTask& task) const {
     const Eigen::VectorXd steady_K = steadyAt_K(task, pose);
     double time_s = all ? 0.0 : std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < steady_K.size(); ++i) {
-        if (task.aim_K[i] - task.temperature_K[i] < kCold_K || steady_K[i] <= task.aim_K[i])
+        const double off_K = task.aim_K[i] - task.temperature_K[i];
+        if (std::abs(off_K) < kOff_K || (steady_K[i] - task.aim_K[i]) * off_K <= 0.0)
             continue;
         const double arrival_s =
             task.rates[static_cast<std::size_t>(i)].timeConstant_s(task.aim_K[i]) *

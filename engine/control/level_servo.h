@@ -54,9 +54,9 @@ private:
 
     std::vector<HeatingPlan> restingPlans(const HeatingTask& task) const;
     std::vector<HeatingPlan> heatingPlans(const HeatingTask& task, const Vector6d& rest) const;
-    /// Time at `pose` until the first (or all) of the cold objects has come to its aim; `task` becomes that
-    /// moment.
-    double heatAt(const Vector6d& pose, bool all, HeatingTask& task) const;
+    /// Time at `pose` until the first (or all) of the objects off their aims has come there; `task` becomes
+    /// that moment.
+    double stayAt(const Vector6d& pose, bool all, HeatingTask& task) const;
     void choosePlan(const HeatingTask& task);
     VelocitySolution follow(const HeatingTask& task, const Vector6d& lastRates, double dt_s);
 

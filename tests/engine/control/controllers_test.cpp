@@ -28,6 +28,7 @@ struct Bench {
     HeatRates rates;
     Vector6d q = Vector6d::Zero();
     double T_K = 0.0;
+    double now_s = 0.0; ///< of all runs together: a controller's time only grows
 
     Bench() {
         RobotLimits limits = wideLimits();
@@ -44,9 +45,9 @@ struct Bench {
 
     /// Runs `controller` for a time with a small step; calls see(time, T) at each.
     template <class See> void run(Controller& controller, double duration_s, double dt_s, See see) {
-        for (double t = 0.0; t < duration_s; t += dt_s) {
+        for (double t = 0.0; t < duration_s; t += dt_s, now_s += dt_s) {
             see(t, T_K);
-            const ControlOutput output = controller.step({t, q, 1.0, {{T_K, v()}}}, dt_s);
+            const ControlOutput output = controller.step({now_s, q, 1.0, {{T_K, v()}}}, dt_s);
             for (int i = 0; i < 10; ++i) {
                 T_K += 0.1 * dt_s * v();
                 q += 0.1 * dt_s * output.rates;

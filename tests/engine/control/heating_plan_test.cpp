@@ -1,0 +1,120 @@
+// Plans of the level servo against the heat balance itself, and its stability argument.
+
+#include "engine/control/heating_plan.h"
+#include "engine/control/velocity_solve.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace bask {
+namespace {
+
+constexpr double kT3_K = 298.15;
+
+/// Two painted disks of different thickness over a hot disk.
+struct Rig {
+    std::shared_ptr<const RigGeometry> geometry;
+    HeatingTask task;
+
+    Rig() {
+        Vector6d left = Vector6d::Zero(), right = Vector6d::Zero();
+        left[kX] = -0.04;
+        right[kX] = 0.04;
+        geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}, Disk{0.015}},
+                                                 std::vector<Vector6d>{left, right}, RobotLimits());
+        const double J = netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, kT3_K);
+        for (const double thickness_m : {0.0005, 0.001})
+            task.rates.push_back(heatRates({"painted", 0.9, 0.9, 904.0, 2700.0, thickness_m, 1.0}, J, kT3_K));
+        task.from[kZ] = 0.2;
+        task.temperature_K = Eigen::Vector2d::Constant(kT3_K);
+    }
+    /// The task's aim becomes what `pose` holds.
+    void aimAt(const Vector6d& pose) {
+        const Eigen::VectorXd F = geometry->viewFactors(pose).F;
+        task.aim_K.resize(2);
+        for (Eigen::Index i = 0; i < 2; ++i)
+            task.aim_K[i] = task.rates[static_cast<std::size_t>(i)].steadyTemperature_K(F[i]);
+    }
+    double cost(const HeatingPlan& plan) const { return planResiduals(*geometry, task, plan).squaredNorm(); }
+    /// Moves straight to `goal` for dt_s under the exact heat balance.
+    void move(const Vector6d& goal, double dt_s) {
+        const Vector6d rates = velocityTowards(*geometry, task.from, goal, dt_s).rates;
+        constexpr int kSteps = 50;
+        for (int k = 0; k < kSteps; ++k) {
+            task.from += dt_s / kSteps * rates;
+            const Eigen::VectorXd F = geometry->viewFactors(task.from).F;
+            for (Eigen::Index i = 0; i < 2; ++i)
+                task.temperature_K[i] +=
+                    dt_s / kSteps *
+                    task.rates[static_cast<std::size_t>(i)].rate_K_s(F[i], task.temperature_K[i]);
+        }
+    }
+};
+
+Vector6d pose(double x, double z) {
+    Vector6d q = Vector6d::Zero();
+    q[kX] = x;
+    q[kZ] = z;
+    return q;
+}
+
+} // namespace
+
+// Catches an optimisation that returns a worse plan, or one outside workspace and clearance.
+TEST(HeatingPlan, ImprovementNeverMakesWorseAndStaysInside) {
+    Rig rig;
+    rig.aimAt(pose(0.02, 0.08));
+    for (const double x : {-0.2, 0.0, 0.2})
+        for (const double z : {0.01, 0.1, 0.3}) {
+            const HeatingPlan plan{{Stay{pose(x, z), 20.0}, Stay{pose(0.0, 0.05), 5.0}}, pose(0.02, 0.08)};
+            double cost = 0.0;
+            const HeatingPlan better = improvePlan(*rig.geometry, rig.task, plan, 6, cost);
+            EXPECT_LE(cost, rig.cost(plan));
+            EXPECT_NEAR(cost, rig.cost(better), 1e-9 * cost);
+            for (const Stay& stay : better.stays) {
+                EXPECT_TRUE(rig.geometry->allowed(stay.pose));
+                EXPECT_GE(stay.time_s, 0.0);
+            }
+        }
+}
+
+// Catches a cost that does not fall along the way: then the argument for stability in level_servo.h is wrong.
+TEST(HeatingPlan, TheCostFallsAsThePlanIsFollowed) {
+    Rig rig;
+    const Vector6d rest = pose(0.02, 0.08);
+    rig.aimAt(rest);
+    HeatingPlan plan{{Stay{pose(0.03, 0.02), 20.0}, Stay{rest, 10.0}}, rest};
+    double cost = 0.0;
+    plan = improvePlan(*rig.geometry, rig.task, plan, 10, cost);
+    const double first = cost;
+    for (int step = 0; step < 400; ++step) {
+        const double travel_s = travelTime_s(rig.geometry->limits(), rig.task.from, plan.stays[0].pose);
+        rig.move(plan.stays[0].pose, 1.0);
+        if (travel_s <= 0.5)
+            plan.spend(1.0 - travel_s, {rest, 10.0});
+        double next = 0.0;
+        plan = improvePlan(*rig.geometry, rig.task, plan, 4, next);
+        EXPECT_LE(next, 1.02 * cost + 1e-3 * first) << "step " << step; // its grid of times moves with it
+        cost = next;
+    }
+    EXPECT_LT(cost, 1e-3 * first);
+    EXPECT_LT((rig.task.temperature_K - rig.task.aim_K).cwiseAbs().maxCoeff(), 0.1);
+}
+
+// Catches a prediction that is not the heat balance: resting for ever, errors decay from where they are.
+TEST(HeatingPlan, RestingCostsTheDecayOfTheErrors) {
+    Rig rig;
+    const Vector6d rest = pose(0.0, 0.1);
+    rig.aimAt(rest);
+    rig.task.from = rest;
+    rig.task.temperature_K = rig.task.aim_K;
+    const HeatingPlan plan{{Stay{rest, 0.0}, Stay{rest, 0.0}}, rest};
+    EXPECT_NEAR(rig.cost(plan), 0.0, 1e-9);
+    rig.task.temperature_K[0] -= 1.0;
+    const double one = rig.cost(plan);
+    rig.task.temperature_K[0] -= 1.0;
+    EXPECT_NEAR(rig.cost(plan), 4.0 * one, 1e-6 * one);
+}
+
+} // namespace bask
