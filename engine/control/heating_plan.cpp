@@ -20,7 +20,7 @@ constexpr double kFastShare = 0.3;    ///< of the slowest object's time, the lea
 constexpr double kLeastPull = 0.05;   ///< of the view factor, for the time to heat or cool
 constexpr double kNear_K = 0.25;      ///< errors this small count less: they are within the settled band
 constexpr double kNearWeight = 0.4;   ///< by this factor
-constexpr double kMissedRest_s = 120; ///< time for which a rest that misses the aim is paid
+constexpr double kMissedRest = 2.0;   ///< time constants for which a rest that misses the aim is paid
 constexpr double kTravelPrice = 0.02; ///< K2 s for a second of travel, squared
 
 /// Temperatures along a plan, and the residuals that they make.
@@ -62,8 +62,9 @@ public:
             return;
         }
         m_F = m_geometry.viewFactorsFast(m_at);
+        // Short steps first, where temperatures change: what a coarse one leaves out, plans would use.
         for (int k = 0; k < kStaySteps; ++k)
-            step(time_s / kStaySteps);
+            step(time_s * (2 * k + 1) / (kStaySteps * kStaySteps));
     }
 
     /// For ever at this pose: errors decay to those of its steady temperatures.
@@ -72,10 +73,10 @@ public:
         for (Eigen::Index i = 0; i < m_T.size(); ++i) {
             const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
             const double steady_K = rates.steadyTemperature_K(m_F[i]);
-            const double decay = std::sqrt(0.5 * rates.timeConstant_s(m_task.aim_K[i]));
+            const double tau_s = rates.timeConstant_s(m_task.aim_K[i]);
             const double missed_s = plainToGo_s(i, steady_K);
-            m_residuals[m_next++] = decay * (plainToGo_s(i, m_T[i]) - missed_s);
-            m_residuals[m_next++] = std::sqrt(kMissedRest_s) * missed_s;
+            m_residuals[m_next++] = std::sqrt(0.5 * tau_s) * (plainToGo_s(i, m_T[i]) - missed_s);
+            m_residuals[m_next++] = std::sqrt(kMissedRest * tau_s) * missed_s;
         }
     }
 
@@ -108,8 +109,9 @@ private:
             const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
             const double T3 = m_T[i] * m_T[i] * m_T[i];
             const double rate = rates.lambda1 * m_F[i] - rates.lambda2 * T3 * m_T[i] + rates.lambda3;
+            const double before_s = toGo_s(i, m_T[i]);
             m_T[i] += dt_s * rate / (1.0 + 2.0 * dt_s * rates.lambda2 * T3); // linearly implicit midpoint
-            m_residuals[m_next++] = root * toGo_s(i, m_T[i]);
+            m_residuals[m_next++] = 0.5 * root * (before_s + toGo_s(i, m_T[i]));
         }
     }
 

@@ -2,6 +2,7 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
+#include "widgets/review/object_table.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -9,7 +10,6 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLocale>
-#include <QScrollBar>
 
 #include <algorithm>
 #include <cmath>
@@ -44,21 +44,7 @@ std::vector<FinalValue> finalValues(const SessionRecord& session) {
 }
 
 FinalValuesTable::FinalValuesTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
-    setShowGrid(false);
-    setWordWrap(false);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setTabKeyNavigation(false);
-    verticalHeader()->hide();
-    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 12);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
-    horizontalHeader()->setMinimumSectionSize(70);
-    horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    horizontalHeader()->setHighlightSections(false);
+    styleObjectTable(*this);
     refresh();
 }
 
@@ -88,9 +74,7 @@ void FinalValuesTable::refresh() {
         tr("Time from which the object stays within %1 of its target until the end")
             .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, m_unit).mid(1)));
     setRowCount(static_cast<int>(m_values.size()));
-    const int rows = std::clamp(rowCount(), 1, 8);
-    setFixedHeight(horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() +
-                   2 * frameWidth() + horizontalScrollBar()->sizeHint().height());
+    fitHeightToRows(*this);
     for (int row = 0; row < rowCount(); ++row) {
         const FinalValue& value = m_values[static_cast<std::size_t>(row)];
         const QString settling = value.settling_s

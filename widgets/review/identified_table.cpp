@@ -2,11 +2,11 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
+#include "widgets/review/object_table.h"
 
 #include <QEvent>
 #include <QHeaderView>
 #include <QLocale>
-#include <QScrollBar>
 
 #include <algorithm>
 #include <cmath>
@@ -36,20 +36,7 @@ QString withError(const IdentifiedRow::Value& value) {
 } // namespace
 
 IdentifiedTable::IdentifiedTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
-    setSelectionBehavior(QAbstractItemView::SelectRows);
-    setShowGrid(false);
-    setWordWrap(false);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setTabKeyNavigation(false);
-    verticalHeader()->hide();
-    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 12);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(kName, QHeaderView::Stretch);
-    horizontalHeader()->setMinimumSectionSize(70);
-    horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    horizontalHeader()->setHighlightSections(false);
+    styleObjectTable(*this);
     refresh();
 }
 
@@ -67,9 +54,7 @@ void IdentifiedTable::refresh() {
     horizontalHeaderItem(kController)->setToolTip(tr("\u03bb\u2081 that the controller believed at the end"));
     horizontalHeaderItem(kMaterial)->setToolTip(tr("\u03bb\u2081 of the experiment's material and source"));
     setRowCount(static_cast<int>(m_rows.size()));
-    const int rows = std::clamp(rowCount(), 1, 6);
-    setFixedHeight(horizontalHeader()->sizeHint().height() + rows * verticalHeader()->defaultSectionSize() +
-                   2 * frameWidth() + horizontalScrollBar()->sizeHint().height());
+    fitHeightToRows(*this);
     for (int row = 0; row < rowCount(); ++row) {
         const IdentifiedRow& value = m_rows[static_cast<std::size_t>(row)];
         const QString others = value.unusable.isEmpty()

@@ -1,0 +1,37 @@
+#include "widgets/review/object_table.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace bask {
+
+void styleObjectTable(QTableWidget& table) {
+    table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+    table.setSelectionBehavior(QAbstractItemView::SelectRows);
+    table.setShowGrid(false);
+    table.setWordWrap(false);
+    table.setHorizontalScrollBarPolicy(Qt::ScrollBarAsNeeded);
+    table.setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    table.setTabKeyNavigation(false);
+    QHeaderView& rows = *table.verticalHeader();
+    rows.hide();
+    rows.setSectionResizeMode(QHeaderView::Fixed);
+    rows.setDefaultSectionSize(table.fontMetrics().height() + 12);
+    QHeaderView& columns = *table.horizontalHeader();
+    columns.setSectionResizeMode(QHeaderView::ResizeToContents);
+    columns.setSectionResizeMode(0, QHeaderView::Stretch);
+    columns.setMinimumSectionSize(70);
+    columns.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    columns.setHighlightSections(false);
+}
+
+void fitHeightToRows(QTableWidget& table) {
+    const int rows = std::clamp(table.rowCount(), 1, 6);
+    table.setFixedHeight(table.horizontalHeader()->sizeHint().height() +
+                         rows * table.verticalHeader()->defaultSectionSize() + 2 * table.frameWidth() +
+                         table.horizontalScrollBar()->sizeHint().height());
+}
+
+} // namespace bask
