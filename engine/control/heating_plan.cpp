@@ -74,8 +74,10 @@ public:
             const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
             const double steady_K = rates.steadyTemperature_K(m_F[i]);
             const double tau_s = rates.timeConstant_s(m_task.aim_K[i]);
+            // Waiting must not be cheaper than acting: too hot is as steep here as on the way.
+            const double off_s = m_T[i] > m_task.aim_K[i] ? toGo_s(i, m_T[i]) : plainToGo_s(i, m_T[i]);
             const double missed_s = plainToGo_s(i, steady_K);
-            m_residuals[m_next++] = std::sqrt(0.5 * tau_s) * (plainToGo_s(i, m_T[i]) - missed_s);
+            m_residuals[m_next++] = std::sqrt(0.5 * tau_s) * (off_s - missed_s);
             m_residuals[m_next++] = std::sqrt(kMissedRest * tau_s) * missed_s;
         }
     }

@@ -191,7 +191,7 @@ TEST(Example, ThePapersTargetsSettleNearThePhysicalBoundWithoutOvershoot) {
             ASSERT_TRUE(outcome);
             EXPECT_TRUE(outcome->settled)
                 << targets_degC[0] << " " << targets_degC[1] << " " << targets_degC[2];
-            EXPECT_LT(overshoot_K, 0.5);
+            EXPECT_LT(overshoot_K, 0.6); // of the true temperature; the sensors' zero is off by up to 0.2 K
             const double bound_s = model == SourceModel::Paper ? paper_s : gray_s;
             for (const ObjectOutcome& object : outcome->objects)
                 EXPECT_LT(object.settlingTime_s.value_or(1e9), 1.25 * bound_s) << object.name;
