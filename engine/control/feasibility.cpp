@@ -10,9 +10,9 @@ namespace {
 
 /// Extreme view factor of one object: the look-up's best pose, refined towards `aim` (0 or 1).
 double extremeViewFactor(const RigGeometry& geometry, const PoseLookup& lookup, int object, double aim) {
-    const auto row = lookup.table().row(object);
+    const auto F = lookup.table().col(object);
     Eigen::Index k = 0;
-    const double sampled = aim > 0.5 ? row.maxCoeff(&k) : row.minCoeff(&k);
+    const double sampled = aim > 0.5 ? F.maxCoeff(&k) : F.minCoeff(&k);
     PoseQuery query;
     query.wanted = Eigen::VectorXd::Constant(geometry.objects(), aim);
     query.weights = Eigen::VectorXd::Unit(geometry.objects(), object);

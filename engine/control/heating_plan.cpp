@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -16,117 +17,12 @@ constexpr double kHere_s = 0.05;  ///< a way this short is none
 constexpr double kFar_K = 8.0;    ///< from here on squared errors grow linearly
 constexpr double kHotShare = 2.2; ///< of the slowest object's time a kelvin, for every kelvin too hot
 constexpr double kHotSteepness_1_K = 8.0;
-constexpr double kFastShare = 0.3;    ///< of the slowest object's time, the least that a fast object counts
-constexpr double kLeastPull = 0.05;   ///< of the view factor, for the time to heat or cool
-constexpr double kNear_K = 0.25;      ///< errors this small count less: they are within the settled band
-constexpr double kNearWeight = 0.4;   ///< by this factor
-constexpr double kMissedRest = 2.0;   ///< time constants for which a rest that misses the aim is paid
-constexpr double kTravelPrice = 0.02; ///< K2 s for a second of travel, squared
-
-/// Temperatures along a plan, and the residuals that they make.
-class Walk {
-public:
-    Walk(const RigGeometry& geometry, const HeatingTask& task)
-        : m_geometry(geometry), m_task(task), m_T(task.temperature_K), m_at(task.from),
-          m_cold_s_K(m_T.size()), m_residuals(Eigen::VectorXd::Zero(count(task))) {
-        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
-            const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
-            const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, 1.0 - kLeastPull);
-            m_cold_s_K[i] = 1.0 / (rates.lambda1 * (1.0 - F));
-        }
-        const double most = m_cold_s_K.maxCoeff();
-        m_cold_s_K = m_cold_s_K.cwiseMax(kFastShare * most);
-        m_hot_s_K = kHotShare * most;
-    }
-
-    static Eigen::Index count(const HeatingTask& task) {
-        return task.temperature_K.size() * (3 * kLegSteps + 2 * kStaySteps + 2) + 3;
-    }
-
-    void go(const Vector6d& to) {
-        const double time_s = travelTime_s(m_geometry.limits(), m_at, to);
-        if (time_s < kHere_s)
-            m_next += kLegSteps * m_T.size();
-        else
-            for (int k = 0; k < kLegSteps; ++k) {
-                m_F = m_geometry.viewFactorsFast(m_at + (k + 0.5) / kLegSteps * (to - m_at));
-                step(time_s / kLegSteps);
-            }
-        m_residuals[m_next++] = std::sqrt(kTravelPrice) * time_s;
-        m_at = to;
-    }
-
-    void stay(double time_s) {
-        if (time_s <= 0.0) {
-            m_next += kStaySteps * m_T.size();
-            return;
-        }
-        m_F = m_geometry.viewFactorsFast(m_at);
-        // Short steps first, where temperatures change: what a coarse one leaves out, plans would use.
-        for (int k = 0; k < kStaySteps; ++k)
-            step(time_s * (2 * k + 1) / (kStaySteps * kStaySteps));
-    }
-
-    /// For ever at this pose: errors decay to those of its steady temperatures.
-    void rest() {
-        m_F = m_geometry.viewFactorsFast(m_at);
-        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
-            const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
-            const double steady_K = rates.steadyTemperature_K(m_F[i]);
-            const double tau_s = rates.timeConstant_s(m_task.aim_K[i]);
-            // Waiting must not be cheaper than acting: too hot is as steep here as on the way.
-            const double off_s = m_T[i] > m_task.aim_K[i] ? toGo_s(i, m_T[i]) : plainToGo_s(i, m_T[i]);
-            const double missed_s = plainToGo_s(i, steady_K);
-            m_residuals[m_next++] = std::sqrt(0.5 * tau_s) * (off_s - missed_s);
-            m_residuals[m_next++] = std::sqrt(kMissedRest * tau_s) * missed_s;
-        }
-    }
-
-    Eigen::VectorXd take() { return std::move(m_residuals); }
-
-private:
-    /// How long an object at T_K is from its aim, signed: cold, the time to heat it, in which large errors
-    /// grow as a root, so that their squares grow linearly; hot, steeply.
-    double toGo_s(Eigen::Index i, double T_K) const {
-        const double error_K = T_K - m_task.aim_K[i];
-        const double size_K = std::abs(error_K);
-        const double felt_K =
-            size_K < kNear_K ? kNearWeight * size_K : size_K - (1.0 - kNearWeight) * kNear_K;
-        if (error_K > 0.0)
-            return m_hot_s_K * felt_K * (1.0 + kHotSteepness_1_K * felt_K);
-        if (felt_K < kFar_K)
-            return -m_cold_s_K[i] * felt_K;
-        return -m_cold_s_K[i] * std::sqrt((2.0 * felt_K - kFar_K) * kFar_K);
-    }
-
-    /// The same in proportion to the error: beliefs about the far future are not sure enough for more.
-    double plainToGo_s(Eigen::Index i, double T_K) const {
-        const double error_K = T_K - m_task.aim_K[i];
-        return error_K * (error_K > 0.0 ? m_hot_s_K : m_cold_s_K[i]);
-    }
-
-    void step(double dt_s) {
-        const double root = std::sqrt(dt_s);
-        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
-            const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
-            const double T3 = m_T[i] * m_T[i] * m_T[i];
-            const double rate = rates.lambda1 * m_F[i] - rates.lambda2 * T3 * m_T[i] + rates.lambda3;
-            const double before_s = toGo_s(i, m_T[i]);
-            m_T[i] += dt_s * rate / (1.0 + 2.0 * dt_s * rates.lambda2 * T3); // linearly implicit midpoint
-            m_residuals[m_next++] = 0.5 * root * (before_s + toGo_s(i, m_T[i]));
-        }
-    }
-
-    const RigGeometry& m_geometry;
-    const HeatingTask& m_task;
-    Eigen::VectorXd m_T;
-    Eigen::VectorXd m_F;
-    Vector6d m_at;
-    double m_hot_s_K = 0.0;     ///< what a kelvin too hot counts as
-    Eigen::VectorXd m_cold_s_K; ///< time to heat by a kelvin at F = 1
-    Eigen::VectorXd m_residuals;
-    Eigen::Index m_next = 0;
-};
+constexpr double kFastShare = 0.3;      ///< of the slowest object's time, the least that a fast object counts
+constexpr double kLeastPull = 0.05;     ///< of the view factor, for the time to heat or cool
+constexpr double kNear_K = 0.25;        ///< errors this small count less: they are within the settled band
+constexpr double kNearWeight = 0.4;     ///< by this factor
+constexpr double kMissedRest = 2.0;     ///< time constants for which a rest that misses the aim is paid
+constexpr double kTravelPrice_s = 0.02; ///< of the squared time of travel
 
 constexpr double kRotationLength_m = 0.1;
 constexpr double kLengthStep_m = 1e-3;        // of the differences
@@ -212,8 +108,116 @@ void HeatingPlan::move(const Pose& motion, const RobotLimits& limits) {
     }
 }
 
-Eigen::VectorXd planResiduals(const RigGeometry& geometry, const HeatingTask& task, const HeatingPlan& plan) {
-    Walk walk(geometry, task);
+PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
+    : m_geometry(geometry), m_task(task), m_cold_s_K(task.aim_K.size()) {
+    for (Eigen::Index i = 0; i < m_cold_s_K.size(); ++i) {
+        const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
+        const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, 1.0 - kLeastPull);
+        m_cold_s_K[i] = 1.0 / (rates.lambda1 * (1.0 - F));
+    }
+    const double most_s_K = m_cold_s_K.maxCoeff();
+    m_cold_s_K = m_cold_s_K.cwiseMax(kFastShare * most_s_K);
+    m_hot_s_K = kHotShare * most_s_K;
+}
+
+/// Temperatures along a plan, and the residuals that they make.
+class PlanCost::Walk {
+public:
+    explicit Walk(const PlanCost& cost)
+        : m_cost(cost), m_geometry(cost.m_geometry), m_task(cost.m_task), m_at(m_task.from),
+          m_T(m_task.temperature_K), m_toGo_s(m_T.size()), m_F(m_T.size()),
+          m_residuals(Eigen::VectorXd::Zero(m_T.size() * (3 * kLegSteps + 2 * kStaySteps + 2) + 3)) {
+        for (Eigen::Index i = 0; i < m_T.size(); ++i)
+            m_toGo_s[i] = toGo_s(i);
+    }
+
+    void go(const Vector6d& to) {
+        const double time_s = travelTime_s(m_geometry.limits(), m_at, to);
+        if (time_s < kHere_s)
+            m_next += kLegSteps * m_T.size();
+        else
+            for (int k = 0; k < kLegSteps; ++k) {
+                m_geometry.viewFactorsFast(m_at + (k + 0.5) / kLegSteps * (to - m_at), m_F);
+                step(time_s / kLegSteps);
+            }
+        m_residuals[m_next++] = std::sqrt(kTravelPrice_s) * time_s;
+        m_at = to;
+    }
+
+    void stay(double time_s) {
+        if (time_s <= 0.0) {
+            m_next += kStaySteps * m_T.size();
+            return;
+        }
+        m_geometry.viewFactorsFast(m_at, m_F);
+        // Short steps first, where temperatures change: what a coarse one leaves out, plans would use.
+        for (int k = 0; k < kStaySteps; ++k)
+            step(time_s * (2 * k + 1) / (kStaySteps * kStaySteps));
+    }
+
+    /// For ever at this pose: errors decay to those of its steady temperatures.
+    void rest() {
+        m_geometry.viewFactorsFast(m_at, m_F);
+        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
+            const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
+            const double steady_K = rates.steadyTemperature_K(m_F[i]);
+            const double tau_s = rates.timeConstant_s(m_task.aim_K[i]);
+            // Waiting must not be cheaper than acting: too hot is as steep here as on the way.
+            const double off_s = m_T[i] > m_task.aim_K[i] ? m_toGo_s[i] : plainToGo_s(i, m_T[i]);
+            const double missed_s = plainToGo_s(i, steady_K);
+            m_residuals[m_next++] = std::sqrt(0.5 * tau_s) * (off_s - missed_s);
+            m_residuals[m_next++] = std::sqrt(kMissedRest * tau_s) * missed_s;
+        }
+    }
+
+    Eigen::VectorXd take() { return std::move(m_residuals); }
+
+private:
+    /// How long an object is from its aim, signed: cold, the time to heat it, in which large errors grow as a
+    /// root, so that their squares grow linearly; hot, steeply.
+    double toGo_s(Eigen::Index i) const {
+        const double error_K = m_T[i] - m_task.aim_K[i];
+        const double size_K = std::abs(error_K);
+        const double felt_K =
+            size_K < kNear_K ? kNearWeight * size_K : size_K - (1.0 - kNearWeight) * kNear_K;
+        if (error_K > 0.0)
+            return m_cost.m_hot_s_K * felt_K * (1.0 + kHotSteepness_1_K * felt_K);
+        if (felt_K < kFar_K)
+            return -m_cost.m_cold_s_K[i] * felt_K;
+        return -m_cost.m_cold_s_K[i] * std::sqrt((2.0 * felt_K - kFar_K) * kFar_K);
+    }
+
+    /// The same in proportion to the error: beliefs about the far future are not sure enough for more.
+    double plainToGo_s(Eigen::Index i, double T_K) const {
+        const double error_K = T_K - m_task.aim_K[i];
+        return error_K * (error_K > 0.0 ? m_cost.m_hot_s_K : m_cost.m_cold_s_K[i]);
+    }
+
+    void step(double dt_s) {
+        const double root = std::sqrt(dt_s);
+        for (Eigen::Index i = 0; i < m_T.size(); ++i) {
+            const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
+            const double T3 = m_T[i] * m_T[i] * m_T[i];
+            const double rate = rates.lambda1 * m_F[i] - rates.lambda2 * T3 * m_T[i] + rates.lambda3;
+            m_T[i] += dt_s * rate / (1.0 + 2.0 * dt_s * rates.lambda2 * T3); // linearly implicit midpoint
+            const double before_s = std::exchange(m_toGo_s[i], toGo_s(i));
+            m_residuals[m_next++] = 0.5 * root * (before_s + m_toGo_s[i]);
+        }
+    }
+
+    const PlanCost& m_cost;
+    const RigGeometry& m_geometry;
+    const HeatingTask& m_task;
+    Vector6d m_at;
+    Eigen::VectorXd m_T;
+    Eigen::VectorXd m_toGo_s; ///< N, at m_T
+    Eigen::VectorXd m_F;
+    Eigen::VectorXd m_residuals;
+    Eigen::Index m_next = 0;
+};
+
+Eigen::VectorXd PlanCost::residuals(const HeatingPlan& plan) const {
+    Walk walk(*this);
     for (const Stay& stay : plan.stays) {
         walk.go(stay.pose);
         walk.stay(stay.time_s);
@@ -223,37 +227,33 @@ Eigen::VectorXd planResiduals(const RigGeometry& geometry, const HeatingTask& ta
     return walk.take();
 }
 
-HeatingPlan improvePlan(const RigGeometry& geometry, const HeatingTask& task, const HeatingPlan& plan,
-                        int iterations, double& cost) {
-    const Variables variables(geometry);
+PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
+    const Variables variables(m_geometry);
     const Eigen::Index n = variables.count();
-    HeatingPlan best = plan;
-    Eigen::VectorXd residuals = planResiduals(geometry, task, best);
-    cost = residuals.squaredNorm();
+    Eigen::VectorXd now = residuals(plan);
+    PricedPlan best{plan, now.squaredNorm()};
     double damping = 1e-2;
     for (int i = 0; i < iterations; ++i) {
-        Eigen::MatrixXd J(residuals.size(), n);
-        const Eigen::VectorXd differences = variables.differences(best);
+        Eigen::MatrixXd J(now.size(), n);
+        const Eigen::VectorXd differences = variables.differences(best.plan);
         for (Eigen::Index k = 0; k < n; ++k) {
             const Eigen::VectorXd step = differences[k] * Eigen::VectorXd::Unit(n, k);
-            J.col(k) =
-                (planResiduals(geometry, task, variables.moved(best, step)) - residuals) / differences[k];
+            J.col(k) = (residuals(variables.moved(best.plan, step)) - now) / differences[k];
         }
         const Eigen::MatrixXd H = J.transpose() * J;
-        const Eigen::VectorXd g = -J.transpose() * residuals;
+        const Eigen::VectorXd g = -J.transpose() * now;
         bool better = false;
         for (int attempt = 0; attempt < 3 && !better; ++attempt) {
             Eigen::MatrixXd damped = H;
             damped.diagonal().array() += damping * (H.trace() / static_cast<double>(n) + 1e-9);
-            const HeatingPlan next = variables.moved(best, damped.ldlt().solve(g));
-            Eigen::VectorXd there = planResiduals(geometry, task, next);
-            const double nextCost = there.squaredNorm();
-            better = nextCost < cost;
+            const HeatingPlan next = variables.moved(best.plan, damped.ldlt().solve(g));
+            Eigen::VectorXd there = residuals(next);
+            const double cost = there.squaredNorm();
+            better = cost < best.cost;
             if (better) {
-                best = next;
-                residuals = std::move(there);
-                const bool done = nextCost > 0.999 * cost;
-                cost = nextCost;
+                const bool done = cost > 0.999 * best.cost;
+                best = {next, cost};
+                now = std::move(there);
                 if (done)
                     return best;
             }

@@ -35,14 +35,33 @@ struct HeatingTask {
     Eigen::VectorXd aim_K;            ///< N
 };
 
-/// Residuals of a plan, K sqrt(s), whose squares add up to its cost: integral of the squared temperature
-/// errors (too hot weighs more than too cold) from now on for ever under the heat balance, and a small price
-/// on travel.
-Eigen::VectorXd planResiduals(const RigGeometry& geometry, const HeatingTask& task, const HeatingPlan& plan);
+struct PricedPlan {
+    HeatingPlan plan;
+    double cost = 0.0; ///< s3
+};
 
-/// Levenberg-Marquardt on stays and times from `plan`, inside workspace and clearance; never worse than
-/// `plan`. `cost` is that of `plan` on entry, of the result on return.
-HeatingPlan improvePlan(const RigGeometry& geometry, const HeatingTask& task, const HeatingPlan& plan,
-                        int iterations, double& cost);
+/// What plans cost: for each object the time that it is still away from its aim, squared and integrated from
+/// now on for ever under the heat balance, and a small price on travel. Cold, that is the time to heat it
+/// with F = 1, of which large errors count as a root; too hot counts for more, and steeply. Refers to
+/// geometry and task.
+class PlanCost {
+public:
+    PlanCost(const RigGeometry& geometry, const HeatingTask& task);
+
+    /// Residuals whose squares add up to the cost, s sqrt(s).
+    Eigen::VectorXd residuals(const HeatingPlan& plan) const;
+    double of(const HeatingPlan& plan) const { return residuals(plan).squaredNorm(); }
+    /// Levenberg-Marquardt on stays and times from `plan`, inside workspace and clearance; never worse than
+    /// `plan`.
+    PricedPlan improve(const HeatingPlan& plan, int iterations) const;
+
+private:
+    class Walk;
+
+    const RigGeometry& m_geometry;
+    const HeatingTask& m_task;
+    double m_hot_s_K = 0.0;     ///< what a kelvin too hot counts as
+    Eigen::VectorXd m_cold_s_K; ///< N, time to heat by a kelvin at F = 1
+};
 
 } // namespace bask

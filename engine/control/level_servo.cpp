@@ -77,7 +77,7 @@ void LevelServo::setGeometry(std::shared_ptr<const RigGeometry> geometry) {
     // What was planned over the source goes with it.
     const Pose moved = geometry->X_RS() * m_model.geometry->X_RS().inverse();
     if (m_plan)
-        m_plan->move(moved, geometry->limits());
+        m_plan->plan.move(moved, geometry->limits());
     m_model.geometry = std::move(geometry);
     const Pose sinceTable = m_tableSource.inverse() * m_model.geometry->X_RS();
     if (sinceTable.translation().norm() > kTableShift_m ||
@@ -167,7 +167,7 @@ void LevelServo::findRests(const HeatingTask& task) {
     std::vector<Vector6d> starts = m_lookup->best(query, kRestCandidates);
     starts.push_back(task.from);
     if (m_plan)
-        starts.push_back(m_plan->rest);
+        starts.push_back(m_plan->plan.rest);
     struct Found {
         Vector6d pose;
         double price_K2;
@@ -260,28 +260,27 @@ double LevelServo::stayAt(const Vector6d& pose, bool all, HeatingTask& task) con
 }
 
 void LevelServo::choosePlan(const HeatingTask& task) {
-    const RigGeometry& geometry = *m_model.geometry;
-    double cost = std::numeric_limits<double>::infinity();
-    if (m_plan)
-        m_plan = improvePlan(geometry, task, *m_plan, kFollowIterations, cost);
-    const bool foreseen = cost < kSurprise * m_cost;
-    m_cost = cost;
-    if (m_plan && m_time_s < m_nextSearch_s && foreseen)
+    const PlanCost cost(*m_model.geometry, task);
+    bool foreseen = false;
+    if (m_plan) {
+        const PricedPlan followed = cost.improve(m_plan->plan, kFollowIterations);
+        foreseen = followed.cost < kSurprise * m_plan->cost;
+        m_plan = followed;
+    }
+    if (m_time_s < m_nextSearch_s && foreseen)
         return;
     const bool calm = (task.temperature_K - task.aim_K).cwiseAbs().maxCoeff() < kCalm_K;
     m_nextSearch_s = m_time_s + (calm ? kCalmSearchPeriod_s : kSearchPeriod_s);
-    const auto consider = [&](std::vector<HeatingPlan> plans, std::size_t most) {
-        std::ranges::sort(plans, {}, [&](const HeatingPlan& plan) {
-            return planResiduals(geometry, task, plan).squaredNorm();
-        });
+    const auto consider = [&](const std::vector<HeatingPlan>& proposed, std::size_t most) {
+        std::vector<PricedPlan> plans;
+        for (const HeatingPlan& plan : proposed)
+            plans.push_back({plan, cost.of(plan)});
+        std::ranges::sort(plans, {}, &PricedPlan::cost);
         plans.resize(std::min(plans.size(), most));
-        for (const HeatingPlan& proposed : plans) {
-            double its = 0.0;
-            const HeatingPlan plan = improvePlan(geometry, task, proposed, kSearchIterations, its);
-            if (m_plan && its >= kBetter * m_cost)
-                continue;
-            m_cost = its;
-            m_plan = plan;
+        for (const PricedPlan& plan : plans) {
+            const PricedPlan better = cost.improve(plan.plan, kSearchIterations);
+            if (!m_plan || better.cost < kBetter * m_plan->cost)
+                m_plan = better;
         }
     };
     const std::vector<HeatingPlan> resting = restingPlans(task);
@@ -291,15 +290,15 @@ void LevelServo::choosePlan(const HeatingTask& task) {
 
 VelocitySolution LevelServo::follow(const HeatingTask& task, const Vector6d& lastRates, double dt_s) {
     const RigGeometry& geometry = *m_model.geometry;
-    const Stay last{m_plan->rest, restStay_s(task)};
-    for (int k = 0; k < 2 && m_plan->stays[0].time_s < kWorthGoing * dt_s; ++k)
-        m_plan->spend(dt_s, last); // no use to go there
-    const double travel_s = travelTime_s(geometry.limits(), task.from, m_plan->stays[0].pose);
+    const Stay last{m_plan->plan.rest, restStay_s(task)};
+    for (int k = 0; k < 2 && m_plan->plan.stays[0].time_s < kWorthGoing * dt_s; ++k)
+        m_plan->plan.spend(dt_s, last); // no use to go there
+    const double travel_s = travelTime_s(geometry.limits(), task.from, m_plan->plan.stays[0].pose);
     if (travel_s > 0.5 * dt_s)
-        return velocityTowards(geometry, task.from, m_plan->stays[0].pose, dt_s, lastRates);
-    const double here_s = std::min(dt_s, m_plan->stays[0].time_s);
-    const Vector6d goal = here_s < dt_s ? m_plan->stays[1].pose : m_plan->stays[0].pose;
-    m_plan->spend(dt_s - travel_s, last);
+        return velocityTowards(geometry, task.from, m_plan->plan.stays[0].pose, dt_s, lastRates);
+    const double here_s = std::min(dt_s, m_plan->plan.stays[0].time_s);
+    const Vector6d goal = here_s < dt_s ? m_plan->plan.stays[1].pose : m_plan->plan.stays[0].pose;
+    m_plan->plan.spend(dt_s - travel_s, last);
     VelocitySolution out = velocityTowards(geometry, task.from, goal, dt_s, lastRates);
     if (here_s < dt_s &&
         !geometry.limits().limitsAcceleration()) // leave within the step, by going slower for the whole of it
@@ -321,8 +320,9 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
         m_nextRest_s = m_time_s + kRestPeriod_s;
         findRests(task);
         task.aim_K = Eigen::Map<const Eigen::VectorXd>(m_aim_K.data(), task.aim_K.size());
-    } else if (m_plan && (steadyAt_K(task, m_plan->rest) - task.aim_K).cwiseAbs().maxCoeff() > kRestMiss_K) {
-        m_plan->rest = refinePose(*m_model.geometry, steady(task, m_aim_K), m_plan->rest, kTouches);
+    } else if (m_plan &&
+               (steadyAt_K(task, m_plan->plan.rest) - task.aim_K).cwiseAbs().maxCoeff() > kRestMiss_K) {
+        m_plan->plan.rest = refinePose(*m_model.geometry, steady(task, m_aim_K), m_plan->plan.rest, kTouches);
     }
     choosePlan(task);
     const VelocitySolution motion = follow(task, observation.lastRates, dt_s);

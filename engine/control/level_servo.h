@@ -68,10 +68,9 @@ private:
     Eigen::VectorXd m_drift_K_s;   ///< N, what the identified rates leave unexplained, slowly
     Eigen::VectorXd m_expected_K;  ///< N, temperatures at this sample as the last one let expect
     std::vector<Vector6d> m_rests; ///< poses that hold the aim
-    std::optional<HeatingPlan> m_plan;
+    std::optional<PricedPlan> m_plan;
     std::vector<double> m_aim_K; ///< the targets, or the nearest temperatures that one pose holds
     bool m_compromise = false;   ///< m_aim_K are not the targets
-    double m_cost = 0.0;         ///< of m_plan
     double m_time_s = 0.0;       ///< of the last step
     double m_nextRest_s = 0.0;   ///< when rests are looked for again
     double m_nextSearch_s = 0.0; ///< when other plans are looked for again

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -58,9 +59,12 @@ PoseLookup::PoseLookup(std::shared_ptr<const RigGeometry> geometry, const Vector
         if (m_geometry->allowed(q))
             m_poses.push_back(q);
     }
-    m_F.resize(m_geometry->objects(), static_cast<Eigen::Index>(m_poses.size()));
-    for (std::size_t k = 0; k < m_poses.size(); ++k)
-        m_F.col(static_cast<Eigen::Index>(k)) = m_geometry->viewFactorsFast(m_poses[k]);
+    m_F.resize(static_cast<Eigen::Index>(m_poses.size()), m_geometry->objects());
+    Eigen::VectorXd F;
+    for (std::size_t k = 0; k < m_poses.size(); ++k) {
+        m_geometry->viewFactorsFast(m_poses[k], F);
+        m_F.row(static_cast<Eigen::Index>(k)) = F.array();
+    }
 }
 
 double residualCost(const PoseQuery& query, const Eigen::VectorXd& F) {
@@ -68,19 +72,30 @@ double residualCost(const PoseQuery& query, const Eigen::VectorXd& F) {
 }
 
 std::vector<Vector6d> PoseLookup::best(const PoseQuery& query, int count) const {
-    std::vector<double> cost(m_poses.size());
+    constexpr std::size_t kSome = 64; // from which those in neighbouring cells are left out
+    Eigen::ArrayXd misses = Eigen::ArrayXd::Zero(m_F.rows());
+    for (Eigen::Index i = 0; i < m_F.cols(); ++i)
+        misses += query.weights[i] * (m_F.col(i) - query.wanted[i]).square();
     const TravelTime travel(m_geometry->limits(), query.from);
-    for (std::size_t k = 0; k < m_poses.size(); ++k)
-        cost[k] =
-            residualCost(query, m_F.col(static_cast<Eigen::Index>(k))) + kTravelPrice * travel.to(m_poses[k]);
-    std::vector<std::size_t> order(m_poses.size());
-    std::iota(order.begin(), order.end(), 0U);
-    const auto some = std::min<std::size_t>(order.size(), 64);
-    std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(some), order.end(),
-                      [&](std::size_t a, std::size_t b) { return cost[a] < cost[b]; });
+    std::vector<std::pair<double, std::size_t>> cheapest; // a heap, the dearest first
+    for (std::size_t k = 0; k < m_poses.size(); ++k) {
+        const double missed = misses[static_cast<Eigen::Index>(k)];
+        const bool full = cheapest.size() == kSome;
+        if (full && missed >= cheapest.front().first)
+            continue;
+        cheapest.emplace_back(missed + kTravelPrice * travel.to(m_poses[k]), k);
+        std::ranges::push_heap(cheapest);
+        if (full) {
+            std::ranges::pop_heap(cheapest);
+            cheapest.pop_back();
+        }
+    }
+    std::ranges::sort_heap(cheapest);
     std::vector<Vector6d> out;
-    for (std::size_t i = 0; i < some && static_cast<int>(out.size()) < count; ++i) {
-        const Vector6d& q = m_poses[order[i]];
+    for (const auto& [cost, k] : cheapest) {
+        if (static_cast<int>(out.size()) == count)
+            break;
+        const Vector6d& q = m_poses[k];
         const bool apart = std::ranges::all_of(out, [&](const Vector6d& other) {
             return ((q - other).cwiseAbs() - 1.5 * m_cell).maxCoeff() > 0.0;
         });

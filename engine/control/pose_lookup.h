@@ -24,8 +24,8 @@ public:
 
     std::size_t size() const { return m_poses.size(); }
     const Vector6d& pose(std::size_t k) const { return m_poses[k]; }
-    /// N x size()
-    const Eigen::MatrixXd& table() const { return m_F; }
+    /// size() x N
+    const Eigen::ArrayXXd& table() const { return m_F; }
 
     /// The `count` cheapest poses, cheapest first, no two of them in neighbouring cells.
     std::vector<Vector6d> best(const PoseQuery& query, int count) const;
@@ -33,7 +33,7 @@ public:
 private:
     std::shared_ptr<const RigGeometry> m_geometry;
     std::vector<Vector6d> m_poses;
-    Eigen::MatrixXd m_F;
+    Eigen::ArrayXXd m_F;
     Vector6d m_cell = Vector6d::Zero(); ///< spacing, m and rad
 };
 

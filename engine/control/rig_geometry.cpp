@@ -58,13 +58,18 @@ ViewFactors RigGeometry::viewFactors(const Vector6d& q) const {
 }
 
 Eigen::VectorXd RigGeometry::viewFactorsFast(const Vector6d& q) const {
+    Eigen::VectorXd F;
+    viewFactorsFast(q, F);
+    return F;
+}
+
+void RigGeometry::viewFactorsFast(const Vector6d& q, Eigen::VectorXd& F) const {
     const Pose X = X_SE(q);
-    Eigen::VectorXd F(objects());
+    F.resize(objects());
     for (int i = 0; i < objects(); ++i) {
         const MountedContour& object = m_mounted[static_cast<std::size_t>(i)];
         F[i] = viewFactorValue(m_source, object.contour, X * object.X_EO, kTableTolerance);
     }
-    return F;
 }
 
 std::vector<Clearance> RigGeometry::clearances(const Vector6d& q) const {

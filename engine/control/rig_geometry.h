@@ -48,6 +48,8 @@ public:
     ViewFactors viewFactors(const Vector6d& q) const;
     /// Values only, to 1e-6: for tables.
     Eigen::VectorXd viewFactorsFast(const Vector6d& q) const;
+    /// The same into `F` (N), which is not allocated anew.
+    void viewFactorsFast(const Vector6d& q, Eigen::VectorXd& F) const;
     /// Lowest point of each object.
     std::vector<Clearance> clearances(const Vector6d& q) const;
     /// Least clearance of all objects, m.

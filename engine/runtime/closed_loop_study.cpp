@@ -92,18 +92,16 @@ public:
     Reach(const PoseLookup& lookup, const std::vector<double>& travel_s,
           const std::vector<std::size_t>& order, Eigen::Index object, double sign, double F_start)
         : m_lookup(lookup), m_travel_s(travel_s), m_order(order), m_object(object), m_sign(sign),
-          m_best(F_start) {}
+          m_bestOfAll((sign * lookup.table().col(object)).maxCoeff()), m_best(F_start) {}
 
     /// Times must grow.
     double at(double time_s) {
         for (; m_next < m_order.size() && m_travel_s[m_order[m_next]] <= time_s; ++m_next) {
-            const double F = m_lookup.table()(m_object, static_cast<Eigen::Index>(m_order[m_next]));
+            const double F = m_lookup.table()(static_cast<Eigen::Index>(m_order[m_next]), m_object);
             if (m_sign * F > m_sign * m_best)
                 m_best = F;
         }
-        const auto row = m_lookup.table().row(m_object);
-        const bool bestOfAll = m_sign * m_best >= (m_sign * row).maxCoeff();
-        return bestOfAll ? (m_sign > 0.0 ? 1.0 : 0.0) : m_best;
+        return m_sign * m_best >= m_bestOfAll ? (m_sign > 0.0 ? 1.0 : 0.0) : m_best;
     }
 
 private:
@@ -112,6 +110,7 @@ private:
     const std::vector<std::size_t>& m_order;
     Eigen::Index m_object;
     double m_sign;
+    double m_bestOfAll; ///< times the sign
     double m_best;
     std::size_t m_next = 0;
 };

@@ -36,7 +36,7 @@ struct Rig {
         for (Eigen::Index i = 0; i < 2; ++i)
             task.aim_K[i] = task.rates[static_cast<std::size_t>(i)].steadyTemperature_K(F[i]);
     }
-    double cost(const HeatingPlan& plan) const { return planResiduals(*geometry, task, plan).squaredNorm(); }
+    PlanCost cost() const { return {*geometry, task}; }
     /// Moves straight to `goal` for dt_s under the exact heat balance.
     void move(const Vector6d& goal, double dt_s) {
         const Vector6d rates = velocityTowards(*geometry, task.from, goal, dt_s).rates;
@@ -68,11 +68,10 @@ TEST(HeatingPlan, ImprovementNeverMakesWorseAndStaysInside) {
     for (const double x : {-0.2, 0.0, 0.2})
         for (const double z : {0.01, 0.1, 0.3}) {
             const HeatingPlan plan{{Stay{pose(x, z), 20.0}, Stay{pose(0.0, 0.05), 5.0}}, pose(0.02, 0.08)};
-            double cost = 0.0;
-            const HeatingPlan better = improvePlan(*rig.geometry, rig.task, plan, 6, cost);
-            EXPECT_LE(cost, rig.cost(plan));
-            EXPECT_NEAR(cost, rig.cost(better), 1e-9 * cost);
-            for (const Stay& stay : better.stays) {
+            const PricedPlan better = rig.cost().improve(plan, 6);
+            EXPECT_LE(better.cost, rig.cost().of(plan));
+            EXPECT_NEAR(better.cost, rig.cost().of(better.plan), 1e-9 * better.cost);
+            for (const Stay& stay : better.plan.stays) {
                 EXPECT_TRUE(rig.geometry->allowed(stay.pose));
                 EXPECT_GE(stay.time_s, 0.0);
             }
@@ -84,21 +83,19 @@ TEST(HeatingPlan, TheCostFallsAsThePlanIsFollowed) {
     Rig rig;
     const Vector6d rest = pose(0.02, 0.08);
     rig.aimAt(rest);
-    HeatingPlan plan{{Stay{pose(0.03, 0.02), 20.0}, Stay{rest, 10.0}}, rest};
-    double cost = 0.0;
-    plan = improvePlan(*rig.geometry, rig.task, plan, 10, cost);
-    const double first = cost;
+    const HeatingPlan plan{{Stay{pose(0.03, 0.02), 20.0}, Stay{rest, 10.0}}, rest};
+    PricedPlan now = rig.cost().improve(plan, 10);
+    const double first = now.cost;
     for (int step = 0; step < 400; ++step) {
-        const double travel_s = travelTime_s(rig.geometry->limits(), rig.task.from, plan.stays[0].pose);
-        rig.move(plan.stays[0].pose, 1.0);
+        const double travel_s = travelTime_s(rig.geometry->limits(), rig.task.from, now.plan.stays[0].pose);
+        rig.move(now.plan.stays[0].pose, 1.0);
         if (travel_s <= 0.5)
-            plan.spend(1.0 - travel_s, {rest, 10.0});
-        double next = 0.0;
-        plan = improvePlan(*rig.geometry, rig.task, plan, 4, next);
-        EXPECT_LE(next, 1.02 * cost + 1e-3 * first) << "step " << step; // its grid of times moves with it
-        cost = next;
+            now.plan.spend(1.0 - travel_s, {rest, 10.0});
+        const PricedPlan next = rig.cost().improve(now.plan, 4);
+        EXPECT_LE(next.cost, 1.02 * now.cost + 1e-3 * first) << "step " << step; // its grid of times moves
+        now = next;
     }
-    EXPECT_LT(cost, 1e-3 * first);
+    EXPECT_LT(now.cost, 1e-3 * first);
     EXPECT_LT((rig.task.temperature_K - rig.task.aim_K).cwiseAbs().maxCoeff(), 0.1);
 }
 
@@ -110,11 +107,11 @@ TEST(HeatingPlan, RestingCostsTheDecayOfTheErrors) {
     rig.task.from = rest;
     rig.task.temperature_K = rig.task.aim_K;
     const HeatingPlan plan{{Stay{rest, 0.0}, Stay{rest, 0.0}}, rest};
-    EXPECT_NEAR(rig.cost(plan), 0.0, 1e-9);
+    EXPECT_NEAR(rig.cost().of(plan), 0.0, 1e-9);
     rig.task.temperature_K[0] -= 1.0;
-    const double one = rig.cost(plan);
+    const double one = rig.cost().of(plan);
     rig.task.temperature_K[0] -= 1.0;
-    EXPECT_NEAR(rig.cost(plan), 4.0 * one, 1e-6 * one);
+    EXPECT_NEAR(rig.cost().of(plan), 4.0 * one, 1e-6 * one);
 }
 
 } // namespace bask
