@@ -177,11 +177,11 @@ private:
     /// root, so that their squares grow linearly; hot, steeply.
     double toGo_s(Eigen::Index i) const {
         const double error_K = m_T[i] - m_task.aim_K[i];
-        const double size_K = std::abs(error_K);
+        if (error_K > 0.0)
+            return m_cost.m_hot_s_K * error_K * (1.0 + kHotSteepness_1_K * error_K);
+        const double size_K = -error_K;
         const double felt_K =
             size_K < kNear_K ? kNearWeight * size_K : size_K - (1.0 - kNearWeight) * kNear_K;
-        if (error_K > 0.0)
-            return m_cost.m_hot_s_K * felt_K * (1.0 + kHotSteepness_1_K * felt_K);
         if (felt_K < kFar_K)
             return -m_cost.m_cold_s_K[i] * felt_K;
         return -m_cost.m_cold_s_K[i] * std::sqrt((2.0 * felt_K - kFar_K) * kFar_K);
