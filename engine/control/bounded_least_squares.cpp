@@ -1,6 +1,7 @@
 #include "engine/control/bounded_least_squares.h"
 
 #include <Eigen/LU>
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <stdexcept>
@@ -31,6 +32,32 @@ KktStep kktStep(const Eigen::MatrixXd& H, const Eigen::VectorXd& residual, const
     return {solution.head(n), solution.tail(m)};
 }
 
+/// Whether row i is a sum of the working rows: then a step along them goes against it by rounding only.
+bool depends(const Eigen::MatrixXd& G, const std::vector<int>& working, int i) {
+    constexpr double kDependent = 1e-9; // share of the row's length
+    if (working.empty())
+        return false;
+    Eigen::MatrixXd held(G.cols(), static_cast<Eigen::Index>(working.size()));
+    for (Eigen::Index k = 0; k < held.cols(); ++k)
+        held.col(k) = G.row(working[static_cast<std::size_t>(k)]).transpose();
+    const Eigen::VectorXd row = G.row(i).transpose();
+    const Eigen::VectorXd share = held.colPivHouseholderQr().solve(row);
+    return (row - held * share).norm() <= kDependent * row.norm();
+}
+
+/// Place in `working` of the row of least index that pulls the wrong way, or -1. The least index (Bland's
+/// rule): where many rows meet, the worst one could go in circles.
+int wrongRow(const std::vector<int>& working, const Eigen::VectorXd& multipliers, double tolerance) {
+    int wrong = -1;
+    for (int k = 0; k < static_cast<int>(working.size()); ++k) {
+        const bool earlier =
+            wrong < 0 || working[static_cast<std::size_t>(k)] < working[static_cast<std::size_t>(wrong)];
+        if (multipliers[k] < -tolerance && earlier)
+            wrong = k;
+    }
+    return wrong;
+}
+
 } // namespace
 
 BoundedSolution solveBounded(const Eigen::MatrixXd& H, const Eigen::VectorXd& f, const Eigen::MatrixXd& G,
@@ -41,17 +68,8 @@ BoundedSolution solveBounded(const Eigen::MatrixXd& H, const Eigen::VectorXd& f,
     out.y = Eigen::VectorXd::Zero(H.rows());
     std::vector<int> working;
     const int maxSteps = 20 * static_cast<int>(h.size() + H.rows() + 1);
-    for (int step = 0; step < maxSteps; ++step) {
+    for (int step = 0; step < maxSteps && !out.converged; ++step) {
         const KktStep kkt = kktStep(H, f - H * out.y, G, working);
-        if (kkt.p.norm() <= 1e-12 * (1.0 + out.y.norm())) {
-            Eigen::Index worst = 0;
-            if (working.empty() || kkt.multipliers.minCoeff(&worst) >= -1e-12) {
-                out.converged = true;
-                break;
-            }
-            working.erase(working.begin() + worst);
-            continue;
-        }
         double length = 1.0;
         int blocking = -1;
         for (int i = 0; i < h.size(); ++i) {
@@ -61,14 +79,20 @@ BoundedSolution solveBounded(const Eigen::MatrixXd& H, const Eigen::VectorXd& f,
             if (slope >= -1e-14)
                 continue;
             const double reach = std::max(0.0, (h[i] - G.row(i).dot(out.y)) / slope);
-            if (reach < length) {
+            if (reach < length && !depends(G, working, i)) {
                 length = reach;
                 blocking = i;
             }
         }
         out.y += length * kkt.p;
-        if (blocking >= 0)
+        if (blocking >= 0) {
             working.push_back(blocking);
+            continue;
+        }
+        const int wrong = wrongRow(working, kkt.multipliers, 1e-10 * f.norm());
+        out.converged = wrong < 0;
+        if (wrong >= 0)
+            working.erase(working.begin() + wrong);
     }
     out.constrained = !working.empty();
     return out;

@@ -1,8 +1,7 @@
 #include "engine/control/heating_plan.h"
 
+#include "engine/control/bounded_least_squares.h"
 #include "engine/control/velocity_solve.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -16,16 +15,18 @@ constexpr int kStaySteps = 8;     ///< of a stay
 constexpr double kHere_s = 0.05;  ///< a way this short is none
 constexpr double kFar_K = 8.0;    ///< from here on squared errors grow linearly
 constexpr double kHotShare = 2.2; ///< of the slowest object's time a kelvin, for every kelvin too hot
-constexpr double kHotSteepness_1_K = 8.0;
-constexpr double kFastShare = 0.3;      ///< of the slowest object's time, the least that a fast object counts
-constexpr double kLeastPull = 0.05;     ///< of the view factor, for the time to heat or cool
-constexpr double kNear_K = 0.25;        ///< errors this small count less: they are within the settled band
-constexpr double kNearWeight = 0.4;     ///< by this factor
-constexpr double kMissedRest = 2.0;     ///< time constants for which a rest that misses the aim is paid
-constexpr double kTravelPrice_s = 0.02; ///< of the squared time of travel
+constexpr double kHotSteepness_1_K = 10.0;
+constexpr double kFastShare = 0.3;  ///< of the slowest object's time, the least that a fast object counts
+constexpr double kLeastPull = 0.05; ///< of the view factor, for the time to heat or cool
+// Within these an error counts little, so that noise does not keep the robot moving.
+constexpr double kNearCold_K = 0.25;
+constexpr double kNearHot_K = 0.05;
+constexpr double kNearWeight = 0.05;
+constexpr double kMissedRest = 2.0;    ///< time constants for which a rest that misses the aim is paid
+constexpr double kTravelPrice_s = 0.5; ///< of the squared time of travel
 
 constexpr double kRotationLength_m = 0.1;
-constexpr double kLengthStep_m = 1e-3;        // of the differences
+constexpr double kLengthStep_m = 2e-4;        // of the differences; well below the way to a kink
 constexpr double kTimePerLength_s_m = 1000.0; // 1 cm of a stay's pose counts as 10 s of its time
 
 /// Variables of a plan: the free coordinates and the time of each stay, all as lengths.
@@ -34,27 +35,42 @@ public:
     explicit Variables(const RigGeometry& geometry) : m_geometry(geometry) {}
     Eigen::Index count() const { return 2 * (free() + 1); }
 
-    /// `plan` moved by `step`, its poses put back into workspace and clearance.
     HeatingPlan moved(const HeatingPlan& plan, const Eigen::VectorXd& step) const {
         HeatingPlan out = plan;
         Eigen::Index k = 0;
         for (Stay& stay : out.stays) {
-            // z counts as the height of the lowest point, so that tilting goes along the clearance.
-            const double height_m = m_geometry.lowestPoint_m(stay.pose);
-            double rise_m = 0.0;
-            for (const int c : m_geometry.freeCoordinates()) {
-                if (c == kZ)
-                    rise_m = step[k];
-                else
-                    stay.pose[c] += step[k] / scale(c);
-                ++k;
-            }
-            if (m_geometry.limits().free[kZ])
-                stay.pose[kZ] += height_m + rise_m - m_geometry.lowestPoint_m(stay.pose);
+            for (const int c : m_geometry.freeCoordinates())
+                stay.pose[c] += step[k++] / scale(c);
             stay.time_s = std::max(0.0, stay.time_s + timeScale(stay) * step[k++]);
-            putBack(stay.pose);
         }
         return out;
+    }
+
+    /// Rows G y >= h that keep a step y inside workspace and clearance, linearised, and times positive.
+    void limits(const HeatingPlan& plan, Eigen::MatrixXd& G, Eigen::VectorXd& h) const {
+        const Eigen::Index poseRows = 2 * free() + m_geometry.objects();
+        G = Eigen::MatrixXd::Zero(2 * (poseRows + 1), count());
+        h = Eigen::VectorXd::Zero(G.rows());
+        Eigen::Index row = 0, column = 0;
+        for (const Stay& stay : plan.stays) {
+            Eigen::MatrixXd poseG;
+            Eigen::VectorXd poseH;
+            stepLimits(m_geometry, stay.pose, poseG, poseH);
+            for (Eigen::Index k = 0; k < free(); ++k)
+                G.block(row, column + k, poseRows, 1) = poseG.col(k) / scale(coordinate(k));
+            h.segment(row, poseRows) = poseH;
+            row += poseRows;
+            column += free();
+            G(row, column++) = 1.0;
+            h[row++] = -stay.time_s / timeScale(stay);
+        }
+    }
+
+    /// `plan` with its poses put back into workspace and clearance.
+    HeatingPlan inside(HeatingPlan plan) const {
+        for (Stay& stay : plan.stays)
+            putBack(stay.pose);
+        return plan;
     }
 
     /// Steps of the differences of each variable, away from the limits of the workspace.
@@ -75,6 +91,7 @@ public:
 private:
     static double scale(int coordinate) { return coordinate < 3 ? 1.0 : kRotationLength_m; }
     Eigen::Index free() const { return static_cast<Eigen::Index>(m_geometry.freeCoordinates().size()); }
+    int coordinate(Eigen::Index k) const { return m_geometry.freeCoordinates()[static_cast<std::size_t>(k)]; }
     static double timeScale(const Stay& stay) { return std::max(kTimePerLength_s_m, 20.0 * stay.time_s); }
 
     void putBack(Vector6d& q) const {
@@ -163,7 +180,8 @@ public:
             const double steady_K = rates.steadyTemperature_K(m_F[i]);
             const double tau_s = rates.timeConstant_s(m_task.aim_K[i]);
             // Waiting must not be cheaper than acting: too hot is as steep here as on the way.
-            const double off_s = m_T[i] > m_task.aim_K[i] ? m_toGo_s[i] : plainToGo_s(i, m_T[i]);
+            const double error_K = m_T[i] - m_task.aim_K[i];
+            const double off_s = error_K > 0.0 ? m_toGo_s[i] : -m_cost.m_cold_s_K[i] * felt_K(error_K);
             const double missed_s = plainToGo_s(i, steady_K);
             m_residuals[m_next++] = std::sqrt(0.5 * tau_s) * (off_s - missed_s);
             m_residuals[m_next++] = std::sqrt(kMissedRest * tau_s) * missed_s;
@@ -177,17 +195,22 @@ private:
     /// root, so that their squares grow linearly; hot, steeply.
     double toGo_s(Eigen::Index i) const {
         const double error_K = m_T[i] - m_task.aim_K[i];
+        const double size_K = felt_K(error_K);
         if (error_K > 0.0)
-            return m_cost.m_hot_s_K * error_K * (1.0 + kHotSteepness_1_K * error_K);
-        const double size_K = -error_K;
-        const double felt_K =
-            size_K < kNear_K ? kNearWeight * size_K : size_K - (1.0 - kNearWeight) * kNear_K;
-        if (felt_K < kFar_K)
-            return -m_cost.m_cold_s_K[i] * felt_K;
-        return -m_cost.m_cold_s_K[i] * std::sqrt((2.0 * felt_K - kFar_K) * kFar_K);
+            return m_cost.m_hot_s_K * size_K * (1.0 + kHotSteepness_1_K * size_K);
+        if (size_K < kFar_K)
+            return -m_cost.m_cold_s_K[i] * size_K;
+        return -m_cost.m_cold_s_K[i] * std::sqrt((2.0 * size_K - kFar_K) * kFar_K);
     }
 
-    /// The same in proportion to the error: beliefs about the far future are not sure enough for more.
+    /// Size of an error, less within the band in which nothing need be done.
+    static double felt_K(double error_K) {
+        const double near_K = error_K > 0.0 ? kNearHot_K : kNearCold_K;
+        const double size_K = std::abs(error_K);
+        return size_K < near_K ? kNearWeight * size_K : size_K - (1.0 - kNearWeight) * near_K;
+    }
+
+    /// In proportion to the error: beliefs about the far future are not sure enough for more.
     double plainToGo_s(Eigen::Index i, double T_K) const {
         const double error_K = T_K - m_task.aim_K[i];
         return error_K * (error_K > 0.0 ? m_cost.m_hot_s_K : m_cost.m_cold_s_K[i]);
@@ -240,13 +263,19 @@ PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
             const Eigen::VectorXd step = differences[k] * Eigen::VectorXd::Unit(n, k);
             J.col(k) = (residuals(variables.moved(best.plan, step)) - now) / differences[k];
         }
-        const Eigen::MatrixXd H = J.transpose() * J;
-        const Eigen::VectorXd g = -J.transpose() * now;
+        Eigen::MatrixXd H = J.transpose() * J;
+        Eigen::VectorXd f = -J.transpose() * now;
+        const double size = H.trace() / static_cast<double>(n) + 1e-9;
+        H /= size;
+        f /= size;
+        Eigen::MatrixXd G;
+        Eigen::VectorXd h;
+        variables.limits(best.plan, G, h);
         bool better = false;
         for (int attempt = 0; attempt < 3 && !better; ++attempt) {
-            Eigen::MatrixXd damped = H;
-            damped.diagonal().array() += damping * (H.trace() / static_cast<double>(n) + 1e-9);
-            const HeatingPlan next = variables.moved(best.plan, damped.ldlt().solve(g));
+            const Eigen::MatrixXd damped = H + damping * Eigen::MatrixXd::Identity(n, n);
+            const Eigen::VectorXd step = solveBounded(damped, f, G, h).y;
+            const HeatingPlan next = variables.inside(variables.moved(best.plan, step));
             Eigen::VectorXd there = residuals(next);
             const double cost = there.squaredNorm();
             better = cost < best.cost;

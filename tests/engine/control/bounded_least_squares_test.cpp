@@ -60,6 +60,28 @@ TEST(BoundedLeastSquares, RandomProgramsSatisfyTheOptimalityConditions) {
     }
 }
 
+// Catches a working set of rows that depend on each other (a plate that lies on the clearance with all its
+// corners and on the workspace's floor): its equations are singular, the step is not a number.
+TEST(BoundedLeastSquares, RowsThatDependOnEachOtherAreNotHeldTogether) {
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal;
+    for (int trial = 0; trial < 300; ++trial) {
+        Eigen::MatrixXd A(4, 4), G(6, 4);
+        Eigen::VectorXd f(4);
+        for (int i = 0; i < 4; ++i) {
+            f[i] = 1e3 * normal(random);
+            for (int k = 0; k < 4; ++k)
+                A(i, k) = normal(random) * std::pow(10.0, k);
+        }
+        G << 0, 0, 1, 0, 0, 0, 1, 0.05, 0, 0, 1, -0.025, 0, 0, 1, -0.02, 0, 0, 1, 0.031, 0, 0, 1, 1e-7;
+        const Eigen::MatrixXd H = A.transpose() * A + 1e-2 * Eigen::MatrixXd::Identity(4, 4);
+        const auto solution = solveBounded(H, f, G, Eigen::VectorXd::Zero(6));
+        ASSERT_TRUE(solution.y.allFinite());
+        EXPECT_TRUE(solution.converged);
+        EXPECT_GT((G * solution.y).minCoeff(), -1e-9 * (1.0 + solution.y.norm()));
+    }
+}
+
 TEST(BoundedLeastSquares, RefusesAnInfeasibleStart) {
     EXPECT_THROW((void)solveBounded(Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero(),
                                     Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(0.1, 0.0)),

@@ -108,10 +108,13 @@ TEST(HeatingPlan, RestingCostsTheDecayOfTheErrors) {
     rig.task.temperature_K = rig.task.aim_K;
     const HeatingPlan plan{{Stay{rest, 0.0}, Stay{rest, 0.0}}, rest};
     EXPECT_NEAR(rig.cost().of(plan), 0.0, 1e-9);
-    rig.task.temperature_K[0] -= 1.0;
-    const double one = rig.cost().of(plan);
-    rig.task.temperature_K[0] -= 1.0;
-    EXPECT_NEAR(rig.cost().of(plan), 4.0 * one, 1e-6 * one);
+    std::array<double, 3> root{};
+    for (double& each : root) {
+        rig.task.temperature_K[0] -= 1.0;
+        each = std::sqrt(rig.cost().of(plan));
+    }
+    EXPECT_NEAR(root[2] - root[1], root[1] - root[0], 1e-6 * root[0]);
+    EXPECT_GT(root[0], 0.5 * (root[1] - root[0])); // a kelvin is no small error
 }
 
 } // namespace bask
