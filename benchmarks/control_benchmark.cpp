@@ -94,23 +94,18 @@ constexpr double kNear_K = 0.02; // nothing limits
 constexpr double kFar_K = 15.0;  // the robot goes as fast as it may
 constexpr double kAcceleration_m_s2 = 0.005;
 
+#define BASK_STEP(name, kind, error_K, acceleration_m_s2, unit)                                              \
+    BENCHMARK_CAPTURE(stepOf, name, ControllerKind::kind, error_K, acceleration_m_s2)->Unit(unit)
+
 BENCHMARK(baselinePseudoInverse)->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stepOf, modelBasedFree, ControllerKind::ModelBased, kNear_K, 0.0)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stepOf, modelBasedLimited, ControllerKind::ModelBased, kFar_K, 0.0)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stepOf, modelBasedAccelerating, ControllerKind::ModelBased, kFar_K, kAcceleration_m_s2)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stepOf, adaptiveFree, ControllerKind::Adaptive, kNear_K, 0.0)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stepOf, adaptiveLimited, ControllerKind::Adaptive, kFar_K, 0.0)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stepOf, adaptiveAccelerating, ControllerKind::Adaptive, kFar_K, kAcceleration_m_s2)
-    ->Unit(benchmark::kMicrosecond);
-BENCHMARK_CAPTURE(stepOf, levelServoNear, ControllerKind::LevelServo, kNear_K, 0.0)
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(stepOf, levelServoFar, ControllerKind::LevelServo, kFar_K, 0.0)
-    ->Unit(benchmark::kMillisecond);
+BASK_STEP(modelBasedFree, ModelBased, kNear_K, 0.0, benchmark::kMicrosecond);
+BASK_STEP(modelBasedLimited, ModelBased, kFar_K, 0.0, benchmark::kMicrosecond);
+BASK_STEP(modelBasedAccelerating, ModelBased, kFar_K, kAcceleration_m_s2, benchmark::kMicrosecond);
+BASK_STEP(adaptiveFree, Adaptive, kNear_K, 0.0, benchmark::kMicrosecond);
+BASK_STEP(adaptiveLimited, Adaptive, kFar_K, 0.0, benchmark::kMicrosecond);
+BASK_STEP(adaptiveAccelerating, Adaptive, kFar_K, kAcceleration_m_s2, benchmark::kMicrosecond);
+BASK_STEP(levelServoNear, LevelServo, kNear_K, 0.0, benchmark::kMillisecond);
+BASK_STEP(levelServoFar, LevelServo, kFar_K, 0.0, benchmark::kMillisecond);
 BENCHMARK(lookUpRebuild)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -1,8 +1,8 @@
 // Limits of acceleration in the velocity solve: kept, and always leaving room to brake.
 
 #include "engine/base/clock.h"
-#include "engine/control/velocity_solve.h"
 #include "engine/simulation/simulated_robot.h"
+#include "tests/engine/control/two_disks.h"
 
 #include <gtest/gtest.h>
 
@@ -17,14 +17,6 @@ RobotLimits accelerating() {
     limits.maxAcceleration_m_s2 = 0.008;
     limits.maxAngularAcceleration_rad_s2 = 0.03;
     return limits;
-}
-
-RigGeometry twoDisks(const RobotLimits& limits) {
-    Vector6d left = Vector6d::Zero();
-    Vector6d right = Vector6d::Zero();
-    left[kY] = -0.04;
-    right[kY] = 0.04;
-    return RigGeometry(Disk{0.1}, {Disk{0.015}, Disk{0.015}}, {left, right}, limits);
 }
 
 double excess(const RigGeometry& geometry, const Vector6d& q, const Vector6d& rates, const Vector6d& last,
@@ -61,10 +53,7 @@ TEST(VelocityLimits, ARobotThatAcceleratesStaysWithinEveryLimit) {
         for (int step = 0; step < 1500; ++step) {
             if (step % 25 == 0)
                 wanted = Eigen::Vector2d(u(random), u(random));
-            VelocityProblem problem;
-            problem.rows = geometry.viewFactors(q).dF;
-            problem.wanted = wanted;
-            problem.coordinates = q;
+            VelocityProblem problem = problemAt(geometry, q, wanted);
             problem.lastRates = last;
             problem.dt_s = dt_s;
             const VelocitySolution solution = solveVelocity(geometry, problem);
@@ -96,10 +85,7 @@ TEST(VelocityLimits, AStopAtAnyMomentStaysInside) {
     for (int step = 0; step < 400; ++step) {
         if (step % 20 == 0)
             wanted = Eigen::Vector2d(u(random), u(random));
-        VelocityProblem problem;
-        problem.rows = geometry.viewFactors(q).dF;
-        problem.wanted = wanted;
-        problem.coordinates = q;
+        VelocityProblem problem = problemAt(geometry, q, wanted);
         problem.lastRates = last;
         problem.dt_s = dt_s;
         last = solveVelocity(geometry, problem).rates;

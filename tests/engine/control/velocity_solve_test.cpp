@@ -1,4 +1,4 @@
-#include "engine/control/velocity_solve.h"
+#include "tests/engine/control/two_disks.h"
 
 #include <gtest/gtest.h>
 
@@ -7,22 +7,6 @@
 
 namespace bask {
 namespace {
-
-RigGeometry twoDisks(const RobotLimits& limits) {
-    Vector6d left = Vector6d::Zero();
-    Vector6d right = Vector6d::Zero();
-    left[kY] = -0.04;
-    right[kY] = 0.04;
-    return RigGeometry(Disk{0.1}, {Disk{0.015}, Disk{0.015}}, {left, right}, limits);
-}
-
-VelocityProblem problemAt(const RigGeometry& geometry, const Vector6d& q, double first, double second) {
-    VelocityProblem problem;
-    problem.rows = geometry.viewFactors(q).dF;
-    problem.wanted = Eigen::Vector2d(first, second);
-    problem.coordinates = q;
-    return problem;
-}
 
 Vector6d somewhere(double x, double y, double z, double theta_x) {
     Vector6d q = Vector6d::Zero();
@@ -37,7 +21,7 @@ Vector6d somewhere(double x, double y, double z, double theta_x) {
 
 TEST(VelocitySolve, GivesTheWantedRatesWhenNothingLimits) {
     const RigGeometry geometry = twoDisks(RobotLimits());
-    auto problem = problemAt(geometry, somewhere(0.02, 0.01, 0.12, 0.1), 0.003, -0.002);
+    auto problem = problemAt(geometry, somewhere(0.02, 0.01, 0.12, 0.1), {0.003, -0.002});
     problem.damping = 1e-6;
     const VelocitySolution solution = solveVelocity(geometry, problem);
     EXPECT_FALSE(solution.limits.any());
@@ -55,7 +39,7 @@ TEST(VelocitySolve, SpeedLimitsHoldAndNoFeasibleVelocityIsBetter) {
     for (int trial = 0; trial < 60; ++trial) {
         const Vector6d q =
             somewhere(0.15 * u(random), 0.15 * u(random), 0.12 + 0.05 * u(random), 0.3 * u(random));
-        const auto problem = problemAt(geometry, q, 0.4 * u(random), 0.4 * u(random));
+        const auto problem = problemAt(geometry, q, {0.4 * u(random), 0.4 * u(random)});
         const VelocitySolution solution = solveVelocity(geometry, problem);
         EXPECT_LE(solution.rates.head<3>().norm(), limits.maxSpeed_m_s * (1.0 + 1e-6));
         EXPECT_LE(solution.rates.tail<3>().norm(), limits.maxRotation_rad_s * (1.0 + 1e-6));
@@ -78,11 +62,11 @@ TEST(VelocitySolve, StopsAtTheWorkspaceAndTheClearance) {
     const RigGeometry geometry = twoDisks(RobotLimits());
     // Both disks are asked to see more of the source, which lies below the least height.
     Vector6d q = somewhere(0.0, 0.0, 0.0105, 0.0);
-    const VelocitySolution down = solveVelocity(geometry, problemAt(geometry, q, 0.5, 0.5));
+    const VelocitySolution down = solveVelocity(geometry, problemAt(geometry, q, {0.5, 0.5}));
     EXPECT_TRUE(down.limits.any());
     EXPECT_GE(geometry.lowestPoint_m(q + down.rates), 0.01 - 1e-8);
     q = somewhere(0.2, 0.0, 0.1, 0.0);
-    const VelocitySolution out = solveVelocity(geometry, problemAt(geometry, q, -0.5, -0.5));
+    const VelocitySolution out = solveVelocity(geometry, problemAt(geometry, q, {-0.5, -0.5}));
     EXPECT_LE(q[kX] + out.rates[kX], 0.2 + 1e-9);
 }
 

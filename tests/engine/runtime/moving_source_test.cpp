@@ -1,31 +1,17 @@
 // A source that moves, is heated by a profile, or is truly something else than believed: whole runs on the
 // simulated rig.
 
-#include "engine/base/units.h"
-#include "engine/runtime/rig_setup.h"
-#include "engine/runtime/servo_loop.h"
 #include "engine/runtime/simulated_run.h"
+#include "tests/engine/runtime/loop_on_rig.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace bask {
 namespace {
 
-/// Two disks under a law that knows them, so that what goes wrong is the geometry.
-Experiment twoDisks() {
-    Experiment experiment;
-    for (const double y : {-0.04, 0.04}) {
-        ObjectSpec object;
-        object.name = y < 0.0 ? "left" : "right";
-        object.shape = Disk{0.015};
-        object.material = {"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
-        object.mounting[kY] = y;
-        object.target_K = kelvinFromCelsius(40.0);
-        experiment.objects.push_back(object);
-    }
+/// Under a law that knows the two disks, so that what goes wrong is the geometry.
+Experiment modelBased() {
+    Experiment experiment = twoDisks(40.0);
     experiment.controller.kind = ControllerKind::ModelBased;
     experiment.controller.modelBased = {0.2, 0.01};
     return experiment;
@@ -33,7 +19,7 @@ Experiment twoDisks() {
 
 /// From 300 s on the source is moved 6 cm and turned a little within a minute.
 Experiment movedSource(bool tracked) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.source.tracked = tracked;
     Vector6d there = Vector6d::Zero();
     there[kX] = 0.06;
@@ -43,43 +29,6 @@ Experiment movedSource(bool tracked) {
     experiment.simulation.durationLimit_s = 800.0;
     return experiment;
 }
-
-/// Rig and loop on one clock.
-class LoopOnRig {
-public:
-    explicit LoopOnRig(const Experiment& experiment)
-        : m_period_s(experiment.sampling.period_s), rig(simulatedRigConfig(experiment)),
-          loop(experiment,
-               {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); },
-                &rig.sourceTracker()},
-               rig.clock()) {}
-
-    void periods(int count) {
-        for (int i = 0; i < count; ++i) {
-            rig.advance(m_period_s);
-            loop.tick();
-        }
-    }
-    void startRun() {
-        periods(10);
-        ASSERT_TRUE(loop.arm());
-        ASSERT_TRUE(loop.start(true));
-    }
-    bool reasonGiven(MessageCode code) const {
-        return std::ranges::any_of(loop.reasons(), [&](const Message& r) { return r.code == code; });
-    }
-    bool eventSeen(MessageCode code) {
-        const LoopRecord rows = loop.takeRecord();
-        return std::ranges::any_of(rows.events, [&](const TraceEvent& e) { return e.message.code == code; });
-    }
-
-private:
-    double m_period_s;
-
-public:
-    SimulatedRig rig;
-    ServoLoop loop;
-};
 
 double worstError_K(const RunOutcome& outcome) {
     double worst_K = 0.0;
@@ -98,7 +47,7 @@ bool has(const RunOutcome& outcome, MessageCode code) {
 TEST(MovingSource, IsFollowedWhereItIsTrackedAndIsNotWhereItIsNot) {
     for (const bool tracked : {true, false}) {
         LoopOnRig run(movedSource(tracked));
-        run.startRun();
+        run.startRun(true);
         run.periods(290);
         ASSERT_EQ(run.loop.state(), RunState::Settled);
         run.periods(500);
@@ -142,7 +91,7 @@ TEST(MovingSource, IsFollowedThroughNoiseAndDelay) {
 TEST(MovingSource, ItsTimeIsTheRunsWheneverThatIsStarted) {
     LoopOnRig run(movedSource(true));
     run.periods(200);
-    run.startRun();
+    run.startRun(true);
     run.periods(300);
     EXPECT_EQ(run.rig.X_RS().translation().x(), 0.0);
     run.periods(30);
@@ -152,7 +101,7 @@ TEST(MovingSource, ItsTimeIsTheRunsWheneverThatIsStarted) {
 // Catches a run that goes on with a pose from long ago, resumes by itself, or holds for ever.
 TEST(MovingSource, LostFromViewHoldsAndThenEndsTheRun) {
     LoopOnRig run(movedSource(true));
-    run.startRun();
+    run.startRun(true);
     run.periods(20);
     run.rig.simulatedSourceTracker().setLost(true);
     run.periods(3);
@@ -192,14 +141,14 @@ TEST(MovingSource, IsNotReadyWhileATrackedSourceIsNotSeen) {
 // Catches a retreat that goes up along the robot's z, which brings objects nearer to a source that leans
 // over.
 TEST(MovingSource, TheRetreatLeadsOffTheSourcesPlane) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.source.pose[kY] = 0.12;
     experiment.source.pose[kZ] = 0.1;
     experiment.source.pose[kThetaX] = 1.4;
     experiment.start[kY] = -0.1;
     ASSERT_TRUE(validate(experiment));
     LoopOnRig run(experiment);
-    run.startRun();
+    run.startRun(true);
     run.periods(30);
     ASSERT_TRUE(run.loop.stop());
     const auto geometry = rigGeometry(experiment);
@@ -220,7 +169,7 @@ TEST(MovingSource, TheRetreatLeadsOffTheSourcesPlane) {
 
 // Catches an exception that leaves a run: plates in one plane have no view factor.
 TEST(MovingSource, MovedIntoTheObjectsIsAFault) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.robot.maxSpeed_m_s = 1e-6;
     experiment.robot.maxRotation_rad_s = 1e-6;
     Vector6d there = Vector6d::Zero();
@@ -234,7 +183,7 @@ TEST(MovingSource, MovedIntoTheObjectsIsAFault) {
 
 // Catches a robot that waits at its least distance for a source that comes nearer.
 TEST(MovingSource, ThatComesNearerIsBackedOffFrom) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.source.tracked = true;
     experiment.robot.lower[kZ] = -0.1;
     for (ObjectSpec& object : experiment.objects)
@@ -243,7 +192,7 @@ TEST(MovingSource, ThatComesNearerIsBackedOffFrom) {
     there[kZ] = 0.1;
     experiment.simulation.sourceMotion = {{60.0, Vector6d::Zero()}, {160.0, there}};
     LoopOnRig run(experiment);
-    run.startRun();
+    run.startRun(true);
     const auto geometry = rigGeometry(experiment);
     double least_m = 1.0;
     for (int i = 0; i < 300; ++i) {
@@ -259,7 +208,7 @@ TEST(MovingSource, ThatComesNearerIsBackedOffFrom) {
 
 // Catches a verdict over the robot's origin instead of over the source.
 TEST(MovingSource, VerdictsAreForWhereItLies) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     EXPECT_EQ(targetVerdicts(experiment)[0].verdict, FeasibilityVerdict::Reachable);
     experiment.source.pose[kX] = 1.0;
     EXPECT_EQ(targetVerdicts(experiment)[0].verdict, FeasibilityVerdict::TooHot);
@@ -268,12 +217,12 @@ TEST(MovingSource, VerdictsAreForWhereItLies) {
 // The paper's ramp. Catches a profile that is not asked for, or by another clock: the simulated plate follows
 // a ramp of 0.1 K/s with its lag of 60 s, 6 K behind.
 TEST(TemperatureProfile, TheMeasuredSourceFollowsTheRamp) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.source.temperatureProfile = {{0.0, kelvinFromCelsius(200.0)},
                                             {1000.0, kelvinFromCelsius(300.0)}};
     LoopOnRig run(experiment);
     run.periods(50);
-    run.startRun();
+    run.startRun(true);
     EXPECT_NEAR(run.loop.latest().source_K, kelvinFromCelsius(200.0), 1e-9);
     for (const int time_s : {300, 600, 900}) {
         run.periods(time_s - static_cast<int>(std::lround(run.loop.runTime_s())));
@@ -287,7 +236,7 @@ TEST(TemperatureProfile, TheMeasuredSourceFollowsTheRamp) {
 
 // Catches a plant that is what the controllers believe, and verdicts that know what they cannot.
 TEST(TrueMaterials, AreThePlantsAndNobodyElses) {
-    const Experiment believed = twoDisks();
+    const Experiment believed = modelBased();
     Experiment truly = believed;
     truly.objects[0].simulatedMaterial = believed.objects[0].material;
     truly.objects[0].simulatedMaterial->absorptance = 0.3;
@@ -317,7 +266,7 @@ TEST(TrueMaterials, AreThePlantsAndNobodyElses) {
 // Catches a single missing reading that holds, ends or shakes a run; a run that cannot begin for them.
 TEST(Dropouts, DoNotEndARun) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
-        Experiment experiment = twoDisks();
+        Experiment experiment = modelBased();
         experiment.simulation.sensorDropout = 0.08;
         experiment.simulation.seed = seed;
         const auto outcome = runSimulated(experiment, {400.0, {}, {}});
@@ -331,8 +280,8 @@ TEST(Dropouts, DoNotEndARun) {
 // Catches an estimate that stands still while readings drop out, and a missing reading that is shown as a
 // number.
 TEST(Dropouts, CarryTheEstimateOn) {
-    LoopOnRig run(twoDisks());
-    run.startRun();
+    LoopOnRig run(modelBased());
+    run.startRun(true);
     run.periods(15);
     const ObjectSample before = run.loop.latest().objects[0];
     run.rig.simulatedThermometer().setLost(0, true);
@@ -347,12 +296,12 @@ TEST(Dropouts, CarryTheEstimateOn) {
 // Catches a retreat that takes a robot which has not obeyed yet for one that has arrived.
 TEST(LateRobot, RetreatsAllTheSame) {
     for (const double latency_s : {0.0, 2.0, 4.0, 10.0}) {
-        Experiment experiment = twoDisks();
+        Experiment experiment = modelBased();
         experiment.simulation.robotLatency_s = latency_s;
         experiment.start[kZ] = 0.05;
         experiment.start[kThetaX] = 0.3;
         LoopOnRig run(experiment);
-        run.startRun();
+        run.startRun(true);
         ASSERT_TRUE(run.loop.hold());
         run.periods(20);
         ASSERT_TRUE(run.loop.stop());
@@ -367,12 +316,12 @@ TEST(LateRobot, RetreatsAllTheSame) {
 
 // The same for one that starts so slowly that its first steps take several periods.
 TEST(LateRobot, RetreatsAllTheSameWhenItStartsSlowly) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.sampling.period_s = 0.05;
     experiment.robot.maxAcceleration_m_s2 = 0.002;
     experiment.start[kZ] = 0.05;
     LoopOnRig run(experiment);
-    run.startRun();
+    run.startRun(true);
     ASSERT_TRUE(run.loop.hold());
     run.periods(100);
     ASSERT_TRUE(run.loop.stop());
@@ -385,8 +334,8 @@ TEST(LateRobot, RetreatsAllTheSameWhenItStartsSlowly) {
 // Catches a loose contact that starts the time of a loss anew each time, so that a held object is heated for
 // ever.
 TEST(Dropouts, ALooseContactEndsTheRunToo) {
-    LoopOnRig run(twoDisks());
-    run.startRun();
+    LoopOnRig run(modelBased());
+    run.startRun(true);
     run.periods(15);
     for (int i = 0; i < 100 && run.loop.running() && run.loop.state() != RunState::Stopping; ++i) {
         run.rig.simulatedThermometer().setLost(0, i % 12 != 0);
@@ -397,10 +346,10 @@ TEST(Dropouts, ALooseContactEndsTheRunToo) {
 
 // Catches a limit in seconds that a slow loop never reaches.
 TEST(Dropouts, ALossEndsASlowRunToo) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.sampling.period_s = 20.0;
     LoopOnRig run(experiment);
-    run.startRun();
+    run.startRun(true);
     run.rig.simulatedThermometer().setLost(0, true);
     run.periods(6);
     EXPECT_FALSE(run.loop.heatOn());
@@ -408,12 +357,12 @@ TEST(Dropouts, ALossEndsASlowRunToo) {
 
 // Catches another kind of controller that begins without a belief: the source is still too cold to heat.
 TEST(TemperatureProfile, AnotherControllerMayTakeOverWhileTheSourceIsCold) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = modelBased();
     experiment.source.temperatureProfile = {
         {0.0, kelvinFromCelsius(10.0)}, {100.0, kelvinFromCelsius(10.0)}, {200.0, kelvinFromCelsius(200.0)}};
     ASSERT_TRUE(validate(experiment));
     LoopOnRig run(experiment);
-    run.startRun();
+    run.startRun(true);
     run.periods(20);
     EXPECT_EQ(run.loop.state(), RunState::Running);
     experiment.controller.kind = ControllerKind::Adaptive;

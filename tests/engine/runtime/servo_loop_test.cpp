@@ -1,61 +1,14 @@
 // The state machine and its safe state, on the simulated rig with its manual clock.
 
-#include "engine/base/units.h"
-#include "engine/runtime/rig_setup.h"
-#include "engine/runtime/servo_loop.h"
+#include "tests/engine/runtime/loop_on_rig.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
 
 namespace bask {
 namespace {
 
-Experiment twoDisks() {
-    Experiment experiment;
-    experiment.title = "two disks";
-    for (const double y : {-0.04, 0.04}) {
-        ObjectSpec object;
-        object.name = y < 0.0 ? "left" : "right";
-        object.shape = Disk{0.015};
-        object.material = {"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
-        object.mounting[kY] = y;
-        object.target_K = kelvinFromCelsius(35.0);
-        experiment.objects.push_back(object);
-    }
-    return experiment;
-}
-
-class ServoLoopTest : public ::testing::Test {
-protected:
-    Experiment experiment = twoDisks();
-    SimulatedRig rig{simulatedRigConfig(experiment)};
-    ServoLoop loop{
-        experiment,
-        {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); }},
-        rig.clock()};
-
-    void periods(int count) {
-        for (int i = 0; i < count; ++i) {
-            rig.advance(experiment.sampling.period_s);
-            loop.tick();
-        }
-    }
-    void startRun() {
-        periods(10);
-        ASSERT_TRUE(loop.arm());
-        ASSERT_TRUE(loop.start(false));
-    }
-    bool reasonGiven(MessageCode code) const {
-        return std::ranges::any_of(loop.reasons(),
-                                   [&](const Message& reason) { return reason.code == code; });
-    }
-    bool eventSeen(MessageCode code) {
-        const LoopRecord rows = loop.takeRecord();
-        return std::ranges::any_of(rows.events,
-                                   [&](const TraceEvent& event) { return event.message.code == code; });
-    }
+struct ServoLoopTest : public ::testing::Test, LoopOnRig {
+    ServoLoopTest() : LoopOnRig(twoDisks(35.0)) {}
 };
 
 } // namespace
@@ -309,7 +262,7 @@ private:
 };
 
 TEST(ServoLoop, AControllerNeverOverridesTheRetreat) {
-    const Experiment experiment = twoDisks();
+    const Experiment experiment = twoDisks(35.0);
     SimulatedRig rig(simulatedRigConfig(experiment));
     DeafHeatSource source(rig.heatSource());
     ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
@@ -334,7 +287,7 @@ TEST(ServoLoop, AControllerNeverOverridesTheRetreat) {
 }
 
 TEST(ServoLoop, ARetreatEndsAlsoWhenTheRobotsStepsMissTheTop) {
-    Experiment experiment = twoDisks();
+    Experiment experiment = twoDisks(35.0);
     experiment.simulation.robotStep_m = 0.005;
     experiment.robot.upper[kZ] = 0.292;
     SimulatedRig rig(simulatedRigConfig(experiment));

@@ -174,7 +174,8 @@ TEST(Example, ThePapersTargetsSettleNearThePhysicalBoundWithoutOvershoot) {
         std::vector<double> targets_degC;
         double paper_s, gray_s; ///< time of the slowest object at F = 1
     } cases[] = {{{40, 40, 40}, 185, 72},  {{50, 40, 40}, 394, 130}, {{50, 50, 35}, 394, 130},
-                 {{50, 45, 35}, 394, 130}, {{40, 45, 50}, 185, 72},  {{45, 45, 45}, 275, 100}};
+                 {{60, 60, 30}, 991, 199}, {{50, 45, 35}, 394, 130}, {{40, 45, 50}, 185, 72},
+                 {{45, 45, 45}, 275, 100}};
     for (const auto& [targets_degC, paper_s, gray_s] : cases)
         for (const SourceModel model : {SourceModel::Paper, SourceModel::Gray}) {
             Experiment experiment = example("three-objects.json");
@@ -191,7 +192,7 @@ TEST(Example, ThePapersTargetsSettleNearThePhysicalBoundWithoutOvershoot) {
             ASSERT_TRUE(outcome);
             EXPECT_TRUE(outcome->settled)
                 << targets_degC[0] << " " << targets_degC[1] << " " << targets_degC[2];
-            EXPECT_LT(overshoot_K, 0.6); // of the true temperature; the sensors' zero is off by up to 0.2 K
+            EXPECT_LT(overshoot_K, 0.5); // of the true temperature; the sensors' zero is off by up to 0.2 K
             const double bound_s = model == SourceModel::Paper ? paper_s : gray_s;
             for (const ObjectOutcome& object : outcome->objects)
                 EXPECT_LT(object.settlingTime_s.value_or(1e9), 1.25 * bound_s) << object.name;
