@@ -22,7 +22,7 @@ constexpr int kRests = 3;             ///< kept of them
 constexpr double kRestsApart_s = 1.0; ///< travel between two of them
 constexpr double kRestMiss_K = 0.05;  ///< a rest this good stays where it is
 constexpr double kRestTravelPrice_K2_s = 1e-3;
-constexpr double kDriftShare = 0.3; ///< time constants of an object over which its drift is learnt at least
+constexpr double kDriftShare = 1.0; ///< time constants of an object over which its drift is learnt at least
 
 constexpr int kLevelPoses = 3;       ///< hot poses that plans are proposed from
 constexpr int kFollowIterations = 4; ///< of the plan in use, at each step
@@ -33,6 +33,9 @@ constexpr double kCalm_K = 0.4;
 constexpr double kBetter = 0.97;     ///< share of the present plan's cost below which another one replaces it
 constexpr double kSurprise = 1.2;    ///< growth of the cost from one step to the next that asks for a search
 constexpr double kWorthGoing = 0.25; ///< periods; a stay shorter than this is left out
+
+constexpr double kComeToRest_K = 0.1; ///< a pose that holds the aim this well is held
+constexpr double kLeaveRest_K = 0.2;  ///< until it holds it worse than this
 
 constexpr double kSure_K = 0.3;  ///< identified rates are sure enough to judge by
 constexpr double kUnmet_K = 0.4; ///< a compromise begins when the best pose misses a target by this
@@ -158,6 +161,14 @@ Eigen::VectorXd LevelServo::steadyAt_K(const HeatingTask& task, const Vector6d& 
     for (Eigen::Index i = 0; i < F.size(); ++i)
         out[i] = task.rates[static_cast<std::size_t>(i)].steadyTemperature_K(F[i]);
     return out;
+}
+
+bool LevelServo::rests(const HeatingTask& task) {
+    const Eigen::VectorXd steady_K = steadyAt_K(task, task.from);
+    const double off_K = std::max((task.temperature_K - task.aim_K).cwiseAbs().maxCoeff(),
+                                  (steady_K - task.aim_K).cwiseAbs().maxCoeff());
+    m_resting = off_K < (m_resting ? kLeaveRest_K : kComeToRest_K);
+    return m_resting;
 }
 
 void LevelServo::findRests(const HeatingTask& task) {
@@ -324,8 +335,15 @@ ControlOutput LevelServo::step(const Observation& observation, double dt_s) {
                (steadyAt_K(task, m_plan->plan.rest) - task.aim_K).cwiseAbs().maxCoeff() > kRestMiss_K) {
         m_plan->plan.rest = refinePose(*m_model.geometry, steady(task, m_aim_K), m_plan->plan.rest, kTouches);
     }
-    choosePlan(task);
-    const VelocitySolution motion = follow(task, observation.lastRates, dt_s);
+    VelocitySolution motion;
+    if (rests(task)) {
+        m_plan.reset();
+        motion =
+            velocityTowards(*m_model.geometry, task.from, task.from, dt_s, observation.lastRates); // brakes
+    } else {
+        choosePlan(task);
+        motion = follow(task, observation.lastRates, dt_s);
+    }
     const Eigen::VectorXd F =
         m_model.geometry->viewFactorsFast(observation.coordinates + 0.5 * dt_s * motion.rates);
     m_expected_K = task.temperature_K;

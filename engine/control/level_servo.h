@@ -14,10 +14,11 @@
 // and of the plan that is left after it. What is left is among the next step's plans and improvement never
 // makes worse, so the cost V of the plan in use obeys V(k+1) <= V(k) - (what the step cost): it falls until
 // every error is zero, and resting is always among the plans, at which each error decays with the object's
-// own time constant (the heat balance is a contraction at a constant pose). Wrong rates: what they predict
-// wrongly enters the identification as long as anything moves; what remains (convection, a draught) is taken
-// up by a slow integral of the prediction's error, the drift. It cannot wind up: it sees predictions, not
-// targets.
+// own time constant (the heat balance is a contraction at a constant pose). For the same reason the robot may
+// stand still where temperatures and what the pose holds for ever are within kComeToRest_K of the aim, so
+// that noise moves nothing. Wrong rates: what they predict wrongly enters the identification as long as
+// anything moves; what remains (convection, a draught) is taken up by a slow integral of the prediction's
+// error, the drift. It cannot wind up: it sees predictions, not targets.
 //
 // Targets that no pose holds together: as soon as the identified rates are sure enough, the servo aims at the
 // nearest temperatures that one pose does hold (least squares in K over the workspace).
@@ -49,6 +50,8 @@ private:
     PoseQuery level(const HeatingTask& task) const; ///< the outer loop's view factors
     PoseQuery steady(const HeatingTask& task, const std::vector<double>& aim_K) const;
     Eigen::VectorXd steadyAt_K(const HeatingTask& task, const Vector6d& pose) const;
+    /// The present pose holds the objects where they are to be: the robot stands still.
+    bool rests(const HeatingTask& task);
     void findRests(const HeatingTask& task);
     void judgeTargets(const Eigen::VectorXd& nearest_K);
 
@@ -71,6 +74,7 @@ private:
     std::optional<PricedPlan> m_plan;
     std::vector<double> m_aim_K; ///< the targets, or the nearest temperatures that one pose holds
     bool m_compromise = false;   ///< m_aim_K are not the targets
+    bool m_resting = false;
     double m_time_s = 0.0;       ///< of the last step
     double m_nextRest_s = 0.0;   ///< when rests are looked for again
     double m_nextSearch_s = 0.0; ///< when other plans are looked for again

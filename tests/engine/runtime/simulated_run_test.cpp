@@ -49,6 +49,23 @@ TEST(Example, SettlesAllThreeInUnder120SecondsFor20SeedsOfWrongBeliefs) {
     }
 }
 
+// Catches a servo that chases the noise of its thermometers when there is nothing left to do.
+TEST(Example, TheRobotComesToRestAtTheTargets) {
+    Experiment experiment = example("three-objects.json");
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        experiment.simulation.seed = seed;
+        double way_m = 0.0;
+        SimulatedRunOptions options;
+        options.duration_s = 400.0;
+        options.progress = [&](double, const TraceSample& sample) {
+            if (sample.time_s > 200.0)
+                way_m += experiment.sampling.period_s * sample.twist.head<3>().norm();
+        };
+        ASSERT_TRUE(runSimulated(experiment, options));
+        EXPECT_LT(way_m / 200.0, 0.1 * experiment.robot.maxSpeed_m_s) << "seed " << seed;
+    }
+}
+
 // Catches a controller that does not know what velocity the robot has: its commands would jump.
 TEST(SimulatedRun, CommandsKeepTheAcceleration) {
     Experiment experiment = example("three-objects.json");
