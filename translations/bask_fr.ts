@@ -4,6 +4,58 @@
     <context>
         <name>MaterialPreset</name>
         <message>
+            <source>aluminium, painted black</source>
+            <translation>aluminium peint en noir</translation>
+        </message>
+        <message>
+            <source>aluminium, anodised</source>
+            <translation>aluminium anodisé</translation>
+        </message>
+        <message>
+            <source>copper, polished</source>
+            <translation>cuivre poli</translation>
+        </message>
+        <message>
+            <source>steel, painted black</source>
+            <translation>acier peint en noir</translation>
+        </message>
+        <message>
+            <source>stainless steel, polished</source>
+            <translation>acier inoxydable poli</translation>
+        </message>
+        <message>
+            <source>stainless steel, oxidised</source>
+            <translation>acier inoxydable oxydé</translation>
+        </message>
+        <message>
+            <source>ABS, 30 % infill</source>
+            <translation>ABS, remplissage 30 %</translation>
+        </message>
+        <message>
+            <source>graphite</source>
+            <translation>graphite</translation>
+        </message>
+        <message>
+            <source>cardboard</source>
+            <translation>carton</translation>
+        </message>
+        <message>
+            <source>Incropera et al., Fundamentals of Heat and Mass Transfer, app. A</source>
+            <translation>Incropera et al., Fundamentals of Heat and Mass Transfer, ann. A</translation>
+        </message>
+        <message>
+            <source>handbook (bulk), thermal-imaging tables (surface)</source>
+            <translation>manuel (masse), tables de thermographie (surface)</translation>
+        </message>
+        <message>
+            <source>Hu et al., arXiv 2012.13147 (bulk), flat paint (surface)</source>
+            <translation>Hu et al., arXiv 2012.13147 (masse), peinture mate (surface)</translation>
+        </message>
+        <message>
+            <source>data sheets of filaments (bulk), thermal imaging (surface)</source>
+            <translation>fiches de filaments (masse), thermographie (surface)</translation>
+        </message>
+        <message>
             <source>aluminium, painted</source>
             <translation>aluminium peint</translation>
         </message>
@@ -28,10 +80,6 @@
             <translation>ABS plein</translation>
         </message>
         <message>
-            <source>steel, oxidised</source>
-            <translation>acier oxydé</translation>
-        </message>
-        <message>
             <source>copper, oxidised</source>
             <translation>cuivre oxydé</translation>
         </message>
@@ -42,6 +90,18 @@
     </context>
     <context>
         <name>Message</name>
+        <message>
+            <source>%1 and %2 overlap; move one of them</source>
+            <translation>%1 et %2 se chevauchent ; déplacez l’un des deux</translation>
+        </message>
+        <message>
+            <source>%1 reaches %2 cm from the end-effector&apos;s centre; the robot can carry objects within %3 cm</source>
+            <translation>%1 s’étend à %2 cm du centre de l’effecteur ; le robot peut porter des objets jusqu’à %3 cm</translation>
+        </message>
+        <message>
+            <source>%1, %2 and %3 lie in a line; like temperatures for all three cannot be held together, a triangle is better</source>
+            <translation>%1, %2 et %3 sont alignés ; des températures proches ne peuvent être tenues pour les trois à la fois, un triangle convient mieux</translation>
+        </message>
         <message>
             <source>At rest the sensors' readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
             <translation>Au repos, les mesures des capteurs s’écartent de %1 K de leur moyenne ; le zéro n’en corrige que %2 K au plus. Vérifiez les capteurs et leur bruit.</translation>
@@ -1259,6 +1319,34 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
     <context>
         <name>bask::ObjectProperties</name>
         <message>
+            <source>Heat capacity</source>
+            <translation>Capacité thermique</translation>
+        </message>
+        <message>
+            <source>Time constant</source>
+            <translation>Constante de temps</translation>
+        </message>
+        <message>
+            <source>Of the plate, per area that is seen</source>
+            <translation>De la plaque, par surface vue</translation>
+        </message>
+        <message>
+            <source>Of small changes about the target, in minutes and seconds</source>
+            <translation>Pour de petits écarts autour de la consigne, en minutes et secondes</translation>
+        </message>
+        <message>
+            <source>Heating at view factor 1 with the source as it is set</source>
+            <translation>Chauffe au facteur de forme 1 avec la source telle que réglée</translation>
+        </message>
+        <message>
+            <source>Times T⁴: what the object radiates</source>
+            <translation>Fois T⁴ : ce que l’objet rayonne</translation>
+        </message>
+        <message>
+            <source>What the surroundings give</source>
+            <translation>Ce que donne l’environnement</translation>
+        </message>
+        <message>
             <source>typed values</source>
             <translation>valeurs saisies</translation>
         </message>
@@ -1461,6 +1549,10 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
     </context>
     <context>
         <name>bask::ObjectsPage</name>
+        <message>
+            <source>move of “%1”</source>
+            <translation>déplacement de « %1 »</translation>
+        </message>
         <message>
             <source>rename</source>
             <translation>renommage</translation>

@@ -34,6 +34,9 @@ enum class MessageCode {
     ExportForeign,    ///< no args
     // Experiment
     TooManyObjects,        ///< %1 objects, %2 degrees of freedom
+    MountingOverlap,       ///< %1, %2 objects
+    MountingFar,           ///< %1 object, %2 cm, %3 cm most
+    MountingInLine,        ///< %1, %2, %3 objects
     NoObjects,             ///< no args
     DuplicateName,         ///< %1 name
     NameEmpty,             ///< no args

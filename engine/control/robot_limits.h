@@ -19,7 +19,8 @@ struct RobotLimits {
     double maxAngularAcceleration_rad_s2 = 0; ///< of the angular acceleration's norm; 0: no limit
     Vector6d lower{-0.2, -0.2, 0.01, -0.6108652381980153, 0.0, 0.0};
     Vector6d upper{0.2, 0.2, 0.3, 0.6108652381980153, 0.0, 0.0};
-    double clearance_m = 0.01; ///< least distance of any contour point from the source plane
+    double clearance_m = 0.01;        ///< least distance of any contour point from the source plane
+    double maxMountingRadius_m = 0.2; ///< how far from E the robot can carry an object; 0: anywhere
 
     int degreesOfFreedom() const;
     bool limitsAcceleration() const {

@@ -246,6 +246,8 @@ void checkRobot(Checker& check, const Experiment& e) {
     check.range("robot.max_angular_acceleration_rad_s2", robot.maxAngularAcceleration_rad_s2, 0.0, 100.0,
                 "rad/s2");
     check.quantity("robot.", "clearance", EdgeUnit::LengthCm, robot.clearance_m, 0.0, 100.0);
+    check.quantity("robot.", "max_mounting_radius", EdgeUnit::LengthCm, robot.maxMountingRadius_m, 0.0,
+                   1000.0);
     for (int k = 0; k < 6 && !check.failed(); ++k) {
         const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
         const EdgeUnit unit = coordinateUnit(k);

@@ -469,6 +469,7 @@ void readRobot(const json& j, const std::string& path, Failure& failure, Experim
     fields.read("max_acceleration", EdgeUnit::AccelerationCm, out.robot.maxAcceleration_m_s2);
     fields.read("max_angular_acceleration_rad_s2", out.robot.maxAngularAcceleration_rad_s2);
     fields.read("clearance", EdgeUnit::LengthCm, out.robot.clearance_m);
+    fields.read("max_mounting_radius", EdgeUnit::LengthCm, out.robot.maxMountingRadius_m);
     const auto coordinates = [&](const std::string& key, Vector6d& q) {
         readPart(fields, key, false, [&](const json& part, const std::string& where) {
             readCoordinates(part, where, failure, q);

@@ -134,6 +134,7 @@ Json robotJson(const Experiment& e) {
     putQuantity(j, "max_acceleration", EdgeUnit::AccelerationCm, e.robot.maxAcceleration_m_s2);
     j["max_angular_acceleration_rad_s2"] = e.robot.maxAngularAcceleration_rad_s2;
     putQuantity(j, "clearance", EdgeUnit::LengthCm, e.robot.clearance_m);
+    putQuantity(j, "max_mounting_radius", EdgeUnit::LengthCm, e.robot.maxMountingRadius_m);
     j["lower"] = coordinatesJson(e.robot.lower);
     j["upper"] = coordinatesJson(e.robot.upper);
     j["start"] = coordinatesJson(e.start);

@@ -176,6 +176,18 @@ Result<Contour> makeContour(std::vector<Vector2d> points_m, const std::string& w
     return Contour{std::move(points)};
 }
 
+bool encloses(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p) {
+    bool inside = false;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Eigen::Vector2d& a = ring[k];
+        const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
+        if ((a.y() > p.y()) != (b.y() > p.y()) &&
+            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+            inside = !inside;
+    }
+    return inside;
+}
+
 Contour centred(const Contour& contour) {
     const Vector2d centroid = contourCentroid(contour);
     Contour moved = contour;

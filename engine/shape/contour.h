@@ -25,6 +25,9 @@ Eigen::Vector2d contourCentroid(const Contour& contour); ///< m, area centroid
 /// log n) or so in ordinary outlines. `where` goes into the error.
 Result<Contour> makeContour(std::vector<Eigen::Vector2d> points_m, const std::string& where = {});
 
+/// Whether p lies inside a closed polygon (even-odd); either on its edges.
+bool encloses(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p);
+
 /// The same outline with its area centroid at the origin.
 Contour centred(const Contour& contour);
 

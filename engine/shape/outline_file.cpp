@@ -18,18 +18,6 @@ double signedArea_m2(const std::vector<Eigen::Vector2d>& ring) {
     return 0.5 * twice;
 }
 
-bool isInside(const Eigen::Vector2d& p, const std::vector<Eigen::Vector2d>& ring) {
-    bool inside = false;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Eigen::Vector2d& a = ring[k];
-        const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
-        if ((a.y() > p.y()) != (b.y() > p.y()) &&
-            p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-            inside = !inside;
-    }
-    return inside;
-}
-
 Eigen::AlignedBox2d boxOf(const FileOutline& outline) {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& p : outline.points_m)
@@ -74,7 +62,7 @@ void OutlineFile::arrange() {
         inner.hole = false;
         for (std::size_t k = 0; k < i && inner.closed; ++k) // a larger one only can hold it
             if (sized[k].outline.region == inner.region && sized[k].box.contains(sized[i].box) &&
-                isInside(inner.points_m.front(), sized[k].outline.points_m))
+                encloses(sized[k].outline.points_m, inner.points_m.front()))
                 inner.hole = !inner.hole;
     }
     outlines.clear();

@@ -7,23 +7,27 @@
 namespace bask {
 namespace {
 
-Material make(const char* name, double emittance, double specificHeat_J_kgK, double density_kg_m3,
-              double infill = 1.0) {
-    Material material;
-    material.name = name;
-    material.emittance = emittance;
-    material.absorptance = emittance;
-    material.specificHeat_J_kgK = specificHeat_J_kgK;
-    material.density_kg_m3 = density_kg_m3;
-    material.thickness_m = 0.001;
-    material.infill = infill;
-    return material;
+MaterialPreset preset(const char* label, double emittance, double specificHeat_J_kgK, double density_kg_m3,
+                      const char* source, double infill = 1.0) {
+    MaterialPreset out{label, {}, source};
+    out.material.name = label;
+    out.material.emittance = emittance;
+    out.material.absorptance = emittance;
+    out.material.specificHeat_J_kgK = specificHeat_J_kgK;
+    out.material.density_kg_m3 = density_kg_m3;
+    out.material.thickness_m = 0.001;
+    out.material.infill = infill;
+    return out;
 }
 
-MaterialPreset preset(const char* label, double emittance, double specificHeat_J_kgK, double density_kg_m3,
-                      double infill = 1.0) {
-    return {label, make(label, emittance, specificHeat_J_kgK, density_kg_m3, infill)};
-}
+constexpr const char* kHandbook =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Incropera et al., Fundamentals of Heat and Mass Transfer, app. A");
+constexpr const char* kCoated =
+    QT_TRANSLATE_NOOP("MaterialPreset", "handbook (bulk), thermal-imaging tables (surface)");
+constexpr const char* kPaper =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Hu et al., arXiv 2012.13147 (bulk), flat paint (surface)");
+constexpr const char* kPrint =
+    QT_TRANSLATE_NOOP("MaterialPreset", "data sheets of filaments (bulk), thermal imaging (surface)");
 
 bool same(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -33,15 +37,26 @@ bool same(double a, double b) {
 
 const std::vector<MaterialPreset>& materialPresets() {
     static const std::vector<MaterialPreset> presets{
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, painted"), 0.9, 904.0, 2700.0),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, bare"), 0.04, 904.0, 2700.0),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 30 % infill"), 0.9, 1800.0, 1240.0, 0.3),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 50 % infill"), 0.9, 1800.0, 1240.0, 0.5),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, solid"), 0.9, 1800.0, 1240.0),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "ABS, solid"), 0.92, 1400.0, 1050.0),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "steel, oxidised"), 0.8, 490.0, 7850.0),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "copper, oxidised"), 0.7, 385.0, 8960.0),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "glass"), 0.92, 840.0, 2500.0),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, painted"), 0.9, 904.0, 2700.0, kPaper),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, painted black"), 0.98, 903.0, 2702.0,
+               kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, anodised"), 0.82, 903.0, 2702.0, kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, bare"), 0.04, 904.0, 2700.0, kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "copper, polished"), 0.03, 385.0, 8933.0, kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "copper, oxidised"), 0.5, 385.0, 8933.0, kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "steel, painted black"), 0.98, 434.0, 7832.0, kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "stainless steel, polished"), 0.17, 477.0, 7900.0,
+               kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "stainless steel, oxidised"), 0.67, 477.0, 7900.0,
+               kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 30 % infill"), 0.9, 1800.0, 1240.0, kPrint, 0.3),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 50 % infill"), 0.9, 1800.0, 1240.0, kPrint, 0.5),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, solid"), 0.9, 1800.0, 1240.0, kPrint),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "ABS, 30 % infill"), 0.92, 1400.0, 1050.0, kPrint, 0.3),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "ABS, solid"), 0.92, 1400.0, 1050.0, kPrint),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "glass"), 0.92, 750.0, 2500.0, kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "graphite"), 0.85, 709.0, 2210.0, kCoated),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "cardboard"), 0.92, 1340.0, 930.0, kHandbook),
     };
     return presets;
 }
@@ -60,6 +75,10 @@ std::optional<std::size_t> matchingPreset(const Material& material) {
             return i;
     }
     return std::nullopt;
+}
+
+QString materialPresetSource(std::size_t index) {
+    return QCoreApplication::translate("MaterialPreset", materialPresets().at(index).source);
 }
 
 Material withPreset(const Material& material, std::size_t index) {

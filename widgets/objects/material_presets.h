@@ -14,13 +14,18 @@ namespace bask {
 struct MaterialPreset {
     const char* label; ///< English, context "MaterialPreset"; show it through materialPresetLabel
     Material material;
+    const char* source; ///< of the values, likewise; materialPresetSource
 };
 
-/// Handbook values at room temperature; emittances are those of thermal-imaging tables (8 to 14 um).
+/// Handbook values at room temperature, absorptance equal to emittance (gray). Surfaces differ: emittances
+/// are good to some 0.05, those of metals to a factor of two.
 const std::vector<MaterialPreset>& materialPresets();
 
 /// Translated label of a preset.
 QString materialPresetLabel(std::size_t index);
+
+/// Where its values come from, translated.
+QString materialPresetSource(std::size_t index);
 
 /// The preset with the same surface, bulk and infill (thickness left aside); empty: values were typed.
 std::optional<std::size_t> matchingPreset(const Material& material);

@@ -1,45 +1,70 @@
 #pragma once
-// Plan of the end-effector seen along its -z axis: every object where it is mounted, to scale.
+// Plan of the end-effector seen along its -z axis: every object where it is mounted, to scale, dragged and
+// turned by mouse or keys.
 
 #include "engine/session/experiment.h"
 
 #include <QWidget>
 
+#include <optional>
+#include <set>
+
 namespace bask {
 
-/// Clicking an object asks for it to be selected. Coordinates and angles are those of the mounting in E.
+/// Coordinates and angles are those of the mounting in E. Dragging an object moves it in steps of 5 mm, with
+/// Alt of 0.1 mm; dragging its handle turns it in steps of 5 degrees, with Alt of 0.1; arrow keys move the
+/// selected one by 1 mm (Shift: 1 cm), Page Up and Page Down turn it by 5 degrees (Shift: 1). While a drag is
+/// on only the plan shows it; Escape ends it without a change.
 class MountingPlan : public QWidget {
     Q_OBJECT
 
 public:
     explicit MountingPlan(QWidget* parent = nullptr);
 
-    void setObjects(const std::vector<ObjectSpec>& objects, int selected);
+    /// `remarked`: objects of which something is to be told; they are hatched. `reach_m`: circle that the
+    /// robot carries objects within, 0 for none.
+    void setObjects(const std::vector<ObjectSpec>& objects, int selected, const std::set<int>& remarked = {},
+                    double reach_m = 0.0);
+    void setReadOnly(bool readOnly);
 
-    QSize minimumSizeHint() const override { return {180, 130}; }
-    QSize sizeHint() const override { return {280, 170}; }
+    QSize minimumSizeHint() const override { return {180, 160}; }
+    QSize sizeHint() const override { return {300, 230}; }
 
 signals:
     void objectClicked(int index);
+    /// A drag or key has ended: the new mounting.
+    void objectMoved(int index, const bask::Vector6d& mounting);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void changeEvent(QEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
+    struct Drag {
+        QTransform map;     ///< as it was when the drag began
+        QPointF grip_mm;    ///< from the object's centre to where it was taken
+        Vector6d mounting;  ///< as it is now
+        bool turns = false; ///< by the handle
+        bool moved = false;
+    };
     QTransform map() const;
+    QPointF handle(const QTransform& map) const; ///< of the selected object
+    bool canMove() const { return m_selected >= 0 && !m_readOnly; }
+    const ObjectSpec& selected() const { return m_objects[static_cast<std::size_t>(m_selected)]; }
+    void paintObjects(QPainter& painter, const QTransform& map) const;
+    void paintHandle(QPainter& painter, const QTransform& map) const;
     void retranslate();
 
-    struct Item {
-        QString name;
-        QPolygonF outline_mm;
-    };
-    std::vector<Item> m_items;
+    std::vector<ObjectSpec> m_objects;
+    std::set<int> m_remarked;
     int m_selected = -1;
+    double m_reach_m = 0.0;
+    bool m_readOnly = false;
+    std::optional<Drag> m_drag;
 };
-
-/// Outline (mm) of an object as mounted, projected on the xy-plane of E.
-QPolygonF mountedOutline_mm(const ObjectSpec& object);
 
 } // namespace bask

@@ -59,9 +59,19 @@ void ObjectProperties::build() {
     m_area->setObjectName("area");
     m_perimeter = new QLabel(this);
     m_perimeter->setObjectName("perimeter");
-    m_timeConstant = new QLabel(this);
-    m_timeConstant->setObjectName("timeConstant");
-    m_timeConstant->setWordWrap(true);
+    const auto told = [this](const char* name) {
+        auto* label = new QLabel(this);
+        label->setObjectName(QString::fromLatin1(name));
+        label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        return label;
+    };
+    m_presetSource = told("presetSource");
+    m_presetSource->setWordWrap(true);
+    m_heatCapacity = told("heatCapacity");
+    m_timeConstant = told("timeConstant");
+    m_lambda1 = told("lambda1");
+    m_lambda2 = told("lambda2");
+    m_lambda3 = told("lambda3");
     m_radius = number("radius", 0.05, 100.0, 3, 0.1, [](S& o, double v) { o.shape = Disk{v / kCmPerM}; });
     m_preset = new QComboBox(this);
     m_preset->setObjectName("materialPreset");
@@ -123,6 +133,8 @@ void ObjectProperties::build() {
     head(1);
     field(m_preset, 0, 2);
     row += 2;
+    layout->addWidget(m_presetSource, row, 0, 1, 2);
+    row += 1;
     field(m_emittance, 0);
     field(m_absorptance, 1);
     row += 2;
@@ -132,8 +144,14 @@ void ObjectProperties::build() {
     field(m_thickness, 0);
     field(m_infill, 1);
     row += 2;
-    layout->addWidget(m_timeConstant, row, 0, 1, 2);
-    row += 1;
+    field(m_heatCapacity, 0);
+    field(m_timeConstant, 1);
+    row += 2;
+    field(m_lambda1, 0);
+    field(m_lambda2, 1);
+    row += 2;
+    field(m_lambda3, 0);
+    row += 2;
     head(2);
     field(m_mountX, 0);
     field(m_mountY, 1);
@@ -194,6 +212,12 @@ void ObjectProperties::setObject(const ObjectSpec& object) {
     showObject();
 }
 
+void ObjectProperties::setSurroundings(double netSourcePower_W_m2, double environment_K) {
+    m_netSourcePower_W_m2 = netSourcePower_W_m2;
+    m_environment_K = environment_K;
+    showDerived();
+}
+
 void ObjectProperties::setTemperatureUnit(TemperatureUnit unit) {
     m_target->setTemperatureUnit(unit);
 }
@@ -236,7 +260,10 @@ void ObjectProperties::showPresets() {
     m_preset->clear();
     for (std::size_t i = 0; i < materialPresets().size(); ++i)
         m_preset->addItem(materialPresetLabel(i), static_cast<int>(i));
-    if (const auto match = matchingPreset(m_object.material)) {
+    const auto match = matchingPreset(m_object.material);
+    m_presetSource->setText(match ? materialPresetSource(*match) : QString());
+    m_presetSource->setVisible(match.has_value());
+    if (match) {
         m_preset->setCurrentIndex(static_cast<int>(*match));
         return;
     }
@@ -255,12 +282,13 @@ void ObjectProperties::showDerived() {
                                         : tr("Polygon"));
     m_area->setText(tr("%1 cm\u00b2").arg(locale.toString(shapeArea(m_object.shape) * 1e4, 'f', 2)));
     m_perimeter->setText(tr("%1 cm").arg(locale.toString(shapePerimeter(m_object.shape) * kCmPerM, 'f', 2)));
-    const double capacity = m_object.material.arealHeatCapacity_J_m2K();
-    // lambda2 = eps2 sigma / (m c / A) does not depend on the source.
-    const HeatRates rates{0.0, m_object.material.emittance * kStefanBoltzmann / capacity, 0.0};
-    m_timeConstant->setText(
-        tr("%1 J/(m\u00b2\u00b7K); time constant %2 at the target")
-            .arg(locale.toString(capacity, 'f', 0), formatDuration(rates.timeConstant_s(m_object.target_K))));
+    m_heatCapacity->setText(tr("%1 J/(m\u00b2\u00b7K)")
+                                .arg(locale.toString(m_object.material.arealHeatCapacity_J_m2K(), 'f', 0)));
+    const HeatRates rates = heatRates(m_object.material, m_netSourcePower_W_m2, m_environment_K);
+    m_timeConstant->setText(formatDuration(rates.timeConstant_s(m_object.target_K)));
+    m_lambda1->setText(tr("%1 K/s").arg(locale.toString(rates.lambda1, 'g', 4)));
+    m_lambda2->setText(tr("%1 K\u207b\u00b3s\u207b\u00b9").arg(locale.toString(rates.lambda2, 'g', 4)));
+    m_lambda3->setText(tr("%1 K/s").arg(locale.toString(rates.lambda3, 'g', 4)));
 }
 
 void ObjectProperties::refreshTexts() {
@@ -280,6 +308,11 @@ void ObjectProperties::refreshTexts() {
         {m_density, tr("Density")},
         {m_thickness, tr("Thickness")},
         {m_infill, tr("Infill")},
+        {m_heatCapacity, tr("Heat capacity")},
+        {m_timeConstant, tr("Time constant")},
+        {m_lambda1, QStringLiteral("\u03bb\u2081")},
+        {m_lambda2, QStringLiteral("\u03bb\u2082")},
+        {m_lambda3, QStringLiteral("\u03bb\u2083")},
         {m_mountX, tr("x")},
         {m_mountY, tr("y")},
         {m_mountZ, tr("z")},
@@ -295,7 +328,12 @@ void ObjectProperties::refreshTexts() {
             }
         }
     }
-    m_timeConstant->setPalette(caption);
+    m_presetSource->setPalette(caption);
+    m_heatCapacity->setToolTip(tr("Of the plate, per area that is seen"));
+    m_timeConstant->setToolTip(tr("Of small changes about the target, in minutes and seconds"));
+    m_lambda1->setToolTip(tr("Heating at view factor 1 with the source as it is set"));
+    m_lambda2->setToolTip(tr("Times T\u2074: what the object radiates"));
+    m_lambda3->setToolTip(tr("What the surroundings give"));
     m_kind->setPalette(caption);
     m_mountX->setAccessibleName(tr("Mounting x"));
     m_mountY->setAccessibleName(tr("Mounting y"));

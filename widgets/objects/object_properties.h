@@ -22,7 +22,7 @@ class QuantitySpinBox;
 /// Emits a whole new value per committed edit; only the edited field differs from what was set.
 /// Object names: "objectName", "radius", "materialPreset", "emittance", "absorptance", "specificHeat",
 /// "density", "thickness", "infill", "mountX", "mountY", "mountZ", "mountRotation", "target", "area",
-/// "perimeter", "timeConstant".
+/// "perimeter", "presetSource", "heatCapacity", "timeConstant", "lambda1", "lambda2", "lambda3".
 class ObjectProperties : public QWidget {
     Q_OBJECT
 
@@ -30,6 +30,8 @@ public:
     explicit ObjectProperties(QWidget* parent = nullptr);
 
     void setObject(const ObjectSpec& object);
+    /// What the rates are computed with: net power of the source (W/m2), environment (K).
+    void setSurroundings(double netSourcePower_W_m2, double environment_K);
     void setTemperatureUnit(TemperatureUnit unit);
     void setReadOnly(bool readOnly);
 
@@ -52,6 +54,8 @@ private:
     void refreshTexts();
 
     ObjectSpec m_object;
+    double m_netSourcePower_W_m2 = 0.0;
+    double m_environment_K = kelvinFromCelsius(25.0);
     bool m_showing = false;
     QLabel* m_headings[3]{};
     QLineEdit* m_name;
@@ -66,7 +70,12 @@ private:
     QDoubleSpinBox* m_density;
     QDoubleSpinBox* m_thickness;
     QDoubleSpinBox* m_infill;
+    QLabel* m_presetSource;
+    QLabel* m_heatCapacity;
     QLabel* m_timeConstant;
+    QLabel* m_lambda1;
+    QLabel* m_lambda2;
+    QLabel* m_lambda3;
     QDoubleSpinBox* m_mountX;
     QDoubleSpinBox* m_mountY;
     QDoubleSpinBox* m_mountZ;

@@ -1,5 +1,7 @@
 #include "widgets/objects/objects_page.h"
 
+#include "engine/session/mounting_check.h"
+#include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/harmonics_panel.h"
 #include "widgets/objects/import_bar.h"
@@ -28,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace bask {
@@ -125,6 +128,9 @@ QWidget* ObjectsPage::buildLeft() {
     m_listTitle->setBuddy(m_list);
     m_plan = new MountingPlan(box);
     m_plan->setObjectName("mountingPlan");
+    m_remarks = new QLabel(box);
+    m_remarks->setObjectName("mountingRemarks");
+    m_remarks->setWordWrap(true);
     m_count = new QLabel(box);
     m_count->setObjectName("objectCount");
     m_count->setWordWrap(true);
@@ -153,6 +159,7 @@ QWidget* ObjectsPage::buildLeft() {
     layout->addWidget(m_undoButton, 6, 0);
     layout->addWidget(m_redoButton, 6, 1);
     layout->addWidget(m_plan, 7, 0, 1, 2);
+    layout->addWidget(m_remarks, 8, 0, 1, 2);
     layout->setRowStretch(1, 1);
     return box;
 }
@@ -216,6 +223,11 @@ void ObjectsPage::connectAll() {
                      [&object](ObjectSpec& o) { o = object; });
     });
     connect(m_plan, &MountingPlan::objectClicked, this, &ObjectsPage::selectObject);
+    connect(m_plan, &MountingPlan::objectMoved, this, [this](int index, const Vector6d& mounting) {
+        selectObject(index);
+        editSelected(tr("move of \u201c%1\u201d").arg(QString::fromStdString(selected().name)), {},
+                     [&mounting](ObjectSpec& o) { o.mounting = mounting; });
+    });
     connect(m_importBar, &ImportBar::accepted, this,
             [this](const QString& path, const ContourImportOptions& options) {
                 m_message->say(MessageBar::Kind::Note, tr("Reading %1\u2026").arg(QFileInfo(path).fileName()),
@@ -451,10 +463,22 @@ void ObjectsPage::commitFit(const FourierFit& fit) {
 
 void ObjectsPage::showAll() {
     m_list->setObjects(m_experiment.objects, m_selected, m_unit);
-    m_plan->setObjects(m_experiment.objects, m_selected);
+    showMounting();
     showSelected();
     refreshTexts();
     updateEnabled();
+}
+
+void ObjectsPage::showMounting() {
+    std::set<int> remarked;
+    QStringList sentences;
+    for (const MountingRemark& remark : mountingRemarks(m_experiment)) {
+        sentences << messageText(remark.message);
+        remarked.insert(remark.objects.begin(), remark.objects.end());
+    }
+    m_remarks->setText(sentences.join(QLatin1Char('\n')));
+    m_remarks->setVisible(!sentences.isEmpty());
+    m_plan->setObjects(m_experiment.objects, m_selected, remarked, m_experiment.robot.maxMountingRadius_m);
 }
 
 void ObjectsPage::showSelected() {
@@ -474,6 +498,10 @@ void ObjectsPage::showSelected() {
         raw, series != nullptr ? series->harmonics() : kImportHarmonics, color,
         disk ? tr("A disk is used as it is; it needs no fit.")
              : tr("No imported outline is kept with this object, so it cannot be fitted again."));
+    const SourceSpec& source = m_experiment.source;
+    m_properties->setSurroundings(
+        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, m_experiment.environment_K),
+        m_experiment.environment_K);
     m_properties->setObject(selected());
 }
 
@@ -488,6 +516,7 @@ void ObjectsPage::updateEnabled() {
     m_redoButton->setEnabled(m_editable && m_undo->canRedo());
     m_list->setRenamable(m_editable);
     m_properties->setReadOnly(!m_editable);
+    m_plan->setReadOnly(!m_editable);
     m_harmonics->setEnabled(m_editable);
     const QString full =
         room ? QString()

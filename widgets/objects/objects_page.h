@@ -29,8 +29,9 @@ class OutlinePreview;
 /// showImported or showImportError.
 ///
 /// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "duplicateObject",
-/// "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "pageMessage" (MessageBar), "editNote"
-/// (MessageBar), "importBar", and those of HarmonicsPanel, ObjectProperties, ImportBar and MessageBar.
+/// "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks", "pageMessage"
+/// (MessageBar), "editNote" (MessageBar), "importBar", and those of HarmonicsPanel, ObjectProperties,
+/// ImportBar and MessageBar.
 class ObjectsPage : public QWidget {
     Q_OBJECT
 
@@ -92,6 +93,7 @@ private:
     void commitFit(const FourierFit& fit);
     void showAll();
     void showSelected();
+    void showMounting();
     void updateEnabled();
     void refreshTexts();
     bool hasSelection() const;
@@ -114,6 +116,7 @@ private:
     ObjectList* m_list;
     QLabel* m_listTitle;
     QLabel* m_count;
+    QLabel* m_remarks; ///< on the mounting
     QPushButton* m_addDisk;
     QPushButton* m_import;
     QPushButton* m_duplicate;

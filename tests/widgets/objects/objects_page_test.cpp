@@ -18,6 +18,7 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
@@ -429,7 +430,8 @@ TEST_F(ObjectsPageTest, LanguageChangeWithLongerText) {
         QApplication::processEvents();
     page.grab().save("objects_longer.png");
     for (QLabel* label : page.findChildren<QLabel*>()) {
-        if (label->isVisible() && !label->text().isEmpty()) {
+        const bool hasWords = label->text().contains(QRegularExpression("[A-Za-z]"));
+        if (label->isVisible() && hasWords) {
             EXPECT_TRUE(label->text().contains('[')) << label->text().toStdString();
         }
     }

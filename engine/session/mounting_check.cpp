@@ -1,0 +1,82 @@
+#include "engine/session/mounting_check.h"
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+using Outline = std::vector<Eigen::Vector2d>;
+
+constexpr int kOutlinePoints = 120;
+constexpr double kFlatTriangle = 0.1; ///< height over longest side, below which three places are a line
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() * b.y() - a.y() * b.x();
+}
+
+bool edgesMeet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+               const Eigen::Vector2d& d) {
+    return cross(b - a, c - a) * cross(b - a, d - a) <= 0.0 &&
+           cross(d - c, a - c) * cross(d - c, b - c) <= 0.0;
+}
+
+bool overlap(const Outline& one, const Outline& other) {
+    if (encloses(other, one.front()) || encloses(one, other.front()))
+        return true;
+    for (std::size_t i = 0; i < one.size(); ++i)
+        for (std::size_t k = 0; k < other.size(); ++k)
+            if (edgesMeet(one[i], one[(i + 1) % one.size()], other[k], other[(k + 1) % other.size()]))
+                return true;
+    return false;
+}
+
+bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
+    return (b - a).cross(c - a).norm() < kFlatTriangle * longest * longest;
+}
+
+} // namespace
+
+std::vector<Eigen::Vector2d> mountedOutline(const ObjectSpec& object, int points) {
+    const Pose X_EO = poseFromCoordinates(object.mounting);
+    Outline out;
+    for (const Eigen::Vector2d& p : shapeOutline(object.shape, points))
+        out.push_back((X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
+    return out;
+}
+
+std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
+    const std::vector<ObjectSpec>& objects = experiment.objects;
+    const double most_m = experiment.robot.maxMountingRadius_m;
+    const int count = static_cast<int>(objects.size());
+    std::vector<Outline> outlines;
+    std::vector<Eigen::Vector3d> places;
+    for (const ObjectSpec& object : objects) {
+        outlines.push_back(mountedOutline(object, kOutlinePoints));
+        places.push_back(object.mounting.head<3>());
+    }
+    const auto name = [&](int i) { return objects[static_cast<std::size_t>(i)].name; };
+    const auto at = [](const auto& list, int i) -> const auto& {
+        return list[static_cast<std::size_t>(i)];
+    };
+    std::vector<MountingRemark> out;
+    for (int i = 0; i < count; ++i) {
+        double radius_m = 0.0;
+        for (const Eigen::Vector2d& p : at(outlines, i))
+            radius_m = std::max(radius_m, p.norm());
+        if (most_m > 0.0 && radius_m > most_m)
+            out.push_back({{MessageCode::MountingFar,
+                            {name(i), formatNumber(100.0 * radius_m, 3), formatNumber(100.0 * most_m, 3)}},
+                           {i}});
+        for (int k = i + 1; k < count; ++k) {
+            if (overlap(at(outlines, i), at(outlines, k)))
+                out.push_back({{MessageCode::MountingOverlap, {name(i), name(k)}}, {i, k}});
+            for (int l = k + 1; l < count; ++l)
+                if (inLine(at(places, i), at(places, k), at(places, l)))
+                    out.push_back({{MessageCode::MountingInLine, {name(i), name(k), name(l)}}, {i, k, l}});
+        }
+    }
+    return out;
+}
+
+} // namespace bask
