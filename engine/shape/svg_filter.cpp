@@ -8,6 +8,7 @@
 #include <QXmlStreamWriter>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -17,8 +18,8 @@ namespace {
 
 // What Qt's readers take too long or too much memory for; found by trying.
 constexpr int kMostAttributes = 5'000;       // of one element: QXmlStreamReader compares each with each
-constexpr double kMostPairs = 1e8;           // of attributes, in all elements
-constexpr int kMostDeclarations = 5'000;     // entities and the like
+constexpr double kMostPairs = 3e7;           // of attributes, in all elements
+constexpr int kMostDeclarations = 5'000;     // and comments
 constexpr int kMostReferences = 2'000;       // where entities are declared: each is up to 4096 characters
 constexpr qsizetype kMostCss = 1 << 20;      // characters of style sheets
 constexpr double kMostCssWork = 5e6;         // cssParts times elements: QtSvg tries each rule on each
@@ -219,7 +220,7 @@ private:
             int use = -1;
         };
         std::vector<Part> parts;
-        double shapes = 0.0, characters = 0.0; // drawn
+        double elements = 0.0, characters = 0.0; // drawn
         int levels = 0;
         enum { Unknown, Open, Known } state = Unknown;
     };
@@ -265,11 +266,11 @@ private:
             opened = addNode(opened, id);
         Node& node = m_nodes[opened.node];
         node.levels = std::max(node.levels, opened.level);
-        node.shapes += isShape(name) ? 1.0 : 0.0;
+        node.elements += 1.0;
         node.characters += double(attributes.value("d").size() + attributes.value("points").size());
         if (name == "use")
             node.parts.push_back({opened.level, -1, linkOf(attributes), m_uses++});
-        else if (name == "symbol")
+        else if (name == "symbol" && !symbols.contains(id))
             symbols.insert(id, {viewBoxOf(attributes), attributes.value("preserveAspectRatio").toString()});
     }
 
@@ -294,7 +295,7 @@ private:
             return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
         if (m_nodes[0].levels > kMostSvgLevels)
             return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
-        if (m_nodes[0].shapes > kMostSvgDrawn || m_nodes[0].characters > kMostCharacters)
+        if (m_nodes[0].elements > kMostSvgDrawn || m_nodes[0].characters > kMostCharacters)
             return tooFull();
         return {};
     }
@@ -314,7 +315,7 @@ private:
             }
             if (m_nodes[next].state == Node::Unknown && !walk(next, depth + 1))
                 return false;
-            m_nodes[number].shapes += m_nodes[next].shapes;
+            m_nodes[number].elements += m_nodes[next].elements;
             m_nodes[number].characters += m_nodes[next].characters;
             m_nodes[number].levels = std::max(m_nodes[number].levels, part.level + m_nodes[next].levels);
         }
@@ -586,17 +587,25 @@ private:
     int m_uses = 0;
 };
 
-// Seen before a reader is trusted with the bytes.
+// Seen before a reader is trusted with the bytes; without zeros, UTF-16 looks like ASCII.
 bool isTooMuch(const std::string& bytes) {
-    int attributes = 0, declarations = 0, references = 0;
-    for (std::size_t k = 0; k < bytes.size(); ++k) {
-        attributes = bytes[k] == '<' ? 0 : attributes + (bytes[k] == '=');
-        references += bytes[k] == '&';
-        declarations += bytes.compare(k, 3, "<!E") == 0;
-        if (attributes > kMostAttributes)
+    int attributes = 0, defaults = 0, declarations = 0, references = 0;
+    bool entities = false, attributeList = false;
+    std::array<char, 3> last{};
+    for (const char c : bytes) {
+        if (c == 0)
+            continue;
+        last = {last[1], last[2], c};
+        declarations += last[0] == '<' && last[1] == '!';
+        entities = entities || last == std::array{'<', '!', 'E'};
+        attributeList = last == std::array{'<', '!', 'A'} || (attributeList && c != '<');
+        attributes = c == '<' ? 0 : attributes + (c == '=');
+        defaults += attributeList && (c == '"' || c == '\'');
+        references += c == '&' || c == '%';
+        if (attributes > kMostAttributes || defaults > kMostAttributes)
             return true;
     }
-    return declarations > kMostDeclarations || (declarations > 0 && references > kMostReferences);
+    return declarations > kMostDeclarations || (entities && references > kMostReferences);
 }
 
 } // namespace

@@ -25,7 +25,7 @@ struct PlainSvg {
 
 /// Limits on a drawing, beyond which it is refused.
 inline constexpr int kMostSvgElements = 150'000; ///< in the file
-inline constexpr int kMostSvgDrawn = 100'000;    ///< shapes after <use> has multiplied them
+inline constexpr int kMostSvgDrawn = 150'000;    ///< of them, after <use> has multiplied them
 inline constexpr int kMostSvgLevels = 256;       ///< of nesting, <use> included
 
 /// Errors: XmlBroken, XmlTooDeep, NotSvg, DrawingTooFull (see limits), SvgSizeUnusable. Recursive <use> is

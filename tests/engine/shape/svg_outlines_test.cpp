@@ -349,12 +349,29 @@ std::string laughingEntities() {
     return text + "]><svg><path d=\"&l;\"/></svg>";
 }
 
-std::string laughingUses(int times, int levels) {
-    std::string text = "<g id='a0'><rect width='1' height='1'/></g>";
+std::string laughingUses(int times, int levels, const std::string& last = "<rect width='1' height='1'/>") {
+    std::string text = "<g id='a0'>" + last + "</g>";
     for (int k = 1; k <= levels; ++k)
         text += "<g id='a" + std::to_string(k) + "'>" +
                 repeated("<use href='#a" + std::to_string(k - 1) + "'/>", times) + "</g>";
     return drawing(text);
+}
+
+// The same text in UTF-16.
+std::string wide(const std::string& text) {
+    std::string bytes = "\xFF\xFE";
+    for (const char c : text) {
+        bytes += c;
+        bytes += '\0';
+    }
+    return bytes;
+}
+
+std::string manyAttributes(int count) {
+    std::string text;
+    for (int k = 0; k < count; ++k)
+        text += "a" + std::to_string(k) + " CDATA 'x' ";
+    return text;
 }
 
 std::vector<Hostile> hostileDrawings() {
@@ -363,9 +380,14 @@ std::vector<Hostile> hostileDrawings() {
     return {
         {"entities of entities", MessageCode::XmlBroken, laughingEntities()},
         {"one entity often", MessageCode::DrawingTooFull, entity + drawing(repeated("&e;", 200'000))},
+        {"one entity often in UTF-16", MessageCode::DrawingTooFull,
+         wide(entity + drawing(repeated("&e;", 200'000)))},
+        {"default attributes", MessageCode::DrawingTooFull,
+         "<!DOCTYPE svg [<!ATTLIST svg " + manyAttributes(200'000) + ">]>" + drawing(rect)},
         {"many entities", MessageCode::DrawingTooFull,
          "<!DOCTYPE svg [" + repeated("<!ENTITY e 'x'>", 600'000) + "]><svg/>"},
         {"uses of uses", MessageCode::DrawingTooFull, laughingUses(10, 12)},
+        {"uses of uses of nothing", MessageCode::DrawingTooFull, laughingUses(10, 12, "")},
         {"chain of uses", MessageCode::XmlTooDeep, laughingUses(1, 40'000)},
         {"use of itself", MessageCode::NoOutline, drawing("<use id='u' href='#u'/>")},
         {"uses of each other", MessageCode::NoOutline,
