@@ -28,8 +28,10 @@ inline constexpr int kMostSvgElements = 150'000; ///< in the file
 inline constexpr int kMostSvgDrawn = 150'000;    ///< of them, after <use> has multiplied them
 inline constexpr int kMostSvgLevels = 256;       ///< of nesting, <use> included
 
-/// Errors: XmlBroken, XmlTooDeep, NotSvg, DrawingTooFull (see limits), SvgSizeUnusable. Recursive <use> is
-/// left out. Entities are put in up to 4096 characters in all (QXmlStreamReader's limit). Opens nothing.
+/// Errors: XmlBroken, XmlTooDeep, NotSvg, SvgSizeUnusable, DrawingTooFull (the limits above, and what Qt's
+/// readers cannot take in a second: attributes, entities, style sheets, path data; see svg_filter.cpp). A
+/// recursive <use> is left out, as QtSvg leaves out what lies more than four <use> deep after 256 of them.
+/// Opens nothing.
 Result<PlainSvg> plainSvg(const std::string& bytes, const std::string& where);
 
 } // namespace bask
