@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sys/resource.h>
 
-#include <chrono>
+#include <ctime>
 #include <random>
 #include <thread>
 
@@ -335,6 +335,11 @@ TEST(SvgOutlines, TextAndPicturesAreLeftOutAndTold) {
               MessageCode::XmlBroken);
 }
 
+// Of this process, so that a busy machine fails nothing.
+double processorTime_s() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 struct Hostile {
     std::string name;
     MessageCode code;
@@ -424,11 +429,11 @@ std::vector<Hostile> hostileDrawings() {
 // Catches a hang, a crash or a flood of memory by a drawing made for it.
 TEST(SvgOutlines, HostileDrawingsAreRefusedSoon) {
     for (const Hostile& hostile : hostileDrawings()) {
-        const auto start = std::chrono::steady_clock::now();
+        const double start_s = processorTime_s();
         const auto file = svgOutlines(hostile.bytes, "drawing");
-        const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+        const double seconds = processorTime_s() - start_s;
         EXPECT_EQ(file.ok() ? MessageCode::None : file.error().code(), hostile.code) << hostile.name;
-        EXPECT_LT(seconds.count(), 2.0) << hostile.name;
+        EXPECT_LT(seconds, 2.0) << hostile.name;
     }
     rusage usage{};
     getrusage(RUSAGE_SELF, &usage);
@@ -437,12 +442,12 @@ TEST(SvgOutlines, HostileDrawingsAreRefusedSoon) {
 
 // Catches an ordinary large drawing that is refused, or read too slowly to wait for.
 TEST(SvgOutlines, LargeDrawingIsReadInTwoSeconds) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start_s = processorTime_s();
     const auto file = readSvgOutlines(svgPath("huge_bamboo.svg"));
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const double seconds = processorTime_s() - start_s;
     ASSERT_TRUE(file.ok());
     EXPECT_EQ(file->outlines.size(), 6342U);
-    EXPECT_LT(seconds.count(), 2.0);
+    EXPECT_LT(seconds, 2.0);
 }
 
 // Catches crashes on files that break off or are damaged; their answer may be anything.
