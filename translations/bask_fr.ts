@@ -279,6 +279,46 @@
             <translation>l’unité de longueur n’est pas connue ; indiquez-la (mm, cm, m ou in)</translation>
         </message>
         <message>
+            <source>the file holds no outline</source>
+            <translation>le fichier ne contient aucun contour</translation>
+        </message>
+        <message>
+            <source>not readable as XML near line %2: %1</source>
+            <translation>illisible comme XML vers la ligne %2 : %1</translation>
+        </message>
+        <message>
+            <source>elements are nested or used more than %1 levels deep</source>
+            <translation>les éléments sont imbriqués ou réutilisés sur plus de %1 niveaux</translation>
+        </message>
+        <message>
+            <source>not an SVG drawing</source>
+            <translation>n’est pas un dessin SVG</translation>
+        </message>
+        <message>
+            <source>the drawing's size "%1" cannot be used</source>
+            <translation>la taille du dessin « %1 » est inutilisable</translation>
+        </message>
+        <message>
+            <source>the drawing gives its size in pixels, taken as 1/96 inch (0.2646 mm) each; check its size</source>
+            <translation>le dessin donne sa taille en pixels, comptés pour 1/96 de pouce (0,2646 mm) chacun ; vérifiez sa taille</translation>
+        </message>
+        <message>
+            <source>left out, since they are no outlines: %1</source>
+            <translation>laissés de côté, car ce ne sont pas des contours : %1</translation>
+        </message>
+        <message>
+            <source>the drawing holds more than can be read; save the one outline that is needed</source>
+            <translation>le dessin contient plus que ce qui peut être lu ; enregistrez seulement le contour voulu</translation>
+        </message>
+        <message>
+            <source>the drawing reaches farther than %1 m; check its unit</source>
+            <translation>le dessin s’étend au-delà de %1 m ; vérifiez son unité</translation>
+        </message>
+        <message>
+            <source>a path has more than the %1 parts that can be read; simplify it, or save the outline as DXF or CSV</source>
+            <translation>un tracé a plus que les %1 éléments qui peuvent être lus ; simplifiez-le, ou enregistrez le contour en DXF ou CSV</translation>
+        </message>
+        <message>
             <source>no silhouette found; the picture needs one dark object on a light ground or the reverse</source>
             <translation>aucune silhouette trouvée ; l’image doit montrer un objet sombre sur fond clair, ou l’inverse</translation>
         </message>

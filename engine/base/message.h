@@ -61,6 +61,16 @@ enum class MessageCode {
     SeriesCrossing,       ///< %1 x mm, %2 y mm
     ContourZeroArea,      ///< no args
     ContourUnitMissing,   ///< no args
+    NoOutline,            ///< no args
+    XmlBroken,            ///< %1 parser's words, %2 line
+    XmlTooDeep,           ///< %1 levels allowed
+    NotSvg,               ///< no args
+    SvgSizeUnusable,      ///< %1 width, height or view box
+    SvgSizeInPixels,      ///< no args
+    ElementsUnread,       ///< %1 names
+    DrawingTooFull,       ///< no args
+    DrawingTooWide,       ///< %1 m allowed
+    PathTooLong,          ///< %1 parts allowed
     NoSilhouette,         ///< no args
     SilhouetteAtBorder,   ///< no args
     ImageUnreadable,      ///< no args

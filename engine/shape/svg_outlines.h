@@ -1,0 +1,36 @@
+#pragma once
+// Outlines of an SVG drawing, as QtSvg paints them.
+
+#include "engine/shape/outline_file.h"
+
+#include <cstdint>
+#include <string>
+
+namespace bask {
+
+inline constexpr double kSvgTolerance_m = 1e-5; ///< a good choice: 0.01 mm
+
+/// Limits on a drawing, beyond which it is refused; those on its elements are in svg_filter.h.
+inline constexpr std::uintmax_t kLargestSvg = std::uintmax_t{16} << 20; ///< bytes
+inline constexpr int kMostSvgOutlines = 20'000;
+inline constexpr int kMostSvgPoints = 2'000'000;      ///< after flattening
+inline constexpr int kMostSvgPathParts = 32'767;      ///< of one path: QtSvg reads no more
+inline constexpr double kLargestSvgOutline_m = 100.0; ///< farthest coordinate
+
+/// What a drawing paints, in metres of its width and height (1 px = 1/96 in), y up with the page's lower left
+/// corner at the origin, arranged.
+///
+/// Curves become chords within `tolerance_m`, and within 1/10,000 of the outline's size where that is finer;
+/// QtSvg's own arcs, circles and ellipses are off by up to 0.03 % of their radius. A painted shape is one
+/// region. A filled outline is closed; one that is only stroked is closed where its ends meet. The width of
+/// strokes does not count, clipping and masks neither; hidden, transparent and unpainted shapes are not
+/// there. Warnings: SvgSizeInPixels, ElementsUnread (text, pictures, clipping). Errors: those of
+/// readFileBytes and plainSvg, NoOutline, DrawingTooFull, PathTooLong, DrawingTooWide, ValueNotPositive
+/// (tolerance). Needs no QGuiApplication and may run in any thread; opens no other file.
+Result<OutlineFile> readSvgOutlines(const std::string& path, double tolerance_m = kSvgTolerance_m);
+
+/// The same of a file's bytes; `where` goes into the error.
+Result<OutlineFile> svgOutlines(const std::string& bytes, const std::string& where,
+                                double tolerance_m = kSvgTolerance_m);
+
+} // namespace bask
