@@ -75,7 +75,7 @@ enum class MessageCode {
     MarkersSeveral,       ///< %1 markers, %2 id
     MarkerTooSmall,       ///< %1 px, %2 least
     BeyondHorizon,        ///< no args
-    SeriesLoops,          ///< %1 harmonics
+    SeriesLoops,          ///< no args
     ToleranceUnreachable, ///< %1 tolerance mm, %2 harmonics, %3 distance mm
     // View factor
     FieldTooLarge,  ///< %1 samples, %2 most

@@ -30,11 +30,11 @@ Result<void> checkPixels(std::uint64_t pixels, const std::string& path) {
 }
 
 Result<cv::Mat> decoded(const std::string& bytes, const std::string& path) {
-    if (const auto pixels = announcedPixels(bytes))
-        if (const auto checked = checkPixels(*pixels, path); !checked)
-            return checked.error();
-    if (isJpeg(bytes) && !isCompleteJpeg(bytes))
+    const auto pixels = announcedPixels(bytes); // none: a format whose size is known only once it is unpacked
+    if (!pixels || (isJpeg(bytes) && !isCompleteJpeg(bytes)))
         return Error{MessageCode::ImageUnreadable, path};
+    if (const auto checked = checkPixels(*pixels, path); !checked)
+        return checked.error();
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     // Only the first way turns a photograph as its EXIF says, only the second keeps an alpha channel.
     const int how = isJpeg(bytes) ? cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH : cv::IMREAD_UNCHANGED;
@@ -215,8 +215,10 @@ cv::Mat1f colourDistance(const cv::Mat& image, const std::array<std::uint8_t, 3>
 std::optional<Field> colourField(const cv::Mat& image, const PickedColour& colour) {
     constexpr double kMostUnlike = 30.0;
     const cv::Mat1f distance = colourDistance(image, colour.rgb);
-    if (colour.tolerance)
-        return Field{cv::Mat1f(*colour.tolerance - distance), 2.0 * *colour.tolerance};
+    if (const auto tolerance = colour.tolerance) { // farther off counts the same: edges lie in the middle
+        const cv::Mat1f within(cv::max(*tolerance - distance, -*tolerance));
+        return Field{within, 2.0 * *tolerance};
+    }
     const auto levels = twoLevels(distance);
     if (!levels || levels->dark > kMostUnlike)
         return std::nullopt;

@@ -93,7 +93,7 @@ void measureResidual(const std::vector<Eigen::Vector2d>& points, const std::vect
 double hausdorffOf(const std::vector<Eigen::Vector2d>& points, const FourierContour& contour,
                    double perimeter_m) {
     constexpr int kChords = 8192;
-    constexpr double kTolerance = 1e-5;
+    constexpr double kTolerance = 1e-6;
     std::vector<Eigen::Vector2d> chords;
     chords.reserve(kChords);
     for (int k = 0; k < kChords; ++k)

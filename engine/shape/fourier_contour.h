@@ -47,7 +47,7 @@ struct FourierFit {
     Eigen::Vector2d centre_m = Eigen::Vector2d::Zero(); ///< the series' origin in the outline's coordinates
     double rms_m = 0.0;
     double max_m = 0.0;
-    double hausdorff_m = 0.0;   ///< both ways, to 1e-5 of the perimeter
+    double hausdorff_m = 0.0;   ///< both ways, to 1e-6 of the perimeter
     double areaError = 0.0;     ///< area of the series over that of the outline, less one
     bool crossesItself = false; ///< the truncated curve is not simple
 };

@@ -225,6 +225,9 @@ TEST(ContourImage, RefusesAnAbsurdSizeBeforeItIsUnpacked) {
     for (const std::size_t k : {5U, 6U, 7U, 8U})
         jpeg[frame + k] = '\x7F';
     EXPECT_EQ(codeOf(readContourImage(test::writeFile(".jpg", jpeg), 1.0)), MessageCode::FileTooLarge);
+    // Another format under a known ending would be unpacked by its own words.
+    EXPECT_EQ(codeOf(readContourImage(test::writeFile(".png", "P6\n30000 30000\n255\nabc"), 1.0)),
+              MessageCode::ImageUnreadable);
 }
 
 TEST(ContourImage, DamagedFilesNeverCrashAndAlwaysAnswer) {
