@@ -347,6 +347,50 @@
             <translation>les fichiers de type « %1 » ne sont pas lus ; connus : %2</translation>
         </message>
         <message>
+            <source>there is no outline %1; they are numbered from 0 to %2</source>
+            <translation>il n’y a pas de contour %1 ; ils sont numérotés de 0 à %2</translation>
+        </message>
+        <message>
+            <source>the file holds %1 outlines; the largest is taken</source>
+            <translation>le fichier contient %1 contours ; le plus grand est retenu</translation>
+        </message>
+        <message>
+            <source>holes in the outline are left out: %1</source>
+            <translation>trous du contour laissés de côté : %1</translation>
+        </message>
+        <message>
+            <source>silhouettes left out since they touch the picture's border: %1</source>
+            <translation>silhouettes laissées de côté car elles touchent le bord de l’image : %1</translation>
+        </message>
+        <message>
+            <source>more than one scale is given; give pixels per mm, a known length or a marker</source>
+            <translation>plusieurs échelles sont indiquées ; indiquez des pixels par mm, une longueur connue ou un marqueur</translation>
+        </message>
+        <message>
+            <source>no marker of dictionary %1 is seen; it needs to lie flat in the picture with a light margin</source>
+            <translation>aucun marqueur du dictionnaire %1 n’est visible ; il doit être à plat dans l’image avec une marge claire</translation>
+        </message>
+        <message>
+            <source>%1 markers are seen; marker %2, the largest, gives the scale</source>
+            <translation>%1 marqueurs sont visibles ; le marqueur %2, le plus grand, donne l’échelle</translation>
+        </message>
+        <message>
+            <source>the marker is only %1 pixels wide; the scale is uncertain below %2</source>
+            <translation>le marqueur n’a que %1 pixels de large ; l’échelle est incertaine au-dessous de %2</translation>
+        </message>
+        <message>
+            <source>the outline reaches the horizon of the marker's plane; look at it more from above</source>
+            <translation>le contour atteint l’horizon du plan du marqueur ; regardez-le davantage d’en haut</translation>
+        </message>
+        <message>
+            <source>the fitted contour crosses itself; use more harmonics</source>
+            <translation>le contour ajusté se croise lui-même ; utilisez plus d’harmoniques</translation>
+        </message>
+        <message>
+            <source>the outline cannot be fitted to %1 mm without crossing itself: with %2 harmonics %3 mm are left</source>
+            <translation>le contour ne peut être ajusté à %1 mm sans se croiser : avec %2 harmoniques, il reste %3 mm</translation>
+        </message>
+        <message>
             <source>the outline crosses itself so far that it does not go round %1 % of its area exactly once; at most 1 % is taken, use other harmonics</source>
             <translation>le contour se recoupe tant qu’il ne fait pas exactement une fois le tour de %1 % de sa surface ; 1 % au plus est admis, choisissez d’autres harmoniques</translation>
         </message>

@@ -1,15 +1,17 @@
-// bask fit-contour: reads an outline, fits a Fourier contour and prints what the fit is worth.
+// bask fit-contour: reads the outlines of a file, fits a Fourier contour to one and prints what the fit is
+// worth.
 
 #include "app/commands/command_line.h"
+#include "app/commands/fit_contour_report.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
-#include "engine/shape/contour_import.h"
-#include "engine/shape/fourier_contour.h"
-
-#include <QCommandLineParser>
 
 #include <nlohmann/json.hpp>
 
+#include <QCommandLineParser>
+#include <QFile>
+
+#include <cmath>
 #include <cstdio>
 
 namespace bask {
@@ -18,8 +20,10 @@ namespace {
 struct Request {
     std::string path;
     ContourImportOptions import;
-    int harmonics = 0;
-    std::vector<OutputFile> outputs; ///< none or one
+    std::optional<std::size_t> pick;
+    int harmonics = 0;        ///< 0: the fewest within the tolerance
+    double tolerance_m = 0.0; ///< of the automatic number
+    std::string contourPath, previewPath;
 };
 
 int refuse(const std::string& words) {
@@ -27,55 +31,198 @@ int refuse(const std::string& words) {
     return kExitBadInput;
 }
 
+void warn(const Message& message) {
+    std::fprintf(stderr, "bask fit-contour: %s\n", describe(message).c_str());
+}
+
 void setUp(QCommandLineParser& parser) {
     parser.setApplicationDescription(
         "Fits a Fourier contour to an outline, by least squares in its arc length, and prints\n"
         "area_mm2, perimeter_mm            of the fit,\n"
         "rms_mm, max_mm                    distance between outline and fit at equal arc length,\n"
-        "outline_area_mm2, outline_perimeter_mm   of the outline itself.");
+        "hausdorff_mm                      the same whatever the arc length, both ways,\n"
+        "harmonics, area_error             of the fit; its area over the outline's, less one,\n"
+        "outline_area_mm2, outline_perimeter_mm   of the outline itself.\n\n"
+        "A picture needs a scale: --scale, --known-length or --marker-size.");
     parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addOption({"list", "Prints the file's outlines as a JSON array, the largest first, and ends."});
+    parser.addOption({"pick", "Takes the outline of this index in the list; default: the largest.", "N"});
+    parser.addOption({"harmonics",
+                      "Number of harmonics, 1 to " + QString::number(kMaxHarmonics) +
+                          ", or auto: the fewest within --tolerance; required.",
+                      "H"});
     parser.addOption(
-        {"harmonics", "Number of harmonics, 1 to " + QString::number(kMaxHarmonics) + "; required.", "H"});
+        {"tolerance", "Largest Hausdorff distance between outline and fit for --harmonics auto.", "mm"});
     parser.addOption(
         {"unit", "Unit of a list of points without one in its header: mm, cm, m or in.", "unit"});
     parser.addOption({"scale", "Scale of a picture, in pixels per mm.", "px_per_mm"});
+    parser.addOption(
+        {"known-length",
+         "Scale of a picture: two of its points, in pixels from the upper left corner, and their "
+         "distance in mm.",
+         "x1,y1,x2,y2,mm"});
+    parser.addOption({"marker-size",
+                      "Scale of a picture, its perspective too: side of an ArUco marker that lies beside the "
+                      "objects, in mm.",
+                      "mm"});
+    parser.addOption({"marker-dictionary", "Dictionary of the marker; default: 4X4_50.", "name"});
+    parser.addOption({"colour", "Colour of the objects in a picture, as #rrggbb.", "colour"});
+    parser.addOption(
+        {"colour-tolerance", "Largest distance in CIE Lab from --colour; default: found by Otsu.", "dE"});
+    parser.addOption({"json", "Prints the fit as JSON instead."});
     parser.addOption({{"o", "output"}, "Writes the fitted contour as JSON (metres).", "CONTOUR.json"});
+    parser.addOption({"preview", "Writes a picture of outline and fit over a grid of 10 mm.", "FILE.png"});
     parser.addPositionalArgument(
-        "FILE", "Outline: csv, txt or dat with x and y; png, jpg, bmp or tif of a silhouette.");
+        "FILE", "Outlines: csv, txt or dat with x and y; png, jpg, bmp or tif of silhouettes.");
+}
+
+/// Numbers of an option, separated by commas, as many as are wanted.
+Result<std::vector<double>> numbersOf(const QCommandLineParser& parser, const char* option, int wanted) {
+    std::vector<double> numbers;
+    for (const QString& part : parser.value(option).split(u',')) {
+        bool isNumber = false;
+        numbers.push_back(part.toDouble(&isNumber));
+        if (!isNumber || !std::isfinite(numbers.back()))
+            numbers.clear();
+    }
+    if (static_cast<int>(numbers.size()) != wanted)
+        return Error{
+            MessageCode::ValueUnknown,
+            std::string("--") + option,
+            {parser.value(option).toStdString(), std::to_string(wanted) + " number(s), with commas"}};
+    return numbers;
+}
+
+Result<double> positiveOf(const QCommandLineParser& parser, const char* option) {
+    const auto number = numbersOf(parser, option, 1);
+    if (!number)
+        return number.error();
+    if (!(number->front() > 0.0))
+        return Error{
+            MessageCode::ValueNotPositive, std::string("--") + option, {parser.value(option).toStdString()}};
+    return number->front();
+}
+
+Result<void> readColour(const QCommandLineParser& parser, ContourImportOptions& options) {
+    if (!parser.isSet("colour"))
+        return parser.isSet("colour-tolerance")
+                   ? Result<void>(Error{MessageCode::ValueUnknown, "--colour", {"", "#rrggbb"}})
+                   : Result<void>();
+    const QString text = parser.value("colour");
+    bool isHex = false;
+    const uint rgb = text.mid(1).toUInt(&isHex, 16);
+    if (!isHex || text.size() != 7 || text[0] != u'#')
+        return Error{MessageCode::ValueUnknown, "--colour", {text.toStdString(), "#rrggbb"}};
+    const auto part = [&](int shift) { return static_cast<std::uint8_t>(rgb >> shift & 0xFFU); };
+    options.colour = PickedColour{{part(16), part(8), part(0)}, {}};
+    if (parser.isSet("colour-tolerance")) {
+        const auto tolerance = positiveOf(parser, "colour-tolerance");
+        if (!tolerance)
+            return tolerance.error();
+        options.colour->tolerance = *tolerance;
+    }
+    return {};
+}
+
+Result<void> readMarker(const QCommandLineParser& parser, ContourImportOptions& options) {
+    if (!parser.isSet("marker-size"))
+        return parser.isSet("marker-dictionary")
+                   ? Result<void>(Error{MessageCode::ValueUnknown, "--marker-size", {"", "a length in mm"}})
+                   : Result<void>();
+    const auto size_mm = positiveOf(parser, "marker-size");
+    if (!size_mm)
+        return size_mm.error();
+    options.marker = ReferenceMarker{.side_m = *size_mm * 1e-3};
+    if (parser.isSet("marker-dictionary"))
+        options.marker->dictionary = parser.value("marker-dictionary").toStdString();
+    return {};
+}
+
+Result<ContourImportOptions> readImport(const QCommandLineParser& parser) {
+    ContourImportOptions options;
+    if (parser.isSet("unit")) {
+        options.unit = lengthUnitFromName(parser.value("unit").toStdString());
+        if (!options.unit)
+            return Error{
+                MessageCode::ValueUnknown, "--unit", {parser.value("unit").toStdString(), "mm, cm, m, in"}};
+    }
+    if (parser.isSet("scale")) {
+        bool isNumber = false;
+        options.scale_px_per_mm = parser.value("scale").toDouble(&isNumber);
+        if (!isNumber)
+            return Error{MessageCode::ScaleNotPositive, "--scale", {parser.value("scale").toStdString()}};
+    }
+    if (parser.isSet("known-length")) {
+        const auto n = numbersOf(parser, "known-length", 5);
+        if (!n)
+            return n.error();
+        options.knownLength = KnownLength{{(*n)[0], (*n)[1]}, {(*n)[2], (*n)[3]}, (*n)[4] * 1e-3};
+    }
+    if (const auto marker = readMarker(parser, options); !marker)
+        return marker.error();
+    if (const auto colour = readColour(parser, options); !colour)
+        return colour.error();
+    return options;
+}
+
+Result<void> readFit(const QCommandLineParser& parser, Request& request) {
+    const QString harmonics = parser.value("harmonics");
+    if (harmonics == QLatin1String("auto")) {
+        const auto tolerance_mm = positiveOf(parser, "tolerance");
+        if (!tolerance_mm)
+            return tolerance_mm.error();
+        request.tolerance_m = *tolerance_mm * 1e-3;
+        return {};
+    }
+    bool isNumber = false;
+    request.harmonics = harmonics.toInt(&isNumber);
+    if (!isNumber || request.harmonics < 1 || request.harmonics > kMaxHarmonics)
+        return Error{MessageCode::HarmonicsOutOfRange,
+                     "--harmonics",
+                     {harmonics.toStdString(), "1", std::to_string(kMaxHarmonics)}};
+    return {};
 }
 
 Result<Request> readRequest(const QCommandLineParser& parser) {
     Request request;
     request.path = parser.positionalArguments().front().toStdString();
-    if (parser.isSet("output"))
-        request.outputs = {{parser.value("output").toStdString(), "type", "a contour written by Bask"}};
-    bool isNumber = false;
-    request.harmonics = parser.value("harmonics").toInt(&isNumber);
-    if (!isNumber)
-        return Error{MessageCode::HarmonicsOutOfRange,
-                     "--harmonics",
-                     {parser.value("harmonics").toStdString(), "1", std::to_string(kMaxHarmonics)}};
-    if (parser.isSet("unit")) {
-        request.import.unit = lengthUnitFromName(parser.value("unit").toStdString());
-        if (!request.import.unit)
-            return Error{
-                MessageCode::ValueUnknown, "--unit", {parser.value("unit").toStdString(), "mm, cm, m, in"}};
-    }
-    if (parser.isSet("scale")) {
-        const double scale = parser.value("scale").toDouble(&isNumber);
+    auto import = readImport(parser);
+    if (!import)
+        return import.error();
+    request.import = std::move(*import);
+    if (parser.isSet("list"))
+        return request;
+    if (const auto fit = readFit(parser, request); !fit)
+        return fit.error();
+    if (parser.isSet("pick")) {
+        bool isNumber = false;
+        request.pick = parser.value("pick").toULongLong(&isNumber);
         if (!isNumber)
-            return Error{MessageCode::ScaleNotPositive, "--scale", {parser.value("scale").toStdString()}};
-        request.import.scale_px_per_mm = scale;
+            return Error{MessageCode::ValueUnknown,
+                         "--pick",
+                         {parser.value("pick").toStdString(), "an index of --list, from 0"}};
     }
     return request;
 }
 
-Result<void> writeContour(const FourierContour& contour, const std::string& path) {
-    nlohmann::ordered_json coefficients = nlohmann::ordered_json::array();
-    for (int j = -contour.harmonics(); j <= contour.harmonics(); ++j)
-        coefficients.push_back({j, contour.coefficient(j).real(), contour.coefficient(j).imag()});
-    const nlohmann::ordered_json json{{"type", "fourier"}, {"coefficients", std::move(coefficients)}};
-    return writeOutput(path, json.dump(1) + '\n');
+/// A picture of the user's own is no preview, and is not replaced.
+Result<void> checkPlaces(const QCommandLineParser& parser, Request& request) {
+    std::vector<OutputFile> outputs;
+    if (parser.isSet("output")) {
+        request.contourPath = parser.value("output").toStdString();
+        outputs.push_back({request.contourPath, "type", "a contour written by Bask"});
+    }
+    if (parser.isSet("preview")) {
+        request.previewPath = parser.value("preview").toStdString();
+        outputs.push_back({request.previewPath});
+    }
+    if (auto place = checkOutputs({request.path}, outputs); !place || !parser.isSet("preview"))
+        return place;
+    QFile old(parser.value("preview"));
+    if (old.exists() && old.size() > 0 &&
+        (!old.open(QIODevice::ReadOnly) || !old.read(1024).contains(kPreviewMark)))
+        return Error{MessageCode::OutputForeign, request.previewPath, {"a preview written by Bask"}};
+    return {};
 }
 
 void printFigures(const Contour& outline, const FourierFit& fit) {
@@ -84,8 +231,52 @@ void printFigures(const Contour& outline, const FourierFit& fit) {
     print("perimeter_mm", fit.contour.perimeter() * 1e3);
     print("rms_mm", fit.rms_m * 1e3);
     print("max_mm", fit.max_m * 1e3);
+    print("hausdorff_mm", fit.hausdorff_m * 1e3);
+    print("harmonics", fit.contour.harmonics());
+    print("area_error", fit.areaError);
     print("outline_area_mm2", contourArea(outline) * 1e6);
     print("outline_perimeter_mm", contourPerimeter(outline) * 1e3);
+}
+
+int list(const Request& request) {
+    const auto file = readOutlines(request.path, request.import);
+    if (!file)
+        return refuse(describe(file.error()));
+    for (const Message& warning : file->warnings)
+        warn(warning);
+    std::printf("%s\n", outlineList(*file).dump(1).c_str());
+    return kExitDone;
+}
+
+int fitAndReport(const Request& request, bool asJson) {
+    const auto file = readOutlines(request.path, request.import);
+    if (!file)
+        return refuse(describe(file.error()));
+    auto picked = pickOutline(*file, request.pick, request.path);
+    if (!picked)
+        return refuse(describe(picked.error()));
+    const Contour& outline = picked->contour;
+    const auto fit = request.harmonics == 0 ? fitFourierWithin(outline, request.tolerance_m)
+                                            : fitFourier(outline, request.harmonics);
+    if (!fit)
+        return refuse(describe(fit.error()));
+    if (fit->crossesItself)
+        picked->warnings.push_back({MessageCode::SeriesLoops, {}});
+    for (const Message& warning : picked->warnings)
+        warn(warning);
+    const std::string report = fitReport(outline, *fit, file->unit, picked->warnings).dump(1) + '\n';
+    if (!request.contourPath.empty())
+        if (const auto written = writeOutput(request.contourPath, report); !written)
+            return refuse(describe(written.error()));
+    if (!request.previewPath.empty())
+        if (const auto written = writeOutput(request.previewPath, fitPreview(outline, *fit).toStdString());
+            !written)
+            return refuse(describe(written.error()));
+    if (asJson)
+        std::printf("%s", report.c_str());
+    else
+        printFigures(outline, *fit);
+    return kExitDone;
 }
 
 } // namespace
@@ -95,27 +286,17 @@ int fitContourCommand(const QStringList& arguments) {
     setUp(parser);
     if (const auto code = parseCommand(parser, "fit-contour", arguments, 1))
         return *code;
-    if (!parser.isSet("harmonics"))
+    const bool isList = parser.isSet("list");
+    if (isList && (parser.isSet("output") || parser.isSet("preview")))
+        return refuse("--list writes no file. See bask fit-contour --help.");
+    if (!isList && !parser.isSet("harmonics"))
         return refuse("--harmonics is needed. See bask fit-contour --help.");
-    const auto request = readRequest(parser);
+    auto request = readRequest(parser);
     if (!request)
         return refuse(describe(request.error()));
-
-    if (const auto place = checkOutputs({request->path}, request->outputs); !place)
-        return refuse(describe(place.error()));
-    const auto outline = readContour(request->path, request->import);
-    if (!outline)
-        return refuse(describe(outline.error()));
-    const auto fit = fitFourier(*outline, request->harmonics);
-    if (!fit)
-        return refuse(describe(fit.error()));
-    if (fit->crossesItself)
-        std::fprintf(stderr, "bask fit-contour: the fitted contour crosses itself; use more harmonics\n");
-    for (const OutputFile& output : request->outputs)
-        if (const auto written = writeContour(fit->contour, output.path); !written)
-            return refuse(describe(written.error()));
-    printFigures(*outline, *fit);
-    return kExitDone;
+    if (const auto places = checkPlaces(parser, *request); !places)
+        return refuse(describe(places.error()));
+    return isList ? list(*request) : fitAndReport(*request, parser.isSet("json"));
 }
 
 } // namespace bask

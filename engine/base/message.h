@@ -78,6 +78,17 @@ enum class MessageCode {
     ScaleMissing,         ///< no args
     HarmonicsOutOfRange,  ///< %1 value, %2 least, %3 most
     FormatUnknown,        ///< %1 extension, %2 known
+    OutlineUnknown,       ///< %1 index, %2 last index
+    OutlinesSeveral,      ///< %1 outlines
+    OutlineHasHoles,      ///< %1 holes
+    SilhouettesAtBorder,  ///< %1 silhouettes
+    ScaleTwice,           ///< no args
+    MarkerNotFound,       ///< %1 dictionary
+    MarkersSeveral,       ///< %1 markers, %2 id
+    MarkerTooSmall,       ///< %1 px, %2 least
+    BeyondHorizon,        ///< no args
+    SeriesLoops,          ///< no args
+    ToleranceUnreachable, ///< %1 tolerance mm, %2 harmonics, %3 distance mm
     // View factor
     FieldTooLarge,  ///< %1 samples, %2 most
     FieldCancelled, ///< no args

@@ -323,6 +323,9 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
         shape = disk;
     } else if (form == Form::Fourier) {
         shape = readCoefficients(fields);
+        for (const char* figure : {"area_mm2", "perimeter_mm", "rms_mm", "max_mm", "hausdorff_mm",
+                                   "area_error", "centre_mm", "unit", "warnings", "outline"})
+            fields.find(figure); // what bask fit-contour says of a fit is no part of the shape
     } else {
         Contour polygon = readPoints(fields, "points_m", true);
         if (!polygon.points_m.empty() && contourCentroid(polygon).norm() > kCentredTolerance_m)

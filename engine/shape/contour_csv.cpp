@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20;
 constexpr std::size_t kMostPoints = 1'000'000;
+constexpr std::size_t kLeastPoints = 3;
 constexpr char kSpaces = ' '; // "delimiter" of columns set apart by white space
 
 struct Line {
@@ -177,24 +178,20 @@ Result<std::vector<Eigen::Vector2d>> pointsOf(const std::vector<Line>& lines, st
 // Files seldom repeat the first point, so a missing last edge is no fault in itself: a rectangle has four
 // points. It is one when that edge stands out from all others: more than 20 times their median, more than 5 %
 // of the way round, and more than twice the longest of them.
-Result<void> checkClosed(const std::vector<Eigen::Vector2d>& points_m, const std::string& path) {
+bool isClosed(const std::vector<Eigen::Vector2d>& points_m) {
     std::vector<double> edges;
     for (std::size_t k = 0; k + 1 < points_m.size(); ++k)
         if (const double edge = (points_m[k + 1] - points_m[k]).norm(); edge > 0.0)
             edges.push_back(edge);
     if (edges.empty())
-        return {};
+        return true;
     const double gap = (points_m.back() - points_m.front()).norm();
     double perimeter = gap;
     for (const double edge : edges)
         perimeter += edge;
     const auto middle = edges.begin() + static_cast<std::ptrdiff_t>(edges.size() / 2);
     std::ranges::nth_element(edges, middle);
-    const double allowed =
-        std::max({20.0 * *middle, 0.05 * perimeter, 2.0 * *std::ranges::max_element(edges)});
-    if (gap > allowed)
-        return Error{MessageCode::ContourOpen, path, {formatNumber(gap * 1e3), formatNumber(allowed * 1e3)}};
-    return {};
+    return gap <= std::max({20.0 * *middle, 0.05 * perimeter, 2.0 * *std::ranges::max_element(edges)});
 }
 
 Result<void> checkText(std::string_view text, const std::string& path) {
@@ -210,7 +207,7 @@ Result<void> checkText(std::string_view text, const std::string& path) {
 
 } // namespace
 
-Result<Contour> readContourCsv(const std::string& path, std::optional<LengthUnit> unit) {
+Result<OutlineFile> readCsvOutlines(const std::string& path, std::optional<LengthUnit> unit) {
     const auto bytes = readFileBytes(path, kLargestFile);
     if (!bytes)
         return bytes.error();
@@ -240,9 +237,25 @@ Result<Contour> readContourCsv(const std::string& path, std::optional<LengthUnit
         return Error{MessageCode::ContourUnitMissing, path};
     for (Eigen::Vector2d& p : *points)
         p *= metresPer(*unit);
-    if (const auto closed = checkClosed(*points, path); !closed)
-        return closed.error();
-    return makeContour(std::move(*points), path);
+    FileOutline outline{.points_m = std::move(*points)};
+    outline.closed = isClosed(outline.points_m);
+    while (outline.points_m.size() > 1 && outline.points_m.front() == outline.points_m.back())
+        outline.points_m.pop_back();
+    if (outline.points_m.size() < kLeastPoints)
+        return Error{MessageCode::ContourTooFewPoints,
+                     path,
+                     {std::to_string(outline.points_m.size()), std::to_string(kLeastPoints)}};
+    OutlineFile file;
+    file.outlines.push_back(std::move(outline));
+    file.unit = lengthUnitName(*unit);
+    return file;
+}
+
+Result<Contour> readContourCsv(const std::string& path, std::optional<LengthUnit> unit) {
+    const auto file = readCsvOutlines(path, unit);
+    if (!file)
+        return file.error();
+    return contourOf(file->outlines.front(), path);
 }
 
 } // namespace bask

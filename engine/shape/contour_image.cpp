@@ -2,130 +2,19 @@
 
 #include "engine/shape/contour_file.h"
 #include "engine/shape/image_header.h"
+#include "engine/shape/marker.h"
+#include "engine/shape/picture_plane.h"
+#include "engine/shape/silhouette_trace.h"
 
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
 namespace bask {
 namespace {
-
-/// Field over the pixels, positive inside of the silhouettes and negative on the ground; `contrast` is the
-/// step between the two.
-struct SignedField {
-    cv::Mat1f values;
-    float contrast = 1.0F;
-};
-
-/// A traced ring: zero line of the field in pixels, x right and y down, pixel centres at whole numbers.
-struct TracedRing {
-    std::vector<Eigen::Vector2d> points_px;
-    double sharpness =
-        0.0; ///< share of the points where the field takes the whole step from one pixel to the next
-};
-
-constexpr int kLeastPixels = 64; // a smaller region says nothing of its outline
-
-struct Region {
-    cv::Mat1i labels;
-    int label = 0;
-    cv::Rect box;
-};
-
-Result<Region> largestRegion(const cv::Mat1f& field, const std::string& where) {
-    Region region;
-    cv::Mat stats, centroids;
-    const cv::Mat inside = field > 0.0F;
-    const int count = cv::connectedComponentsWithStats(inside, region.labels, stats, centroids, 4, CV_32S);
-    int largest = 0, all = 0;
-    for (int k = 1; k < count; ++k) {
-        const int area = stats.at<int>(k, cv::CC_STAT_AREA);
-        all += area;
-        if (area > largest) {
-            largest = area;
-            region.label = k;
-        }
-    }
-    if (largest < kLeastPixels || 2 * static_cast<std::int64_t>(largest) < all)
-        return Error{MessageCode::NoSilhouette, where};
-    const int* row = stats.ptr<int>(region.label);
-    region.box = {row[cv::CC_STAT_LEFT], row[cv::CC_STAT_TOP], row[cv::CC_STAT_WIDTH],
-                  row[cv::CC_STAT_HEIGHT]};
-    if (region.box.x == 0 || region.box.y == 0 || region.box.br().x == field.cols ||
-        region.box.br().y == field.rows)
-        return Error{MessageCode::SilhouetteAtBorder, where};
-    return region;
-}
-
-// Walks the cracks between pixels of the region and others with the region on the right hand. Where two of
-// its pixels touch by a corner only, the walk keeps to the near one, as in the 4-connected labelling.
-class CrackWalk {
-public:
-    CrackWalk(const SignedField& field, const Region& region) : m_field(field), m_region(region) {}
-
-    TracedRing run() {
-        const cv::Point start = firstPixel();
-        cv::Point inside = start;
-        int heading = 0; // the inside pixel's free side: 0 up, 1 right, 2 down, 3 left
-        TracedRing ring;
-        int sharp = 0;
-        do {
-            ring.points_px.push_back(zeroBetween(inside, inside + kSteps[heading], sharp));
-            const cv::Point ahead = inside + kSteps[(heading + 1) % 4];
-            const cv::Point diagonal = ahead + kSteps[heading];
-            if (!holds(ahead)) {
-                heading = (heading + 1) % 4;
-            } else if (!holds(diagonal)) {
-                inside = ahead;
-            } else {
-                inside = diagonal;
-                heading = (heading + 3) % 4;
-            }
-        } while (inside != start || heading != 0);
-        ring.sharpness = static_cast<double>(sharp) / static_cast<double>(ring.points_px.size());
-        return ring;
-    }
-
-private:
-    static constexpr std::array<int, 4> kDx{0, 1, 0, -1}, kDy{-1, 0, 1, 0};
-    const std::array<cv::Point, 4> kSteps{cv::Point(kDx[0], kDy[0]), cv::Point(kDx[1], kDy[1]),
-                                          cv::Point(kDx[2], kDy[2]), cv::Point(kDx[3], kDy[3])};
-
-    bool holds(const cv::Point& p) const { return m_region.labels(p) == m_region.label; }
-
-    // Leftmost pixel of the region's top row: its upper side is free and lies on the outer boundary.
-    cv::Point firstPixel() const {
-        cv::Point p = m_region.box.tl();
-        while (!holds(p))
-            ++p.x;
-        return p;
-    }
-
-    Eigen::Vector2d zeroBetween(const cv::Point& inside, const cv::Point& outside, int& sharp) const {
-        constexpr double kMargin = 1e-3; // keeps points of different cracks apart
-        const double in = m_field.values(inside), out = -std::abs(m_field.values(outside));
-        if (in - out > 0.9 * m_field.contrast)
-            ++sharp;
-        const double t = std::clamp(in / (in - out), kMargin, 1.0 - kMargin);
-        return {inside.x + t * (outside.x - inside.x), inside.y + t * (outside.y - inside.y)};
-    }
-
-    const SignedField& m_field;
-    const Region& m_region;
-};
-
-/// Outer zero line of the largest 4-connected region where the field is positive (marching squares).
-/// Errors: NoSilhouette (none, tiny, or less than half of all that is positive), SilhouetteAtBorder.
-Result<TracedRing> traceLargest(const SignedField& field, const std::string& where) {
-    const auto region = largestRegion(field.values, where);
-    if (!region)
-        return region.error();
-    return CrackWalk(field, *region).run();
-}
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;
 constexpr std::uint64_t kMostPixels = 64'000'000;
@@ -141,11 +30,11 @@ Result<void> checkPixels(std::uint64_t pixels, const std::string& path) {
 }
 
 Result<cv::Mat> decoded(const std::string& bytes, const std::string& path) {
-    if (const auto pixels = announcedPixels(bytes))
-        if (const auto checked = checkPixels(*pixels, path); !checked)
-            return checked.error();
-    if (isJpeg(bytes) && !isCompleteJpeg(bytes))
+    const auto pixels = announcedPixels(bytes); // none: a format whose size is known only once it is unpacked
+    if (!pixels || (isJpeg(bytes) && !isCompleteJpeg(bytes)))
         return Error{MessageCode::ImageUnreadable, path};
+    if (const auto checked = checkPixels(*pixels, path); !checked)
+        return checked.error();
     const cv::Mat raw(1, static_cast<int>(bytes.size()), CV_8U, const_cast<char*>(bytes.data()));
     // Only the first way turns a photograph as its EXIF says, only the second keeps an alpha channel.
     const int how = isJpeg(bytes) ? cv::IMREAD_ANYCOLOR | cv::IMREAD_ANYDEPTH : cv::IMREAD_UNCHANGED;
@@ -174,11 +63,21 @@ cv::Mat1f brightness(const cv::Mat& image) {
     return channel(grey, 0);
 }
 
+/// A field before it is traced.
+struct Field {
+    cv::Mat1f values;
+    double contrast = 1.0;
+};
+
+bool hasAlpha(const cv::Mat& image) {
+    return image.channels() == 2 || image.channels() == 4;
+}
+
 // Opacity, when the picture has some and it tells a silhouette from a ground.
-std::optional<SignedField> opacityField(const cv::Mat& image) {
-    if (image.channels() != 2 && image.channels() != 4)
+std::optional<Field> opacityField(const cv::Mat& image) {
+    if (!hasAlpha(image))
         return std::nullopt;
-    SignedField field;
+    Field field;
     field.values = channel(image, image.channels() - 1) - 0.5F;
     const int opaque = cv::countNonZero(field.values > 0.0F);
     if (opaque == 0 || opaque == static_cast<int>(field.values.total()))
@@ -269,67 +168,202 @@ bool frameIsPositive(const cv::Mat1f& values) {
 }
 
 // Brightness cut halfway between ground and object, where the true edge of an anti-aliased outline runs.
-std::optional<SignedField> brightnessField(const cv::Mat& image) {
-    SignedField field;
+std::optional<Field> brightnessField(const cv::Mat& image) {
+    Field field;
     field.values = brightness(image);
     const auto levels = twoLevels(field.values);
     if (!levels)
         return std::nullopt;
     field.values -= static_cast<float>(0.5 * (levels->dark + levels->light));
-    field.contrast = static_cast<float>(levels->light - levels->dark);
+    field.contrast = levels->light - levels->dark;
     if (frameIsPositive(field.values))
         field.values *= -1.0F;
     return field;
 }
 
-Result<Contour> outlineOf(SignedField field, double scale_px_per_mm, const std::string& path) {
-    // 0.1 px is what anti-aliased edges tell; where the picture is black and white only, its outline is a
-    // stair that is known to half a pixel: smoothed first, then straightened by that much.
-    constexpr double kThinning_px = 0.1, kThinning_mm = 0.01, kStairThinning_px = 0.6, kStairBlur_px = 1.0;
-    auto ring = traceLargest(field, path);
+// Distance of every pixel's colour from the one picked, in CIE Lab; what is transparent is far from any.
+cv::Mat1f colourDistance(const cv::Mat& image, const std::array<std::uint8_t, 3>& rgb) {
+    constexpr float kFar = 100.0F;
+    cv::Mat3f picked(1, 1, cv::Vec3f(rgb[2], rgb[1], rgb[0]) / 255.0F);
+    cv::cvtColor(picked, picked, cv::COLOR_BGR2Lab);
+    const cv::Vec3f wanted = picked(0, 0);
+    cv::Mat1f distance(image.size());
+    const double scale = image.depth() == CV_16U ? 1.0 / 65535.0 : 1.0 / 255.0;
+    for (int y = 0; y < image.rows; ++y) { // row by row: a large picture would take much as three floats
+        cv::Mat row = image.row(y), alpha;
+        if (hasAlpha(image))
+            cv::extractChannel(row, alpha, image.channels() - 1);
+        if (image.channels() < 3) {
+            cv::extractChannel(row, row, 0);
+            cv::cvtColor(row, row, cv::COLOR_GRAY2BGR);
+        } else if (image.channels() == 4) {
+            cv::cvtColor(row, row, cv::COLOR_BGRA2BGR);
+        }
+        cv::Mat3f lab;
+        row.convertTo(lab, CV_32F, scale);
+        cv::cvtColor(lab, lab, cv::COLOR_BGR2Lab);
+        for (int x = 0; x < image.cols; ++x)
+            distance(y, x) = static_cast<float>(cv::norm(lab(0, x) - wanted));
+        if (!alpha.empty())
+            distance.row(y).setTo(kFar, alpha < 0.5 / scale);
+    }
+    return distance;
+}
+
+// Near the colour picked: within its tolerance, else halfway between those near and those far by Otsu's
+// split, if the near ones have that colour at all.
+std::optional<Field> colourField(const cv::Mat& image, const PickedColour& colour) {
+    constexpr double kMostUnlike = 30.0;
+    const cv::Mat1f distance = colourDistance(image, colour.rgb);
+    if (const auto tolerance = colour.tolerance) { // farther off counts the same: edges lie in the middle
+        const cv::Mat1f within(cv::max(*tolerance - distance, -*tolerance));
+        return Field{within, 2.0 * *tolerance};
+    }
+    const auto levels = twoLevels(distance);
+    if (!levels || levels->dark > kMostUnlike)
+        return std::nullopt;
+    return Field{cv::Mat1f(0.5 * (levels->dark + levels->light) - distance), levels->light - levels->dark};
+}
+
+std::optional<Field> fieldOf(const cv::Mat& image, const std::optional<PickedColour>& colour) {
+    if (colour)
+        return colourField(image, *colour);
+    const auto opacity = opacityField(image);
+    // A ground that is opaque (only its corners rounded, say) leaves the silhouette to the brightness.
+    if (opacity && !frameIsPositive(opacity->values))
+        return opacity;
+    const auto field = brightnessField(image);
+    return field ? field : opacity;
+}
+
+SignedField signedField(const cv::Mat1f& values, double contrast) {
+    return {values.cols, values.rows, {values.begin(), values.end()}, static_cast<float>(contrast)};
+}
+
+// The marker as its surroundings, so that it is neither a silhouette nor counts among the levels.
+void paintOver(cv::Mat& image, const FoundMarker& marker) {
+    constexpr double kGrowth = 1.08; // a quarter of a square of the marker more on every side
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& corner : marker.corners_px)
+        middle += 0.25 * corner;
+    std::vector<cv::Point> quad;
+    for (const Eigen::Vector2d& corner : marker.corners_px) {
+        const Eigen::Vector2d p = middle + kGrowth * (corner - middle);
+        quad.emplace_back(static_cast<int>(std::lround(p.x())), static_cast<int>(std::lround(p.y())));
+    }
+    cv::Mat1b rim(image.size(), 0);
+    cv::polylines(rim, quad, true, cv::Scalar(255));
+    cv::fillConvexPoly(image, quad, cv::mean(image, rim));
+}
+
+Result<PicturePlane> planeOfMarker(cv::Mat& image, const ReferenceMarker& reference, const std::string& path,
+                                   std::vector<Message>& warnings) {
+    constexpr double kLeastSide_px = 40.0;
+    const Error notFound{MessageCode::MarkerNotFound, path, {reference.dictionary}};
+    GreyPicture grey{image.cols, image.rows, {}};
+    {
+        cv::Mat1b values;
+        brightness(image).convertTo(values, CV_8U, 255.0);
+        grey.values.assign(values.begin(), values.end());
+    }
+    const std::vector<FoundMarker> markers = findMarkers(grey, reference.dictionary);
+    if (markers.empty())
+        return notFound;
+    const auto plane = PicturePlane::ofSquare(markers.front().corners_px, reference.side_m);
+    if (!plane)
+        return notFound;
+    for (const FoundMarker& marker : markers)
+        paintOver(image, marker);
+    if (markers.size() > 1)
+        warnings.push_back({MessageCode::MarkersSeveral,
+                            {std::to_string(markers.size()), std::to_string(markers.front().id)}});
+    if (const double side_px = markers.front().side_px(); side_px < kLeastSide_px)
+        warnings.push_back(
+            {MessageCode::MarkerTooSmall, {formatNumber(side_px, 3), formatNumber(kLeastSide_px)}});
+    return *plane;
+}
+
+// The scale in pixels per mm that is typed, or told by a known length; nothing when a marker tells it.
+Result<std::optional<double>> scaleOf(const ContourImportOptions& options, const std::string& path) {
+    const int given = static_cast<int>(options.scale_px_per_mm.has_value()) +
+                      static_cast<int>(options.knownLength.has_value()) +
+                      static_cast<int>(options.marker.has_value());
+    if (given != 1)
+        return Error{given == 0 ? MessageCode::ScaleMissing : MessageCode::ScaleTwice, path};
+    if (options.marker) {
+        if (!isMarkerDictionary(options.marker->dictionary))
+            return Error{MessageCode::ValueUnknown, path, {options.marker->dictionary, markerDictionaries()}};
+        if (!(options.marker->side_m > 0.0) || !std::isfinite(options.marker->side_m))
+            return Error{MessageCode::ValueNotPositive, path, {formatNumber(options.marker->side_m)}};
+        return std::optional<double>();
+    }
+    double scale = options.scale_px_per_mm.value_or(0.0);
+    if (const auto& known = options.knownLength)
+        scale = (known->to_px - known->from_px).norm() / (known->length_m * 1e3);
+    if (!(scale > 0.0) || !std::isfinite(scale))
+        return Error{MessageCode::ScaleNotPositive, path, {formatNumber(scale)}};
+    return std::optional(scale);
+}
+
+Result<FileOutline> outlineOf(const std::vector<Eigen::Vector2d>& ring_px, const PicturePlane& plane,
+                              double uncertainty_px, const std::string& path) {
+    constexpr double kThinning_m = 1e-5;
+    // A perspective keeps lines straight, so points that the picture does not need are left out in it.
+    const auto ring = makeContour(ring_px, path);
     if (!ring)
         return ring.error();
-    double thinning_px = std::max(kThinning_px, kThinning_mm * scale_px_per_mm);
-    if (ring->sharpness > 0.5) {
-        cv::GaussianBlur(field.values, field.values, cv::Size(), kStairBlur_px, kStairBlur_px,
-                         cv::BORDER_REPLICATE);
-        if (auto smooth = traceLargest(field, path))
-            ring = std::move(smooth);
-        thinning_px = std::max(thinning_px, kStairThinning_px);
+    FileOutline outline;
+    for (const Eigen::Vector2d& p :
+         simplified(*ring, std::max(uncertainty_px, kThinning_m / plane.pixel_m())).points_m) {
+        const auto point_m = plane.toMetres(p);
+        if (!point_m)
+            return Error{MessageCode::BeyondHorizon, path};
+        outline.points_m.push_back(*point_m);
     }
-    const double metresPerPixel = 1e-3 / scale_px_per_mm;
-    std::vector<Eigen::Vector2d> points_m;
-    points_m.reserve(ring->points_px.size());
-    for (const Eigen::Vector2d& p : ring->points_px)
-        points_m.emplace_back((p.x() + 0.5) * metresPerPixel,
-                              (field.values.rows - p.y() - 0.5) * metresPerPixel);
-    const auto contour = makeContour(std::move(points_m), path);
-    if (!contour)
-        return contour.error();
-    return simplified(*contour, thinning_px * metresPerPixel);
+    std::ranges::reverse(outline.points_m); // y points up now
+    return outline;
+}
+
+Result<OutlineFile> outlinesOf(const std::string& bytes, const std::optional<double>& scale,
+                               const ContourImportOptions& options, const std::string& path) {
+    auto image = decoded(bytes, path);
+    if (!image)
+        return image.error();
+    OutlineFile file;
+    file.unit = "px";
+    const auto plane = scale ? Result<PicturePlane>(PicturePlane::scaled(*scale, image->rows))
+                             : planeOfMarker(*image, *options.marker, path, file.warnings);
+    if (!plane)
+        return plane.error();
+    auto field = fieldOf(*image, options.colour);
+    image->release();
+    if (!field)
+        return Error{MessageCode::NoSilhouette, path};
+    const auto silhouettes = traceSilhouettes(signedField(field->values, field->contrast), path);
+    if (!silhouettes)
+        return silhouettes.error();
+    if (silhouettes->atBorder > 0)
+        file.warnings.push_back({MessageCode::SilhouettesAtBorder, {std::to_string(silhouettes->atBorder)}});
+    for (const auto& ring_px : silhouettes->rings_px) {
+        auto outline = outlineOf(ring_px, *plane, silhouettes->uncertainty_px, path);
+        if (!outline)
+            return outline.error();
+        file.outlines.push_back(std::move(*outline));
+    }
+    return file;
 }
 
 } // namespace
 
-Result<Contour> readContourImage(const std::string& path, double scale_px_per_mm) {
-    if (!(scale_px_per_mm > 0.0) || !std::isfinite(scale_px_per_mm))
-        return Error{MessageCode::ScaleNotPositive, path, {formatNumber(scale_px_per_mm)}};
+Result<OutlineFile> readImageOutlines(const std::string& path, const ContourImportOptions& options) {
+    const auto scale = scaleOf(options, path);
+    if (!scale)
+        return scale.error();
     const auto bytes = readFileBytes(path, kLargestFile);
     if (!bytes)
         return bytes.error();
     try {
-        const auto image = decoded(*bytes, path);
-        if (!image)
-            return image.error();
-        const auto opacity = opacityField(*image);
-        // A ground that is opaque (only its corners rounded, say) leaves the silhouette to the brightness.
-        const bool grounded = opacity && !frameIsPositive(opacity->values);
-        auto field = grounded ? opacity : brightnessField(*image);
-        if (!field)
-            field = opacity;
-        if (!field)
-            return Error{MessageCode::NoSilhouette, path};
-        return outlineOf(std::move(*field), scale_px_per_mm, path);
+        return outlinesOf(*bytes, *scale, options, path);
     } catch (const std::exception&) { // cv::Exception and what allocation throws
         return Error{MessageCode::ImageUnreadable, path};
     }

@@ -1,15 +1,20 @@
 #include "engine/shape/contour_import.h"
 
+#include "engine/shape/svg_outlines.h"
+
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string_view>
+#include <utility>
 
 namespace bask {
 namespace {
 
-constexpr std::array kTextEndings{"csv", "txt", "dat"};
-constexpr std::array kImageEndings{"png", "jpg", "jpeg", "bmp", "tif", "tiff"};
-constexpr const char* kKnownEndings = "csv, txt, dat, png, jpg, jpeg, bmp, tif, tiff";
+constexpr std::array<std::string_view, 3> kTextEndings{"csv", "txt", "dat"};
+constexpr std::array<std::string_view, 6> kImageEndings{"png", "jpg", "jpeg", "bmp", "tif", "tiff"};
+constexpr const char* kKnownEndings = "svg, csv, txt, dat, png, jpg, jpeg, bmp, tif, tiff";
+constexpr double kFlattening_m = 1e-5; ///< of curves
 
 std::string lowered(std::string text) {
     for (char& c : text)
@@ -56,18 +61,52 @@ std::optional<LengthUnit> lengthUnitFromName(const std::string& name) {
     return std::nullopt;
 }
 
-Result<Contour> readContour(const std::string& path, const ContourImportOptions& options) {
+Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOptions& options) {
     std::string ending = lowered(std::filesystem::path(path).extension().string());
     if (!ending.empty())
         ending.erase(0, 1);
-    const auto isEnding = [&](const char* known) { return ending == known; };
-    if (std::ranges::any_of(kTextEndings, isEnding))
-        return readContourCsv(path, options.unit);
-    if (!std::ranges::any_of(kImageEndings, isEnding))
-        return Error{MessageCode::FormatUnknown, path, {ending, kKnownEndings}};
-    if (!options.scale_px_per_mm)
-        return Error{MessageCode::ScaleMissing, path};
-    return readContourImage(path, *options.scale_px_per_mm);
+    const auto isOneOf = [&](const auto& known) { return std::ranges::find(known, ending) != known.end(); };
+    auto file = isOneOf(kTextEndings)    ? readCsvOutlines(path, options.unit)
+                : isOneOf(kImageEndings) ? readImageOutlines(path, options)
+                : ending == "svg"        ? readSvgOutlines(path, kFlattening_m)
+                                         : Error{MessageCode::FormatUnknown, path, {ending, kKnownEndings}};
+    if (file)
+        file->arrange();
+    return file;
+}
+
+Result<PickedOutline> pickOutline(const OutlineFile& file, std::optional<std::size_t> index,
+                                  const std::string& where) {
+    const auto isWhole = [](const FileOutline& outline) { return outline.closed && !outline.hole; };
+    const auto& outlines = file.outlines;
+    if (outlines.empty())
+        return Error{MessageCode::NoOutline, where};
+    if (index && *index >= outlines.size())
+        return Error{MessageCode::OutlineUnknown,
+                     where,
+                     {std::to_string(*index), std::to_string(outlines.size() - 1)}};
+    const std::size_t at = index.value_or(0); // the largest closed one stands first and is no hole
+    auto contour = contourOf(outlines[at], where);
+    if (!contour)
+        return contour.error();
+    PickedOutline picked{std::move(*contour), file.warnings};
+    const auto whole = std::ranges::count_if(outlines, isWhole);
+    if (!index && whole > 1)
+        picked.warnings.push_back({MessageCode::OutlinesSeveral, {std::to_string(whole)}});
+    const auto isHoleHere = [&](const FileOutline& outline) { return outline.holeIn == at; };
+    if (const auto holes = std::ranges::count_if(outlines, isHoleHere); holes > 0)
+        picked.warnings.push_back({MessageCode::OutlineHasHoles, {std::to_string(holes)}});
+    return picked;
+}
+
+Result<Contour> readContour(const std::string& path, const ContourImportOptions& options) {
+    const auto file = readOutlines(path, options);
+    if (!file)
+        return file.error();
+    auto picked = pickOutline(*file, std::nullopt, path);
+    if (!picked)
+        return picked.error();
+    return std::move(picked->contour);
 }
 
 } // namespace bask

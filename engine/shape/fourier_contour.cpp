@@ -1,6 +1,7 @@
 #include "engine/shape/fourier_contour.h"
 
 #include "engine/shape/crossing.h"
+#include "engine/shape/hausdorff.h"
 
 #include <algorithm>
 #include <cmath>
@@ -86,6 +87,24 @@ void measureResidual(const std::vector<Eigen::Vector2d>& points, const std::vect
         most = std::max(most, std::norm(fit.contour.point(s[k] / s.back()) - complexOf(points[k])));
     fit.rms_m = std::sqrt(sum / static_cast<double>(samples));
     fit.max_m = std::sqrt(most);
+}
+
+// The series is taken as chords, which keep to it within a millionth of its size as far as harmonics go.
+double hausdorffOf(const std::vector<Eigen::Vector2d>& points, const FourierContour& contour,
+                   double perimeter_m) {
+    constexpr int kChords = 8192;
+    constexpr double kTolerance = 1e-6;
+    std::vector<Eigen::Vector2d> chords;
+    chords.reserve(kChords);
+    for (int k = 0; k < kChords; ++k)
+        chords.push_back(vectorOf(contour.point(static_cast<double>(k) / kChords)));
+    return hausdorffDistance(points, chords, kTolerance * perimeter_m);
+}
+
+// The first terms of a series, which are those of its shorter fits.
+FourierContour truncated(const std::vector<Complex>& coefficients, int harmonics) {
+    const auto middle = coefficients.begin() + static_cast<std::ptrdiff_t>(coefficients.size() / 2);
+    return FourierContour(std::vector<Complex>(middle - harmonics, middle + harmonics + 1));
 }
 
 std::optional<Crossing> findChordCrossing(const FourierContour& contour, int n) {
@@ -199,10 +218,35 @@ Result<FourierFit> fitFourier(const Contour& outline, int harmonics) {
     FourierFit fit;
     fit.contour = FourierContour(c);
     measureResidual(outline.points_m, s, fit);
+    fit.hausdorff_m = hausdorffOf(outline.points_m, fit.contour, s.back());
+    fit.areaError = fit.contour.area() / contourArea(outline) - 1.0;
+    fit.centre_m = vectorOf(fit.contour.centroid());
     c[static_cast<std::size_t>(harmonics)] -= fit.contour.centroid();
     fit.contour = FourierContour(std::move(c));
     fit.crossesItself = !(fit.contour.area() > 0.0) || findCrossing(fit.contour).has_value();
     return fit;
+}
+
+Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m) {
+    if (!(tolerance_m > 0.0))
+        return Error{MessageCode::ValueNotPositive, {}, {formatNumber(tolerance_m * 1e3)}};
+    if (outline.points_m.size() < 3)
+        return Error{MessageCode::ContourTooFewPoints, {}, {std::to_string(outline.points_m.size()), "3"}};
+    const std::vector<double> s = arcLengths(outline.points_m);
+    const std::vector<Complex> c = project(outline.points_m, s, kMaxHarmonics);
+    double least_m = 0.0;
+    for (int harmonics = 1; harmonics <= kMaxHarmonics; ++harmonics) {
+        least_m = hausdorffOf(outline.points_m, truncated(c, harmonics), s.back());
+        if (least_m > tolerance_m)
+            continue;
+        auto fit = fitFourier(outline, harmonics);
+        if (!fit || !fit->crossesItself)
+            return fit;
+    }
+    return Error{
+        MessageCode::ToleranceUnreachable,
+        {},
+        {formatNumber(tolerance_m * 1e3), std::to_string(kMaxHarmonics), formatNumber(least_m * 1e3)}};
 }
 
 } // namespace bask

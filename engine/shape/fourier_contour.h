@@ -40,17 +40,24 @@ private:
 /// closer together than 1e-8 of the size may count as meeting, and loops as small may be missed.
 std::optional<Eigen::Vector2d> findCrossing(const FourierContour& contour);
 
-/// A fit and what it leaves: distances (m) between points of the outline and of the series at equal arc
-/// length.
+/// A fit and what it leaves: rms and largest distance (m) between points of the outline and of the series at
+/// equal arc length, and the Hausdorff distance, which knows of no arc length.
 struct FourierFit {
     FourierContour contour;
+    Eigen::Vector2d centre_m = Eigen::Vector2d::Zero(); ///< the series' origin in the outline's coordinates
     double rms_m = 0.0;
     double max_m = 0.0;
+    double hausdorff_m = 0.0;   ///< both ways, to 1e-6 of the perimeter
+    double areaError = 0.0;     ///< area of the series over that of the outline, less one
     bool crossesItself = false; ///< the truncated curve is not simple
 };
 
 /// Least-squares series of `harmonics` harmonics in the arc length of the outline (exact projection, edge by
 /// edge). The centroid of the **series** is moved to the origin. Refuses harmonics outside 1..kMaxHarmonics.
 Result<FourierFit> fitFourier(const Contour& outline, int harmonics);
+
+/// The fit of the fewest harmonics whose Hausdorff distance from the outline is at most `tolerance_m` and
+/// that does not cross itself. Errors: ValueNotPositive, ToleranceUnreachable.
+Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m);
 
 } // namespace bask

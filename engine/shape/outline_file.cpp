@@ -60,10 +60,15 @@ void OutlineFile::arrange() {
     for (std::size_t i = 0; i < sized.size(); ++i) {
         FileOutline& inner = sized[i].outline;
         inner.hole = false;
+        inner.holeIn.reset();
         for (std::size_t k = 0; k < i && inner.closed; ++k) // a larger one only can hold it
             if (sized[k].outline.region == inner.region && sized[k].box.contains(sized[i].box) &&
-                encloses(sized[k].outline.points_m, inner.points_m.front()))
+                encloses(sized[k].outline.points_m, inner.points_m.front())) {
                 inner.hole = !inner.hole;
+                inner.holeIn = k; // the last is the smallest that holds it
+            }
+        if (!inner.hole)
+            inner.holeIn.reset();
     }
     outlines.clear();
     for (Sized& each : sized)
@@ -73,7 +78,7 @@ void OutlineFile::arrange() {
 Result<Contour> contourOf(const FileOutline& outline, const std::string& where) {
     if (!outline.closed && outline.points_m.size() > 1) {
         const double gap_m = (outline.points_m.front() - outline.points_m.back()).norm();
-        return Error{MessageCode::ContourOpen, where, {formatNumber(gap_m * 1e3, 3), "0"}};
+        return Error{MessageCode::ContourOpen, where, {formatNumber(gap_m * 1e3), "0"}};
     }
     return makeContour(outline.points_m, where);
 }

@@ -3,6 +3,7 @@
 
 #include "engine/shape/contour.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct FileOutline {
     bool closed = true;
     int region = 0;    ///< outlines of one region are seen together: one in another is its hole
     bool hole = false; ///< set by arrange()
+    std::optional<std::size_t> holeIn = {}; ///< index of the outline that it is a hole in; set by arrange()
 
     double area_m2() const;     ///< not negative; 0 where open
     double perimeter_m() const; ///< of an open one, its length

@@ -2,14 +2,21 @@
 
 #include "app/commands/command_line.h"
 
+#include "engine/session/experiment.h"
 #include "engine/shape/fourier_contour.h"
 #include "tests/engine/shape/shape_samples.h"
 #include "tests/support/captured_command.h"
 
 #include <QCoreApplication>
+#include <QFile>
+#include <QFileInfo>
+#include <QImage>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
 #include <map>
 #include <sstream>
@@ -45,7 +52,11 @@ TEST(FitContourCommand, PrintsTheFiguresOfTheBunny) {
     EXPECT_EQ(outcome.code, kExitDone);
     EXPECT_EQ(outcome.err, "");
     auto figures = outcome.figures();
-    EXPECT_EQ(figures.size(), 6U);
+    EXPECT_EQ(figures.size(), 9U);
+    EXPECT_EQ(figures["harmonics"], 5);
+    EXPECT_NEAR(figures["area_error"], 2851.1269 / 2894.2338 - 1, 1e-6);
+    EXPECT_GT(figures["hausdorff_mm"], 0.3 * figures["max_mm"]);
+    EXPECT_LE(figures["hausdorff_mm"], figures["max_mm"]);
     EXPECT_NEAR(figures["area_mm2"], 2851.1269, 1e-3);
     EXPECT_NEAR(figures["rms_mm"], 2.49189, 1e-4);
     EXPECT_NEAR(figures["max_mm"], 5.92367, 0.02);
@@ -106,6 +117,169 @@ TEST(FitContourCommand, ReplacesNothingButAContour) {
         std::filesystem::remove(path);
 }
 
+// Catches names and order that scripts rely on.
+TEST(FitContourCommand, ListsTheOutlines) {
+    const Outcome outcome = run({example("bunny_mm.csv"), "--list"});
+    EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
+    const auto list = nlohmann::json::parse(outcome.out);
+    ASSERT_TRUE(list.is_array());
+    ASSERT_EQ(list.size(), 1U);
+    const auto& only = list[0];
+    EXPECT_EQ(only.size(), 6U);
+    EXPECT_EQ(only.at("index"), 0);
+    EXPECT_EQ(only.at("closed"), true);
+    EXPECT_EQ(only.at("hole"), false);
+    EXPECT_NEAR(only.at("area_mm2"), 2894.2338, 1e-3);
+    EXPECT_NEAR(only.at("perimeter_mm"), 284.3103, 1e-3);
+    const std::array box{0.0, 0.0, 70.0, 68.237672};
+    for (std::size_t k = 0; k < 4; ++k)
+        EXPECT_NEAR(only.at("bbox_mm").at(k), box[k], 1e-6);
+}
+
+/// Two squares of 30 and 20 mm at 10 px/mm, a hole of 10 mm in the larger one, as a BMP.
+std::string twoSquares() {
+    const int width = 700, height = 400;
+    std::string bmp("BM");
+    const auto put = [&](std::uint32_t value, int bytes) {
+        for (int k = 0; k < bytes; ++k)
+            bmp += static_cast<char>(value >> 8 * k & 0xFFU);
+    };
+    put(54 + 3 * width * height, 4);
+    put(0, 4);
+    put(54, 4);
+    put(40, 4);
+    put(width, 4);
+    put(height, 4);
+    put(1, 2);
+    put(24, 2);
+    for (int k = 0; k < 6; ++k)
+        put(0, 4);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const auto within = [&](int x0, int y0, int side) {
+                return x >= x0 && x < x0 + side && y >= y0 && y < y0 + side;
+            };
+            const bool dark = (within(50, 50, 300) && !within(150, 150, 100)) || within(450, 100, 200);
+            put(dark ? 0x202020 : 0xF0F0F0, 3);
+        }
+    return test::writeFile(".bmp", bmp);
+}
+
+// Catches the wrong outline picked, and others or holes left out without a word.
+TEST(FitContourCommand, PicksOneOfSeveral) {
+    const QString file = QString::fromStdString(twoSquares());
+    const auto list = nlohmann::json::parse(run({file, "--list", "--scale", "10"}).out);
+    ASSERT_EQ(list.size(), 3U);
+    const std::array areas{900.0, 400.0, 100.0};
+    for (std::size_t k = 0; k < 3; ++k) {
+        EXPECT_EQ(list[k].at("index"), k);
+        EXPECT_NEAR(list[k].at("area_mm2"), areas[k], 0.02 * areas[k]) << "corners are rounded";
+        EXPECT_EQ(list[k].at("hole"), k == 2);
+    }
+    const Outcome first = run({file, "--harmonics", "8", "--scale", "10"});
+    EXPECT_NEAR(first.figures()["outline_area_mm2"], 900.0, 9.0);
+    EXPECT_NE(first.err.find("2 outlines"), std::string::npos) << first.err;
+    EXPECT_NE(first.err.find("holes"), std::string::npos) << first.err;
+    const Outcome second = run({file, "--harmonics", "8", "--scale", "10", "--pick", "1"});
+    EXPECT_NEAR(second.figures()["outline_area_mm2"], 400.0, 6.0);
+    EXPECT_EQ(second.err, "");
+    const Outcome beyond = run({file, "--harmonics", "8", "--scale", "10", "--pick", "3"});
+    EXPECT_EQ(beyond.code, kExitBadInput);
+    EXPECT_NE(beyond.err.find("0 to 2"), std::string::npos) << beyond.err;
+}
+
+// Catches a scale by a known length and a colour that do not reach the reader.
+TEST(FitContourCommand, TakesAKnownLengthAndAColour) {
+    const QString file = QString::fromStdString(twoSquares());
+    auto figures =
+        run({file, "--harmonics", "8", "--known-length", "50,50,350,50,15", "--colour", "#222222"}).figures();
+    EXPECT_NEAR(figures["outline_area_mm2"], 225.0, 3.0);
+    figures = run({file, "--harmonics", "8", "--known-length", "50,50,350,50,15", "--colour", "#202020",
+                   "--colour-tolerance", "10"})
+                  .figures();
+    EXPECT_NEAR(figures["outline_area_mm2"], 225.0, 3.0);
+}
+
+// Catches a fit reported beyond its tolerance, or with more harmonics than it needs.
+TEST(FitContourCommand, FindsTheNumberOfHarmonics) {
+    auto found = run({example("bunny_mm.csv"), "--harmonics", "auto", "--tolerance", "0.7"}).figures();
+    EXPECT_LE(found["hausdorff_mm"], 0.7);
+    const int harmonics = static_cast<int>(found["harmonics"]);
+    ASSERT_GT(harmonics, 1);
+    auto fewer = run({example("bunny_mm.csv"), "--harmonics", QString::number(harmonics - 1)}).figures();
+    EXPECT_GT(fewer["hausdorff_mm"], 0.7);
+}
+
+// Catches a report that lacks a name, has the wrong unit, or is not what the fit left.
+TEST(FitContourCommand, ReportsAsJson) {
+    const Outcome outcome = run({example("hand_mm.csv"), "--harmonics", "5", "--json"});
+    ASSERT_EQ(outcome.code, kExitDone);
+    const auto json = nlohmann::json::parse(outcome.out);
+    for (const char* name : {"type", "outline", "coefficients", "area_mm2", "perimeter_mm", "rms_mm",
+                             "max_mm", "hausdorff_mm", "area_error", "centre_mm", "unit", "warnings"})
+        EXPECT_TRUE(json.contains(name)) << name;
+    EXPECT_EQ(json.size(), 12U);
+    EXPECT_EQ(json.at("outline").size(), 769U);
+    EXPECT_EQ(json.at("unit"), "mm");
+    EXPECT_NEAR(json.at("rms_mm"), 5.33114, 1e-3);
+    ASSERT_EQ(json.at("warnings").size(), 1U);
+    EXPECT_NE(json.at("warnings")[0].get<std::string>().find("crosses itself"), std::string::npos);
+    double most_mm = 0.0;
+    for (const auto& point : json.at("outline"))
+        most_mm = std::max(most_mm, point.at(0).get<double>());
+    EXPECT_NEAR(most_mm, 70.0, 1e-9) << "in the file's coordinates";
+}
+
+// Catches a file that Bask writes and cannot read.
+TEST(FitContourCommand, WritesWhatExperimentsRead) {
+    const std::string path = test::writeFile(".json", "");
+    ASSERT_EQ(run({example("bunny_mm.csv"), "--harmonics", "9", "-o", QString::fromStdString(path)}).code,
+              kExitDone);
+    std::ifstream contour(path), base(std::string(BASK_EXAMPLES) + "/two-circles.json");
+    auto experiment = nlohmann::json::parse(base);
+    experiment.at("objects").at(0).at("contour") = nlohmann::json::parse(contour);
+    const auto read = experimentFromJson(experiment.dump(), "", "");
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_NEAR(std::get<FourierContour>(read->objects.at(0).shape).area() * 1e6, 2890.0, 20.0);
+    std::filesystem::remove(path);
+}
+
+// Catches an empty picture, one that shows outline and fit apart, and a photograph replaced by it.
+TEST(FitContourCommand, DrawsAPreview) {
+    const QString path = QString::fromStdString(test::writeFile(".png", ""));
+    for (int k = 0; k < 2; ++k) // the second replaces the first
+        EXPECT_EQ(run({example("bunny_mm.csv"), "--harmonics", "20", "--preview", path}).code, kExitDone);
+    const QImage image(path);
+    ASSERT_EQ(image.size(), QSize(1000, 1000));
+    int red = 0, filled = 0;
+    QRect box;
+    for (int y = 0; y < 1000; ++y)
+        for (int x = 0; x < 1000; ++x) {
+            const QColor c = image.pixelColor(x, y);
+            red += c.red() > c.green() + 60;
+            filled += c.red() < c.blue() && c.red() < 0xDD;
+            if (c.red() > c.green() + 60)
+                box |= QRect(x, y, 1, 1);
+        }
+    EXPECT_NEAR(box.width(), 850, 15);
+    EXPECT_NEAR(box.center().x(), 500, 8);
+    EXPECT_GT(red, 3000);
+    EXPECT_NEAR(filled, 2894.23 * std::pow(850 / 70.0, 2), 0.05 * 427000) << "the area to scale";
+
+    const QString photo = QString::fromStdString(testing::TempDir() + "bask_photo.png");
+    QFile::remove(photo);
+    QFile::copy(example("hand_1200.png"), photo);
+    const auto size = QFileInfo(photo).size();
+    const Outcome outcome = run({example("bunny_mm.csv"), "--harmonics", "20", "--preview", photo});
+    EXPECT_EQ(outcome.code, kExitBadInput);
+    EXPECT_EQ(QFileInfo(photo).size(), size);
+    EXPECT_EQ(run({photo, "--harmonics", "20", "--scale", "15", "--preview", photo}).code, kExitBadInput);
+    EXPECT_EQ(run({example("bunny_mm.csv"), "--harmonics", "20", "--preview", path, "-o", path}).code,
+              kExitBadInput);
+    QFile::remove(photo);
+    QFile::remove(path);
+}
+
 TEST(FitContourCommand, WarnsOfACurveThatCrossesItself) {
     const Outcome outcome = run({example("hand_mm.csv"), "--harmonics", "5"});
     EXPECT_EQ(outcome.code, kExitDone);
@@ -116,7 +290,9 @@ TEST(FitContourCommand, HelpNamesEveryOption) {
     const Outcome outcome = run({"--help"});
     EXPECT_EQ(outcome.code, kExitDone);
     for (const char* word :
-         {"bask fit-contour [options] FILE", "--harmonics", "--unit", "--scale", "--output"})
+         {"bask fit-contour [options] FILE", "--list", "--pick", "--harmonics", "--tolerance", "--unit",
+          "--scale", "--known-length", "--marker-size", "--marker-dictionary", "--colour",
+          "--colour-tolerance", "--json", "--output", "--preview"})
         EXPECT_NE(outcome.out.find(word), std::string::npos) << word;
 }
 
@@ -137,6 +313,24 @@ TEST(FitContourCommand, BadInputIsExplainedOnStandardErrorWithCode2) {
         {data("bad_collinear.csv"), "--harmonics", "5", "--unit", "mm"},
         {data("bunny_tab_noheader.txt"), "--harmonics", "5"},
         {"/no/such/file.csv", "--harmonics", "5"},
+        {"/no/such/file.csv", "--list"},
+        {example("bunny_mm.csv"), "--list", "-o", "x.json"},
+        {example("bunny_mm.csv"), "--harmonics", "5", "--pick", "1"},
+        {example("bunny_mm.csv"), "--harmonics", "5", "--pick", "-1"},
+        {example("bunny_mm.csv"), "--harmonics", "5", "--pick", "one"},
+        {example("bunny_mm.csv"), "--harmonics", "auto"},
+        {example("bunny_mm.csv"), "--harmonics", "auto", "--tolerance", "0"},
+        {example("bunny_mm.csv"), "--harmonics", "auto", "--tolerance", "0.0001"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--known-length", "0,0,1200,0"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--known-length", "0,0,0,0,80"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--known-length", "0,0,1200,0,80", "--scale", "15"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--marker-size", "40"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--marker-size", "-1"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--marker-size", "40", "--marker-dictionary", "9X9"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--scale", "15", "--marker-dictionary", "4X4_50"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--scale", "15", "--colour", "#12345"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--scale", "15", "--colour-tolerance", "9"},
+        {example("bunny_1200.png"), "--harmonics", "5", "--scale", "15", "--colour", "#00ff00"},
     };
     for (const QStringList& arguments : cases) {
         const Outcome outcome = run(arguments);

@@ -209,6 +209,53 @@ TEST(FindCrossing, LeavesSimpleCurvesAlone) {
         EXPECT_FALSE(findCrossing(fitFourier(hand, h)->contour)) << h;
 }
 
+// Catches a distance that follows the arc length, or one way only: brute force over points of both curves.
+TEST(FitFourier, TellsTheHausdorffDistanceAndTheAreaError) {
+    const Contour bunny = example("bunny_mm.csv");
+    for (const int h : {3, 10, 20}) {
+        const auto fit = fitFourier(bunny, h);
+        test::Points series, outline;
+        for (int k = 0; k < 3000; ++k) {
+            const Complex z = fit->contour.point(k / 3000.0);
+            series.push_back(fit->centre_m + Eigen::Vector2d(z.real(), z.imag()));
+        }
+        for (std::size_t k = 0; k < bunny.points_m.size(); ++k)
+            for (int s = 0; s < 20; ++s)
+                outline.push_back(bunny.points_m[k] +
+                                  s / 20.0 *
+                                      (bunny.points_m[(k + 1) % bunny.points_m.size()] - bunny.points_m[k]));
+        double most = 0.0;
+        for (const auto& [from, to] : {std::pair(series, outline), std::pair(outline, series)})
+            for (const auto& p : from) {
+                double least = 1.0;
+                for (const auto& q : to)
+                    least = std::min(least, (p - q).norm());
+                most = std::max(most, least);
+            }
+        EXPECT_NEAR(fit->hausdorff_m, most, 2e-5) << h;
+        EXPECT_LE(fit->hausdorff_m, fit->max_m + 1e-6);
+        EXPECT_NEAR(fit->areaError, fit->contour.area() / contourArea(bunny) - 1.0, 1e-12);
+    }
+}
+
+// Catches more harmonics than are needed, fewer than that, and a curve with loops taken for a fit.
+TEST(FitFourierWithin, TakesTheFewestHarmonicsThatDo) {
+    const Contour hand = example("hand_mm.csv");
+    for (const double tolerance_m : {20e-3, 8e-3, 5e-3, 1e-3, 0.5e-3}) {
+        const auto found = fitFourierWithin(hand, tolerance_m);
+        ASSERT_TRUE(found) << describe(found.error());
+        EXPECT_LE(found->hausdorff_m, tolerance_m);
+        EXPECT_FALSE(found->crossesItself);
+        for (int h = 1; h < found->contour.harmonics(); ++h) {
+            const auto fewer = fitFourier(hand, h);
+            EXPECT_TRUE(fewer->hausdorff_m > tolerance_m || fewer->crossesItself) << h;
+        }
+    }
+    EXPECT_EQ(fitFourierWithin(hand, 1e-6).error().code(), MessageCode::ToleranceUnreachable);
+    for (const double tolerance_m : {0.0, -1.0, std::nan("")})
+        EXPECT_EQ(fitFourierWithin(hand, tolerance_m).error().code(), MessageCode::ValueNotPositive);
+}
+
 TEST(FitFourier, RefusesHarmonicsOutOfRange) {
     const Contour square = *makeContour({{-1, -1}, {1, -1}, {1, 1}, {-1, 1}});
     for (const int h : {-1, 0, kMaxHarmonics + 1})

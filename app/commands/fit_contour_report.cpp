@@ -1,0 +1,141 @@
+#include "app/commands/fit_contour_report.h"
+
+#include <nlohmann/json.hpp>
+
+#include <Eigen/Geometry>
+
+#include <QBuffer>
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json millimetres(const Eigen::Vector2d& p_m) {
+    return {p_m.x() * 1e3, p_m.y() * 1e3};
+}
+
+Eigen::AlignedBox2d boxOf(const std::vector<Eigen::Vector2d>& points) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& p : points)
+        box.extend(p);
+    return box;
+}
+
+std::vector<Eigen::Vector2d> pointsOf(const FourierFit& fit) {
+    constexpr int kChords = 2048;
+    std::vector<Eigen::Vector2d> points;
+    for (int k = 0; k < kChords; ++k) {
+        const std::complex<double> z = fit.contour.point(static_cast<double>(k) / kChords);
+        points.push_back(fit.centre_m + Eigen::Vector2d(z.real(), z.imag()));
+    }
+    return points;
+}
+
+/// From metres to the pixels of a square picture, y up.
+struct View {
+    Eigen::Vector2d middle_m;
+    double scale = 1.0; // px per m
+    int size_px = 0;
+
+    QPointF operator()(const Eigen::Vector2d& p_m) const {
+        const Eigen::Vector2d d = scale * (p_m - middle_m);
+        return {0.5 * size_px + d.x(), 0.5 * size_px - d.y()};
+    }
+    QPolygonF operator()(const std::vector<Eigen::Vector2d>& points_m) const {
+        QPolygonF polygon;
+        for (const Eigen::Vector2d& p : points_m)
+            polygon << (*this)(p);
+        return polygon;
+    }
+};
+
+void drawGrid(QPainter& painter, const View& view) {
+    const double width_m = view.size_px / view.scale;
+    const double step_m = std::pow(10.0, std::floor(std::log10(width_m / 3.0)));
+    painter.setPen(QPen(QColor(0xdd, 0xdd, 0xdd), 1.0));
+    const Eigen::Vector2d least = view.middle_m - Eigen::Vector2d::Constant(0.5 * width_m);
+    for (double k = std::ceil(least.x() / step_m); k * step_m < least.x() + width_m; ++k) {
+        const double x = view({k * step_m, 0.0}).x();
+        painter.drawLine(QPointF(x, 0.0), QPointF(x, view.size_px));
+    }
+    for (double k = std::ceil(least.y() / step_m); k * step_m < least.y() + width_m; ++k) {
+        const double y = view({0.0, k * step_m}).y();
+        painter.drawLine(QPointF(0.0, y), QPointF(view.size_px, y));
+    }
+}
+
+} // namespace
+
+Json outlineList(const OutlineFile& file) {
+    Json list = Json::array();
+    for (const FileOutline& outline : file.outlines) {
+        const Eigen::AlignedBox2d box = boxOf(outline.points_m);
+        list.push_back(
+            {{"index", list.size()},
+             {"closed", outline.closed},
+             {"area_mm2", outline.area_m2() * 1e6},
+             {"perimeter_mm", outline.perimeter_m() * 1e3},
+             {"bbox_mm",
+              {box.min().x() * 1e3, box.min().y() * 1e3, box.max().x() * 1e3, box.max().y() * 1e3}},
+             {"hole", outline.hole}});
+    }
+    return list;
+}
+
+Json fitReport(const Contour& outline, const FourierFit& fit, const std::string& unit,
+               const std::vector<Message>& warnings) {
+    Json coefficients = Json::array(), points = Json::array(), sentences = Json::array();
+    for (int j = -fit.contour.harmonics(); j <= fit.contour.harmonics(); ++j)
+        coefficients.push_back({j, fit.contour.coefficient(j).real(), fit.contour.coefficient(j).imag()});
+    for (const Eigen::Vector2d& p : outline.points_m)
+        points.push_back(millimetres(p));
+    for (const Message& warning : warnings)
+        sentences.push_back(describe(warning));
+    return {{"type", "fourier"},
+            {"coefficients", std::move(coefficients)},
+            {"area_mm2", fit.contour.area() * 1e6},
+            {"perimeter_mm", fit.contour.perimeter() * 1e3},
+            {"rms_mm", fit.rms_m * 1e3},
+            {"max_mm", fit.max_m * 1e3},
+            {"hausdorff_mm", fit.hausdorff_m * 1e3},
+            {"area_error", fit.areaError},
+            {"centre_mm", millimetres(fit.centre_m)},
+            {"unit", unit},
+            {"warnings", std::move(sentences)},
+            {"outline", std::move(points)}};
+}
+
+QByteArray fitPreview(const Contour& outline, const FourierFit& fit) {
+    constexpr int kSize_px = 1000;
+    constexpr double kFilled = 0.85; // of the picture
+    const std::vector<Eigen::Vector2d> series = pointsOf(fit);
+    const Eigen::AlignedBox2d box = boxOf(outline.points_m).merged(boxOf(series));
+    const View view{box.center(), kFilled * kSize_px / box.sizes().maxCoeff(), kSize_px};
+    QImage image(kSize_px, kSize_px, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    image.setText(QStringLiteral("Software"), QString::fromLatin1(kPreviewMark));
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawGrid(painter, view);
+    painter.setPen(QPen(QColor(0x55, 0x5f, 0x6b), 1.5));
+    painter.setBrush(QColor(0x55, 0x5f, 0x6b, 0x40));
+    painter.drawPolygon(view(outline.points_m));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(0xd0, 0x2b, 0x2b), 2.0));
+    painter.drawPolygon(view(series));
+    painter.end();
+    QByteArray png;
+    QBuffer buffer(&png);
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
+    return png;
+}
+
+} // namespace bask

@@ -1,0 +1,31 @@
+#pragma once
+// What `bask fit-contour` says of a file's outlines and of a fit: JSON and a picture.
+
+#include "engine/shape/contour_import.h"
+#include "engine/shape/fourier_contour.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <QByteArray>
+
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// Stands near the beginning of every preview, so that nothing else is replaced by one.
+inline constexpr const char* kPreviewMark = "bask fit-contour";
+
+/// An array of the outlines as they are arranged.
+nlohmann::ordered_json outlineList(const OutlineFile& file);
+
+/// A contour that Bask reads ("type", "coefficients" in metres about the series' centroid) with its figures
+/// and the outline in mm, in the file's coordinates.
+nlohmann::ordered_json fitReport(const Contour& outline, const FourierFit& fit, const std::string& unit,
+                                 const std::vector<Message>& warnings);
+
+/// PNG of the outline (grey area) and the fit (red line) over a grid of 10 mm, or of as many powers of ten as
+/// the outline needs. Needs no application and no display.
+QByteArray fitPreview(const Contour& outline, const FourierFit& fit);
+
+} // namespace bask
