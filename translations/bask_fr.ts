@@ -1682,8 +1682,8 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
             <translation>importation</translation>
         </message>
         <message>
-            <source>%1 is not a kind of file that can be imported. Use a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
-            <translation>%1 n’est pas un type de fichier importable. Utilisez un CSV de points x, y ou l’image d’une silhouette (PNG, JPEG, BMP, TIFF).</translation>
+            <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
+            <translation>%1 n’est pas un type de fichier importable. Utilisez un dessin (SVG, DXF), un CSV de points x, y ou l’image d’une silhouette (PNG, JPEG, BMP, TIFF).</translation>
         </message>
         <message>
             <source>Import an outline</source>
@@ -1781,8 +1781,8 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
             <translation>Contour utilisé</translation>
         </message>
         <message>
-            <source>Drop a CSV or a picture of a silhouette here, or add a disk.</source>
-            <translation>Déposez ici un CSV ou l’image d’une silhouette, ou ajoutez un disque.</translation>
+            <source>Drop a drawing, a CSV or a picture of a silhouette here, or add a disk.</source>
+            <translation>Déposez ici un dessin, un CSV ou l’image d’une silhouette, ou ajoutez un disque.</translation>
         </message>
         <message>
             <source>%1 mm × %2 mm</source>

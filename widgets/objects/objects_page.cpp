@@ -40,9 +40,15 @@ constexpr int kImportHarmonics = 5;
 constexpr double kNewDiskRadius_m = 0.015;
 constexpr double kMountingGap_m = 0.005;
 
+/// Drawings say themselves how large they are.
+bool isDrawing(const QString& path) {
+    static const QStringList drawings{"svg", "dxf"};
+    return drawings.contains(QFileInfo(path).suffix().toLower());
+}
+
 bool isReadable(const QString& path) {
     static const QStringList lists{"csv", "txt", "dat"};
-    return ImportBar::isImage(path) || lists.contains(QFileInfo(path).suffix().toLower());
+    return isDrawing(path) || ImportBar::isImage(path) || lists.contains(QFileInfo(path).suffix().toLower());
 }
 
 QString droppedFile(const QMimeData* data) {
@@ -228,12 +234,7 @@ void ObjectsPage::connectAll() {
         editSelected(tr("move of \u201c%1\u201d").arg(QString::fromStdString(selected().name)), {},
                      [&mounting](ObjectSpec& o) { o.mounting = mounting; });
     });
-    connect(m_importBar, &ImportBar::accepted, this,
-            [this](const QString& path, const ContourImportOptions& options) {
-                m_message->say(MessageBar::Kind::Note, tr("Reading %1\u2026").arg(QFileInfo(path).fileName()),
-                               {}, false);
-                emit importRequested(path, options);
-            });
+    connect(m_importBar, &ImportBar::accepted, this, &ObjectsPage::startImport);
 }
 
 bool ObjectsPage::hasSelection() const {
@@ -415,23 +416,31 @@ void ObjectsPage::showError(const QString& sentence) {
     m_message->say(MessageBar::Kind::Problem, sentence);
 }
 
+void ObjectsPage::startImport(const QString& path, const ContourImportOptions& options) {
+    m_message->say(MessageBar::Kind::Note, tr("Reading %1\u2026").arg(QFileInfo(path).fileName()), {}, false);
+    emit importRequested(path, options);
+}
+
 void ObjectsPage::offerFile(const QString& path) {
     if (!m_editable || !m_import->isEnabled())
         return;
     m_message->clear();
-    if (isReadable(path))
+    if (isDrawing(path))
+        startImport(path, {});
+    else if (isReadable(path))
         m_importBar->offer(path);
     else
-        showImportError(
-            tr("%1 is not a kind of file that can be imported. Use a CSV of x, y points or a picture of "
-               "a silhouette (PNG, JPEG, BMP, TIFF).")
-                .arg(QFileInfo(path).fileName()));
+        showImportError(tr("%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV "
+                           "of x, y points "
+                           "or a picture of a silhouette (PNG, JPEG, BMP, TIFF).")
+                            .arg(QFileInfo(path).fileName()));
 }
 
 void ObjectsPage::chooseFile() {
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Import an outline"), QString(),
-        tr("Outlines (%1);;All files (*)").arg("*.csv *.txt *.dat *.png *.jpg *.jpeg *.bmp *.tif *.tiff"));
+        tr("Outlines (%1);;All files (*)")
+            .arg("*.svg *.dxf *.csv *.txt *.dat *.png *.jpg *.jpeg *.bmp *.tif *.tiff"));
     if (!path.isEmpty())
         offerFile(path);
 }

@@ -56,7 +56,8 @@ public slots:
     void showImportError(const QString& sentence);
     /// An edit was refused: the sentence, until the next edit.
     void showError(const QString& sentence);
-    /// Asks for the unit or scale of a file, as after a drop; other kinds of file are refused here.
+    /// Asks for the unit or scale of a list or picture, as after a drop; a drawing is read at once; other
+    /// kinds of file are refused here.
     void offerFile(const QString& path);
     /// File dialog, then offerFile.
     void chooseFile();
@@ -86,6 +87,7 @@ private:
     void editSelected(const QString& text, const QString& mergeKey,
                       const std::function<void(ObjectSpec&)>& change);
     void addObject(ObjectSpec object, const QString& text);
+    void startImport(const QString& path, const ContourImportOptions& options);
     void addDisk();
     void duplicateSelected();
     void removeSelected();

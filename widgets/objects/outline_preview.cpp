@@ -122,7 +122,7 @@ void OutlinePreview::paintEvent(QPaintEvent*) {
     if (m_used_mm.isEmpty()) {
         painter.setPen(faded(palette(), 0.65));
         painter.drawText(area, Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("Drop a CSV or a picture of a silhouette here, or add a disk."));
+                         tr("Drop a drawing, a CSV or a picture of a silhouette here, or add a disk."));
         return;
     }
     const double legend = 2.0 * (fontMetrics().height() + 3.0) + 6.0;

@@ -352,6 +352,13 @@ TEST_F(ObjectsPageTest, DroppedPictureAsksForItsScale) {
 }
 
 // Catches silence about a file of another kind.
+TEST_F(ObjectsPageTest, ADrawingIsReadWithoutAQuestion) {
+    page.offerFile("/data/part.SVG");
+    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
+    ASSERT_EQ(imported.count(), 1);
+    EXPECT_EQ(imported.front().front().toString(), "/data/part.SVG");
+}
+
 TEST_F(ObjectsPageTest, OtherFilesAreRefusedInWords) {
     page.offerFile("/data/notes.pdf");
     EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
