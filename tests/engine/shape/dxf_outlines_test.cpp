@@ -1,0 +1,2 @@
+#include "engine/shape/dxf_outlines.h"
+#include <gtest/gtest.h>
