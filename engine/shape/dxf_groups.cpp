@@ -286,7 +286,10 @@ private:
     }
     void write(int code, double number) {
         std::array<char, 32> text;
-        const auto end = std::to_chars(text.data(), text.data() + text.size(), number).ptr;
+        char* const last = text.data() + text.size();
+        const bool whole = std::trunc(number) == number && std::abs(number) <= 1e15; // never as 1e+05
+        const auto end = whole ? std::to_chars(text.data(), last, static_cast<long long>(number)).ptr
+                               : std::to_chars(text.data(), last, number).ptr;
         write(code, std::string_view(text.data(), static_cast<std::size_t>(end - text.data())));
     }
 
