@@ -22,6 +22,10 @@ std::optional<LengthUnit> lengthUnitFromName(const std::string& name);
 /// perimeter and twice the longest other edge. At most 64 MiB and a million lines.
 Result<Contour> readContourCsv(const std::string& path, std::optional<LengthUnit> unit);
 
+/// The same from a file's bytes; `where` names them in errors.
+Result<Contour> contourFromCsv(const std::string& bytes, const std::string& where,
+                               std::optional<LengthUnit> unit);
+
 /// Largest silhouette in an image (8 or 16 bit): its opacity where the frame is transparent, else its
 /// brightness cut by Otsu's split, with the frame's majority as ground. Traced between the pixels at half the
 /// step from ground to object, thinned by 0.1 px or 0.01 mm; origin at the picture's lower left corner, y up.

@@ -12,7 +12,8 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kMostEntities = 300'000;
-constexpr std::size_t kMostValues = 4'000'000;
+constexpr std::size_t kMostValues = 2'000'000;
+constexpr std::size_t kMostKinds = 20; // told one by one
 constexpr std::size_t kLongestName = 255;
 constexpr double kLargestNumber = 1e30;
 constexpr int kHighestDegree = 15;
@@ -158,7 +159,12 @@ private:
             m_kind = kind;
         // ends, labels and windows are part of something else
         else if (m_section == "ENTITIES" && type != "SEQEND" && type != "ATTRIB" && type != "VIEWPORT")
-            ++m_clean.left_out[capitals(type.substr(0, 40))];
+            leaveOut(capitals(type.substr(0, 40)));
+    }
+
+    void leaveOut(const std::string& kind) {
+        const bool told = m_clean.left_out.size() < kMostKinds || m_clean.left_out.contains(kind);
+        ++m_clean.left_out[told ? kind : "..."];
     }
 
     Result<void> takeValue(int code, std::string_view value) {
@@ -253,7 +259,7 @@ private:
         if (m_section == "ENTITIES") {
             m_clean.invisible += invisible;
             if (mesh && !invisible)
-                ++m_clean.left_out["MESH"];
+                leaveOut("MESH");
         }
         return invisible || mesh;
     }

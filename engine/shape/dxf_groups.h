@@ -13,7 +13,7 @@ namespace bask {
 /// What is handed to dxflib, and what was not.
 struct CleanDxf {
     std::string text;                    ///< ASCII DXF of the kinds below, ending in EOF
-    std::map<std::string, int> left_out; ///< entities of other kinds, counted by kind
+    std::map<std::string, int> left_out; ///< entities of other kinds, counted by kind (rare ones as ...)
     int invisible = 0;                   ///< entities marked invisible (group 60)
 };
 
@@ -22,7 +22,7 @@ struct CleanDxf {
 /// bytes, and counts that are true. Reads up to EOF. Errors, with the line: DxfBinary, DxfCutOff (no EOF),
 /// DxfDamaged (a group code or a name that cannot be; a spline of degree 0 or above 15, with falling knots,
 /// weights that are not positive or counts that do not fit), ContourNotANumber, ContourNotFinite (or beyond
-/// 1e30), FileTooLarge (above 300 000 entities or 4 million values).
+/// 1e30), FileTooLarge (above 300 000 entities or 2 million values).
 Result<CleanDxf> cleanDxf(std::string_view bytes, const std::string& where);
 
 } // namespace bask

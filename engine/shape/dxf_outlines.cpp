@@ -12,9 +12,9 @@ namespace bask {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{32} << 20;
-constexpr std::size_t kMostPoints = 1'000'000;
+constexpr std::size_t kMostPoints = 500'000;
 constexpr std::size_t kMostPieces = 100'000;
-constexpr std::size_t kMostOutlines = 4'000;
+constexpr std::size_t kMostOutlines = 2'000;
 constexpr std::size_t kDeepestBlocks = 32;
 constexpr double kLargestScale = 1e15;
 constexpr double kJoinedOfExtent = 1e-6;

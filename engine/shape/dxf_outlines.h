@@ -19,7 +19,7 @@ namespace bask {
 /// dimensions, hatches, points, solids, meshes, copies of missing blocks (warning DxfLeftOut).
 ///
 /// Errors: those of readFileBytes (at most 32 MiB) and of cleanDxf; DxfBlockInItself; NoOutlines;
-/// FileTooLarge (above a million points, 4000 outlines, 100 000 pieces or copies of blocks, or blocks more
+/// FileTooLarge (above 500 000 points, 2000 outlines, 100 000 pieces or copies of blocks, or blocks more
 /// than 32 deep); ContourNotFinite for a block that is scaled beyond 1e15.
 Result<OutlineFile> readDxfOutlines(const std::string& path, double tolerance_m);
 

@@ -139,8 +139,7 @@ EllipseArc bulgeArc(const Eigen::Vector2d& from, const Eigen::Vector2d& to, doub
 
 Spline splineThrough(std::vector<Eigen::Vector2d> points, bool closed, const Eigen::Vector2d& startDirection,
                      const Eigen::Vector2d& endDirection) {
-    const auto repeated = std::ranges::unique(points);
-    points.erase(repeated.begin(), repeated.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
     if (closed && points.size() > 1 && points.front() == points.back())
         points.pop_back();
     if (points.size() < 2)

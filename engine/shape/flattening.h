@@ -10,8 +10,8 @@ namespace bask {
 /// How closely edges follow a curve. They always follow it to 1/4000 of its size too, so that area and length
 /// of a small one hold within 0.1 %.
 struct Flattening {
-    double tolerance = 1e-5;       ///< largest distance between them, in the unit of the points
-    std::size_t most_points = 1e6; ///< a spline of more ends early, with more points than that
+    double tolerance = 1e-5;           ///< largest distance between them, in the unit of the points
+    std::size_t most_points = 500'000; ///< a spline of more ends early, with more points than that
 };
 
 /// centre + u cos t + v sin t for t from `begin` over `sweep` rad, which is negative where the arc runs back.

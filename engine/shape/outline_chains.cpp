@@ -219,8 +219,7 @@ private:
         }
         if (closed)
             points.pop_back();
-        const auto repeated = std::ranges::unique(points);
-        points.erase(repeated.begin(), repeated.end());
+        points.erase(std::unique(points.begin(), points.end()), points.end());
         if (points.size() >= (closed ? 3u : 2u))
             m_outlines.push_back(std::move(outline));
     }
