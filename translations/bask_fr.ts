@@ -267,8 +267,8 @@
             <translation>le bloc « %1 » se contient lui-même</translation>
         </message>
         <message>
-            <source>the drawing names no unit of length; it is taken as millimetres</source>
-            <translation>le dessin n’indique pas d’unité de longueur ; il est pris en millimètres</translation>
+            <source>the drawing names no known unit of length; it is taken as millimetres</source>
+            <translation>le dessin n’indique aucune unité de longueur connue ; il est pris en millimètres</translation>
         </message>
         <message>
             <source>left out, as it draws no outline: %1</source>

@@ -81,7 +81,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(DxfCutOff, QT_TRANSLATE_NOOP("Message", "the drawing is cut off: its end mark (EOF) is missing")),
     Entry BASK_MESSAGE(DxfDamaged, QT_TRANSLATE_NOOP("Message", "the drawing is damaged: what line %1 says cannot be")),
     Entry BASK_MESSAGE(DxfBlockInItself, QT_TRANSLATE_NOOP("Message", "block \"%1\" contains itself")),
-    Entry BASK_MESSAGE(DxfUnitless, QT_TRANSLATE_NOOP("Message", "the drawing names no unit of length; it is taken as millimetres")),
+    Entry BASK_MESSAGE(DxfUnitless, QT_TRANSLATE_NOOP("Message", "the drawing names no known unit of length; it is taken as millimetres")),
     Entry BASK_MESSAGE(DxfLeftOut, QT_TRANSLATE_NOOP("Message", "left out, as it draws no outline: %1")),
     Entry BASK_MESSAGE(DxfHidden, QT_TRANSLATE_NOOP("Message", "%1 hidden entities were left out (layer off or frozen, invisible, or on paper)")),
     Entry BASK_MESSAGE(FieldTooLarge, QT_TRANSLATE_NOOP("Message", "%1 samples, more than the %2 that there may be; take larger steps or a smaller range")),

@@ -190,7 +190,9 @@ Result<DxfDrawing> readDxfDrawing(const std::string& bytes, const std::string& w
         return clean.error();
     Collector collector;
     {
-        static std::mutex oneAtATime; // dxflib counts lines in a variable of all its readers
+        // dxflib counts lines in a variable of all its readers. It reads numbers by the global C++ locale,
+        // which nothing here changes (setlocale does not).
+        static std::mutex oneAtATime;
         const std::lock_guard lock(oneAtATime);
         std::istringstream text(clean->text);
         DL_Dxf().in(text, &collector);

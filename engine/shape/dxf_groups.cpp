@@ -148,8 +148,11 @@ private:
         m_line = m_lines.number();
         m_values.clear();
         m_kind = nullptr;
-        if (type == "SECTION" || type == "ENDSEC")
+        if (type == "SECTION" || type == "ENDSEC") {
+            if (m_section == "BLOCKS")
+                m_clean.text += "0\nENDBLK\n"; // where the file forgot it
             m_section = {};
+        }
         const Kind* kind = kindOf(type);
         const bool drawing = m_section == "ENTITIES" || m_section == "BLOCKS";
         if (kind && ((kind->place == Place::Drawn && drawing) ||
@@ -214,9 +217,11 @@ private:
     std::size_t count(int code) const {
         return static_cast<std::size_t>(std::ranges::count(m_values, code, &Value::code));
     }
+    // Of a group that comes twice, the last, as dxflib takes it.
     int integer(int code, int otherwise) const {
-        const auto found = std::ranges::find(m_values, code, &Value::code);
-        return found == m_values.end() ? otherwise : static_cast<int>(found->number);
+        const auto found = std::find_if(m_values.rbegin(), m_values.rend(),
+                                        [&](const Value& value) { return value.code == code; });
+        return found == m_values.rend() ? otherwise : static_cast<int>(found->number);
     }
 
     Result<void> endRecord() {

@@ -13,10 +13,10 @@ namespace bask {
 /// are flattened to `tolerance_m` (> 0) and to 1/4000 of their size. Pieces whose ends lie within a millionth
 /// of the drawing's extent are joined.
 ///
-/// Lengths are of $INSUNITS, millimetres where it names none (warning DxfUnitless). What the operator does
-/// not see is not read: layers that are off or frozen, invisible entities, paper space (warning DxfHidden).
-/// In a block, layer 0 is the layer of its copy. What draws no curve of the plane is left out: texts,
-/// dimensions, hatches, points, solids, meshes, copies of missing blocks (warning DxfLeftOut).
+/// Lengths are of $INSUNITS, millimetres where it names none from nm to km (warning DxfUnitless). What the
+/// operator does not see is not read: layers that are off or frozen, invisible entities, paper space (warning
+/// DxfHidden). In a block, layer 0 is the layer of its copy. What draws no curve of the plane is left out:
+/// texts, dimensions, hatches, points, solids, meshes, copies of missing blocks (warning DxfLeftOut).
 ///
 /// Errors: those of readFileBytes (at most 32 MiB) and of cleanDxf; DxfBlockInItself; NoOutlines;
 /// FileTooLarge (above 500 000 points, 2000 outlines, 100 000 pieces or copies of blocks, or blocks more

@@ -4,8 +4,8 @@
 
 #include <Eigen/Geometry>
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <iterator>
 #include <numbers>
@@ -44,6 +44,11 @@ std::string drawing(const std::string& entities, const std::string& blocks = {},
                  entities + " 0 ENDSEC 0 EOF");
 }
 
+// Processor time, which a busy machine does not stretch.
+double cpu_s(std::clock_t start) {
+    return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
 Result<OutlineFile> read(const std::string& bytes) {
     return dxfOutlines(bytes, "drawing", kTolerance_m);
 }
@@ -53,11 +58,6 @@ OutlineFile outlinesOf(const std::string& entities, const std::string& blocks = 
     auto file = read(drawing(entities, blocks, layers));
     EXPECT_TRUE(file.ok()) << (file ? "" : describe(file.error()));
     return file ? std::move(file).value() : OutlineFile{};
-}
-
-MessageCode refusal(const std::string& bytes) {
-    const auto file = read(bytes);
-    return file ? MessageCode::None : file.error().code();
 }
 
 Eigen::AlignedBox2d boxOf_mm(const FileOutline& outline) {
@@ -259,6 +259,9 @@ TEST(DxfOutlines, BlocksAreCopied) {
                                           "0 BLOCK 2 both 0 INSERT 2 disk 41 3 0 ENDBLK ";
     expectOne(outlinesOf("0 INSERT 2 both 10 5 50 90", nested), 3 * kPi, 4, -3, 6, 3);
 
+    // a block without its end
+    expectOne(outlinesOf("0 CIRCLE 40 1", "0 BLOCK 2 b 0 CIRCLE 40 2"), kPi, -1, -1, 1, 1);
+
     // 3 columns and 2 rows, 10 and 20 apart, turned by 90 degrees: rows go left, columns up
     const auto grid = outlinesOf("0 INSERT 2 disk 41 0.5 42 0.5 50 90 70 3 71 2 44 10 45 20", nested);
     ASSERT_EQ(grid.outlines.size(), 6u);
@@ -342,7 +345,9 @@ TEST(DxfOutlines, WhatIsHiddenOrNoCurveIsLeftOutAndTold) {
 
     // layer 0 in a block is the layer of its copy
     const std::string block = "0 BLOCK 2 b 0 CIRCLE 8 0 40 1 0 ENDBLK";
-    EXPECT_EQ(refusal(drawing("0 INSERT 8 off 2 b", block, layers)), MessageCode::NoOutlines);
+    const auto hidden = read(drawing("0 INSERT 8 off 2 b", block, layers));
+    ASSERT_FALSE(hidden.ok());
+    EXPECT_EQ(hidden.error().code(), MessageCode::NoOutlines);
     EXPECT_EQ(outlinesOf("0 INSERT 8 on 2 b", block, "0 LAYER 2 0 62 -7").outlines.size(), 1u);
 }
 
@@ -389,6 +394,9 @@ std::vector<Hostile> hostileDrawings() {
         {"one knot", drawing("0 SPLINE 71 3 " + repeated("40 1 ", 8) + controls), DxfDamaged},
         {"degree 1000", drawing("0 SPLINE 71 1000 40 0 40 1 " + controls), DxfDamaged},
         {"degree 0", drawing("0 SPLINE 71 0 40 0 40 1 40 2 40 3 40 4 " + controls), DxfDamaged},
+        {"two degrees",
+         drawing("0 SPLINE 71 2 71 15 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0"),
+         DxfDamaged},
         {"too few controls", drawing(spline + "10 0 20 0 10 1 20 1"), DxfDamaged},
         {"weight 0", drawing(spline + controls + " 41 1 41 0 41 1 41 1"), DxfDamaged},
         {"knots that are not there", drawing("0 SPLINE 71 3 72 2000000000 73 4 " + controls), DxfDamaged},
@@ -415,12 +423,12 @@ std::vector<Hostile> hostileDrawings() {
 // Catches a hostile drawing that reaches dxflib, recurses, or takes time or memory without end.
 TEST(DxfOutlines, HostileDrawingsAreRefusedSoon) {
     for (const Hostile& hostile : hostileDrawings()) {
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         const auto file = read(hostile.bytes);
-        const std::chrono::duration<double> took_s = std::chrono::steady_clock::now() - start;
+        const double took_s = cpu_s(start);
         ASSERT_FALSE(file.ok()) << hostile.name;
         EXPECT_STREQ(messageName(file.error().code()), messageName(hostile.code)) << hostile.name;
-        EXPECT_LT(took_s.count(), 2.0) << hostile.name;
+        EXPECT_LT(took_s, 2.0) << hostile.name;
     }
 }
 
@@ -443,7 +451,7 @@ TEST(DxfOutlines, DamagedDrawingsNeverCrash) {
                              "r12_polylines_text.dxf", "bulge_wifi_mm.dxf"}) {
         const std::string whole = bytesOf(name);
         ASSERT_FALSE(whole.empty());
-        const auto start = std::chrono::steady_clock::now();
+        const std::clock_t start = std::clock();
         for (std::size_t cut = 0; cut + 5 < whole.size(); cut += 1 + whole.size() / 97)
             EXPECT_FALSE(read(whole.substr(0, cut)).ok()) << name << " cut at " << cut;
         for (int round = 0; round < 200; ++round) {
@@ -454,8 +462,8 @@ TEST(DxfOutlines, DamagedDrawingsNeverCrash) {
             for (const FileOutline& outline : file ? file->outlines : std::vector<FileOutline>{})
                 EXPECT_TRUE(std::isfinite(outline.perimeter_m())) << name;
         }
-        const std::chrono::duration<double> took_s = std::chrono::steady_clock::now() - start;
-        EXPECT_LT(took_s.count(), 20.0) << name; // 300 readings
+        const double took_s = cpu_s(start);
+        EXPECT_LT(took_s, 20.0) << name; // 300 readings
     }
 }
 
@@ -466,10 +474,10 @@ TEST(DxfOutlines, LongPolylinesAreWhole) {
     for (int k = 0; k < 100'000; ++k)
         text << "10 " << 100 * std::cos(2 * kPi * k / 1e5) << " 20 " << 100 * std::sin(2 * kPi * k / 1e5)
              << ' ';
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     expectOne(outlinesOf(text.str()), 1e4 * kPi, -100, -100, 100, 100);
-    const std::chrono::duration<double> took_s = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(took_s.count(), 2.0);
+    const double took_s = cpu_s(start);
+    EXPECT_LT(took_s, 2.0);
 }
 
 // Catches the join of pieces growing as their square.
@@ -485,12 +493,12 @@ TEST(DxfOutlines, ManyPiecesAreJoinedSoon) {
         }
     }
     const std::string bytes = drawing(text.str());
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const auto file = read(bytes);
-    const std::chrono::duration<double> took_s = std::chrono::steady_clock::now() - start;
+    const double took_s = cpu_s(start);
     ASSERT_TRUE(file.ok()) << describe(file.error());
     EXPECT_NEAR(file->outlines[0].area_m2(), 1e-2 * kPi, 1e-5);
-    EXPECT_LT(took_s.count(), 2.0);
+    EXPECT_LT(took_s, 2.0);
 }
 
 } // namespace
