@@ -22,7 +22,7 @@ struct CleanDxf {
 /// bytes, and counts that are true. Reads up to EOF. Errors, with the line: DxfBinary, DxfCutOff (no EOF),
 /// DxfDamaged (a group code or a name that cannot be; a spline of degree 0 or above 15, with falling knots,
 /// weights that are not positive or counts that do not fit), ContourNotANumber, ContourNotFinite (or beyond
-/// 1e30), FileTooLarge (above 300 000 entities or 2 million values).
+/// 1e15), FileTooLarge (above 300 000 entities or 2 million values).
 Result<CleanDxf> cleanDxf(std::string_view bytes, const std::string& where);
 
 } // namespace bask

@@ -71,9 +71,12 @@ private:
 
     Flattening flattening() const { return {m_tolerance_m, kMostPoints - m_points}; }
 
-    void keep(std::vector<Eigen::Vector2d> points) {
+    Result<void> keep(std::vector<Eigen::Vector2d> points) {
+        if (!std::ranges::all_of(points, [](const Eigen::Vector2d& p) { return p.allFinite(); }))
+            return Error{MessageCode::ContourNotFinite, m_where, {"a curve"}};
         m_points += points.size();
         m_pieces.push_back(std::move(points));
+        return {};
     }
 
     Result<void> draw(const DxfPolyline& line, const Eigen::Affine2d& map_m) {
@@ -92,15 +95,13 @@ private:
             }
             points.push_back(map_m * to);
         }
-        keep(std::move(points));
-        return {};
+        return keep(std::move(points));
     }
 
     Result<void> draw(const EllipseArc& arc, const Eigen::Affine2d& map_m) {
         std::vector<Eigen::Vector2d> points;
         flatten(mapped(arc, map_m), flattening(), points);
-        keep(std::move(points));
-        return {};
+        return keep(std::move(points));
     }
 
     Result<void> draw(const DxfSpline& spline, const Eigen::Affine2d& map_m) {
@@ -108,8 +109,7 @@ private:
         flatten(mapped(spline.curve, map_m), flattening(), points);
         if (spline.closed)
             points.push_back(points.front());
-        keep(std::move(points));
-        return {};
+        return keep(std::move(points));
     }
 
     Result<void> draw(const DxfInsert& insert, const Eigen::Affine2d& map_m) {

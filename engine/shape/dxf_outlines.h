@@ -20,7 +20,8 @@ namespace bask {
 ///
 /// Errors: those of readFileBytes (at most 32 MiB) and of cleanDxf; DxfBlockInItself; NoOutlines;
 /// FileTooLarge (above 500 000 points, 2000 outlines, 100 000 pieces or copies of blocks, or blocks more
-/// than 32 deep); ContourNotFinite for a block that is scaled beyond 1e15.
+/// than 32 deep); ContourNotFinite for a block that is scaled beyond 1e15, or a curve beyond
+/// what numbers hold.
 Result<OutlineFile> readDxfOutlines(const std::string& path, double tolerance_m);
 
 /// The same from a file's bytes; `where` names them in errors.

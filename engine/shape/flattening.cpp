@@ -13,6 +13,7 @@ constexpr double kLeastEdgesATurn = 96.0;
 constexpr double kMostEdges = 20'000.0;
 constexpr int kDeepest = 10; // halvings of a spline's first pieces
 constexpr std::size_t kHighestDegree = 15;
+constexpr double kShortestOfSteps = 1e-9; // between fit points
 
 Eigen::Vector2d leftOf(const Eigen::Vector2d& d) {
     return {-d.y(), d.x()};
@@ -97,22 +98,20 @@ private:
     double m_tolerance = 0.0;
 };
 
-// Derivatives of the C2 cubic through points at the given parameters: Thomas's solution of the tridiagonal
-// system.
+// Derivatives of the C2 cubic through points whose parameters are `steps` apart: Thomas's solution of the
+// tridiagonal system.
 std::vector<Eigen::Vector2d> derivatives(const std::vector<Eigen::Vector2d>& points,
-                                         const std::vector<double>& at, const Eigen::Vector2d& start,
+                                         const std::vector<double>& steps, const Eigen::Vector2d& start,
                                          const Eigen::Vector2d& end) {
     const std::size_t n = points.size();
-    const auto slope = [&](std::size_t k) {
-        return Eigen::Vector2d((points[k + 1] - points[k]) / (at[k + 1] - at[k]));
-    };
+    const auto slope = [&](std::size_t k) { return Eigen::Vector2d((points[k + 1] - points[k]) / steps[k]); };
     std::vector<double> upper(n, 0.0);
     std::vector<Eigen::Vector2d> d(n);
     const bool clampedStart = start.norm() > 0.0, clampedEnd = end.norm() > 0.0;
     upper[0] = clampedStart ? 0.0 : 0.5;
     d[0] = clampedStart ? Eigen::Vector2d(start.normalized()) : Eigen::Vector2d(1.5 * slope(0));
     for (std::size_t k = 1; k + 1 < n; ++k) {
-        const double before = at[k] - at[k - 1], after = at[k + 1] - at[k];
+        const double before = steps[k - 1], after = steps[k];
         const double pivot = 2.0 * (before + after) - after * upper[k - 1];
         upper[k] = before / pivot;
         d[k] = (3.0 * (after * slope(k - 1) + before * slope(k)) - after * d[k - 1]) / pivot;
@@ -151,22 +150,25 @@ Spline splineThrough(std::vector<Eigen::Vector2d> points, bool closed, const Eig
     std::vector<Eigen::Vector2d> run;
     for (std::size_t k = 0; k <= last + extra; ++k)
         run.push_back(points[(k + count * extra - extra) % count]);
-    std::vector<double> at{0.0};
-    for (std::size_t k = 1; k < run.size(); ++k)
-        at.push_back(at.back() + std::max((run[k] - run[k - 1]).norm(), 1e-300));
+    std::vector<double> steps;
+    for (std::size_t k = 0; k + 1 < run.size(); ++k)
+        steps.push_back((run[k + 1] - run[k]).norm());
+    const double longest = *std::ranges::max_element(steps);
+    for (double& step : steps) // none that a sum would swallow
+        step = longest > 0.0 ? std::max(step, kShortestOfSteps * longest) : 1.0;
 
     const Eigen::Vector2d none = Eigen::Vector2d::Zero();
-    const auto d = derivatives(run, at, closed ? none : startDirection, closed ? none : endDirection);
+    const auto d = derivatives(run, steps, closed ? none : startDirection, closed ? none : endDirection);
     Spline spline;
     spline.control.push_back(run[first]);
-    spline.knots.assign(4, at[first]);
+    spline.knots.assign(4, 0.0);
     for (std::size_t k = first; k < last; ++k) {
-        const double third = (at[k + 1] - at[k]) / 3.0;
+        const double third = steps[k] / 3.0;
         spline.control.insert(spline.control.end(),
                               {run[k] + third * d[k], run[k + 1] - third * d[k + 1], run[k + 1]});
-        spline.knots.insert(spline.knots.end(), 3, at[k + 1]);
+        spline.knots.insert(spline.knots.end(), 3, spline.knots.back() + steps[k]);
     }
-    spline.knots.push_back(at[last]);
+    spline.knots.push_back(spline.knots.back());
     spline.weights.assign(spline.control.size(), 1.0);
     return spline;
 }
