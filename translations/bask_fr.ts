@@ -271,8 +271,8 @@
             <translation>le dessin n’indique aucune unité de longueur connue ; il est pris en millimètres</translation>
         </message>
         <message>
-            <source>left out, as it draws no outline: %1</source>
-            <translation>omis, car cela ne trace aucun contour : %1</translation>
+            <source>left out, since they are no outlines: %1</source>
+            <translation>laissés de côté, car ce ne sont pas des contours : %1</translation>
         </message>
         <message>
             <source>%1 hidden entities were left out (layer off or frozen, invisible, or on paper)</source>

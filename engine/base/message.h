@@ -65,13 +65,13 @@ enum class MessageCode {
     ScaleMissing,         ///< no args
     HarmonicsOutOfRange,  ///< %1 value, %2 least, %3 most
     FormatUnknown,        ///< %1 extension, %2 known
-    NoOutlines,           ///< no args
+    NoOutline,            ///< no args
     DxfBinary,            ///< no args
     DxfCutOff,            ///< no args
     DxfDamaged,           ///< %1 line
     DxfBlockInItself,     ///< %1 block
     DxfUnitless,          ///< no args
-    DxfLeftOut,           ///< %1 counts and kinds
+    ElementsUnread,       ///< %1 names
     DxfHidden,            ///< %1 count
     // View factor
     FieldTooLarge,  ///< %1 samples, %2 most

@@ -186,7 +186,7 @@ Result<OutlineFile> dxfOutlines(const std::string& bytes, const std::string& whe
     if (tracer.missingBlocks() > 0)
         drawing->left_out["INSERT"] += tracer.missingBlocks();
     if (!drawing->left_out.empty())
-        file.warnings.push_back({MessageCode::DxfLeftOut, {listOf(drawing->left_out)}});
+        file.warnings.push_back({MessageCode::ElementsUnread, {listOf(drawing->left_out)}});
     if (const int hidden = tracer.hidden() + drawing->invisible; hidden > 0)
         file.warnings.push_back({MessageCode::DxfHidden, {std::to_string(hidden)}});
 
@@ -194,7 +194,7 @@ Result<OutlineFile> dxfOutlines(const std::string& bytes, const std::string& whe
     const double join_m = joined_m(pieces);
     file.outlines = chained(std::move(pieces), join_m);
     if (file.outlines.empty())
-        return Error{MessageCode::NoOutlines, where};
+        return Error{MessageCode::NoOutline, where};
     if (file.outlines.size() > kMostOutlines)
         return tooMany(file.outlines.size(), "outlines", kMostOutlines, where);
     file.arrange();

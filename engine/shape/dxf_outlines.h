@@ -16,9 +16,9 @@ namespace bask {
 /// Lengths are of $INSUNITS, millimetres where it names none from nm to km (warning DxfUnitless). What the
 /// operator does not see is not read: layers that are off or frozen, invisible entities, paper space (warning
 /// DxfHidden). In a block, layer 0 is the layer of its copy. What draws no curve of the plane is left out:
-/// texts, dimensions, hatches, points, solids, meshes, copies of missing blocks (warning DxfLeftOut).
+/// texts, dimensions, hatches, points, solids, meshes, copies of missing blocks (warning ElementsUnread).
 ///
-/// Errors: those of readFileBytes (at most 32 MiB) and of cleanDxf; DxfBlockInItself; NoOutlines;
+/// Errors: those of readFileBytes (at most 32 MiB) and of cleanDxf; DxfBlockInItself; NoOutline;
 /// FileTooLarge (above 500 000 points, 2000 outlines, 100 000 pieces or copies of blocks, or blocks more
 /// than 32 deep); ContourNotFinite for a block that is scaled beyond 1e15, or a curve beyond
 /// what numbers hold.

@@ -154,8 +154,8 @@ TEST(DxfOutlines, RefusesForTheStatedReason) {
     const std::vector<std::pair<std::string, MessageCode>> refused = {
         {"bad_truncated.dxf", MessageCode::DxfCutOff}, {"binary_diamond_r12.dxf", MessageCode::DxfBinary},
         {"binary_r13.dxf", MessageCode::DxfBinary},    {"bunny_binary_mm.dxf", MessageCode::DxfBinary},
-        {"empty.dxf", MessageCode::FileEmpty},         {"minimal_eof_only.dxf", MessageCode::NoOutlines},
-        {"no_entities.dxf", MessageCode::NoOutlines},  {"missing.dxf", MessageCode::FileNotFound},
+        {"empty.dxf", MessageCode::FileEmpty},         {"minimal_eof_only.dxf", MessageCode::NoOutline},
+        {"no_entities.dxf", MessageCode::NoOutline},   {"missing.dxf", MessageCode::FileNotFound},
     };
     for (const auto& [name, code] : refused) {
         const auto file = readDxfOutlines(dataPath(name), kTolerance_m);
@@ -345,14 +345,14 @@ TEST(DxfOutlines, WhatIsHiddenOrNoCurveIsLeftOutAndTold) {
     expectOne(file, kPi, -1, -1, 1, 1);
     ASSERT_EQ(file.warnings.size(), 2u);
     EXPECT_EQ(file.warnings[0],
-              (Message{MessageCode::DxfLeftOut, {"1 CIRCLE, 1 HATCH, 1 INSERT, 1 MESH, 2 TEXT"}}));
+              (Message{MessageCode::ElementsUnread, {"1 CIRCLE, 1 HATCH, 1 INSERT, 1 MESH, 2 TEXT"}}));
     EXPECT_EQ(file.warnings[1], (Message{MessageCode::DxfHidden, {"4"}}));
 
     // layer 0 in a block is the layer of its copy
     const std::string block = "0 BLOCK 2 b 0 CIRCLE 8 0 40 1 0 ENDBLK";
     const auto hidden = read(drawing("0 INSERT 8 off 2 b", block, layers));
     ASSERT_FALSE(hidden.ok());
-    EXPECT_EQ(hidden.error().code(), MessageCode::NoOutlines);
+    EXPECT_EQ(hidden.error().code(), MessageCode::NoOutline);
     EXPECT_EQ(outlinesOf("0 INSERT 8 on 2 b", block, "0 LAYER 2 0 62 -7").outlines.size(), 1u);
 }
 
