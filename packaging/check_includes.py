@@ -237,6 +237,9 @@ class Checker:
             if home not in VTK_FOLDERS or (header and home[0] == "engine"):
                 self.report(path, line, "vtk", f"{name}: VTK only in widgets/scene and the .cpp files of "
                                                "engine/exchange")
+        elif re.match(r"dl_[a-z]", target):
+            if home != ("engine", "shape") or header:
+                self.report(path, line, "dxflib", f"{name}: dxflib only in the .cpp files of engine/shape")
         elif target == "qcustomplot.h":
             if home not in QCUSTOMPLOT_FOLDERS:
                 self.report(path, line, "qcustomplot", f"{name}: QCustomPlot only in widgets/plots")

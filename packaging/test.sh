@@ -1,6 +1,7 @@
 #!/bin/sh
 # Installs what is missing, builds the ci preset, and runs the include check, the format check and every test.
-# Fails if any of them fails. ctest's closing lines are the last ones.
+# Where clang is installed, each
+# fuzzer searches for 20 s too. Fails if any of them fails.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -13,6 +14,12 @@ sh packaging/check_format.sh || failed="$failed format-check"
 [ -z "$failed" ] || echo "FAILED before the tests:$failed"
 
 ctest --preset ci -j 2 || failed="$failed ctest"
+if echo 'int main() {}' | clang++ -fsanitize=fuzzer-no-link,address -x c++ - -o /dev/null 2>/dev/null; then
+    sh packaging/build.sh fuzz
+    ctest --preset fuzz || failed="$failed fuzz"
+else
+    echo "fuzz: skipped, clang++ with sanitizers is not installed" >&2
+fi
 if [ -n "$failed" ]; then
     echo "FAILED:$failed" >&2
     exit 1

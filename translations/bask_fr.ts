@@ -391,6 +391,30 @@
             <translation>le contour ne peut être ajusté à %1 mm sans se croiser : avec %2 harmoniques, il reste %3 mm</translation>
         </message>
         <message>
+            <source>binary DXF is not read; save the drawing as ASCII DXF</source>
+            <translation>le DXF binaire n’est pas lu ; enregistrez le dessin en DXF ASCII</translation>
+        </message>
+        <message>
+            <source>the drawing is cut off: its end mark (EOF) is missing</source>
+            <translation>le dessin est tronqué : sa marque de fin (EOF) manque</translation>
+        </message>
+        <message>
+            <source>the drawing is damaged: what line %1 says cannot be</source>
+            <translation>le dessin est endommagé : ce que dit la ligne %1 est impossible</translation>
+        </message>
+        <message>
+            <source>block "%1" contains itself</source>
+            <translation>le bloc « %1 » se contient lui-même</translation>
+        </message>
+        <message>
+            <source>the drawing names no known unit of length; it is taken as millimetres</source>
+            <translation>le dessin n’indique aucune unité de longueur connue ; il est pris en millimètres</translation>
+        </message>
+        <message>
+            <source>%1 hidden entities were left out (layer off or frozen, invisible, or on paper)</source>
+            <translation>%1 entités masquées ont été omises (calque désactivé ou gelé, invisible, ou dans l’espace papier)</translation>
+        </message>
+        <message>
             <source>the outline crosses itself so far that it does not go round %1 % of its area exactly once; at most 1 % is taken, use other harmonics</source>
             <translation>le contour se recoupe tant qu’il ne fait pas exactement une fois le tour de %1 % de sa surface ; 1 % au plus est admis, choisissez d’autres harmoniques</translation>
         </message>

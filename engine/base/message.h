@@ -89,6 +89,12 @@ enum class MessageCode {
     BeyondHorizon,        ///< no args
     SeriesLoops,          ///< no args
     ToleranceUnreachable, ///< %1 tolerance mm, %2 harmonics, %3 distance mm
+    DxfBinary,            ///< no args
+    DxfCutOff,            ///< no args
+    DxfDamaged,           ///< %1 line
+    DxfBlockInItself,     ///< %1 block
+    DxfUnitless,          ///< no args
+    DxfHidden,            ///< %1 count
     // View factor
     FieldTooLarge,  ///< %1 samples, %2 most
     FieldCancelled, ///< no args

@@ -209,11 +209,14 @@ Result<void> checkText(std::string_view text, const std::string& path) {
 
 Result<OutlineFile> readCsvOutlines(const std::string& path, std::optional<LengthUnit> unit) {
     const auto bytes = readFileBytes(path, kLargestFile);
-    if (!bytes)
-        return bytes.error();
-    if (const auto checked = checkText(*bytes, path); !checked)
+    return bytes ? csvOutlines(*bytes, path, unit) : bytes.error();
+}
+
+Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& path,
+                                std::optional<LengthUnit> unit) {
+    if (const auto checked = checkText(bytes, path); !checked)
         return checked.error();
-    std::string_view text = *bytes;
+    std::string_view text = bytes;
     if (text.starts_with("\xEF\xBB\xBF"))
         text.remove_prefix(3);
     const std::vector<Line> lines = linesOf(text);

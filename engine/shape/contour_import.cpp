@@ -1,5 +1,6 @@
 #include "engine/shape/contour_import.h"
 
+#include "engine/shape/dxf_outlines.h"
 #include "engine/shape/svg_outlines.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace {
 
 constexpr std::array<std::string_view, 3> kTextEndings{"csv", "txt", "dat"};
 constexpr std::array<std::string_view, 6> kImageEndings{"png", "jpg", "jpeg", "bmp", "tif", "tiff"};
-constexpr const char* kKnownEndings = "svg, csv, txt, dat, png, jpg, jpeg, bmp, tif, tiff";
+constexpr const char* kKnownEndings = "svg, dxf, csv, txt, dat, png, jpg, jpeg, bmp, tif, tiff";
 constexpr double kFlattening_m = 1e-5; ///< of curves
 
 std::string lowered(std::string text) {
@@ -69,6 +70,7 @@ Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOpt
     auto file = isOneOf(kTextEndings)    ? readCsvOutlines(path, options.unit)
                 : isOneOf(kImageEndings) ? readImageOutlines(path, options)
                 : ending == "svg"        ? readSvgOutlines(path, kFlattening_m)
+                : ending == "dxf"        ? readDxfOutlines(path, kFlattening_m)
                                          : Error{MessageCode::FormatUnknown, path, {ending, kKnownEndings}};
     if (file)
         file->arrange();

@@ -51,6 +51,9 @@ struct ContourImportOptions {
 /// may be repeated at the end or not. Open when the last edge, left out, is longer than 20 times the median
 /// edge, 5 % of the perimeter and twice the longest other edge. At most 64 MiB and a million lines.
 Result<OutlineFile> readCsvOutlines(const std::string& path, std::optional<LengthUnit> unit);
+/// The same from a file's bytes; `where` names them in errors.
+Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& where,
+                                std::optional<LengthUnit> unit);
 Result<Contour> readContourCsv(const std::string& path, std::optional<LengthUnit> unit);
 
 /// All silhouettes in an image (8 or 16 bit; a photograph turned as its EXIF says) and the holes in them: by

@@ -13,6 +13,7 @@ CLEAN = {
     "engine/base/units.h": "#pragma once\n#include <numbers>\n",
     "engine/shape/contour.h": '#pragma once\n#include "engine/base/units.h"\n#include <Eigen/Core>\n',
     "engine/shape/contour_image.cpp": '#include "engine/shape/contour.h"\n#include <opencv2/imgproc.hpp>\n',
+    "engine/shape/dxf_drawing.cpp": "#include <dl_dxf.h>\n",
     "engine/radiation/field.h": '#pragma once\n#include "engine/shape/contour.h"\n',
     "engine/exchange/field_file.cpp": '#include "engine/radiation/field.h"\n#include <vtkImageData.h>\n',
     "engine/session/experiment.h": '#pragma once\n#include "engine/shape/contour.h"\n',
@@ -108,6 +109,8 @@ class IncludeCheck(unittest.TestCase):
         for name, include, rule in [
             ("engine/shape/bad.h", "<opencv2/core.hpp>", "opencv"),
             ("engine/control/bad.cpp", "<opencv2/core.hpp>", "opencv"),
+            ("engine/shape/bad.h", "<dl_dxf.h>", "dxflib"),
+            ("engine/session/bad.cpp", "<dl_dxf.h>", "dxflib"),
             ("widgets/run/bad.cpp", "<vtkActor.h>", "vtk"),
             ("engine/shape/bad.cpp", "<vtkActor.h>", "vtk"),
             ("engine/exchange/bad.h", "<vtkImageData.h>", "vtk"),

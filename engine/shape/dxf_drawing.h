@@ -1,0 +1,62 @@
+#pragma once
+// What a DXF draws, as dxflib reads it: curves and copies of blocks, still in the file's unit.
+
+#include "engine/base/result.h"
+#include "engine/shape/flattening.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace bask {
+
+/// Straight edges and arcs; the bulge of a vertex is of the edge that leaves it.
+struct DxfPolyline {
+    struct Vertex {
+        Eigen::Vector2d point;
+        double bulge = 0.0;
+    };
+    std::vector<Vertex> vertices;
+    bool closed = false;
+};
+
+struct DxfSpline {
+    Spline curve;
+    bool closed = false; ///< so flagged: its ends are joined
+};
+
+/// Copies of a block in columns and rows, set apart before the turn and not scaled.
+struct DxfInsert {
+    std::string block;
+    Eigen::Affine2d placement; ///< from the block's base point
+    Eigen::Matrix2d turn;      ///< of columns and rows
+    int columns = 1, rows = 1;
+    Eigen::Vector2d spacing = Eigen::Vector2d::Zero();
+};
+
+struct DxfEntity {
+    std::string layer;
+    std::variant<DxfPolyline, EllipseArc, DxfSpline, DxfInsert> shape;
+};
+
+struct DxfBlock {
+    Eigen::Vector2d base = Eigen::Vector2d::Zero();
+    std::vector<DxfEntity> entities;
+};
+
+struct DxfDrawing {
+    std::vector<DxfEntity> entities;
+    std::map<std::string, DxfBlock> blocks;
+    std::set<std::string> hidden_layers; ///< off or frozen
+    int unit_code = 0;                   ///< $INSUNITS
+    std::map<std::string, int> left_out; ///< entities that draw no curve of the plane, by kind
+    int invisible = 0;                   ///< entities marked so, or in paper space
+};
+
+/// Errors as cleanDxf. Extrusion (0, 0, -1) mirrors; what is tilted against the plane is left out; z is
+/// dropped. Names are in capitals.
+Result<DxfDrawing> readDxfDrawing(const std::string& bytes, const std::string& where);
+
+} // namespace bask
