@@ -36,6 +36,7 @@ VALUE_HEADERS = {
     "engine/control/rig_geometry.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",
+    "engine/session/mounting_check.h",
     "engine/session/session_file.h",
     "engine/session/trace.h",
     "engine/runtime/command.h",

@@ -198,7 +198,9 @@ TEST(ContourCsv, DamagedFilesNeverCrashAndAlwaysAnswer) {
 }
 
 TEST(ContourImport, ChoosesTheReaderByTheEnding) {
-    EXPECT_EQ(codeOf(readContour("drawing.svg", {})), MessageCode::FormatUnknown);
+    EXPECT_EQ(codeOf(readContour("drawing.pdf", {})), MessageCode::FormatUnknown);
+    for (const char* drawing : {"drawing.svg", "drawing.DXF"})
+        EXPECT_EQ(codeOf(readContour(drawing, {})), MessageCode::FileNotFound) << drawing;
     EXPECT_EQ(codeOf(readContour("drawing", {})), MessageCode::FormatUnknown);
     EXPECT_EQ(codeOf(readContour("drawing.csv", {})), MessageCode::FileNotFound);
     EXPECT_EQ(codeOf(readContour("drawing.PNG", {})), MessageCode::ScaleMissing);
