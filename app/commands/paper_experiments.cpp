@@ -19,6 +19,9 @@ using nlohmann::json;
 constexpr RunEnding kEndings[] = {RunEnding::Settled, RunEnding::NotSettled, RunEnding::Compromise,
                                   RunEnding::Fault};
 
+constexpr const char* kAtTheEdge = "at the edge";
+constexpr double kEdge_K = 1.0;
+
 /// A word that names no ending; caught where the file is read.
 struct UnknownEnding {
     std::string word;
@@ -26,6 +29,8 @@ struct UnknownEnding {
 
 ExpectedEnding endingFrom(const json& j) {
     const auto word = j.at("outcome").get<std::string>();
+    if (word == kAtTheEdge)
+        return {RunEnding::NotSettled, j.at("reason").get<std::string>(), true};
     const auto* found = std::ranges::find(kEndings, word, runEndingName);
     if (found == std::end(kEndings))
         throw UnknownEnding{word};
@@ -120,6 +125,16 @@ Result<std::vector<PaperFigure>> figuresFrom(const json& j, const std::string& p
 
 } // namespace
 
+bool ExpectedEnding::holds(RunEnding ended, double largestError_K) const {
+    if (!atTheEdge)
+        return ended == ending;
+    return (ended == RunEnding::Settled || ended == RunEnding::NotSettled) && largestError_K < kEdge_K;
+}
+
+const char* ExpectedEnding::name() const {
+    return atTheEdge ? kAtTheEdge : runEndingName(ending);
+}
+
 const char* runEndingName(RunEnding ending) {
     switch (ending) {
     case RunEnding::Settled:
@@ -149,7 +164,8 @@ Result<std::vector<PaperFigure>> readPaperFigures(const std::string& folder, con
     } catch (const UnknownEnding& unknown) {
         std::string known;
         for (const RunEnding ending : kEndings)
-            known += (known.empty() ? "" : ", ") + std::string(runEndingName(ending));
+            known += std::string(runEndingName(ending)) + ", ";
+        known += kAtTheEdge;
         return Error(MessageCode::ValueUnknown, path + ": outcome", {unknown.word, known});
     } catch (const json::exception& failure) {
         return Error(MessageCode::JsonSyntax, path, {plainWords(failure.what())});

@@ -24,6 +24,12 @@ const char* runEndingName(RunEnding ending); ///< "settled", "not settled", "bes
 struct ExpectedEnding {
     RunEnding ending = RunEnding::Settled;
     std::string reason; ///< one sentence
+    /// It creeps along the edge of the settled band: whether it is in at the end is chance, of a contour's
+    /// last digit or the processor's; Settled and NotSettled are both expected, with every error below 1 K.
+    bool atTheEdge = false;
+
+    bool holds(RunEnding ended, double largestError_K) const;
+    const char* name() const; ///< runEndingName, or "at the edge"
 };
 
 /// By the paper's controller, which is the one of the file, and by the level servo.

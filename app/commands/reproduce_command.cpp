@@ -101,7 +101,7 @@ bool printSummary(const std::vector<ReproducedExperiment>& results) {
                 allExpected = false;
                 std::printf("not as recorded: %s, %s: %s instead of %s\n", each.paper.name.c_str(),
                             controllerKindName(each.runs[by].controller), runEndingName(each.runs[by].ending),
-                            runEndingName(each.paper.expected[by].ending));
+                            each.paper.expected[by].name());
             }
     if (allExpected && !results.empty())
         std::printf("all outcomes are as recorded\n");

@@ -202,6 +202,13 @@ std::string unreachableWords(const ReproducedExperiment& experiment) {
     return words;
 }
 
+bool ReproducedExperiment::asExpected(std::size_t by) const {
+    double largest_K = 0.0;
+    for (const ObjectOutcome& object : runs[by].outcome.objects)
+        largest_K = std::max(largest_K, std::abs(object.final_K - object.target_K));
+    return paper.expected[by].holds(runs[by].ending, largest_K);
+}
+
 std::string finalErrorWords(const ReproducedRun& run) {
     std::string words;
     for (const ObjectOutcome& object : run.outcome.objects)
@@ -222,8 +229,7 @@ std::string verdictWords(const ReproducedExperiment& experiment, std::size_t by)
     words += endedWords(run) + ". ";
     if (experiment.asExpected(by))
         return words + expected.reason + placeWords(experiment, run);
-    return words + "Not as recorded, which is \u201c" + runEndingName(expected.ending) +
-           "\u201d: " + expected.reason;
+    return words + "Not as recorded, which is \u201c" + expected.name() + "\u201d: " + expected.reason;
 }
 
 std::string reproductionCsv(const ReproducedExperiment& experiment, std::size_t by, const std::string& mark) {

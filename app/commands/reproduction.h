@@ -28,7 +28,7 @@ struct ReproducedExperiment {
     std::vector<TargetVerdict> verdicts;
     std::array<ReproducedRun, 2> runs; ///< kByThePaper, kByTheLevelServo
 
-    bool asExpected(std::size_t by) const { return runs[by].ending == paper.expected[by].ending; }
+    bool asExpected(std::size_t by) const;
 };
 
 /// Runs every experiment twice, to the end of its duration, with the file's seed; by the file's controller

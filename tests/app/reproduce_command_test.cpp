@@ -229,7 +229,7 @@ std::string verdictAt(double y_m, double aside_m) {
     ReproducedExperiment experiment;
     experiment.paper.experiment = read("three-objects-exp-2");
     experiment.paper.paper = {RunEnding::Settled, "converges"};
-    experiment.paper.expected = {ExpectedEnding{RunEnding::NotSettled, "Reason."}, {}};
+    experiment.paper.expected = {ExpectedEnding{RunEnding::NotSettled, "Reason.", false}, {}};
     ReproducedRun& run = experiment.runs[kByThePaper];
     run.ending = RunEnding::NotSettled;
     TraceSample last;
@@ -237,6 +237,17 @@ std::string verdictAt(double y_m, double aside_m) {
     last.source[kX] = aside_m;
     run.samples = {last};
     return verdictWords(experiment, kByThePaper);
+}
+
+// Catches an edge that takes anything: a fault, a compromise, or a run that ends far from its targets.
+TEST(Reproduction, AtTheEdgeIsInOrOutOfTheBandButNear) {
+    const ExpectedEnding edge{RunEnding::NotSettled, "Reason.", true};
+    EXPECT_TRUE(edge.holds(RunEnding::Settled, 0.4));
+    EXPECT_TRUE(edge.holds(RunEnding::NotSettled, 0.9));
+    EXPECT_FALSE(edge.holds(RunEnding::NotSettled, 1.1));
+    EXPECT_FALSE(edge.holds(RunEnding::Fault, 0.1));
+    EXPECT_FALSE(edge.holds(RunEnding::Compromise, 0.1));
+    EXPECT_FALSE((ExpectedEnding{RunEnding::Settled, "Reason.", false}.holds(RunEnding::NotSettled, 0.1)));
 }
 
 // Catches: places in the robot's frame instead of the source's, mountings left out, the comparison the wrong
