@@ -35,6 +35,7 @@ public:
     explicit Variables(const RigGeometry& geometry) : m_geometry(geometry) {}
     Eigen::Index count() const { return 2 * (free() + 1); }
 
+    /// `plan` moved by `step`; its poses may leave workspace and clearance.
     HeatingPlan moved(const HeatingPlan& plan, const Eigen::VectorXd& step) const {
         HeatingPlan out = plan;
         Eigen::Index k = 0;

@@ -27,15 +27,6 @@ struct Columns {
     std::optional<LengthUnit> unit;
 };
 
-std::string_view trimmed(std::string_view text) {
-    const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && isBlank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back()))
-        text.remove_suffix(1);
-    return text;
-}
-
 // Lines that say something: neither blank nor a comment (#). Ends of line are LF, CR LF or CR.
 std::vector<Line> linesOf(std::string_view text) {
     std::vector<Line> lines;

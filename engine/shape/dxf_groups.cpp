@@ -1,5 +1,7 @@
 #include "engine/shape/dxf_groups.h"
 
+#include "engine/shape/contour_file.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -54,15 +56,6 @@ const Kind* kindOf(std::string_view name) {
 
 bool has(const std::vector<int>& codes, int code) {
     return std::ranges::find(codes, code) != codes.end();
-}
-
-std::string_view trimmed(std::string_view text) {
-    const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && isBlank(text.front()))
-        text.remove_prefix(1);
-    while (!text.empty() && isBlank(text.back()))
-        text.remove_suffix(1);
-    return text;
 }
 
 std::string capitals(std::string_view text) {

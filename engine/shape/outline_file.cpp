@@ -8,16 +8,6 @@
 namespace bask {
 namespace {
 
-double signedArea_m2(const std::vector<Eigen::Vector2d>& ring) {
-    double twice = 0.0;
-    for (std::size_t k = 0; k < ring.size(); ++k) {
-        const Eigen::Vector2d& a = ring[k];
-        const Eigen::Vector2d& b = ring[(k + 1) % ring.size()];
-        twice += a.x() * b.y() - b.x() * a.y();
-    }
-    return 0.5 * twice;
-}
-
 Eigen::AlignedBox2d boxOf(const FileOutline& outline) {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& p : outline.points_m)
@@ -28,15 +18,15 @@ Eigen::AlignedBox2d boxOf(const FileOutline& outline) {
 } // namespace
 
 double FileOutline::area_m2() const {
-    return closed ? std::abs(signedArea_m2(points_m)) : 0.0;
+    return closed ? std::abs(contourArea(Contour{points_m})) : 0.0;
 }
 
 double FileOutline::perimeter_m() const {
+    if (closed)
+        return contourPerimeter(Contour{points_m});
     double length_m = 0.0;
     for (std::size_t k = 0; k + 1 < points_m.size(); ++k)
         length_m += (points_m[k + 1] - points_m[k]).norm();
-    if (closed && !points_m.empty())
-        length_m += (points_m.front() - points_m.back()).norm();
     return length_m;
 }
 
