@@ -1,5 +1,6 @@
 #include "app/error_text.h"
 
+#include "engine/base/message_code.h"
 #include "engine/runtime/snapshot.h"
 #include "widgets/common/display.h"
 

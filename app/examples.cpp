@@ -1,5 +1,7 @@
 #include "app/examples.h"
 
+#include "engine/base/message_code.h"
+
 #include <QDirIterator>
 #include <QFile>
 #include <QTemporaryDir>

@@ -5,6 +5,7 @@
 #include "app/resources.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
+#include "engine/base/message_code.h"
 #include "widgets/common/event_list.h"
 #include "widgets/objects/objects_page.h"
 

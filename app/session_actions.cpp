@@ -3,6 +3,7 @@
 #include "app/error_text.h"
 #include "app/examples.h"
 #include "app/settings_store.h"
+#include "engine/base/message_code.h"
 
 #include <QDateTime>
 #include <QDir>

@@ -1,5 +1,6 @@
 #include "app/commands/field_axes.h"
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 
 #include <QString>

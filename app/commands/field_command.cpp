@@ -5,6 +5,7 @@
 #include "app/commands/field_axes.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "engine/base/message_code.h"
 #include "engine/exchange/field_file.h"
 #include "engine/session/experiment.h"
 

@@ -5,6 +5,7 @@
 #include "app/commands/fit_contour_report.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "engine/base/message_code.h"
 
 #include <nlohmann/json.hpp>
 

@@ -4,6 +4,7 @@
 #include "app/commands/command_line.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "engine/base/message_code.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/session/session_identification.h"
 

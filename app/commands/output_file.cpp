@@ -1,5 +1,7 @@
 #include "app/commands/output_file.h"
 
+#include "engine/base/message_code.h"
+
 #include <QSaveFile>
 
 #include <algorithm>

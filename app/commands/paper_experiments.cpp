@@ -2,6 +2,7 @@
 
 #include "app/commands/reproduction_plots.h"
 #include "app/commands/study_output.h"
+#include "engine/base/message_code.h"
 #include "engine/session/json_text.h"
 
 #include <QDir>

@@ -1,4 +1,5 @@
 #include "app/commands/command_line.h"
+#include "engine/base/message_code.h"
 
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"

@@ -1,5 +1,7 @@
 #include "app/commands/shape_json.h"
 
+#include "engine/base/message_code.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>

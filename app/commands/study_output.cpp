@@ -1,6 +1,7 @@
 #include "app/commands/study_output.h"
 
 #include "app/commands/command_line.h"
+#include "engine/base/message_code.h"
 
 #include <QDir>
 #include <QFile>

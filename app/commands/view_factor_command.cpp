@@ -5,6 +5,7 @@
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "app/commands/shape_json.h"
+#include "engine/base/message_code.h"
 #include "engine/radiation/view_factor.h"
 
 #include <QCommandLineParser>

@@ -1,5 +1,6 @@
 #include "engine/base/message.h"
 
+#include "engine/base/message_code.h"
 #include "engine/base/result.h"
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "engine/exchange/field_file.h"
 
+#include "engine/base/message_code.h"
+
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>

@@ -1,5 +1,7 @@
 #include "engine/radiation/field_sampler.h"
 
+#include "engine/base/message_code.h"
+
 #include <algorithm>
 #include <array>
 #include <atomic>

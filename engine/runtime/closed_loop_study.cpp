@@ -1,5 +1,6 @@
 #include "engine/runtime/closed_loop_study.h"
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/control/pose_lookup.h"
 #include "engine/control/velocity_solve.h"

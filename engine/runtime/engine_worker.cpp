@@ -1,5 +1,6 @@
 #include "engine/runtime/engine_worker.h"
 
+#include "engine/base/message_code.h"
 #include "engine/runtime/rig_setup.h"
 
 #include <algorithm>

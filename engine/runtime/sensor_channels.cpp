@@ -1,5 +1,6 @@
 #include "engine/runtime/sensor_channels.h"
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 
 #include <algorithm>

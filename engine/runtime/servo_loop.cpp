@@ -1,5 +1,6 @@
 #include "engine/runtime/servo_loop.h"
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/runtime/rig_setup.h"
 

@@ -1,5 +1,6 @@
 // One sampling period of the servo loop: read, watch, control, record.
 
+#include "engine/base/message_code.h"
 #include "engine/control/velocity_solve.h"
 #include "engine/runtime/servo_loop.h"
 

@@ -1,5 +1,6 @@
 #include "engine/session/experiment.h"
 
+#include "engine/base/message_code.h"
 #include "engine/shape/winding.h"
 
 #include "engine/base/units.h"

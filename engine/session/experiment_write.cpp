@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/session/edge_units.h"
 #include "engine/session/experiment.h"
 

@@ -1,5 +1,7 @@
 #include "engine/session/json_text.h"
 
+#include "engine/base/message_code.h"
+
 #include <nlohmann/json.hpp>
 
 #include <set>

@@ -1,5 +1,7 @@
 #include "engine/session/mounting_check.h"
 
+#include "engine/base/message_code.h"
+
 #include <algorithm>
 
 namespace bask {

@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
 #include "engine/session/session_store.h"
 

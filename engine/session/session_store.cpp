@@ -1,5 +1,6 @@
 #include "engine/session/session_store.h"
 
+#include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
 
 #include <QFile>

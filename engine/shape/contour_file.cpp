@@ -1,5 +1,7 @@
 #include "engine/shape/contour_file.h"
 
+#include "engine/base/message_code.h"
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>

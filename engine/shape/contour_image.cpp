@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_import.h"
 
 #include "engine/shape/contour_file.h"

@@ -1,5 +1,6 @@
 #include "engine/shape/contour_import.h"
 
+#include "engine/base/message_code.h"
 #include "engine/shape/dxf_outlines.h"
 #include "engine/shape/svg_outlines.h"
 

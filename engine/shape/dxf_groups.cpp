@@ -1,5 +1,6 @@
 #include "engine/shape/dxf_groups.h"
 
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_file.h"
 
 #include <algorithm>

@@ -1,5 +1,6 @@
 #include "engine/shape/dxf_outlines.h"
 
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_file.h"
 #include "engine/shape/dxf_drawing.h"
 #include "engine/shape/outline_chains.h"

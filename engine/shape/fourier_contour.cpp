@@ -1,5 +1,6 @@
 #include "engine/shape/fourier_contour.h"
 
+#include "engine/base/message_code.h"
 #include "engine/shape/crossing.h"
 #include "engine/shape/hausdorff.h"
 

@@ -1,5 +1,7 @@
 #include "engine/shape/outline_file.h"
 
+#include "engine/base/message_code.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

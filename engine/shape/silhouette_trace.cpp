@@ -1,5 +1,7 @@
 #include "engine/shape/silhouette_trace.h"
 
+#include "engine/base/message_code.h"
+
 #include <opencv2/imgproc.hpp>
 
 #include <algorithm>

@@ -1,5 +1,7 @@
 #include "engine/shape/svg_filter.h"
 
+#include "engine/base/message_code.h"
+
 #include <QHash>
 #include <QRegularExpression>
 #include <QSet>

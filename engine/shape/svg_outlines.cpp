@@ -1,5 +1,6 @@
 #include "engine/shape/svg_outlines.h"
 
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_file.h"
 #include "engine/shape/svg_filter.h"
 

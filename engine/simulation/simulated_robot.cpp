@@ -1,5 +1,7 @@
 #include "engine/simulation/simulated_robot.h"
 
+#include "engine/base/message_code.h"
+
 #include <Eigen/LU>
 
 #include <algorithm>

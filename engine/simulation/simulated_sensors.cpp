@@ -1,5 +1,7 @@
 #include "engine/simulation/simulated_sensors.h"
 
+#include "engine/base/message_code.h"
+
 #include <cmath>
 #include <limits>
 #include <stdexcept>

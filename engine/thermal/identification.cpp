@@ -1,5 +1,7 @@
 #include "engine/thermal/identification.h"
 
+#include "engine/base/message_code.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>

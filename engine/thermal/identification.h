@@ -46,7 +46,7 @@ struct IdentifiedRates {
     double condition = 0.0;  ///< of the scaled problem; the larger, the less the rates are told apart
     Message reason;          ///< why the rates cannot be used; code None: they can
 
-    bool usable() const { return reason.code == MessageCode::None; }
+    bool usable() const { return reason == Message{}; }
     HeatRates rates() const { return {lambda1.value, lambda2.value, lambda3.value}; }
 };
 

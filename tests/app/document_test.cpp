@@ -1,4 +1,5 @@
 #include "app/document.h"
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "tests/app/wait_for.h"
 

@@ -1,5 +1,6 @@
 #include "app/document.h"
 #include "app/engine_client.h"
+#include "engine/base/message_code.h"
 #include "tests/app/wait_for.h"
 
 #include <QElapsedTimer>

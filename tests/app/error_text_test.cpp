@@ -1,6 +1,7 @@
 #include "app/error_text.h"
 #include "app/language.h"
 #include "app/resources.h"
+#include "engine/base/message_code.h"
 
 #include <gtest/gtest.h>
 

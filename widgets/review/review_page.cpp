@@ -1,5 +1,6 @@
 #include "widgets/review/review_page.h"
 
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/theme.h"

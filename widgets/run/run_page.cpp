@@ -1,5 +1,6 @@
 #include "widgets/run/run_page.h"
 
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"

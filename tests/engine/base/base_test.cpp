@@ -1,4 +1,5 @@
 #include "engine/base/clock.h"
+#include "engine/base/message_code.h"
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
 #include "engine/base/units.h"

@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/exchange/field_file.h"
 
 #include "tests/engine/exchange/read_image.h"

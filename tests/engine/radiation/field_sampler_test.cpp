@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/radiation/field_sampler.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,6 @@
 // The worker on a thread of its own, as the GUI uses it.
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/runtime/engine_worker.h"
 

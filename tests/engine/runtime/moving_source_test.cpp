@@ -1,6 +1,7 @@
 // A source that moves, is heated by a profile, or is truly something else than believed: whole runs on the
 // simulated rig.
 
+#include "engine/base/message_code.h"
 #include "engine/runtime/simulated_run.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 

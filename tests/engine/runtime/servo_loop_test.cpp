@@ -1,5 +1,6 @@
 // The state machine and its safe state, on the simulated rig with its manual clock.
 
+#include "engine/base/message_code.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 
 #include <cmath>

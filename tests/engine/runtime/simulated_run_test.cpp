@@ -1,5 +1,6 @@
 // The numbers on the shipped examples, by whole runs on the simulated clock.
 
+#include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/runtime/simulated_run.h"
 

@@ -1,5 +1,6 @@
 // Every refusal of the experiment reader: the code, the JSON path, and that nothing of it hangs or crashes.
 
+#include "engine/base/message_code.h"
 #include "engine/session/experiment.h"
 #include "tests/engine/session/recording.h"
 

@@ -1,6 +1,7 @@
 // Identification of recorded runs, and `bask identify` as a script sees it.
 
 #include "app/commands/command_line.h"
+#include "engine/base/message_code.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 #include "engine/session/session_identification.h"

@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/session/mounting_check.h"
 
 #include "engine/base/units.h"

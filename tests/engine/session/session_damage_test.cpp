@@ -1,5 +1,6 @@
 // Files that are no session, or no longer one; disks that are full.
 
+#include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
 #include "tests/engine/session/recording.h"
 

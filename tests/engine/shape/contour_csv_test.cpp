@@ -1,5 +1,6 @@
 // Outlines from lists of points: every form that is read, every refusal, and damaged files.
 
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_import.h"
 #include "tests/engine/shape/shape_samples.h"
 

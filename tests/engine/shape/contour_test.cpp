@@ -1,5 +1,6 @@
 // makeContour's checks and what is measured of a contour.
 
+#include "engine/base/message_code.h"
 #include "tests/engine/shape/shape_samples.h"
 
 #include "engine/shape/crossing.h"

@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/shape/dxf_outlines.h"
 
 #include <gtest/gtest.h>

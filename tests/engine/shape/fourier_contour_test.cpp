@@ -1,5 +1,6 @@
 // The descriptor series and its fit, against closed forms and against figures computed by another program.
 
+#include "engine/base/message_code.h"
 #include "engine/shape/fourier_contour.h"
 
 #include "engine/shape/winding.h"

@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/shape/outline_file.h"
 
 #include <gtest/gtest.h>

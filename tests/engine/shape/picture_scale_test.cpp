@@ -1,5 +1,6 @@
 // True lengths from a picture: by pixels per mm, by a known length, by a marker in any perspective.
 
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/hausdorff.h"
 #include "tests/engine/shape/picture_samples.h"

@@ -1,5 +1,6 @@
 // Every reader through the one entrance, against figures computed by other programs.
 
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/fourier_contour.h"
 #include "engine/shape/hausdorff.h"

@@ -1,6 +1,7 @@
 // Which silhouettes are found in a picture: several, with holes, by colour, turned by EXIF, and at the
 // border.
 
+#include "engine/base/message_code.h"
 #include "engine/shape/contour_import.h"
 #include "tests/engine/shape/picture_samples.h"
 

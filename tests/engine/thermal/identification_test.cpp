@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "engine/thermal/identification.h"
 
 #include <gtest/gtest.h>

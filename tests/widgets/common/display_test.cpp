@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 
 #include <gtest/gtest.h>

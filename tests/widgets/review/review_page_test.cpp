@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "widgets/review/review_page.h"
 
 #include "tests/support/longer_translator.h"

@@ -1,3 +1,4 @@
+#include "engine/base/message_code.h"
 #include "widgets/run/run_page.h"
 
 #include "widgets/common/theme.h"

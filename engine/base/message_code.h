@@ -1,0 +1,144 @@
+#pragma once
+// The names of everything that Bask says: a code a sentence, whose English is in message.cpp.
+
+namespace bask {
+
+/// Names of sentences. The table in message.cpp has one English template ("%1", "%2" ...) for each.
+enum class MessageCode : int {
+    None,
+    // Files and JSON
+    FileNotFound,     ///< no args
+    FileUnreadable,   ///< %1 reason
+    FileUnwritable,   ///< %1 reason
+    FileEmpty,        ///< no args
+    FileTooLarge,     ///< %1 size, %2 limit
+    JsonSyntax,       ///< %1 parser's words
+    JsonUnknownKey,   ///< %1 key, %2 known keys
+    JsonMissingKey,   ///< %1 key
+    JsonWrongType,    ///< %1 expected, %2 found
+    JsonDuplicateKey, ///< %1 key
+    JsonTooDeep,      ///< %1 levels allowed
+    JsonTwoSpellings, ///< %1, %2 keys
+    ValueOutOfRange,  ///< %1 value, %2 least, %3 most, %4 unit
+    ValueNotPositive, ///< %1 value
+    ValueUnknown,     ///< %1 value, %2 known values
+    VersionTooNew,    ///< %1 found, %2 newest known
+    OutputNotAFile,   ///< no args
+    OutputIsInput,    ///< no args
+    OutputTwice,      ///< no args
+    OutputForeign,    ///< %1 what may be replaced
+    ExportForeign,    ///< no args
+    // Experiment
+    TooManyObjects,        ///< %1 objects, %2 degrees of freedom
+    MountingOverlap,       ///< %1, %2 objects
+    MountingFar,           ///< %1 object, %2 cm, %3 cm most
+    MountingInLine,        ///< %1, %2, %3 objects
+    NoObjects,             ///< no args
+    DuplicateName,         ///< %1 name
+    NameEmpty,             ///< no args
+    NameNotPlain,          ///< no args
+    AxisTwice,             ///< %1 axis
+    TargetCountWrong,      ///< %1 given, %2 objects
+    StartOutsideWorkspace, ///< %1 coordinate, %2 value, %3 least, %4 most
+    StartTooClose,         ///< %1 object, %2 distance mm, %3 clearance mm
+    LimitsReversed,        ///< %1 lower, %2 upper
+    NoFreeAxis,            ///< no args
+    SourceTooWeak,         ///< %1 net emissive power W/m2
+    TimesNotGrowing,       ///< %1 time s, %2 the one before
+    MotionElsewhere,       ///< %1 coordinate, %2 value, %3 of source.pose
+    // Contours
+    ContourTooFewPoints,  ///< %1 points, %2 least
+    ContourNotFinite,     ///< %1 line or point
+    ContourNotANumber,    ///< %1 text, in line %2
+    ContourColumnMissing, ///< %1 line, %2 columns found
+    ContourOpen,          ///< %1 gap mm, %2 allowed mm
+    ContourCrossing,      ///< %1, %2 edge numbers, %3 x mm, %4 y mm
+    SeriesUneven,         ///< %1 percent
+    SeriesCrossing,       ///< %1 x mm, %2 y mm
+    ContourZeroArea,      ///< no args
+    ContourUnitMissing,   ///< no args
+    NoOutline,            ///< no args
+    XmlBroken,            ///< %1 parser's words, %2 line
+    XmlTooDeep,           ///< %1 levels allowed
+    NotSvg,               ///< no args
+    SvgSizeUnusable,      ///< %1 width, height or view box
+    SvgSizeInPixels,      ///< no args
+    ElementsUnread,       ///< %1 names
+    DrawingTooFull,       ///< no args
+    DrawingTooWide,       ///< %1 m allowed
+    PathTooLong,          ///< %1 parts allowed
+    NoSilhouette,         ///< no args
+    SilhouetteAtBorder,   ///< no args
+    ImageUnreadable,      ///< no args
+    ScaleNotPositive,     ///< %1 value
+    ScaleMissing,         ///< no args
+    HarmonicsOutOfRange,  ///< %1 value, %2 least, %3 most
+    FormatUnknown,        ///< %1 extension, %2 known
+    OutlineUnknown,       ///< %1 index, %2 last index
+    OutlinesSeveral,      ///< %1 outlines
+    OutlineHasHoles,      ///< %1 holes
+    SilhouettesAtBorder,  ///< %1 silhouettes
+    ScaleTwice,           ///< no args
+    MarkerNotFound,       ///< %1 dictionary
+    MarkersSeveral,       ///< %1 markers, %2 id
+    MarkerTooSmall,       ///< %1 px, %2 least
+    BeyondHorizon,        ///< no args
+    SeriesLoops,          ///< no args
+    ToleranceUnreachable, ///< %1 tolerance mm, %2 harmonics, %3 distance mm
+    DxfBinary,            ///< no args
+    DxfCutOff,            ///< no args
+    DxfDamaged,           ///< %1 line
+    DxfBlockInItself,     ///< %1 block
+    DxfUnitless,          ///< no args
+    DxfHidden,            ///< %1 count
+    // View factor
+    FieldTooLarge,  ///< %1 samples, %2 most
+    FieldCancelled, ///< no args
+    HeldIsAxis,     ///< %1 coordinate
+    // Session file
+    NotASession,    ///< no args
+    SessionDamaged, ///< %1 database's words
+    SessionBusy,    ///< %1 words
+    // Identification of rates
+    IdentificationTooShort,  ///< %1 readings, %2 windows needed, %3 their length s
+    IdentificationUnheated,  ///< no args
+    IdentificationStill,     ///< %1 variation of the view factor
+    IdentificationUncertain, ///< %1 rate, %2 its standard error in percent
+    IdentificationNegative,  ///< %1 rate
+    // Rig: reasons for not being ready, faults
+    ReasonNoExperiment,     ///< no args
+    ReasonEstimatorFilling, ///< %1 samples so far, %2 needed
+    ReasonNotAtAmbient,     ///< %1 degC expected
+    ReasonSensorsDisagree,  ///< %1 K apart at rest, %2 K allowed
+    ReasonHeldByOperator,
+    ReasonTargetInfeasible, ///< %1 object
+    ReasonSensorStale,      ///< %1 object, %2 age s
+    ReasonSensorInvalid,    ///< %1 object
+    ReasonSourcePoseLost,   ///< no args
+    ReasonRobotLost,        ///< %1 words
+    ReasonSourceLost,       ///< %1 words
+    ReasonEmergencyStop,    ///< no args
+    ReasonRecorderFailed,   ///< %1 words
+    ReasonInternalFault,    ///< %1 words
+    // Events of a run
+    EventArmed,
+    EventStarted,
+    EventHeld,
+    EventResumed,
+    EventStopped,
+    EventEmergencyStop,
+    EventReset,
+    EventSettled,
+    EventNotSettled, ///< %1 objects' names
+    EventTargetsChanged,
+    EventGainsChanged,
+    EventZeroed,
+    EventCompromise, ///< %1 words: objects with residuals
+    EventSensorBack, ///< %1 object
+    EventSourcePoseBack,
+    // Commands refused
+    CommandNotNow, ///< %1 command, %2 state
+    SessionAlreadyRunning,
+};
+
+} // namespace bask
