@@ -1,9 +1,9 @@
 #pragma once
 // The experiment that is open: its value, its file, whether it was changed, and the verdicts on its targets.
 
-#include "app/latest_job.h"
 #include "engine/control/feasibility.h"
 #include "engine/session/experiment.h"
+#include "widgets/common/latest_job.h"
 
 #include <QObject>
 #include <QString>

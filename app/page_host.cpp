@@ -68,7 +68,6 @@ void PageHost::connectObjects() {
             m_objects->showError(sentence(edited.error()));
         }
     });
-    connect(m_objects, &ObjectsPage::importRequested, this, &PageHost::importContour);
 }
 
 void PageHost::connectDocument() {
@@ -105,16 +104,6 @@ void PageHost::showDocument() {
     m_objects->setExperiment(m_document.experiment());
     m_targets->setExperiment(m_document.experiment());
     m_run->setExperiment(m_document.experiment());
-}
-
-void PageHost::importContour(const QString& path, const ContourImportOptions& options) {
-    m_import.run([file = path.toStdString(), options] { return readContour(file, options); },
-                 [this, path](Result<Contour> outline) {
-                     if (outline)
-                         m_objects->showImported(path, *outline);
-                     else
-                         m_objects->showImportError(sentence(outline.error()));
-                 });
 }
 
 void PageHost::showSession() {

@@ -58,7 +58,6 @@ private:
     void connectObjects();
     void connectDocument();
     void showDocument();
-    void importContour(const QString& path, const ContourImportOptions& options);
     void showSession();
     void identify();
     void showIdentified();
@@ -76,7 +75,6 @@ private:
     std::shared_ptr<const SessionRecord> m_record;
     std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way
     bool m_editable = true;
-    LatestJob<Result<Contour>> m_import;
     LatestJob<Result<SessionRates>> m_identify;
 };
 

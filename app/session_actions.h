@@ -3,8 +3,8 @@
 // (some 100 kB) runs off the GUI thread.
 
 #include "app/document.h"
-#include "app/latest_job.h"
 #include "engine/session/session_file.h"
+#include "widgets/common/latest_job.h"
 
 #include <QObject>
 #include <QString>

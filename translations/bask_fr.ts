@@ -1284,42 +1284,189 @@
         </message>
     </context>
     <context>
-        <name>bask::ImportBar</name>
+        <name>bask::ImportPanel</name>
         <message>
-            <source>How many pixels are one millimetre?</source>
-            <translation>Combien de pixels font un millimètre ?</translation>
+            <source>%1, hole in %2</source>
+            <translation>%1, trou dans %2</translation>
         </message>
         <message>
-            <source>In which unit are its coordinates?</source>
-            <translation>Dans quelle unité sont ses coordonnées ?</translation>
+            <source>%1, open</source>
+            <translation>%1, ouvert</translation>
         </message>
         <message>
-            <source>as its header says</source>
-            <translation>selon son en-tête</translation>
+            <source>&amp;Outlines</source>
+            <translation>C&amp;ontours</translation>
         </message>
         <message>
-            <source> px/mm</source>
-            <translation> px/mm</translation>
-        </message>
-        <message>
-            <source>Import</source>
-            <translation>Importer</translation>
+            <source>Area</source>
+            <translation>Aire</translation>
         </message>
         <message>
             <source>Cancel</source>
             <translation>Annuler</translation>
         </message>
         <message>
-            <source>Unit of the coordinates</source>
-            <translation>Unité des coordonnées</translation>
+            <source>Import</source>
+            <translation>Importer</translation>
+        </message>
+        <message>
+            <source>Import an outline</source>
+            <translation>Importer un contour</translation>
+        </message>
+        <message>
+            <source>Its true size is not known yet: answer the question of the scale.</source>
+            <translation>Sa taille vraie n’est pas encore connue : répondez à la question de l’échelle.</translation>
+        </message>
+        <message>
+            <source>Outline</source>
+            <translation>Contour</translation>
+        </message>
+        <message>
+            <source>Outline %1: %2 points, %3 around.</source>
+            <translation>Contour %1 : %2 points, périmètre %3.</translation>
+        </message>
+        <message>
+            <source>Outlines of the file</source>
+            <translation>Contours du fichier</translation>
+        </message>
+        <message>
+            <source>Reading the file</source>
+            <translation>Lecture du fichier</translation>
+        </message>
+        <message>
+            <source>Size</source>
+            <translation>Taille</translation>
+        </message>
+        <message>
+            <source>mm</source>
+            <translation>mm</translation>
+        </message>
+        <message>
+            <source>px</source>
+            <translation>px</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ImportQuestions</name>
+        <message>
+            <source> mm</source>
+            <translation> mm</translation>
+        </message>
+        <message>
+            <source> px/mm</source>
+            <translation> px/mm</translation>
+        </message>
+        <message>
+            <source>&amp;Dictionary</source>
+            <translation>&amp;Dictionnaire</translation>
+        </message>
+        <message>
+            <source>&amp;Length</source>
+            <translation>&amp;Longueur</translation>
+        </message>
+        <message>
+            <source>&amp;Scale</source>
+            <translation>É&amp;chelle</translation>
+        </message>
+        <message>
+            <source>&amp;Scale from</source>
+            <translation>É&amp;chelle d’après</translation>
+        </message>
+        <message>
+            <source>&amp;Tolerance</source>
+            <translation>&amp;Tolérance</translation>
+        </message>
+        <message>
+            <source>&amp;Unit</source>
+            <translation>&amp;Unité</translation>
+        </message>
+        <message>
+            <source>A printed ArUco marker lies beside the object, in the plane of its face. It tells the scale and undoes the perspective.</source>
+            <translation>Un marqueur ArUco imprimé est posé à côté de l’objet, dans le plan de sa face. Il donne l’échelle et corrige la perspective.</translation>
+        </message>
+        <message>
+            <source>Click its two ends</source>
+            <translation>Cliquer ses deux bouts</translation>
+        </message>
+        <message>
+            <source>Click the object</source>
+            <translation>Cliquer l’objet</translation>
+        </message>
+        <message>
+            <source>Dictionary of the marker</source>
+            <translation>Dictionnaire du marqueur</translation>
+        </message>
+        <message>
+            <source>Largest distance from the colour clicked, in CIE Lab; 0: found by itself</source>
+            <translation>Distance maximale à la couleur cliquée, en CIE Lab ; 0 : trouvée automatiquement</translation>
+        </message>
+        <message>
+            <source>Lay the ruler over a length that you know: drag its ends, or click both. The picture must be taken straight from above.</source>
+            <translation>Posez la règle sur une longueur connue : glissez ses bouts ou cliquez-les. La photo doit être prise bien d’en haut.</translation>
+        </message>
+        <message>
+            <source>Length of the ruler</source>
+            <translation>Longueur de la règle</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Otherwise by the picture’s opacity or brightness.</source>
+            <translation>Sinon à l’opacité ou à la luminosité de l’image.</translation>
+        </message>
+        <message>
+            <source>S&amp;ide of its square</source>
+            <translation>&amp;Côté de son carré</translation>
         </message>
         <message>
             <source>Scale of the picture, pixels per millimetre</source>
             <translation>Échelle de l’image, pixels par millimètre</translation>
         </message>
         <message>
-            <source>Import an outline</source>
-            <translation>Importer un contour</translation>
+            <source>Side of the marker’s black square</source>
+            <translation>Côté du carré noir du marqueur</translation>
+        </message>
+        <message>
+            <source>The picture must be taken straight from above, or scanned.</source>
+            <translation>La photo doit être prise bien d’en haut, ou numérisée à plat.</translation>
+        </message>
+        <message>
+            <source>Tolerance of the colour</source>
+            <translation>Tolérance de la couleur</translation>
+        </message>
+        <message>
+            <source>Unit of the coordinates</source>
+            <translation>Unité des coordonnées</translation>
+        </message>
+        <message>
+            <source>What gives the picture its scale</source>
+            <translation>Ce qui donne l’échelle de l’image</translation>
+        </message>
+        <message>
+            <source>a known length</source>
+            <translation>une longueur connue</translation>
+        </message>
+        <message>
+            <source>an ArUco marker in it</source>
+            <translation>un marqueur ArUco</translation>
+        </message>
+        <message>
+            <source>as its header says</source>
+            <translation>selon l’en-tête</translation>
+        </message>
+        <message>
+            <source>automatic</source>
+            <translation>automatique</translation>
+        </message>
+        <message>
+            <source>pixels per millimetre</source>
+            <translation>pixels par millimètre</translation>
+        </message>
+        <message>
+            <source>tell it by its colour</source>
+            <translation>le reconnaître à sa couleur</translation>
         </message>
     </context>
     <context>
@@ -1780,6 +1927,25 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>%1 of %2 degrees of freedom used</source>
             <translation>%1 degrés de liberté utilisés sur %2</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::OutlinePicker</name>
+        <message>
+            <source>%1 px</source>
+            <translation>%1 px</translation>
+        </message>
+        <message>
+            <source>Outlines of the file</source>
+            <translation>Contours du fichier</translation>
+        </message>
+        <message>
+            <source>Click an outline to choose it. The wheel zooms, a double click shows all.</source>
+            <translation>Cliquez un contour pour le choisir. La molette agrandit, un double clic montre tout.</translation>
         </message>
     </context>
     <context>

@@ -325,19 +325,17 @@ Result<FileOutline> outlineOf(const std::vector<Eigen::Vector2d>& ring_px, const
     return outline;
 }
 
-Result<OutlineFile> outlinesOf(const std::string& bytes, const std::optional<double>& scale,
+Result<OutlineFile> outlinesOf(cv::Mat& image, const std::optional<double>& scale,
                                const ContourImportOptions& options, const std::string& path) {
-    auto image = decoded(bytes, path);
-    if (!image)
-        return image.error();
     OutlineFile file;
     file.unit = "px";
-    const auto plane = scale ? Result<PicturePlane>(PicturePlane::scaled(*scale, image->rows))
-                             : planeOfMarker(*image, *options.marker, path, file.warnings);
+    const auto plane = scale ? Result<PicturePlane>(PicturePlane::scaled(*scale, image.rows))
+                             : planeOfMarker(image, *options.marker, path, file.warnings);
     if (!plane)
         return plane.error();
-    auto field = fieldOf(*image, options.colour);
-    image->release();
+    file.plane = *plane;
+    auto field = fieldOf(image, options.colour);
+    image.release();
     if (!field)
         return Error{MessageCode::NoSilhouette, path};
     const auto silhouettes = traceSilhouettes(signedField(field->values, field->contrast), path);
@@ -354,20 +352,57 @@ Result<OutlineFile> outlinesOf(const std::string& bytes, const std::optional<dou
     return file;
 }
 
+ColourPicture picture(const cv::Mat& image) {
+    cv::Mat shown;
+    image.convertTo(shown, CV_8U, image.depth() == CV_16U ? 255.0 / 65535.0 : 1.0);
+    cv::Mat3b rgb;
+    if (shown.channels() < 3) {
+        cv::extractChannel(shown, shown, 0);
+        cv::cvtColor(shown, rgb, cv::COLOR_GRAY2RGB);
+    } else {
+        cv::cvtColor(shown, rgb, shown.channels() == 4 ? cv::COLOR_BGRA2RGB : cv::COLOR_BGR2RGB);
+    }
+    if (hasAlpha(image)) {
+        for (int y = 0; y < rgb.rows;
+             ++y) { // row by row: opacity as floats would take four times the picture
+            const cv::Mat1f opacity = channel(image.row(y), image.channels() - 1);
+            for (int x = 0; x < rgb.cols; ++x)
+                rgb(y, x) =
+                    cv::Vec3f::all(255.0F * (1.0F - opacity(0, x))) + opacity(0, x) * cv::Vec3f(rgb(y, x));
+        }
+    }
+    const cv::Mat flat = rgb.reshape(1, 1);
+    return {rgb.cols, rgb.rows,
+            std::vector<std::uint8_t>(flat.begin<std::uint8_t>(), flat.end<std::uint8_t>())};
+}
+
+// What a picture gives, with what OpenCV and allocation throw as an Error.
+template <class Value, class Use> Result<Value> ofPicture(const std::string& path, Use use) {
+    const auto bytes = readFileBytes(path, kLargestFile);
+    if (!bytes)
+        return bytes.error();
+    try {
+        auto image = decoded(*bytes, path);
+        if (!image)
+            return image.error();
+        return use(*image);
+    } catch (const std::exception&) {
+        return Error{MessageCode::ImageUnreadable, path};
+    }
+}
+
 } // namespace
+
+Result<ColourPicture> readPicture(const std::string& path) {
+    return ofPicture<ColourPicture>(path, [](const cv::Mat& image) { return picture(image); });
+}
 
 Result<OutlineFile> readImageOutlines(const std::string& path, const ContourImportOptions& options) {
     const auto scale = scaleOf(options, path);
     if (!scale)
         return scale.error();
-    const auto bytes = readFileBytes(path, kLargestFile);
-    if (!bytes)
-        return bytes.error();
-    try {
-        return outlinesOf(*bytes, *scale, options, path);
-    } catch (const std::exception&) { // cv::Exception and what allocation throws
-        return Error{MessageCode::ImageUnreadable, path};
-    }
+    return ofPicture<OutlineFile>(path,
+                                  [&](cv::Mat& image) { return outlinesOf(image, *scale, options, path); });
 }
 
 } // namespace bask

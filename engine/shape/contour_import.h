@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace bask {
 
@@ -71,6 +72,15 @@ Result<Contour> readContourCsv(const std::string& path, std::optional<LengthUnit
 /// Refuses a picture with no clear silhouette, one whose largest silhouette touches the border, a cut JPEG,
 /// more than 64 megapixels, and a scale that is missing, not positive or given twice.
 Result<OutlineFile> readImageOutlines(const std::string& path, const ContourImportOptions& options);
+
+/// A picture's colours, row by row, red, green and blue.
+struct ColourPicture {
+    int width = 0, height = 0;
+    std::vector<std::uint8_t> rgb;
+};
+
+/// A picture turned as readImageOutlines takes it, on white where it is transparent, to be shown.
+Result<ColourPicture> readPicture(const std::string& path);
 
 /// Every outline of a file, arranged, by the reader that its extension names (csv, txt, dat; png, jpg, jpeg,
 /// bmp, tif, tiff).

@@ -2,6 +2,7 @@
 // What a file of outlines holds, before one of them is taken as an object's contour.
 
 #include "engine/shape/contour.h"
+#include "engine/shape/picture_plane.h"
 
 #include <optional>
 #include <string>
@@ -24,8 +25,9 @@ struct FileOutline {
 /// All outlines of a file, and what its reader had to assume.
 struct OutlineFile {
     std::vector<FileOutline> outlines;
-    std::string unit;              ///< "mm", "px", ... as the file has it
-    std::vector<Message> warnings; ///< for the operator
+    std::string unit;                       ///< "mm", "px", ... as the file has it
+    std::vector<Message> warnings;          ///< for the operator
+    std::optional<PicturePlane> plane = {}; ///< of a picture: from its pixels to the outlines' lengths
 
     /// Puts closed ones first and the largest of them first of all, open ones behind by their length, and
     /// marks holes: closed outlines within an odd number of closed outlines of their region.

@@ -77,4 +77,8 @@ std::optional<Eigen::Vector2d> PicturePlane::toMetres(const Eigen::Vector2d& poi
     return Eigen::Vector2d(q.hnormalized());
 }
 
+Eigen::Vector2d PicturePlane::toPixels(const Eigen::Vector2d& point_m) const {
+    return (m_toMetres.inverse() * point_m.homogeneous()).hnormalized();
+}
+
 } // namespace bask

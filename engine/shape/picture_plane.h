@@ -22,6 +22,8 @@ public:
     double pixel_m() const { return m_pixel_m; } ///< size of a pixel; of a square, its mean one there
     /// Nothing near and beyond the plane's horizon, where a pixel is twenty times as long as at the square.
     std::optional<Eigen::Vector2d> toMetres(const Eigen::Vector2d& point_px) const;
+    /// Where the picture shows a point of the plane.
+    Eigen::Vector2d toPixels(const Eigen::Vector2d& point_m) const;
 
 private:
     Eigen::Matrix3d m_toMetres = Eigen::Matrix3d::Identity(); // third row: 1 in the middle of the square

@@ -1,7 +1,7 @@
 #include "app/document.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "tests/app/wait_for.h"
+#include "tests/support/wait_for.h"
 
 #include <gtest/gtest.h>
 

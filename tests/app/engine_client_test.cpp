@@ -1,7 +1,7 @@
 #include "app/document.h"
 #include "app/engine_client.h"
 #include "engine/base/message_code.h"
-#include "tests/app/wait_for.h"
+#include "tests/support/wait_for.h"
 
 #include <QElapsedTimer>
 

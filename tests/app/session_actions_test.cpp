@@ -2,7 +2,7 @@
 #include "app/resources.h"
 #include "app/session_actions.h"
 #include "app/settings_store.h"
-#include "tests/app/wait_for.h"
+#include "tests/support/wait_for.h"
 
 #include <QFile>
 #include <QTemporaryDir>

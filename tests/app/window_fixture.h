@@ -2,7 +2,7 @@
 // The whole window on the simulated rig, driven as a person would: by mouse and keys.
 
 #include "app/main_window.h"
-#include "tests/app/wait_for.h"
+#include "tests/support/wait_for.h"
 
 #include <QTemporaryDir>
 #include <QTest>

@@ -4,7 +4,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/harmonics_panel.h"
-#include "widgets/objects/import_bar.h"
+#include "widgets/objects/import_panel.h"
 #include "widgets/objects/material_presets.h"
 #include "widgets/objects/message_bar.h"
 #include "widgets/objects/mounting_plan.h"
@@ -16,7 +16,6 @@
 #include <QDropEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QFutureWatcher>
 #include <QGridLayout>
 #include <QLabel>
 #include <QMimeData>
@@ -24,9 +23,9 @@
 #include <QScrollArea>
 #include <QShortcut>
 #include <QSplitter>
+#include <QStackedWidget>
 #include <QUndoStack>
 #include <QVBoxLayout>
-#include <QtConcurrentRun>
 
 #include <algorithm>
 #include <cmath>
@@ -36,20 +35,9 @@
 namespace bask {
 namespace {
 
-constexpr int kImportHarmonics = 5;
+constexpr int kImportHarmonics = 20;
 constexpr double kNewDiskRadius_m = 0.015;
 constexpr double kMountingGap_m = 0.005;
-
-/// Drawings say themselves how large they are.
-bool isDrawing(const QString& path) {
-    static const QStringList drawings{"svg", "dxf"};
-    return drawings.contains(QFileInfo(path).suffix().toLower());
-}
-
-bool isReadable(const QString& path) {
-    static const QStringList lists{"csv", "txt", "dat"};
-    return isDrawing(path) || ImportBar::isImage(path) || lists.contains(QFileInfo(path).suffix().toLower());
-}
 
 QString droppedFile(const QMimeData* data) {
     const QList<QUrl> urls = data->urls();
@@ -99,8 +87,8 @@ ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent), m_undo(new QUndoSta
     m_note->setObjectName("editNote");
     m_message = new MessageBar(this);
     m_message->setObjectName("pageMessage");
-    m_importBar = new ImportBar(this);
-    m_importBar->setObjectName("importBar");
+    m_importPanel = new ImportPanel(this);
+    m_importPanel->setObjectName("importPanel");
 
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(buildLeft());
@@ -110,12 +98,15 @@ ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent), m_undo(new QUndoSta
     splitter->setChildrenCollapsible(false);
     splitter->setSizes({220, 560, 340});
 
+    m_stack = new QStackedWidget(this);
+    m_stack->addWidget(splitter);
+    m_stack->addWidget(m_importPanel);
+
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 10, 10, 10);
     layout->addWidget(m_note);
     layout->addWidget(m_message);
-    layout->addWidget(m_importBar);
-    layout->addWidget(splitter, 1);
+    layout->addWidget(m_stack, 1);
     connectAll();
     refreshTexts();
     showAll();
@@ -221,7 +212,15 @@ void ObjectsPage::connectAll() {
     };
     shortcut(QKeySequence::Undo, m_undoButton);
     shortcut(QKeySequence::Redo, m_redoButton);
-    connect(m_message, &MessageBar::actionClicked, m_undoButton, &QPushButton::click);
+    connect(m_message, &MessageBar::actionClicked, this, [this] {
+        if (std::exchange(m_importing, false)) {
+            m_importPanel->cancel();
+            m_fitting.forget();
+            m_message->clear();
+        } else {
+            m_undoButton->click();
+        }
+    });
     connect(m_harmonics, &HarmonicsPanel::fitChanged, this, &ObjectsPage::previewFit);
     connect(m_harmonics, &HarmonicsPanel::fitCommitted, this, &ObjectsPage::commitFit);
     connect(m_properties, &ObjectProperties::objectEdited, this, [this](const ObjectSpec& object) {
@@ -234,7 +233,13 @@ void ObjectsPage::connectAll() {
         editSelected(tr("move of \u201c%1\u201d").arg(QString::fromStdString(selected().name)), {},
                      [&mounting](ObjectSpec& o) { o.mounting = mounting; });
     });
-    connect(m_importBar, &ImportBar::accepted, this, &ObjectsPage::startImport);
+    connect(m_importPanel, &ImportPanel::attentionWanted, this, [this] { showPanel(true); });
+    connect(m_importPanel, &ImportPanel::cancelled, this, [this] { showPanel(false); });
+    connect(m_importPanel, &ImportPanel::accepted, this, &ObjectsPage::addImported);
+    connect(m_importPanel, &ImportPanel::refused, this, [this](const QString& path, const Error& error) {
+        showPanel(false);
+        showError(QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), messageText(error.message)));
+    });
 }
 
 bool ObjectsPage::hasSelection() const {
@@ -265,6 +270,11 @@ void ObjectsPage::setExperiment(const Experiment& experiment) {
 
 void ObjectsPage::setEditable(bool editable, const QString& why) {
     m_editable = editable;
+    if (!editable && (m_importing || m_importPanel->isOpen())) {
+        m_importPanel->cancel();
+        m_fitting.forget();
+        showPanel(false);
+    }
     m_why = why;
     refreshTexts();
     updateEnabled();
@@ -386,54 +396,59 @@ void ObjectsPage::removeSelected() {
         m_message->say(MessageBar::Kind::Note, tr("\u201c%1\u201d was removed.").arg(name), tr("Undo"));
 }
 
-void ObjectsPage::showImported(const QString& path, const Contour& outline) {
+void ObjectsPage::addImported(const QString& path, const PickedOutline& picked) {
+    showPanel(false);
+    sayReading(path);
+    const Contour raw = centred(picked.contour);
     // The first fit of an outline of many thousand points takes longer than a frame may.
-    auto* watcher = new QFutureWatcher<Result<FourierFit>>(this);
-    const Contour raw = centred(outline);
-    connect(watcher, &QFutureWatcherBase::finished, this, [this, watcher, path, raw] {
-        watcher->deleteLater();
-        const Result<FourierFit> fit = watcher->result();
-        m_message->clear();
-        if (!fit) {
-            showImportError(tr("%1 cannot be fitted.").arg(QFileInfo(path).fileName()));
-            return;
-        }
-        ObjectSpec object;
-        object.name = uniqueName(QFileInfo(path).completeBaseName().trimmed());
-        object.shape = fit->contour;
-        object.origin = {QFileInfo(path).fileName().toStdString(), raw, kImportHarmonics};
-        object.material = materialPresets().front().material;
-        addObject(std::move(object), tr("import"));
-    });
-    watcher->setFuture(QtConcurrent::run([raw] { return fitFourier(raw, kImportHarmonics); }));
+    m_fitting.run([raw] { return fitFourier(raw, kImportHarmonics); },
+                  [this, path, raw](const Result<FourierFit>& fit) {
+                      m_importing = false;
+                      m_message->clear();
+                      if (!fit) {
+                          showError(tr("%1 cannot be fitted.").arg(QFileInfo(path).fileName()));
+                          return;
+                      }
+                      ObjectSpec object;
+                      object.name = uniqueName(QFileInfo(path).completeBaseName().trimmed());
+                      object.shape = fit->contour;
+                      object.origin = {QFileInfo(path).fileName().toStdString(), raw, kImportHarmonics};
+                      object.material = materialPresets().front().material;
+                      addObject(std::move(object), tr("import"));
+                  });
 }
 
-void ObjectsPage::showImportError(const QString& sentence) {
-    m_message->say(MessageBar::Kind::Problem, sentence);
+void ObjectsPage::showPanel(bool shown) {
+    m_importing = false;
+    m_message->clear();
+    m_stack->setCurrentIndex(shown ? 1 : 0);
+}
+
+void ObjectsPage::sayReading(const QString& path) {
+    m_importing = true;
+    m_message->say(MessageBar::Kind::Note, tr("Reading %1\u2026").arg(QFileInfo(path).fileName()),
+                   tr("Cancel"), false);
 }
 
 void ObjectsPage::showError(const QString& sentence) {
     m_message->say(MessageBar::Kind::Problem, sentence);
 }
 
-void ObjectsPage::startImport(const QString& path, const ContourImportOptions& options) {
-    m_message->say(MessageBar::Kind::Note, tr("Reading %1\u2026").arg(QFileInfo(path).fileName()), {}, false);
-    emit importRequested(path, options);
-}
-
 void ObjectsPage::offerFile(const QString& path) {
     if (!m_editable || !m_import->isEnabled())
         return;
-    m_message->clear();
-    if (isDrawing(path))
-        startImport(path, {});
-    else if (isReadable(path))
-        m_importBar->offer(path);
-    else
-        showImportError(tr("%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV "
-                           "of x, y points "
-                           "or a picture of a silhouette (PNG, JPEG, BMP, TIFF).")
-                            .arg(QFileInfo(path).fileName()));
+    showPanel(false);
+    m_fitting.forget();
+    if (ImportPanel::isReadable(path)) {
+        sayReading(path);
+        m_importPanel->open(path);
+        return;
+    }
+    m_importPanel->cancel();
+    showError(
+        tr("%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points "
+           "or a picture of a silhouette (PNG, JPEG, BMP, TIFF).")
+            .arg(QFileInfo(path).fileName()));
 }
 
 void ObjectsPage::chooseFile() {

@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/session/experiment.h"
 #include "engine/shape/contour_import.h"
+#include "widgets/common/latest_job.h"
 
 #include <QWidget>
 
@@ -11,12 +12,13 @@
 
 class QLabel;
 class QPushButton;
+class QStackedWidget;
 class QUndoStack;
 
 namespace bask {
 
 class HarmonicsPanel;
-class ImportBar;
+class ImportPanel;
 class MessageBar;
 class MountingPlan;
 class ObjectList;
@@ -25,13 +27,12 @@ class OutlinePreview;
 
 /// Setters in, signals out. Every committed edit is one experimentEdited with the whole value; the receiver
 /// answers a refused one with setExperiment(the value before) and showError, which also takes the edit off
-/// the undo stack. Reading a file is the receiver's work, off the GUI thread: importRequested is answered by
-/// showImported or showImportError.
+/// the undo stack. Files are read off the GUI thread.
 ///
 /// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "duplicateObject",
 /// "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks", "pageMessage"
-/// (MessageBar), "editNote" (MessageBar), "importBar", and those of HarmonicsPanel, ObjectProperties,
-/// ImportBar and MessageBar.
+/// (MessageBar), "editNote" (MessageBar), "importPanel", and those of HarmonicsPanel, ObjectProperties,
+/// ImportPanel and MessageBar.
 class ObjectsPage : public QWidget {
     Q_OBJECT
 
@@ -50,21 +51,16 @@ public:
     void selectObject(int index);
 
 public slots:
-    /// The outline of a file asked for with importRequested: adds an object with 5 harmonics, named after the
-    /// file.
-    void showImported(const QString& path, const bask::Contour& outline);
-    void showImportError(const QString& sentence);
     /// An edit was refused: the sentence, until the next edit.
     void showError(const QString& sentence);
-    /// Asks for the unit or scale of a list or picture, as after a drop; a drawing is read at once; other
-    /// kinds of file are refused here.
+    /// Imports a file, as after a drop: adds an object named after it, asking first what the file leaves
+    /// open.
     void offerFile(const QString& path);
     /// File dialog, then offerFile.
     void chooseFile();
 
 signals:
     void experimentEdited(const bask::Experiment& experiment);
-    void importRequested(const QString& path, const bask::ContourImportOptions& options);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -87,7 +83,9 @@ private:
     void editSelected(const QString& text, const QString& mergeKey,
                       const std::function<void(ObjectSpec&)>& change);
     void addObject(ObjectSpec object, const QString& text);
-    void startImport(const QString& path, const ContourImportOptions& options);
+    void addImported(const QString& path, const PickedOutline& picked);
+    void showPanel(bool shown);
+    void sayReading(const QString& path);
     void addDisk();
     void duplicateSelected();
     void removeSelected();
@@ -106,7 +104,8 @@ private:
     Experiment m_experiment;
     int m_selected = -1;
     bool m_editable = true;
-    bool m_applied = false; ///< the undo stack changed the objects and it was not told yet
+    bool m_importing = false; ///< a file is read or fitted behind the page, as its message says
+    bool m_applied = false;   ///< the undo stack changed the objects and it was not told yet
     QString m_why;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QUndoStack* m_undo;
@@ -114,7 +113,9 @@ private:
 
     MessageBar* m_note;
     MessageBar* m_message;
-    ImportBar* m_importBar;
+    QStackedWidget* m_stack; ///< the page, or the import panel
+    ImportPanel* m_importPanel;
+    LatestJob<Result<FourierFit>> m_fitting; ///< of the outline imported
     ObjectList* m_list;
     QLabel* m_listTitle;
     QLabel* m_count;

@@ -57,7 +57,6 @@ QPoint handle(QSlider* slider, int value) {
 struct ObjectsPageTest : testing::Test {
     ObjectsPage page;
     QSignalSpy edited{&page, &ObjectsPage::experimentEdited};
-    QSignalSpy imported{&page, &ObjectsPage::importRequested};
 
     ObjectsPageTest() {
         page.setExperiment(example());
@@ -306,64 +305,65 @@ TEST_F(ObjectsPageTest, AddDuplicateRemoveUndo) {
     EXPECT_EQ(last().objects[3].shape, example().objects[2].shape);
 }
 
-// Catches an import that does not ask for the unit, or drops it on the way.
-TEST_F(ObjectsPageTest, ImportOfACsvAsksForItsUnit) {
-    page.offerFile("/data/leaf.csv");
-    ASSERT_TRUE(child<QWidget>("importBar")->isVisible());
-    auto* unit = child<QComboBox>("importUnit");
-    unit->setCurrentIndex(unit->findText("cm"));
-    click("importAccept");
-    ASSERT_EQ(imported.count(), 1);
-    EXPECT_EQ(imported[0][0].toString(), "/data/leaf.csv");
-    const auto options = imported[0][1].value<ContourImportOptions>();
-    EXPECT_EQ(options.unit, LengthUnit::Centimetre);
-    EXPECT_FALSE(options.scale_px_per_mm);
-    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
-
-    page.showImported("/data/leaf.csv", example().objects[1].origin.outline);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 30000));
-    const ObjectSpec& leaf = last().objects.at(3);
-    EXPECT_EQ(leaf.name, "leaf");
-    EXPECT_EQ(leaf.origin.harmonics, 5);
-    EXPECT_EQ(leaf.origin.file, "leaf.csv");
-    EXPECT_NEAR(contourCentroid(leaf.origin.outline).norm(), 0.0, 1e-9);
-    EXPECT_EQ(std::get<FourierContour>(leaf.shape).harmonics(), 5);
-    EXPECT_TRUE(validate(last()).ok());
-}
-
-// Catches a dropped picture that goes another way than the button's, and a scale that is lost.
-TEST_F(ObjectsPageTest, DroppedPictureAsksForItsScale) {
+// Catches a drop that goes another way than the button's, a plain drawing that asks, an import of more than
+// one step of undo.
+TEST_F(ObjectsPageTest, ADroppedDrawingOfOneOutlineBecomesAnObject) {
     QMimeData data;
-    data.setUrls({QUrl::fromLocalFile("/data/leaf.png")});
+    data.setUrls({QUrl::fromLocalFile(QStringLiteral(BASK_TEST_DATA "/contours/svg/bunny_mm.svg"))});
     QDragEnterEvent enter(QPoint(400, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&page, &enter);
     EXPECT_TRUE(enter.isAccepted());
     QDropEvent drop(QPointF(400, 300), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QApplication::sendEvent(&page, &drop);
-    auto* scale = child<QDoubleSpinBox>("importScale");
-    ASSERT_TRUE(scale->isVisible());
-    type(scale, "12.5"); // Enter accepts the bar
-    ASSERT_EQ(imported.count(), 1);
-    EXPECT_DOUBLE_EQ(imported[0][1].value<ContourImportOptions>().scale_px_per_mm.value_or(0.0), 12.5);
-    page.showImportError("leaf.png: no silhouette found");
-    EXPECT_EQ(message(), "leaf.png: no silhouette found");
-    clickInMessage("messageClose");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 30000));
+    EXPECT_FALSE(child<QWidget>("importPanel")->isVisible());
+    const ObjectSpec& added = last().objects.at(3);
+    EXPECT_EQ(added.name, "bunny_mm");
+    EXPECT_EQ(added.origin.harmonics, 20);
+    EXPECT_EQ(added.origin.file, "bunny_mm.svg");
+    EXPECT_NEAR(contourCentroid(added.origin.outline).norm(), 0.0, 1e-9);
+    EXPECT_EQ(std::get<FourierContour>(added.shape).harmonics(), 20);
+    EXPECT_TRUE(validate(last()).ok());
+    click("undo");
+    EXPECT_EQ(last(), example());
+}
+
+// Catches an import that a person cancelled and that comes nevertheless.
+TEST_F(ObjectsPageTest, ReadingCanBeCancelled) {
+    page.offerFile(BASK_TEST_DATA "/contours/svg/bunny_mm.svg");
+    EXPECT_TRUE(message().contains("bunny_mm.svg"));
+    clickInMessage("messageAction");
     EXPECT_EQ(message(), "");
+    page.offerFile(BASK_TEST_DATA "/contours/svg/hand_mm.svg");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() > 0; }, 30000));
+    EXPECT_EQ(last().objects.size(), 4u);
+    EXPECT_EQ(last().objects.at(3).name, "hand_mm");
 }
 
-// Catches silence about a file of another kind.
-TEST_F(ObjectsPageTest, ADrawingIsReadWithoutAQuestion) {
-    page.offerFile("/data/part.SVG");
-    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
-    ASSERT_EQ(imported.count(), 1);
-    EXPECT_EQ(imported.front().front().toString(), "/data/part.SVG");
+// Catches a file that needs an answer and does not ask, and a panel that stays.
+TEST_F(ObjectsPageTest, APictureOpensTheImportPanel) {
+    page.offerFile(BASK_EXAMPLES "/contours/bunny_1200.png");
+    ASSERT_TRUE(child<QWidget>("importPanel")->isVisible());
+    QTest::keyClick(child<QWidget>("importPanel"), Qt::Key_Escape);
+    EXPECT_FALSE(child<QWidget>("importPanel")->isVisible());
+    EXPECT_TRUE(child<QWidget>("outlinePreview")->isVisible());
+    page.offerFile(BASK_EXAMPLES "/contours/bunny_1200.png");
+    page.setEditable(false, "A run is on.");
+    EXPECT_FALSE(child<QWidget>("importPanel")->isVisible()) << "a run began";
 }
 
+// Catches silence about a file of another kind, or that cannot be read.
 TEST_F(ObjectsPageTest, OtherFilesAreRefusedInWords) {
     page.offerFile("/data/notes.pdf");
-    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
     EXPECT_TRUE(message().contains("notes.pdf"));
-    EXPECT_EQ(imported.count(), 0);
+    for (const QString name : {"svg/bad_truncated.svg", "bad_nan_row.csv", "truncated.jpg"}) {
+        page.offerFile(QStringLiteral(BASK_TEST_DATA "/contours/") + name);
+        ASSERT_TRUE(
+            QTest::qWaitFor([&] { return message().startsWith(name.section('/', -1) + ": "); }, 30000))
+            << name.toStdString() << message().toStdString();
+        EXPECT_FALSE(child<QWidget>("importPanel")->isVisible());
+    }
+    EXPECT_EQ(edited.count(), 0);
 }
 
 // Catches a refused edit that stays on the undo stack or on the screen, from a direct and from a late answer.
@@ -398,8 +398,8 @@ TEST_F(ObjectsPageTest, NotEditableDuringARun) {
         EXPECT_FALSE(child<QPushButton>(name)->isEnabled()) << name;
     EXPECT_FALSE(child<QSlider>("harmonicsSlider")->isEnabled());
     EXPECT_EQ(child<MessageBar>("editNote")->sentence(), "A run is on; stop it to edit the objects.");
-    page.offerFile("/data/leaf.csv");
-    EXPECT_FALSE(child<QWidget>("importBar")->isVisible());
+    page.offerFile(BASK_EXAMPLES "/contours/bunny_1200.png");
+    EXPECT_FALSE(child<QWidget>("importPanel")->isVisible());
     select("bunny");
     EXPECT_EQ(page.selectedObject(), 1) << "looking is allowed";
     page.setEditable(true, {});

@@ -29,6 +29,12 @@ public:
             startNext();
     }
 
+    /// Nobody wants the answer any more: drops what waits and silences what runs.
+    void forget() {
+        m_next = {};
+        m_running.done = nullptr;
+    }
+
     bool busy() const { return m_running.work != nullptr; }
 
 private:
@@ -48,7 +54,7 @@ private:
         const Request finished = std::exchange(m_running, {});
         if (m_next.work)
             startNext();
-        else
+        else if (finished.done)
             finished.done(std::move(*value));
     }
 

@@ -1,5 +1,5 @@
-#include "app/latest_job.h"
-#include "tests/app/wait_for.h"
+#include "tests/support/wait_for.h"
+#include "widgets/common/latest_job.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +20,23 @@ TEST(LatestJob, OnlyTheNewestAnswerCounts) {
     job.run([] { return 3; }, take);
     EXPECT_TRUE(job.busy());
     gate->release();
+    ASSERT_TRUE(waitFor([&] { return !job.busy(); }));
+    EXPECT_EQ(answers, std::vector<int>{3});
+}
+
+// Catches: an answer that comes although it was cancelled, and a job that is stuck afterwards.
+TEST(LatestJob, ForgottenOnesDoNotAnswer) {
+    auto gate = std::make_shared<std::binary_semaphore>(0);
+    LatestJob<int> job;
+    std::vector<int> answers;
+    const auto take = [&](int value) { answers.push_back(value); };
+    job.run([gate] { return gate->acquire(), 1; }, take);
+    job.run([] { return 2; }, take);
+    job.forget();
+    gate->release();
+    ASSERT_TRUE(waitFor([&] { return !job.busy(); }));
+    EXPECT_TRUE(answers.empty());
+    job.run([] { return 3; }, take);
     ASSERT_TRUE(waitFor([&] { return !job.busy(); }));
     EXPECT_EQ(answers, std::vector<int>{3});
 }

@@ -1,0 +1,75 @@
+#pragma once
+// What a file of outlines does not tell: the unit of a list, the scale of a picture and what in it is the
+// object.
+
+#include "engine/shape/contour_import.h"
+#include "widgets/objects/outline_picker.h"
+
+#include <QWidget>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+class QPushButton;
+
+namespace bask {
+
+/// Shows the questions of a file's kind; a drawing has none. Object names: "importUnit", "importScaleMethod",
+/// "importLength", "importMeasure", "importScale", "importMarkerSide", "importDictionary", "importByColour",
+/// "importPickColour", "importColourTolerance".
+class ImportQuestions : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ImportQuestions(QWidget* parent = nullptr);
+
+    void setFile(const QString& path);
+    /// The answers so far; while lengthsKnown() is false a picture's pixel stands for a millimetre.
+    ContourImportOptions options() const;
+    bool lengthsKnown() const;
+    /// Whether a known length between two points gives the scale.
+    bool usesRuler() const;
+    void setRuler(const QLineF& ruler_px);
+    void setColour(const QColor& colour);
+
+    static bool isImage(const QString& path);
+    static bool isList(const QString& path);
+
+signals:
+    void changed();
+    void toolChanged(bask::OutlinePicker::Tool tool);
+
+public slots:
+    void releaseTools();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum class ScaleMethod { KnownLength, Scale, Marker };
+    ScaleMethod scaleMethod() const;
+    void showRows();
+    void showColour();
+    void retranslate();
+
+    bool m_image = false;
+    bool m_list = false;
+    QLineF m_ruler_px;
+    QColor m_colour;
+    QFormLayout* m_form;
+    QComboBox* m_unit;
+    QComboBox* m_scaleMethod;
+    QDoubleSpinBox* m_length;
+    QPushButton* m_measure;
+    QDoubleSpinBox* m_scale;
+    QDoubleSpinBox* m_markerSide;
+    QComboBox* m_dictionary;
+    QCheckBox* m_byColour;
+    QPushButton* m_pickColour;
+    QDoubleSpinBox* m_tolerance;
+    QLabel* m_hint;
+};
+
+} // namespace bask
