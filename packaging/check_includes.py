@@ -78,8 +78,13 @@ def is_value_header(target, parts):
     return parts[1] in VALUE_FOLDERS or target in VALUE_HEADERS
 
 
+# Headers of the SVG reader between its own sources; nobody else includes them.
+SVG_INSIDE = {"engine/shape/svg_elements.h", "engine/shape/svg_survey.h"}
+
+
 def is_svg_source(path):
-    return path.parts[:2] == ("engine", "shape") and path.name.startswith("svg_") and path.suffix == ".cpp"
+    source = path.parts[:2] == ("engine", "shape") and path.name.startswith("svg_") and path.suffix == ".cpp"
+    return source or path.as_posix() in SVG_INSIDE
 
 
 def qt_in_engine(path):
@@ -185,6 +190,8 @@ class Checker:
 
     def refusal(self, path, target, parts):
         """Why `path` may not include `target`, or None."""
+        if target in SVG_INSIDE and not is_svg_source(path):
+            return "only the SVG reader's own sources include it"
         return {"engine": self.engine_refusal, "widgets": self.widgets_refusal,
                 "app": self.app_refusal}[path.parts[0]](path, target, parts)
 

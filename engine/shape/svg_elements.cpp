@@ -1,0 +1,115 @@
+#include "engine/shape/svg_elements.h"
+
+#include <QHash>
+#include <QRegularExpression>
+#include <QSet>
+#include <QStringConverter>
+#include <QXmlStreamReader>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask::svg {
+
+std::optional<Length> lengthOf(const QString& text) {
+    static const QRegularExpression kForm(
+        QStringLiteral(R"(^\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)\s*(%|[a-zA-Z]*)\s*$)"));
+    const auto match = kForm.match(text);
+    if (!match.hasMatch())
+        return std::nullopt;
+    bool ok = false;
+    const double value = match.captured(1).toDouble(&ok);
+    if (!ok || !std::isfinite(value))
+        return std::nullopt;
+    return Length{value, match.captured(2).toLower()};
+}
+
+std::optional<double> pixelsOf(const QString& unit) {
+    static const QHash<QString, double> kPixels{
+        {"", 1.0},    {"px", 1.0},         {"mm", 96.0 / 25.4}, {"cm", 96.0 / 2.54}, {"q", 24.0 / 25.4},
+        {"in", 96.0}, {"pt", 96.0 / 72.0}, {"pc", 16.0},        {"em", 16.0},        {"ex", 8.0}};
+    const auto it = kPixels.find(unit);
+    return it == kPixels.end() ? std::nullopt : std::optional(*it);
+}
+
+std::optional<Box> viewBoxOf(const QXmlStreamAttributes& attributes) {
+    static const QRegularExpression kSeparator(QStringLiteral(R"([\s,]+)"));
+    const QStringList parts = attributes.value("viewBox").toString().split(kSeparator, Qt::SkipEmptyParts);
+    double numbers[4]{};
+    if (parts.size() != 4)
+        return std::nullopt;
+    for (int k = 0; k < 4; ++k) {
+        bool ok = false;
+        numbers[k] = parts[k].toDouble(&ok);
+        if (!ok || !std::isfinite(numbers[k]))
+            return std::nullopt;
+    }
+    if (!(numbers[2] > 0.0) || !(numbers[3] > 0.0))
+        return std::nullopt;
+    return Box{numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+Eigen::Affine2d viewTransform(const Box& view, const Box& port, const QString& preserve) {
+    double sx = port.width / view.width, sy = port.height / view.height;
+    if (!preserve.contains("none"))
+        sx = sy = preserve.contains("slice") ? std::max(sx, sy) : std::min(sx, sy);
+    const auto share = [&](const char* least, const char* most) {
+        return preserve.contains(QLatin1String(least))  ? 0.0
+               : preserve.contains(QLatin1String(most)) ? 1.0
+                                                        : 0.5;
+    };
+    const double dx = share("xMin", "xMax") * (port.width - sx * view.width);
+    const double dy = share("YMin", "YMax") * (port.height - sy * view.height);
+    Eigen::Affine2d transform = Eigen::Affine2d::Identity();
+    transform.translate(Eigen::Vector2d(port.x + dx, port.y + dy));
+    transform.scale(Eigen::Vector2d(sx, sy));
+    transform.translate(Eigen::Vector2d(-view.x, -view.y));
+    return transform;
+}
+
+QString nameOf(const QXmlStreamReader& reader) {
+    const QString name = reader.qualifiedName().toString();
+    return name.startsWith("svg:") ? name.mid(4) : name;
+}
+
+QString linkOf(const QXmlStreamAttributes& attributes) {
+    QString link = attributes.value("href").toString();
+    if (link.isEmpty())
+        link = attributes.value("xlink:href").toString();
+    link = link.trimmed();
+    return link.startsWith('#') ? link.mid(1) : QString();
+}
+
+bool isGroup(const QString& name) {
+    static const QSet<QString> kGroups{"svg", "g", "a", "defs", "symbol", "switch"};
+    return kGroups.contains(name);
+}
+bool isShape(const QString& name) {
+    static const QSet<QString> kShapes{"path", "rect", "circle", "ellipse", "line", "polyline", "polygon"};
+    return kShapes.contains(name);
+}
+bool isPaint(const QString& name) {
+    static const QSet<QString> kPaints{"linearGradient", "radialGradient", "meshgradient", "pattern",
+                                       "hatch"};
+    return kPaints.contains(name);
+}
+bool isDrawn(const QString& name) {
+    return isGroup(name) || isShape(name) || name == "use";
+}
+bool isSeen(const QString& name) {
+    static const QSet<QString> kSeen{"text", "image", "foreignObject", "clipPath", "mask", "marker"};
+    return kSeen.contains(name);
+}
+
+void feed(QXmlStreamReader& reader, const QByteArray& bytes) {
+    static const QRegularExpression kDeclared(
+        QStringLiteral(R"(^\s*<\?xml[^>]*encoding\s*=\s*["']([\w.:-]+)["'])"));
+    const auto match = kDeclared.match(QString::fromLatin1(bytes.left(200)));
+    if (match.hasMatch() && !QStringConverter::encodingForName(match.captured(1).toLatin1().constData()))
+        reader.addData(QString::fromLatin1(bytes));
+    else
+        reader.addData(bytes);
+    reader.setNamespaceProcessing(false); // prefixes without a declaration are common
+}
+
+} // namespace bask::svg

@@ -1,0 +1,189 @@
+#include "engine/shape/svg_survey.h"
+
+#include "engine/base/message_code.h"
+#include "engine/shape/svg_filter.h"
+
+#include <QRegularExpression>
+#include <QXmlStreamReader>
+
+#include <algorithm>
+
+namespace bask::svg {
+namespace {
+
+// What Qt's readers take too long or too much memory for; found by trying.
+constexpr double kMostPairs = 3e7;           // of attributes, in all elements
+constexpr qsizetype kMostCss = 1 << 20;      // characters of style sheets
+constexpr double kMostCssWork = 5e6;         // cssParts times elements: QtSvg tries each rule on each
+constexpr double kMostCharacters = 32 << 20; // of path data and points, after <use> has multiplied them
+
+// Parts of selectors and values, roughly.
+double cssParts(const QString& css) {
+    const QString plain = css.simplified();
+    return double(std::ranges::count_if(plain, [](QChar c) { return !c.isLetterOrNumber(); })) +
+           1e-3 * double(plain.size());
+}
+
+class Surveyor {
+public:
+    explicit Surveyor(std::string where) : m_where(std::move(where)) {}
+
+    Result<Survey> run(const QByteArray& bytes) {
+        QXmlStreamReader reader;
+        feed(reader, bytes);
+        while (!reader.atEnd()) {
+            reader.readNext();
+            if (reader.isStartElement()) {
+                if (const auto entered = enter(reader); !entered)
+                    return entered.error();
+            } else if (reader.isEndElement()) {
+                leave();
+            } else if (reader.isCharacters() && !m_open.empty() && m_open.back().kind == Opened::Style) {
+                m_found.css += reader.text();
+            }
+        }
+        if (reader.hasError())
+            return Error{MessageCode::XmlBroken,
+                         m_where,
+                         {reader.errorString().toStdString(), std::to_string(reader.lineNumber())}};
+        static const QRegularExpression kFonts(QStringLiteral(R"(@font-face\s*\{[^}]*\})"));
+        m_found.css.remove(kFonts);
+        if (m_found.css.size() > kMostCss || cssParts(m_found.css) * m_elements > kMostCssWork)
+            return tooFull();
+        if (const auto measured = measure(); !measured)
+            return measured.error();
+        return std::move(m_found);
+    }
+
+private:
+    // A root or an element with an id: what <use> can name. Counts are those of its content down to the next
+    // such.
+    struct Node {
+        struct Part {
+            int level = 0; // below the node
+            int node = -1; // contained
+            QString link;  // or used
+            int use = -1;
+        };
+        std::vector<Part> parts;
+        double elements = 0.0, characters = 0.0; // drawn
+        int levels = 0;
+        enum { Unknown, Open, Known } state = Unknown;
+    };
+    struct Opened {
+        int node;
+        int level; // below the node
+        enum { Group, Style, Skipped } kind;
+    };
+
+    Error tooFull() const { return {MessageCode::DrawingTooFull, m_where, {}}; }
+
+    Result<void> enter(const QXmlStreamReader& reader) {
+        const QString name = nameOf(reader);
+        if (m_open.empty() && name != "svg")
+            return Error{MessageCode::NotSvg, m_where};
+        if (m_open.size() >= kMostSvgLevels)
+            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
+        const double attributes = double(reader.attributes().size());
+        m_pairs += attributes * attributes;
+        if (++m_elements > kMostSvgElements || m_pairs > kMostPairs)
+            return tooFull();
+        Opened opened = m_open.empty() ? Opened{-1, 0, Opened::Group} : m_open.back();
+        if (opened.kind == Opened::Group)
+            look(name, reader.attributes(), opened);
+        else
+            opened.kind = Opened::Skipped;
+        m_open.push_back(opened);
+        return {};
+    }
+
+    // An element in a group: what it is, and what is to be done with its content.
+    void look(const QString& name, const QXmlStreamAttributes& attributes, Opened& opened) {
+        const QString id = attributes.value("id").toString();
+        ++opened.level;
+        opened.kind = isGroup(name) ? Opened::Group : name == "style" ? Opened::Style : Opened::Skipped;
+        if (isPaint(name) && !id.isEmpty())
+            m_found.paints.insert(id);
+        else if (isSeen(name) &&
+                 std::ranges::find(m_found.unread, name.toStdString()) == m_found.unread.end())
+            m_found.unread.push_back(name.toStdString());
+        if (!isDrawn(name))
+            return;
+        if (opened.node < 0 || (!id.isEmpty() && !m_byId.contains(id)))
+            opened = addNode(opened, id);
+        Node& node = m_nodes[opened.node];
+        node.levels = std::max(node.levels, opened.level);
+        node.elements += 1.0;
+        node.characters += double(attributes.value("d").size() + attributes.value("points").size());
+        if (name == "use")
+            node.parts.push_back({opened.level, -1, linkOf(attributes), m_uses++});
+        else if (name == "symbol" && !m_found.symbols.contains(id))
+            m_found.symbols.insert(
+                id, {viewBoxOf(attributes), attributes.value("preserveAspectRatio").toString()});
+    }
+
+    void leave() {
+        if (!m_open.empty())
+            m_open.pop_back();
+    }
+
+    Opened addNode(const Opened& opened, const QString& id) {
+        const int number = static_cast<int>(m_nodes.size());
+        if (opened.node >= 0)
+            m_nodes[opened.node].parts.push_back({opened.level, number, {}, -1});
+        m_nodes.emplace_back();
+        if (!id.isEmpty())
+            m_byId.insert(id, number);
+        return {number, 0, opened.kind};
+    }
+
+    // What is drawn from the root, and how deep; finds the uses that lead back to what holds them.
+    Result<void> measure() {
+        if (!walk(0, 0))
+            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
+        if (m_nodes[0].levels > kMostSvgLevels)
+            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
+        if (m_nodes[0].elements > kMostSvgDrawn || m_nodes[0].characters > kMostCharacters)
+            return tooFull();
+        return {};
+    }
+
+    bool walk(int number, int depth) {
+        if (depth > kMostSvgLevels)
+            return false;
+        m_nodes[number].state = Node::Open;
+        for (std::size_t k = 0; k < m_nodes[number].parts.size(); ++k) {
+            const Node::Part& part = m_nodes[number].parts[k];
+            const int next = part.use < 0 ? part.node : m_byId.value(part.link, -1);
+            if (next < 0)
+                continue;
+            if (m_nodes[next].state == Node::Open) {
+                m_found.recursive.insert(part.use);
+                continue;
+            }
+            if (m_nodes[next].state == Node::Unknown && !walk(next, depth + 1))
+                return false;
+            m_nodes[number].elements += m_nodes[next].elements;
+            m_nodes[number].characters += m_nodes[next].characters;
+            m_nodes[number].levels = std::max(m_nodes[number].levels, part.level + m_nodes[next].levels);
+        }
+        m_nodes[number].state = Node::Known;
+        return true;
+    }
+
+    std::string m_where;
+    Survey m_found;
+    std::vector<Node> m_nodes;
+    QHash<QString, int> m_byId;
+    std::vector<Opened> m_open;
+    int m_elements = 0, m_uses = 0;
+    double m_pairs = 0.0;
+};
+
+} // namespace
+
+Result<Survey> survey(const QByteArray& bytes, const std::string& where) {
+    return Surveyor(where).run(bytes);
+}
+
+} // namespace bask::svg
