@@ -575,10 +575,6 @@
             <translation>Capteurs ajustés à l’ambiante</translation>
         </message>
         <message>
-            <source>Fault: %1</source>
-            <translation>Défaut : %1</translation>
-        </message>
-        <message>
             <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets</source>
             <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes</translation>
         </message>
