@@ -1,8 +1,11 @@
 #include "engine/session/mounting_check.h"
 
 #include "engine/base/message_code.h"
+#include "engine/control/dependent_objects.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -35,6 +38,37 @@ bool overlap(const Outline& one, const Outline& other) {
 bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     const double longest = std::max({(b - a).norm(), (c - b).norm(), (a - c).norm()});
     return (b - a).cross(c - a).norm() < kFlatTriangle * longest * longest;
+}
+
+MountingRemark dependenceRemark(const DependentObjects& set, const std::vector<ObjectSpec>& objects) {
+    const auto name = [&](std::size_t k) { return objects[static_cast<std::size_t>(set.objects[k])].name; };
+    if (set.objects.size() == 1)
+        return {{MessageCode::MountingUnmoved, {name(0)}}, set.objects};
+    if (set.alike)
+        return {{MessageCode::MountingAlike, {name(0), name(1)}}, set.objects};
+    std::string names = name(0);
+    for (std::size_t k = 1; k < set.objects.size(); ++k)
+        names += ", " + name(k);
+    return {{MessageCode::MountingDependent, {names}}, set.objects};
+}
+
+/// What the free axes can do with this arrangement.
+std::vector<MountingRemark> freedomRemarks(const Experiment& experiment) {
+    std::vector<Shape> shapes;
+    std::vector<Vector6d> mountings;
+    for (const ObjectSpec& object : experiment.objects) {
+        shapes.push_back(object.shape);
+        mountings.push_back(object.mounting);
+    }
+    const RigGeometry rig(experiment.source.shape, shapes, mountings, experiment.robot,
+                          poseFromCoordinates(experiment.source.pose));
+    std::vector<MountingRemark> out;
+    for (const DependentObjects& set : dependentObjects(rig, experiment.start))
+        out.push_back(dependenceRemark(set, experiment.objects));
+    const int freedom = experiment.robot.degreesOfFreedom();
+    if (out.empty() && std::cmp_equal(experiment.objects.size(), freedom))
+        out.push_back({{MessageCode::MountingNoneLeft, {std::to_string(freedom)}}, {}});
+    return out;
 }
 
 } // namespace
@@ -78,6 +112,7 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
                     out.push_back({{MessageCode::MountingInLine, {name(i), name(k), name(l)}}, {i, k, l}});
         }
     }
+    std::ranges::move(freedomRemarks(experiment), std::back_inserter(out));
     return out;
 }
 

@@ -17,13 +17,21 @@ ObjectSpec disk(const char* name, double x_m, double y_m, double radius_m = 0.01
     return object;
 }
 
-std::vector<MessageCode> codesOf(const std::vector<ObjectSpec>& objects) {
-    Experiment experiment;
-    experiment.objects = objects;
+std::vector<MessageCode> codesOf(const Experiment& experiment) {
     std::vector<MessageCode> out;
     for (const MountingRemark& remark : mountingRemarks(experiment))
         out.push_back(remark.message.code);
     return out;
+}
+
+std::vector<MessageCode> codesOf(const std::vector<ObjectSpec>& objects,
+                                 const std::array<bool, 6>& free = RobotLimits{}.free) {
+    Experiment experiment;
+    experiment.objects = objects;
+    experiment.robot.free = free;
+    experiment.robot.lower[kThetaZ] = -0.5;
+    experiment.robot.upper[kThetaZ] = 0.5;
+    return codesOf(experiment);
 }
 
 } // namespace
@@ -58,6 +66,48 @@ TEST(MountingCheck, ObjectsFartherOutThanTheRobotCarriesAreTold) {
 TEST(MountingCheck, ThreeInALineAreTold) {
     EXPECT_EQ(codesOf({disk("a", -0.05, -0.05), disk("b", 0.0, 0.002), disk("c", 0.05, 0.05)}),
               std::vector{MessageCode::MountingInLine});
+}
+
+// Catches arrangements that the free axes cannot heat as wanted and of which nothing is said, or the wrong
+// thing: never moved, always alike, fewer ways than objects, and none left over.
+TEST(MountingCheck, WhatTheFreeAxesCannotDoIsTold) {
+    using enum MessageCode;
+    const std::array<bool, 6> turnOnly{false, false, false, false, false, true};
+    const std::array<bool, 6> symmetric{false, true, true, true, false, false};
+    const std::array<bool, 6> raiseAndTurn{false, false, true, false, false, true};
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.0)}, turnOnly), std::vector{MountingUnmoved});
+    EXPECT_EQ(codesOf({disk("a", -0.04, 0.0), disk("b", 0.04, 0.0)}, symmetric), std::vector{MountingAlike});
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.0), disk("b", 0.04, 0.0)}, raiseAndTurn),
+              std::vector{MountingDependent});
+    EXPECT_EQ(codesOf({disk("a", 0.0, 0.05), disk("b", -0.0435, -0.025), disk("c", 0.0435, -0.025),
+                       disk("d", 0.0, 0.0)}),
+              std::vector{MountingNoneLeft});
+}
+
+// Catches a remark that names others than it is about.
+TEST(MountingCheck, TheAlikeOnesAreNamed) {
+    Experiment experiment;
+    experiment.objects = {disk("left", -0.04, 0.0), disk("middle", 0.0, 0.05), disk("right", 0.04, 0.0)};
+    experiment.robot.free = {false, true, true, true, false, false};
+    const std::vector<MountingRemark> remarks = mountingRemarks(experiment);
+    ASSERT_EQ(remarks.size(), 1u);
+    EXPECT_EQ(remarks[0].message.args, (std::vector<std::string>{"left", "right"}));
+    EXPECT_EQ(remarks[0].objects, (std::vector{0, 2}));
+}
+
+// Catches remarks about the examples that come with Bask, but for the one that is meant to be in a line.
+TEST(MountingCheck, TheExamplesAreSound) {
+    for (const char* name : {"three-objects", "two-circles", "bare-aluminium", "rectangular-plate"}) {
+        const auto experiment = readExperiment(std::string(BASK_EXAMPLES "/") + name + ".json");
+        ASSERT_TRUE(experiment.ok()) << name;
+        EXPECT_TRUE(mountingRemarks(*experiment).empty()) << name;
+    }
+    const auto line = readExperiment(BASK_EXAMPLES "/three-objects-in-line.json");
+    ASSERT_TRUE(line.ok());
+    // The axes can move these three independently: what a line cannot do is a matter of its targets. Bunny
+    // and hand do touch.
+    using enum MessageCode;
+    EXPECT_EQ(codesOf(*line), (std::vector{MountingInLine, MountingOverlap}));
 }
 
 } // namespace bask
