@@ -94,7 +94,7 @@ void lookUpRebuild(benchmark::State& state) {
 
 /// Told at every edit on the Objects page, on the GUI thread: 5 ms at most. At worst six outlines over a
 /// round source, all axes free: as many as the axes, dependent, so that the whole sample is looked at.
-void mountingRemarksOf(benchmark::State& state, bool worst) {
+void mountingRemarksOf(benchmark::State& state, bool worst, int polygonPoints) {
     auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
@@ -109,6 +109,9 @@ void mountingRemarksOf(benchmark::State& state, bool worst) {
             experiment->objects[static_cast<std::size_t>(i)].mounting.head<2>() =
                 0.12 * Eigen::Vector2d(std::cos(i * M_PI / 3.0), std::sin(i * M_PI / 3.0));
     }
+    for (ObjectSpec& object : experiment->objects)
+        if (polygonPoints > 0)
+            object.shape = Contour{shapeOutline(object.shape, polygonPoints)};
     for (auto _ : state) {
         const std::vector<MountingRemark> remarks = mountingRemarks(*experiment);
         benchmark::DoNotOptimize(remarks.data());
@@ -132,8 +135,9 @@ BASK_STEP(adaptiveLimited, Adaptive, kFar_K, 0.0, benchmark::kMicrosecond);
 BASK_STEP(adaptiveAccelerating, Adaptive, kFar_K, kAcceleration_m_s2, benchmark::kMicrosecond);
 BASK_STEP(levelServoNear, LevelServo, kNear_K, 0.0, benchmark::kMillisecond);
 BASK_STEP(levelServoFar, LevelServo, kFar_K, 0.0, benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mountingRemarksOf, threeObjects, false)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(mountingRemarksOf, worst, true)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(mountingRemarksOf, threeObjects, false, 0)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(mountingRemarksOf, polygonsOf60000, false, 60000)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(mountingRemarksOf, worst, true, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK(lookUpRebuild)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -19,6 +19,9 @@ struct MountingRemark {
 /// worst.
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment);
 
+/// The shape as drawings and remarks need it: a polygon of many points within 0.2 mm, others as they are.
+Shape thinned(const Shape& shape);
+
 /// Outline (m) of an object as mounted, projected on the xy-plane of E.
 std::vector<Eigen::Vector2d> mountedOutline(const ObjectSpec& object, int points);
 

@@ -69,6 +69,8 @@ MountingPlan::MountingPlan(QWidget* parent) : QWidget(parent) {
 void MountingPlan::setObjects(const std::vector<ObjectSpec>& objects, int selected,
                               const std::set<int>& remarked, double reach_m) {
     m_objects = objects;
+    for (ObjectSpec& object : m_objects)
+        object.shape = thinned(object.shape); // drawn at every move of the mouse
     m_remarked = remarked;
     m_selected = selected < static_cast<int>(objects.size()) ? selected : -1;
     m_reach_m = reach_m;

@@ -56,6 +56,15 @@ TEST(MountingCheck, OverlapsAreToldWithBothNames) {
     EXPECT_EQ(codesOf({bar, above}), std::vector{MountingOverlap});
 }
 
+// Catches edges of one line taken for edges that meet.
+TEST(MountingCheck, AlignedObjectsApartDoNotOverlap) {
+    ObjectSpec one = disk("one", 0.0, 0.0), other = disk("other", 0.0, 0.02);
+    one.shape = other.shape = Contour{{{-0.005, -0.005}, {0.005, -0.005}, {0.005, 0.005}, {-0.005, 0.005}}};
+    EXPECT_TRUE(codesOf({one, other}).empty());
+    other.mounting[kY] = 0.009;
+    EXPECT_EQ(codesOf({one, other}), std::vector{MessageCode::MountingOverlap});
+}
+
 // Catches a limit that is measured to the centre instead of the outline.
 TEST(MountingCheck, ObjectsFartherOutThanTheRobotCarriesAreTold) {
     EXPECT_TRUE(codesOf({disk("a", 0.18, 0.0)}).empty());
@@ -82,6 +91,24 @@ TEST(MountingCheck, WhatTheFreeAxesCannotDoIsTold) {
     EXPECT_EQ(codesOf({disk("a", 0.0, 0.05), disk("b", -0.0435, -0.025), disk("c", 0.0435, -0.025),
                        disk("d", 0.0, 0.0)}),
               std::vector{MountingNoneLeft});
+}
+
+// Catches outlines of many points compared edge by edge, which takes minutes, and thinned ones whose corners
+// are gone.
+TEST(MountingCheck, PolygonsOfManyPointsAreThinned) {
+    Contour bar;
+    for (int k = 0; k < 60000; ++k) // most points on one short side
+        bar.points_m.emplace_back(0.05, -0.005 + 0.01 * k / 60000.0);
+    bar.points_m.insert(bar.points_m.end(), {{0.05, 0.005}, {-0.05, 0.005}, {-0.05, -0.005}});
+    EXPECT_LT(std::get<Contour>(thinned(bar)).points_m.size(), 10u);
+    EXPECT_NEAR(shapeArea(thinned(bar)), 0.001, 1e-5);
+    ObjectSpec one = disk("one", 0.0, 0.0), other = disk("other", 0.0, 0.02);
+    one.shape = other.shape = bar;
+    EXPECT_TRUE(codesOf({one, other}).empty());
+    other.mounting[kY] = 0.0099;
+    EXPECT_EQ(codesOf({one, other}), std::vector{MessageCode::MountingOverlap});
+    const Shape few = Contour{{{0.0, 0.0}, {0.01, 0.0}, {0.01, 0.00001}, {0.0, 0.01}}};
+    EXPECT_EQ(thinned(few), few);
 }
 
 // Catches a remark that names others than it is about.
