@@ -40,20 +40,8 @@
             <translation>carton</translation>
         </message>
         <message>
-            <source>Incropera et al., Fundamentals of Heat and Mass Transfer, app. A</source>
-            <translation>Incropera et al., Fundamentals of Heat and Mass Transfer, ann. A</translation>
-        </message>
-        <message>
-            <source>handbook (bulk), thermal-imaging tables (surface)</source>
-            <translation>manuel (masse), tables de thermographie (surface)</translation>
-        </message>
-        <message>
             <source>Hu et al., arXiv 2012.13147 (bulk), flat paint (surface)</source>
             <translation>Hu et al., arXiv 2012.13147 (masse), peinture mate (surface)</translation>
-        </message>
-        <message>
-            <source>data sheets of filaments (bulk), thermal imaging (surface)</source>
-            <translation>fiches de filaments (masse), thermographie (surface)</translation>
         </message>
         <message>
             <source>aluminium, painted</source>
@@ -87,6 +75,62 @@
             <source>glass</source>
             <translation>verre</translation>
         </message>
+        <message>
+            <source>Incropera, table A.1 (bulk), FLIR tables: matte black lacquer (surface)</source>
+            <translation>Incropera, table A.1 (masse), tables FLIR : laque noire mate (surface)</translation>
+        </message>
+        <message>
+            <source>Incropera, table A.1 (bulk), Neutrium: anodised, 20 °C (surface)</source>
+            <translation>Incropera, table A.1 (masse), Neutrium : anodisé, 20 °C (surface)</translation>
+        </message>
+        <message>
+            <source>Incropera, table A.1 (bulk), FLIR tables: sheet as received (surface)</source>
+            <translation>Incropera, table A.1 (masse), tables FLIR : tôle brute (surface)</translation>
+        </message>
+        <message>
+            <source>Hu et al., arXiv 2012.13147; FLIR tables: 0.04 to 0.06, polished</source>
+            <translation>Hu et al., arXiv 2012.13147 ; tables FLIR : 0,04 à 0,06, poli</translation>
+        </message>
+        <message>
+            <source>Incropera, table A.1 (bulk), FLIR tables (surface)</source>
+            <translation>Incropera, table A.1 (masse), tables FLIR (surface)</translation>
+        </message>
+        <message>
+            <source>AISI 1010, Matmake (bulk), FLIR tables: matte black lacquer (surface)</source>
+            <translation>AISI 1010, Matmake (masse), tables FLIR : laque noire mate (surface)</translation>
+        </message>
+        <message>
+            <source>EN 10088-1, 1.4301 (bulk), Trotec: 18-8, 25 °C (surface)</source>
+            <translation>EN 10088-1, 1.4301 (masse), Trotec : 18-8, 25 °C (surface)</translation>
+        </message>
+        <message>
+            <source>EN 10088-1, 1.4301 (bulk), Thome, EPFL: 0.5 to 0.7 after heating (surface)</source>
+            <translation>EN 10088-1, 1.4301 (masse), Thome, EPFL : 0,5 à 0,7 après chauffage (surface)</translation>
+        </message>
+        <message>
+            <source>FreeCAD card PLA-Generic (bulk), plastics: 0.85 to 0.95 (surface)</source>
+            <translation>fiche FreeCAD PLA-Generic (masse), plastiques : 0,85 à 0,95 (surface)</translation>
+        </message>
+        <message>
+            <source>Kaiao, Granta Design (bulk), plastics: 0.85 to 0.95 (surface)</source>
+            <translation>Kaiao, Granta Design (masse), plastiques : 0,85 à 0,95 (surface)</translation>
+        </message>
+        <message>
+            <source>Pilkington ATS-129; specific heat: tables say 720 to 880 J/(kg·K)</source>
+            <translation>Pilkington ATS-129 ; chaleur massique : 720 à 880 J/(kg·K) selon les tables</translation>
+        </message>
+        <message>
+            <source>Entegris, by FreeCAD's card (bulk), tables: 0.8 to 0.98 (surface)</source>
+            <translation>Entegris, d’après la fiche FreeCAD (masse), tables : 0,8 à 0,98 (surface)</translation>
+        </message>
+        <message>
+            <source>Ashby: 480 to 860 kg/m³ (bulk), FLIR tables: paper (surface)</source>
+            <translation>Ashby : 480 à 860 kg/m³ (masse), tables FLIR : papier (surface)</translation>
+        </message>
+        <message>
+            <source>aluminium, polished</source>
+            <translation>aluminium poli</translation>
+        </message>
     </context>
     <context>
         <name>Message</name>
@@ -101,6 +145,22 @@
         <message>
             <source>%1, %2 and %3 lie in a line; like temperatures for all three cannot be held together, a triangle is better</source>
             <translation>%1, %2 et %3 sont alignés ; des températures proches ne peuvent être tenues pour les trois à la fois, un triangle convient mieux</translation>
+        </message>
+        <message>
+            <source>none of the free axes changes the view factor of %1; mount it elsewhere or free another axis</source>
+            <translation>aucun des axes libres ne change le facteur de forme de %1 ; montez-le ailleurs ou libérez un autre axe</translation>
+        </message>
+        <message>
+            <source>%1 and %2 have the same view factor wherever the free axes bring them, so one cannot be heated without the other; mount one elsewhere or free another axis</source>
+            <translation>%1 et %2 ont le même facteur de forme partout où les axes libres les amènent : l’un ne peut être chauffé sans l’autre ; montez l’un d’eux ailleurs ou libérez un autre axe</translation>
+        </message>
+        <message>
+            <source>the free axes cannot change the view factors of %1 independently of one another; mount one elsewhere or free another axis</source>
+            <translation>les axes libres ne peuvent changer les facteurs de forme de %1 indépendamment les uns des autres ; montez l’un d’eux ailleurs ou libérez un autre axe</translation>
+        </message>
+        <message>
+            <source>as many objects as free axes (%1): their heating decides every movement, none is left for keeping away from limits</source>
+            <translation>autant d’objets que d’axes libres (%1) : leur chauffage décide de tout mouvement, il n’en reste aucun pour s’écarter des limites</translation>
         </message>
         <message>
             <source>At rest the sensors' readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
@@ -509,10 +569,6 @@
         <message>
             <source>The heat source does not answer: %1. Check its link, then reset.</source>
             <translation>La source de chaleur ne répond pas : %1. Vérifiez sa liaison, puis réinitialisez.</translation>
-        </message>
-        <message>
-            <source>"%1" is over its temperature limit.</source>
-            <translation>« %1 » dépasse sa limite de température.</translation>
         </message>
         <message>
             <source>STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.</source>
@@ -1539,8 +1595,16 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
             <translation>Plan des objets sur l’effecteur</translation>
         </message>
         <message>
-            <source>The objects on the end-effector, to scale; click one to select it.</source>
-            <translation>Les objets sur l’effecteur, à l’échelle ; cliquez pour en sélectionner un.</translation>
+            <source>The objects on the end-effector, to scale. Drag one to move it in steps of 5 mm, its handle to turn it in steps of 5°; with Alt finely. Arrow keys move the selected one by 1 mm, Page Up and Page Down turn it.</source>
+            <translation>Les objets sur l’effecteur, à l’échelle. Faites-en glisser un pour le déplacer par pas de 5 mm, sa poignée pour le tourner par pas de 5° ; avec Alt, finement. Les flèches déplacent de 1 mm celui qui est sélectionné, Page préc. et Page suiv. le tournent.</translation>
+        </message>
+        <message>
+            <source>Grid %1, snap %2</source>
+            <translation>Grille %1, pas %2</translation>
+        </message>
+        <message>
+            <source>x %1 cm, y %2 cm, %3°</source>
+            <translation>x %1 cm, y %2 cm, %3°</translation>
         </message>
     </context>
     <context>
@@ -1582,8 +1646,8 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
             <translation>De la plaque, par surface vue</translation>
         </message>
         <message>
-            <source>Of small changes about the target, in minutes and seconds</source>
-            <translation>Pour de petits écarts autour de la consigne, en minutes et secondes</translation>
+            <source>Of small changes about the target</source>
+            <translation>Pour de petits écarts autour de la consigne</translation>
         </message>
         <message>
             <source>Heating at view factor 1 with the source as it is set</source>
@@ -1624,10 +1688,6 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>%1 cm</source>
             <translation>%1 cm</translation>
-        </message>
-        <message>
-            <source>%1 J/(m²·K); time constant %2 at the target</source>
-            <translation>%1 J/(m²·K) ; constante de temps %2 à la consigne</translation>
         </message>
         <message>
             <source>Object</source>
@@ -1740,6 +1800,30 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source> °</source>
             <translation> °</translation>
+        </message>
+        <message>
+            <source>%1 J/(m²·K)</source>
+            <translation>%1 J/(m²·K)</translation>
+        </message>
+        <message>
+            <source>%1 K/s</source>
+            <translation>%1 K/s</translation>
+        </message>
+        <message>
+            <source>%1 K⁻³·s⁻¹</source>
+            <translation>%1 K⁻³·s⁻¹</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>%1 min</source>
+            <translation>%1 min</translation>
+        </message>
+        <message>
+            <source>%1 h</source>
+            <translation>%1 h</translation>
         </message>
     </context>
     <context>
@@ -1927,6 +2011,30 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>Cancel</source>
             <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>&amp;Sample shapes</source>
+            <translation>&amp;Formes d’exemple</translation>
+        </message>
+        <message>
+            <source>Bunny</source>
+            <translation>Lapin</translation>
+        </message>
+        <message>
+            <source>Circle</source>
+            <translation>Cercle</translation>
+        </message>
+        <message>
+            <source>Gear</source>
+            <translation>Engrenage</translation>
+        </message>
+        <message>
+            <source>Hand</source>
+            <translation>Main</translation>
+        </message>
+        <message>
+            <source>Leaf</source>
+            <translation>Feuille</translation>
         </message>
     </context>
     <context>

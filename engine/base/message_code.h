@@ -33,6 +33,10 @@ enum class MessageCode : int {
     MountingOverlap,       ///< %1, %2 objects
     MountingFar,           ///< %1 object, %2 cm, %3 cm most
     MountingInLine,        ///< %1, %2, %3 objects
+    MountingUnmoved,       ///< %1 object
+    MountingAlike,         ///< %1, %2 objects
+    MountingDependent,     ///< %1 objects, with commas
+    MountingNoneLeft,      ///< %1 objects and free axes
     NoObjects,             ///< no args
     DuplicateName,         ///< %1 name
     NameEmpty,             ///< no args

@@ -1,8 +1,11 @@
 #include "engine/session/mounting_check.h"
 
 #include "engine/base/message_code.h"
+#include "engine/control/dependent_objects.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -10,15 +13,23 @@ namespace {
 using Outline = std::vector<Eigen::Vector2d>;
 
 constexpr int kOutlinePoints = 120;
+constexpr std::size_t kManyPoints = 240;
+constexpr double kThinned_m = 1e-4;
 constexpr double kFlatTriangle = 0.1; ///< height over longest side, below which three places are a line
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
 }
 
+bool rangesMeet(double a, double b, double c, double d) {
+    return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
+}
+
 bool edgesMeet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
                const Eigen::Vector2d& d) {
-    return cross(b - a, c - a) * cross(b - a, d - a) <= 0.0 &&
+    // The ranges tell edges of one line from each other, whose crosses are all zero.
+    return rangesMeet(a.x(), b.x(), c.x(), d.x()) && rangesMeet(a.y(), b.y(), c.y(), d.y()) &&
+           cross(b - a, c - a) * cross(b - a, d - a) <= 0.0 &&
            cross(d - c, a - c) * cross(d - c, b - c) <= 0.0;
 }
 
@@ -37,7 +48,50 @@ bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vec
     return (b - a).cross(c - a).norm() < kFlatTriangle * longest * longest;
 }
 
+MountingRemark dependenceRemark(const DependentObjects& set, const std::vector<ObjectSpec>& objects) {
+    const auto name = [&](std::size_t k) { return objects[static_cast<std::size_t>(set.objects[k])].name; };
+    if (set.objects.size() == 1)
+        return {{MessageCode::MountingUnmoved, {name(0)}}, set.objects};
+    if (set.alike)
+        return {{MessageCode::MountingAlike, {name(0), name(1)}}, set.objects};
+    std::string names = name(0);
+    for (std::size_t k = 1; k < set.objects.size(); ++k)
+        names += ", " + name(k);
+    return {{MessageCode::MountingDependent, {names}}, set.objects};
+}
+
+/// What the free axes can do with this arrangement; `objects` are the experiment's, thinned.
+std::vector<MountingRemark> freedomRemarks(const Experiment& experiment,
+                                           const std::vector<ObjectSpec>& objects) {
+    std::vector<Shape> shapes;
+    std::vector<Vector6d> mountings;
+    for (const ObjectSpec& object : objects) {
+        shapes.push_back(object.shape);
+        mountings.push_back(object.mounting);
+    }
+    const RigGeometry rig(experiment.source.shape, shapes, mountings, experiment.robot,
+                          poseFromCoordinates(experiment.source.pose));
+    std::vector<MountingRemark> out;
+    for (const DependentObjects& set : dependentObjects(rig, experiment.start))
+        out.push_back(dependenceRemark(set, objects));
+    const int freedom = experiment.robot.degreesOfFreedom();
+    if (out.empty() && std::cmp_equal(objects.size(), freedom))
+        out.push_back({{MessageCode::MountingNoneLeft, {std::to_string(freedom)}}, {}});
+    return out;
+}
+
 } // namespace
+
+Shape thinned(const Shape& shape) {
+    const auto* polygon = std::get_if<Contour>(&shape);
+    if (polygon == nullptr || polygon->points_m.size() <= kManyPoints)
+        return shape;
+    Contour apart; // first what takes no thought: simplified() takes 20 ms for 60,000 points
+    for (const Eigen::Vector2d& p : polygon->points_m)
+        if (apart.points_m.empty() || (p - apart.points_m.back()).norm() >= kThinned_m)
+            apart.points_m.push_back(p);
+    return apart.points_m.size() < 3 ? shape : simplified(apart, kThinned_m);
+}
 
 std::vector<Eigen::Vector2d> mountedOutline(const ObjectSpec& object, int points) {
     const Pose X_EO = poseFromCoordinates(object.mounting);
@@ -48,7 +102,9 @@ std::vector<Eigen::Vector2d> mountedOutline(const ObjectSpec& object, int points
 }
 
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
-    const std::vector<ObjectSpec>& objects = experiment.objects;
+    std::vector<ObjectSpec> objects = experiment.objects;
+    for (ObjectSpec& object : objects)
+        object.shape = thinned(object.shape);
     const double most_m = experiment.robot.maxMountingRadius_m;
     const int count = static_cast<int>(objects.size());
     std::vector<Outline> outlines;
@@ -78,6 +134,7 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
                     out.push_back({{MessageCode::MountingInLine, {name(i), name(k), name(l)}}, {i, k, l}});
         }
     }
+    std::ranges::move(freedomRemarks(experiment, objects), std::back_inserter(out));
     return out;
 }
 

@@ -8,6 +8,7 @@
 #include "widgets/objects/outline_picker.h"
 
 #include <QEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -18,6 +19,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QTemporaryDir>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -34,6 +36,17 @@ QImage imageOf(const std::string& path) {
     return QImage(picture->rgb.data(), picture->width, picture->height, 3 * qsizetype{picture->width},
                   QImage::Format_RGB888)
         .copy();
+}
+
+/// The outlines of a file, which may be one of the program's own (":/...").
+Result<OutlineFile> outlinesOf(const QString& path, const ContourImportOptions& options) {
+    if (!path.startsWith(QLatin1Char(':')))
+        return readOutlines(path.toStdString(), options);
+    const QTemporaryDir folder;
+    const QString copy = folder.filePath(QFileInfo(path).fileName());
+    if (!folder.isValid() || !QFile::copy(path, copy))
+        return Error{MessageCode::FileUnwritable, copy.toStdString(), {folder.errorString().toStdString()}};
+    return readOutlines(copy.toStdString(), options);
 }
 
 /// Whether another answer could make something of the file.
@@ -175,8 +188,7 @@ void ImportPanel::read() {
         return;
     m_progress->show();
     m_accept->setEnabled(false);
-    m_reading.run([file = m_path.toStdString(),
-                   options = m_questions->options()] { return readOutlines(file, options); },
+    m_reading.run([path = m_path, options = m_questions->options()] { return outlinesOf(path, options); },
                   [this](Result<OutlineFile> file) { take(std::move(file)); });
 }
 

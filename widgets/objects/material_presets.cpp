@@ -20,14 +20,37 @@ MaterialPreset preset(const char* label, double emittance, double specificHeat_J
     return out;
 }
 
-constexpr const char* kHandbook =
-    QT_TRANSLATE_NOOP("MaterialPreset", "Incropera et al., Fundamentals of Heat and Mass Transfer, app. A");
-constexpr const char* kCoated =
-    QT_TRANSLATE_NOOP("MaterialPreset", "handbook (bulk), thermal-imaging tables (surface)");
+// What was looked up for each is in docs/materials.md.
 constexpr const char* kPaper =
     QT_TRANSLATE_NOOP("MaterialPreset", "Hu et al., arXiv 2012.13147 (bulk), flat paint (surface)");
-constexpr const char* kPrint =
-    QT_TRANSLATE_NOOP("MaterialPreset", "data sheets of filaments (bulk), thermal imaging (surface)");
+constexpr const char* kBlackAluminium = QT_TRANSLATE_NOOP(
+    "MaterialPreset", "Incropera, table A.1 (bulk), FLIR tables: matte black lacquer (surface)");
+constexpr const char* kAnodised =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Incropera, table A.1 (bulk), Neutrium: anodised, 20 \u00b0"
+                                        "C (surface)");
+constexpr const char* kSheet = QT_TRANSLATE_NOOP(
+    "MaterialPreset", "Incropera, table A.1 (bulk), FLIR tables: sheet as received (surface)");
+constexpr const char* kPolished =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Hu et al., arXiv 2012.13147; FLIR tables: 0.04 to 0.06, polished");
+constexpr const char* kCopper =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Incropera, table A.1 (bulk), FLIR tables (surface)");
+constexpr const char* kSteel = QT_TRANSLATE_NOOP(
+    "MaterialPreset", "AISI 1010, Matmake (bulk), FLIR tables: matte black lacquer (surface)");
+constexpr const char* kStainless =
+    QT_TRANSLATE_NOOP("MaterialPreset", "EN 10088-1, 1.4301 (bulk), Trotec: 18-8, 25 \u00b0"
+                                        "C (surface)");
+constexpr const char* kHeatedStainless = QT_TRANSLATE_NOOP(
+    "MaterialPreset", "EN 10088-1, 1.4301 (bulk), Thome, EPFL: 0.5 to 0.7 after heating (surface)");
+constexpr const char* kPla =
+    QT_TRANSLATE_NOOP("MaterialPreset", "FreeCAD card PLA-Generic (bulk), plastics: 0.85 to 0.95 (surface)");
+constexpr const char* kAbs =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Kaiao, Granta Design (bulk), plastics: 0.85 to 0.95 (surface)");
+constexpr const char* kGlass = QT_TRANSLATE_NOOP(
+    "MaterialPreset", "Pilkington ATS-129; specific heat: tables say 720 to 880 J/(kg\u00b7K)");
+constexpr const char* kGraphite =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Entegris, by FreeCAD's card (bulk), tables: 0.8 to 0.98 (surface)");
+constexpr const char* kCardboard =
+    QT_TRANSLATE_NOOP("MaterialPreset", "Ashby: 480 to 860 kg/m\u00b3 (bulk), FLIR tables: paper (surface)");
 
 bool same(double a, double b) {
     return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b));
@@ -38,25 +61,26 @@ bool same(double a, double b) {
 const std::vector<MaterialPreset>& materialPresets() {
     static const std::vector<MaterialPreset> presets{
         preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, painted"), 0.9, 904.0, 2700.0, kPaper),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, painted black"), 0.98, 903.0, 2702.0,
-               kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, anodised"), 0.82, 903.0, 2702.0, kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, bare"), 0.04, 904.0, 2700.0, kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "copper, polished"), 0.03, 385.0, 8933.0, kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "copper, oxidised"), 0.5, 385.0, 8933.0, kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "steel, painted black"), 0.98, 434.0, 7832.0, kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "stainless steel, polished"), 0.17, 477.0, 7900.0,
-               kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "stainless steel, oxidised"), 0.67, 477.0, 7900.0,
-               kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 30 % infill"), 0.9, 1800.0, 1240.0, kPrint, 0.3),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 50 % infill"), 0.9, 1800.0, 1240.0, kPrint, 0.5),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, solid"), 0.9, 1800.0, 1240.0, kPrint),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "ABS, 30 % infill"), 0.92, 1400.0, 1050.0, kPrint, 0.3),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "ABS, solid"), 0.92, 1400.0, 1050.0, kPrint),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "glass"), 0.92, 750.0, 2500.0, kHandbook),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "graphite"), 0.85, 709.0, 2210.0, kCoated),
-        preset(QT_TRANSLATE_NOOP("MaterialPreset", "cardboard"), 0.92, 1340.0, 930.0, kHandbook),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, painted black"), 0.97, 903.0, 2702.0,
+               kBlackAluminium),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, anodised"), 0.84, 903.0, 2702.0, kAnodised),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, bare"), 0.09, 903.0, 2702.0, kSheet),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "aluminium, polished"), 0.04, 904.0, 2700.0, kPolished),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "copper, polished"), 0.03, 385.0, 8933.0, kCopper),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "copper, oxidised"), 0.65, 385.0, 8933.0, kCopper),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "steel, painted black"), 0.97, 448.0, 7870.0, kSteel),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "stainless steel, polished"), 0.16, 500.0, 7900.0,
+               kStainless),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "stainless steel, oxidised"), 0.6, 500.0, 7900.0,
+               kHeatedStainless),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 30 % infill"), 0.9, 1800.0, 1240.0, kPla, 0.3),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, 50 % infill"), 0.9, 1800.0, 1240.0, kPla, 0.5),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "PLA, solid"), 0.9, 1800.0, 1240.0, kPla),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "ABS, 30 % infill"), 0.9, 1470.0, 1050.0, kAbs, 0.3),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "ABS, solid"), 0.9, 1470.0, 1050.0, kAbs),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "glass"), 0.84, 800.0, 2500.0, kGlass),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "graphite"), 0.85, 720.0, 1750.0, kGraphite),
+        preset(QT_TRANSLATE_NOOP("MaterialPreset", "cardboard"), 0.9, 1370.0, 700.0, kCardboard),
     };
     return presets;
 }

@@ -17,8 +17,8 @@ struct MaterialPreset {
     const char* source; ///< of the values, likewise; materialPresetSource
 };
 
-/// Handbook values at room temperature, absorptance equal to emittance (gray). Surfaces differ: emittances
-/// are good to some 0.05, those of metals to a factor of two.
+/// Values at room temperature from the sources that docs/materials.md lists, absorptance equal to emittance
+/// (gray). Surfaces differ: emittances are good to some 0.05, those of metals to a factor of two.
 const std::vector<MaterialPreset>& materialPresets();
 
 /// Translated label of a preset.

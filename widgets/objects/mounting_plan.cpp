@@ -12,6 +12,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -20,9 +21,13 @@ namespace {
 constexpr double kMmPerM = 1000.0;
 constexpr double kSnap_mm = 5.0, kFineSnap_mm = 0.1;
 constexpr double kSnap_deg = 5.0, kFineSnap_deg = 0.1;
-constexpr double kHandleBeyond_px = 16.0;
-constexpr double kHandleRadius_px = 5.0;
-constexpr double kHandleReach_px = 9.0;
+// Large enough for a hand in a glove.
+constexpr double kHandleBeyond_px = 18.0;
+constexpr double kHandleRadius_px = 6.5;
+constexpr double kHandleReach_px = 16.0;
+constexpr double kObjectReach_px = 14.0; ///< about its centre, where the outline is smaller
+constexpr double kGridLeast_px = 18.0;
+constexpr double kArrow_px = 16.0;
 
 QPolygonF outline_mm(const ObjectSpec& object) {
     QPolygonF polygon;
@@ -46,8 +51,16 @@ double turned_rad(double angle_deg) {
 
 } // namespace
 
+double gridStep_mm(double pixelsPerMm) {
+    const double least_mm = kGridLeast_px / pixelsPerMm;
+    const double below_mm = niceLength(least_mm);
+    return below_mm < least_mm ? niceLength(2.501 * below_mm) : below_mm; // 1, 2, 5: the next one
+}
+
 MountingPlan::MountingPlan(QWidget* parent) : QWidget(parent) {
-    setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    QSizePolicy policy(QSizePolicy::Preferred, QSizePolicy::Preferred);
+    policy.setHeightForWidth(true);
+    setSizePolicy(policy);
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     retranslate();
@@ -56,6 +69,8 @@ MountingPlan::MountingPlan(QWidget* parent) : QWidget(parent) {
 void MountingPlan::setObjects(const std::vector<ObjectSpec>& objects, int selected,
                               const std::set<int>& remarked, double reach_m) {
     m_objects = objects;
+    for (ObjectSpec& object : m_objects)
+        object.shape = thinned(object.shape); // drawn at every move of the mouse
     m_remarked = remarked;
     m_selected = selected < static_cast<int>(objects.size()) ? selected : -1;
     m_reach_m = reach_m;
@@ -72,8 +87,9 @@ void MountingPlan::setReadOnly(bool readOnly) {
 void MountingPlan::retranslate() {
     setAccessibleName(tr("Plan of the objects on the end-effector"));
     setToolTip(
-        tr("The objects on the end-effector, to scale. Drag one to move it, its handle to turn it; with Alt "
-           "in fine steps. Arrow keys move the selected one, Page Up and Page Down turn it."));
+        tr("The objects on the end-effector, to scale. Drag one to move it in steps of 5 mm, its handle to "
+           "turn it in steps of 5\u00b0; with Alt finely. Arrow keys move the selected one by 1 mm, Page Up "
+           "and Page Down turn it."));
 }
 
 void MountingPlan::changeEvent(QEvent* event) {
@@ -84,6 +100,14 @@ void MountingPlan::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
 }
 
+int MountingPlan::heightForWidth(int width) const {
+    return std::clamp(width, minimumSizeHint().height(), 460);
+}
+
+double MountingPlan::footHeight() const {
+    return fontMetrics().height() + 12.0;
+}
+
 QTransform MountingPlan::map() const {
     if (m_drag)
         return m_drag->map;
@@ -91,8 +115,7 @@ QTransform MountingPlan::map() const {
     for (const ObjectSpec& object : m_objects)
         content = content.united(outline_mm(object).boundingRect());
     const double margin = 12.0 + kHandleBeyond_px + kHandleRadius_px;
-    const double line = fontMetrics().height();
-    return fitted(content, QRectF(rect()).adjusted(margin, margin, -margin, -line - 14.0));
+    return fitted(content, QRectF(rect()).adjusted(margin, margin, -margin, -footHeight() - 4.0));
 }
 
 QPointF MountingPlan::handle(const QTransform& map) const {
@@ -102,28 +125,56 @@ QPointF MountingPlan::handle(const QTransform& map) const {
     return map.map(centre_mm(mounting)) + out_px * QPointF(std::cos(angle), -std::sin(angle));
 }
 
+QPointF MountingPlan::objectPosition(int index) const {
+    return map().map(centre_mm(m_objects[static_cast<std::size_t>(index)].mounting));
+}
+
+bool MountingPlan::onHandle(const QTransform& map, const QPointF& at) const {
+    return canMove() && QLineF(at, handle(map)).length() <= kHandleReach_px;
+}
+
+/// The selected one before those that lie over it, an outline before a centre that is only near.
+int MountingPlan::objectAt(const QTransform& map, const QPointF& at) const {
+    const auto holds = [&](int index) {
+        const ObjectSpec& object = m_objects[static_cast<std::size_t>(index)];
+        return map.map(outline_mm(object)).containsPoint(at, Qt::OddEvenFill);
+    };
+    if (m_selected >= 0 && holds(m_selected))
+        return m_selected;
+    int nearest = -1;
+    double nearest_px = kObjectReach_px;
+    for (int i = 0; i < static_cast<int>(m_objects.size()); ++i) {
+        if (holds(i))
+            return i;
+        if (const double away_px = QLineF(at, objectPosition(i)).length(); away_px < nearest_px) {
+            nearest_px = away_px;
+            nearest = i;
+        }
+    }
+    return nearest;
+}
+
 void MountingPlan::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton)
         return;
     const QTransform map = this->map();
     const QPointF at = event->position();
-    if (canMove() && QLineF(at, handle(map)).length() <= kHandleReach_px) {
+    if (onHandle(map, at)) {
         m_drag = Drag{map, {}, selected().mounting, true};
         return;
     }
-    for (std::size_t i = 0; i < m_objects.size(); ++i) {
-        if (!map.map(outline_mm(m_objects[i])).containsPoint(at, Qt::OddEvenFill))
-            continue;
-        emit objectClicked(static_cast<int>(i)); // which selects it
-        if (canMove())
-            m_drag = Drag{map, map.inverted().map(at) - centre_mm(selected().mounting), selected().mounting};
+    const int index = objectAt(map, at);
+    if (index < 0)
         return;
-    }
+    emit objectClicked(index); // which selects it
+    if (canMove())
+        m_drag = Drag{map, map.inverted().map(at) - centre_mm(selected().mounting), selected().mounting};
 }
 
 void MountingPlan::mouseMoveEvent(QMouseEvent* event) {
     if (!m_drag) {
-        const bool grips = canMove() && QLineF(event->position(), handle(map())).length() <= kHandleReach_px;
+        const QTransform map = this->map();
+        const bool grips = onHandle(map, event->position()) || objectAt(map, event->position()) >= 0;
         setCursor(grips ? Qt::PointingHandCursor : Qt::ArrowCursor);
         return;
     }
@@ -157,7 +208,7 @@ void MountingPlan::mouseReleaseEvent(QMouseEvent* event) {
     m_drag.reset();
     update();
     if (drag.mounting != selected().mounting)
-        emit objectMoved(m_selected, drag.mounting);
+        emit objectMoved(m_selected, drag.mounting, ++m_stroke);
 }
 
 void MountingPlan::keyPressEvent(QKeyEvent* event) {
@@ -199,7 +250,9 @@ void MountingPlan::keyPressEvent(QKeyEvent* event) {
     mounting[kX] += x_m;
     mounting[kY] += y_m;
     mounting[kThetaZ] = turned_rad(degFromRad(mounting[kThetaZ]) + angle_deg);
-    emit objectMoved(m_selected, mounting);
+    if (!event->isAutoRepeat())
+        ++m_stroke;
+    emit objectMoved(m_selected, mounting, m_stroke);
 }
 
 void MountingPlan::paintObjects(QPainter& painter, const QTransform& map) const {
@@ -223,6 +276,23 @@ void MountingPlan::paintObjects(QPainter& painter, const QTransform& map) const 
     }
 }
 
+void MountingPlan::paintNames(QPainter& painter, const QTransform& map) const {
+    painter.setPen(palette().color(QPalette::Text));
+    QColor ground = palette().color(QPalette::Base);
+    ground.setAlphaF(0.75f);
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        const bool dragged = m_drag && static_cast<int>(i) == m_selected;
+        const Vector6d& mounting = dragged ? m_drag->mounting : m_objects[i].mounting;
+        const double room_px = std::max(2.0 * kMmPerM * shapeRadius(m_objects[i].shape) * map.m11(), 64.0);
+        const QString name = fontMetrics().elidedText(QString::fromStdString(m_objects[i].name),
+                                                      Qt::ElideRight, static_cast<int>(room_px));
+        QRectF box(fontMetrics().boundingRect(name));
+        box.moveCenter(map.map(centre_mm(mounting)));
+        painter.fillRect(box.adjusted(-2.0, 0.0, 2.0, 0.0), ground);
+        painter.drawText(box, Qt::AlignCenter | Qt::TextDontClip, name);
+    }
+}
+
 void MountingPlan::paintHandle(QPainter& painter, const QTransform& map) const {
     const Vector6d& mounting = m_drag ? m_drag->mounting : selected().mounting;
     const QPointF at = handle(map);
@@ -230,45 +300,83 @@ void MountingPlan::paintHandle(QPainter& painter, const QTransform& map) const {
     painter.drawLine(map.map(centre_mm(mounting)), at);
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawEllipse(at, kHandleRadius_px, kHandleRadius_px);
-    if (!m_drag)
-        return;
+}
+
+/// Where the dragged object is.
+void MountingPlan::paintReadout(QPainter& painter) const {
     const QLocale locale;
-    painter.drawText(QRectF(rect()).adjusted(10.0, 8.0, -10.0, 0.0), Qt::AlignTop | Qt::AlignLeft,
-                     tr("x %1 cm, y %2 cm, %3\u00b0")
-                         .arg(locale.toString(100.0 * mounting[kX], 'f', 2),
-                              locale.toString(100.0 * mounting[kY], 'f', 2),
-                              locale.toString(degFromRad(mounting[kThetaZ]), 'f', 1)));
+    const Vector6d& mounting = m_drag->mounting;
+    const QString text =
+        tr("x %1 cm, y %2 cm, %3\u00b0")
+            .arg(locale.toString(100.0 * mounting[kX], 'f', 2), locale.toString(100.0 * mounting[kY], 'f', 2),
+                 locale.toString(degFromRad(mounting[kThetaZ]), 'f', 1));
+    painter.setPen(palette().color(QPalette::Text));
+    painter.fillRect(QRectF(1.0, 1.0, width() - 2.0, fontMetrics().height() + 8.0),
+                     palette().color(QPalette::Base));
+    painter.drawText(QRectF(rect()).adjusted(8.0, 5.0, -8.0, 0.0), Qt::AlignTop | Qt::AlignHCenter, text);
+}
+
+void MountingPlan::paintGround(QPainter& painter, const QTransform& map) const {
+    const bool dark = isDark(this);
+    const double step_mm = gridStep_mm(map.m11());
+    const QRectF shown = map.inverted().mapRect(QRectF(rect()));
+    const auto first = [step_mm](double least_mm) {
+        return static_cast<int>(std::floor(least_mm / step_mm));
+    };
+    for (int k = first(shown.left()); k * step_mm < shown.right(); ++k) {
+        painter.setPen(QPen(hairline(dark), k == 0 ? 1.8 : 0.7));
+        painter.drawLine(map.map(QPointF(k * step_mm, shown.top())),
+                         map.map(QPointF(k * step_mm, shown.bottom())));
+    }
+    for (int k = first(shown.top()); k * step_mm < shown.bottom(); ++k) {
+        painter.setPen(QPen(hairline(dark), k == 0 ? 1.8 : 0.7));
+        painter.drawLine(map.map(QPointF(shown.left(), k * step_mm)),
+                         map.map(QPointF(shown.right(), k * step_mm)));
+    }
+    if (m_reach_m > 0.0) {
+        const double radius_px = kMmPerM * m_reach_m * map.m11();
+        painter.setPen(QPen(secondaryText(dark), 1.0, Qt::DashLine));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawEllipse(map.map(QPointF(0.0, 0.0)), radius_px, radius_px);
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(secondaryText(dark));
+    painter.drawEllipse(map.map(QPointF(0.0, 0.0)), 2.5, 2.5);
+}
+
+/// Below the drawing, where no object hides it: how wide the grid is, and the axes.
+void MountingPlan::paintFoot(QPainter& painter, const QTransform& map) const {
+    const QRectF foot(1.0, height() - footHeight(), width() - 2.0, footHeight() - 1.0);
+    painter.fillRect(foot, palette().color(QPalette::Base));
+    painter.setPen(QPen(secondaryText(isDark(this)), 1.2));
+    painter.drawText(
+        foot.adjusted(8.0, 0.0, -48.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter,
+        tr("Grid %1, snap %2").arg(lengthText_mm(gridStep_mm(map.m11())), lengthText_mm(kSnap_mm)));
+    const QPointF corner(foot.right() - 32.0, foot.bottom() - 6.0);
+    painter.drawLine(corner, corner + QPointF(kArrow_px, 0.0));
+    painter.drawLine(corner, corner - QPointF(0.0, kArrow_px));
+    painter.drawText(corner + QPointF(kArrow_px + 3.0, 3.0), QStringLiteral("x"));
+    painter.drawText(corner + QPointF(-10.0, -kArrow_px + 8.0), QStringLiteral("y"));
 }
 
 void MountingPlan::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const bool dark = isDark(this);
-    painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Highlight), 1.4) : QPen(hairline(dark)));
+    painter.setPen(hasFocus() ? QPen(palette().color(QPalette::Highlight), 1.4)
+                              : QPen(hairline(isDark(this))));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
     painter.setClipRect(rect().adjusted(1, 1, -1, -1));
 
     const QTransform map = this->map();
-    const QPointF origin = map.map(QPointF(0.0, 0.0));
-    if (m_reach_m > 0.0) {
-        painter.setPen(QPen(hairline(dark), 1.0, Qt::DashLine));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(origin, kMmPerM * m_reach_m * map.m11(), kMmPerM * m_reach_m * map.m11());
-    }
+    paintGround(painter, map);
     paintObjects(painter, map);
-    painter.setPen(QPen(palette().color(QPalette::Text), 1.2));
-    painter.drawLine(origin, origin + QPointF(26.0, 0.0));
-    painter.drawLine(origin, origin - QPointF(0.0, 26.0));
-    painter.setBrush(palette().color(QPalette::Text));
-    painter.drawEllipse(origin, 2.5, 2.5);
-    painter.drawText(origin + QPointF(29.0, 4.0), QStringLiteral("x"));
-    painter.drawText(origin + QPointF(-3.0, -29.0), QStringLiteral("y"));
     if (canMove())
         paintHandle(painter, map);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(secondaryText(dark), 1.2));
-    paintScaleBar(painter, QRectF(rect()).adjusted(10.0, 0.0, -10.0, -8.0), map.m11());
+    paintNames(painter, map);
+    paintFoot(painter, map);
+    if (m_drag && m_drag->moved)
+        paintReadout(painter);
 }
 
 } // namespace bask

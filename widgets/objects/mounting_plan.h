@@ -11,6 +11,9 @@
 
 namespace bask {
 
+/// Side of the grid's squares, a nice length (1, 2, 5 x 10^k mm) of 18 pixels at least.
+double gridStep_mm(double pixelsPerMm);
+
 /// Coordinates and angles are those of the mounting in E. Dragging an object moves it in steps of 5 mm, with
 /// Alt of 0.1 mm; dragging its handle turns it in steps of 5 degrees, with Alt of 0.1; arrow keys move the
 /// selected one by 1 mm (Shift: 1 cm), Page Up and Page Down turn it by 5 degrees (Shift: 1). While a drag is
@@ -28,12 +31,18 @@ public:
     void setReadOnly(bool readOnly);
 
     QSize minimumSizeHint() const override { return {180, 160}; }
-    QSize sizeHint() const override { return {300, 230}; }
+    QSize sizeHint() const override { return {300, 300}; }
+    /// As tall as wide, within limits: a wider column gives a larger plan.
+    int heightForWidth(int width) const override;
+
+    /// Where an object's centre and the handle of the selected one are drawn, in pixels.
+    QPointF objectPosition(int index) const;
+    QPointF handlePosition() const { return handle(map()); }
 
 signals:
     void objectClicked(int index);
-    /// A drag or key has ended: the new mounting.
-    void objectMoved(int index, const bask::Vector6d& mounting);
+    /// A drag has ended or a key is pressed: the new mounting. `stroke` is the same while a key is held.
+    void objectMoved(int index, const bask::Vector6d& mounting, int stroke);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -53,10 +62,17 @@ private:
     };
     QTransform map() const;
     QPointF handle(const QTransform& map) const; ///< of the selected object
+    bool onHandle(const QTransform& map, const QPointF& at) const;
+    int objectAt(const QTransform& map, const QPointF& at) const; ///< -1: none
+    double footHeight() const;
     bool canMove() const { return m_selected >= 0 && !m_readOnly; }
     const ObjectSpec& selected() const { return m_objects[static_cast<std::size_t>(m_selected)]; }
     void paintObjects(QPainter& painter, const QTransform& map) const;
+    void paintGround(QPainter& painter, const QTransform& map) const;
+    void paintNames(QPainter& painter, const QTransform& map) const;
     void paintHandle(QPainter& painter, const QTransform& map) const;
+    void paintFoot(QPainter& painter, const QTransform& map) const;
+    void paintReadout(QPainter& painter) const;
     void retranslate();
 
     std::vector<ObjectSpec> m_objects;
@@ -65,6 +81,7 @@ private:
     double m_reach_m = 0.0;
     bool m_readOnly = false;
     std::optional<Drag> m_drag;
+    int m_stroke = 0;
 };
 
 } // namespace bask

@@ -14,6 +14,8 @@
 #include <QLocale>
 #include <QSignalBlocker>
 
+#include <cmath>
+
 namespace bask {
 namespace {
 
@@ -23,6 +25,38 @@ constexpr int kTyped = -1; ///< entry of the preset list for values that match n
 void setQuietly(QDoubleSpinBox* field, double value) {
     const QSignalBlocker block(field);
     field->setValue(value);
+}
+
+/// Four digits; "7.621 x 10^-11" with a true multiplication sign and superscripts where there would be many
+/// zeros.
+QString numberText(double value) {
+    static const QString kSuperscripts =
+        QString::fromUtf8("\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079");
+    const QLocale locale;
+    if (!std::isfinite(value))
+        return kNoValue;
+    const QString digits = QString::number(value, 'e', 3);
+    const int exponent = digits.section(QLatin1Char('e'), 1).toInt();
+    if (value == 0.0 || (exponent >= -3 && exponent <= 3))
+        return locale.toString(value, 'g', 4);
+    QString power = exponent < 0 ? QStringLiteral("\u207b") : QString();
+    for (const QChar digit : QString::number(std::abs(exponent)))
+        power += kSuperscripts[digit.digitValue()];
+    return QStringLiteral("%1\u00a0\u00d7\u00a010%2")
+        .arg(locale.toString(digits.section(QLatin1Char('e'), 0, 0).toDouble(), 'f', 3), power);
+}
+
+/// "42 s", "6.5 min", "2.3 h".
+QString timeConstantText(double time_s) {
+    const QLocale locale;
+    if (!std::isfinite(time_s))
+        return kNoValue;
+    if (time_s < 119.5)
+        return ObjectProperties::tr("%1 s").arg(locale.toString(time_s, 'f', time_s < 9.95 ? 1 : 0));
+    const double time_min = time_s / 60.0;
+    return time_min < 119.5
+               ? ObjectProperties::tr("%1 min").arg(locale.toString(time_min, 'f', time_min < 9.95 ? 1 : 0))
+               : ObjectProperties::tr("%1 h").arg(locale.toString(time_min / 60.0, 'f', 1));
 }
 
 } // namespace
@@ -285,10 +319,10 @@ void ObjectProperties::showDerived() {
     m_heatCapacity->setText(tr("%1 J/(m\u00b2\u00b7K)")
                                 .arg(locale.toString(m_object.material.arealHeatCapacity_J_m2K(), 'f', 0)));
     const HeatRates rates = heatRates(m_object.material, m_netSourcePower_W_m2, m_environment_K);
-    m_timeConstant->setText(formatDuration(rates.timeConstant_s(m_object.target_K)));
-    m_lambda1->setText(tr("%1 K/s").arg(locale.toString(rates.lambda1, 'g', 4)));
-    m_lambda2->setText(tr("%1 K\u207b\u00b3s\u207b\u00b9").arg(locale.toString(rates.lambda2, 'g', 4)));
-    m_lambda3->setText(tr("%1 K/s").arg(locale.toString(rates.lambda3, 'g', 4)));
+    m_timeConstant->setText(timeConstantText(rates.timeConstant_s(m_object.target_K)));
+    m_lambda1->setText(tr("%1 K/s").arg(numberText(rates.lambda1)));
+    m_lambda2->setText(tr("%1 K\u207b\u00b3\u00b7s\u207b\u00b9").arg(numberText(rates.lambda2)));
+    m_lambda3->setText(tr("%1 K/s").arg(numberText(rates.lambda3)));
 }
 
 void ObjectProperties::refreshTexts() {
@@ -330,7 +364,7 @@ void ObjectProperties::refreshTexts() {
     }
     m_presetSource->setPalette(caption);
     m_heatCapacity->setToolTip(tr("Of the plate, per area that is seen"));
-    m_timeConstant->setToolTip(tr("Of small changes about the target, in minutes and seconds"));
+    m_timeConstant->setToolTip(tr("Of small changes about the target"));
     m_lambda1->setToolTip(tr("Heating at view factor 1 with the source as it is set"));
     m_lambda2->setToolTip(tr("Times T\u2074: what the object radiates"));
     m_lambda3->setToolTip(tr("What the surroundings give"));

@@ -18,6 +18,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
@@ -96,7 +97,7 @@ ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent), m_undo(new QUndoSta
     splitter->addWidget(buildRight());
     splitter->setStretchFactor(1, 1);
     splitter->setChildrenCollapsible(false);
-    splitter->setSizes({220, 560, 340});
+    splitter->setSizes({300, 560, 340});
 
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(splitter);
@@ -138,6 +139,8 @@ QWidget* ObjectsPage::buildLeft() {
     };
     m_addDisk = button("addDisk");
     m_import = button("importOutline");
+    m_samples = button("sampleShapes");
+    m_samples->setMenu(new QMenu(m_samples));
     m_duplicate = button("duplicateObject");
     m_remove = button("removeObject");
     m_undoButton = button("undo");
@@ -150,7 +153,8 @@ QWidget* ObjectsPage::buildLeft() {
     layout->addWidget(m_list, 1, 0, 1, 2);
     layout->addWidget(m_count, 2, 0, 1, 2);
     layout->addWidget(m_import, 3, 0, 1, 2);
-    layout->addWidget(m_addDisk, 4, 0, 1, 2);
+    layout->addWidget(m_addDisk, 4, 0);
+    layout->addWidget(m_samples, 4, 1);
     layout->addWidget(m_duplicate, 5, 0);
     layout->addWidget(m_remove, 5, 1);
     layout->addWidget(m_undoButton, 6, 0);
@@ -228,11 +232,13 @@ void ObjectsPage::connectAll() {
                      [&object](ObjectSpec& o) { o = object; });
     });
     connect(m_plan, &MountingPlan::objectClicked, this, &ObjectsPage::selectObject);
-    connect(m_plan, &MountingPlan::objectMoved, this, [this](int index, const Vector6d& mounting) {
-        selectObject(index);
-        editSelected(tr("move of \u201c%1\u201d").arg(QString::fromStdString(selected().name)), {},
-                     [&mounting](ObjectSpec& o) { o.mounting = mounting; });
-    });
+    connect(m_plan, &MountingPlan::objectMoved, this,
+            [this](int index, const Vector6d& mounting, int stroke) {
+                selectObject(index);
+                editSelected(tr("move of \u201c%1\u201d").arg(QString::fromStdString(selected().name)),
+                             QStringLiteral("move %1").arg(stroke),
+                             [&mounting](ObjectSpec& o) { o.mounting = mounting; });
+            });
     connect(m_importPanel, &ImportPanel::attentionWanted, this, [this] { showPanel(true); });
     connect(m_importPanel, &ImportPanel::cancelled, this, [this] { showPanel(false); });
     connect(m_importPanel, &ImportPanel::accepted, this, &ObjectsPage::addImported);
@@ -534,6 +540,7 @@ void ObjectsPage::updateEnabled() {
     const bool some = hasSelection();
     m_addDisk->setEnabled(m_editable && room);
     m_import->setEnabled(m_editable && room);
+    m_samples->setEnabled(m_editable && room);
     m_duplicate->setEnabled(m_editable && room && some);
     m_remove->setEnabled(m_editable && some);
     m_undoButton->setEnabled(m_editable && m_undo->canUndo());
@@ -546,7 +553,7 @@ void ObjectsPage::updateEnabled() {
         room ? QString()
              : tr("Each object needs a free axis of the robot of its own; all are used. Remove an "
                   "object first.");
-    for (QPushButton* button : {m_addDisk, m_import, m_duplicate})
+    for (QPushButton* button : {m_addDisk, m_import, m_samples, m_duplicate})
         button->setToolTip(m_editable ? full : m_why);
     m_undoButton->setToolTip(m_undo->canUndo() ? tr("Undo: %1").arg(m_undo->undoText())
                                                : tr("Nothing to undo"));
@@ -558,6 +565,13 @@ void ObjectsPage::refreshTexts() {
     m_listTitle->setText(tr("&Objects"));
     m_addDisk->setText(tr("Add &disk"));
     m_import->setText(tr("&Import outline\u2026"));
+    m_samples->setText(tr("&Sample shapes"));
+    m_samples->menu()->clear();
+    for (const auto& [file, name] : {std::pair("bunny.csv", tr("Bunny")),
+                                     std::pair("circle.svg", tr("Circle")), std::pair("gear.svg", tr("Gear")),
+                                     std::pair("hand.csv", tr("Hand")), std::pair("leaf.svg", tr("Leaf"))})
+        m_samples->menu()->addAction(name, this,
+                                     [this, path = QStringLiteral(":/samples/") + file] { offerFile(path); });
     m_duplicate->setText(tr("Du&plicate"));
     m_remove->setText(tr("&Remove"));
     m_undoButton->setText(tr("&Undo"));

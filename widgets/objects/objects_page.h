@@ -29,7 +29,7 @@ class OutlinePreview;
 /// answers a refused one with setExperiment(the value before) and showError, which also takes the edit off
 /// the undo stack. Files are read off the GUI thread.
 ///
-/// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "duplicateObject",
+/// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "sampleShapes", "duplicateObject",
 /// "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks", "pageMessage"
 /// (MessageBar), "editNote" (MessageBar), "importPanel", and those of HarmonicsPanel, ObjectProperties,
 /// ImportPanel and MessageBar.
@@ -122,6 +122,7 @@ private:
     QLabel* m_remarks; ///< on the mounting
     QPushButton* m_addDisk;
     QPushButton* m_import;
+    QPushButton* m_samples;
     QPushButton* m_duplicate;
     QPushButton* m_remove;
     QPushButton* m_undoButton;

@@ -1,6 +1,7 @@
 // The plan of the end-effector, dragged and turned by mouse and keys.
 
 #include "engine/base/units.h"
+#include "widgets/common/theme.h"
 #include "widgets/objects/mounting_plan.h"
 
 #include <QApplication>
@@ -56,23 +57,7 @@ struct MountingPlanTest : testing::Test {
         mouse(QEvent::MouseMove, to, keys);
         mouse(QEvent::MouseButtonRelease, to, keys);
     }
-    /// Where the disks are drawn: the plan is symmetric about its middle, so a click tells.
-    QPointF middleOf(int index) {
-        for (int x = 0; x < plan.width(); ++x) {
-            const int before = selected;
-            selected = -1;
-            const QPointF at(index == 0 ? x : plan.width() - 1 - x, 140.0);
-            mouse(QEvent::MouseButtonPress, at);
-            mouse(QEvent::MouseButtonRelease, at);
-            const bool hit = selected == index;
-            selected = before;
-            show();
-            if (hit)
-                return at + QPointF(index == 0 ? 20.0 : -20.0, 0.0);
-        }
-        ADD_FAILURE() << "object " << index << " is not drawn";
-        return {};
-    }
+    QPointF middleOf(int index) const { return plan.objectPosition(index); }
     Vector6d& mounting(int index) { return objects[static_cast<std::size_t>(index)].mounting; }
 };
 
@@ -124,6 +109,74 @@ TEST_F(MountingPlanTest, EscapeAndReadOnlyChangeNothing) {
     drag(from, from + QPointF(40.0, 0.0));
     QTest::keyClick(&plan, Qt::Key_Left);
     EXPECT_EQ(moves, 0);
+}
+
+// Catches a handle or a small object that only a mouse's point can hit, and a turn that is not in steps.
+TEST_F(MountingPlanTest, AnUnsteadyHandHitsTheHandleAndSmallObjects) {
+    drag(plan.handlePosition() + QPointF(10.0, -10.0), middleOf(0) + QPointF(60.0, 3.0));
+    EXPECT_EQ(moves, 1);
+    EXPECT_NEAR(degFromRad(mounting(0)[kThetaZ]), -95.0, 1e-9);
+    EXPECT_EQ(mounting(0)[kX], -0.04);
+    objects[1].shape = Disk{0.0005};
+    show();
+    drag(middleOf(1) + QPointF(9.0, 6.0), middleOf(1) + QPointF(9.0, -34.0));
+    EXPECT_EQ(moves, 2);
+    EXPECT_EQ(selected, 1);
+    EXPECT_GT(mounting(1)[kY], 0.0);
+}
+
+// Catches an overlap that cannot be mended since the object below is the one that moves.
+TEST_F(MountingPlanTest, OfTwoThatOverlapTheSelectedOneMoves) {
+    mounting(0) = mounting(1);
+    selected = 1;
+    show();
+    drag(middleOf(1), middleOf(1) + QPointF(-60.0, 0.0));
+    EXPECT_EQ(selected, 1);
+    EXPECT_LT(mounting(1)[kX], 0.04);
+    EXPECT_EQ(mounting(0)[kX], 0.04);
+}
+
+// Catches a grid that is too fine to be seen, or of squares that nobody counts in.
+TEST(MountingPlanGrid, SquaresAreOfOneTwoOrFive) {
+    for (double pixelsPerMm = 0.02; pixelsPerMm < 60.0; pixelsPerMm *= 1.07) {
+        const double step_mm = gridStep_mm(pixelsPerMm);
+        EXPECT_GE(step_mm * pixelsPerMm, 18.0 * (1.0 - 1e-9));
+        EXPECT_LE(step_mm * pixelsPerMm, 18.0 * 2.5);
+        const double lead = step_mm / std::pow(10.0, std::floor(std::log10(step_mm) + 1e-9));
+        EXPECT_TRUE(std::abs(lead - 1.0) < 1e-6 || std::abs(lead - 2.0) < 1e-6 || std::abs(lead - 5.0) < 1e-6)
+            << step_mm;
+    }
+}
+
+// Catches a plan that stays small when there is room, names that are not drawn, and a readout that stays away
+// while an object is dragged; keeps pictures of narrow and wide plans in both themes.
+TEST_F(MountingPlanTest, GrowsWithItsColumnAndNamesTheObjects) {
+    EXPECT_EQ(plan.heightForWidth(220), 220);
+    EXPECT_EQ(plan.heightForWidth(400), 400);
+    EXPECT_LT(plan.heightForWidth(1000), 500);
+    for (const bool dark : {false, true}) {
+        applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
+        QApplication::processEvents();
+        for (const int width : {220, 400}) {
+            plan.resize(width, plan.heightForWidth(width));
+            EXPECT_TRUE(plan.grab().save(
+                QStringLiteral("mounting_plan_%1_%2.png").arg(dark ? "dark" : "light").arg(width)));
+        }
+    }
+    applyTheme(*qApp, Theme::Light);
+    const QImage before = plan.grab().toImage();
+    objects[1].name = "other";
+    show();
+    EXPECT_NE(plan.grab().toImage(), before);
+    objects[1].name = "right";
+    show();
+    EXPECT_EQ(plan.grab().toImage(), before);
+    const QRect top(0, 2, plan.width(), 16);
+    mouse(QEvent::MouseButtonPress, middleOf(0));
+    EXPECT_EQ(plan.grab().toImage().copy(top), before.copy(top));
+    mouse(QEvent::MouseMove, middleOf(0) + QPointF(0.0, 40.0));
+    EXPECT_NE(plan.grab().toImage().copy(top), before.copy(top));
+    mouse(QEvent::MouseButtonRelease, middleOf(0));
 }
 
 } // namespace bask

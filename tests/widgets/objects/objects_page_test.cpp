@@ -22,6 +22,7 @@
 #include <QSignalSpy>
 #include <QSlider>
 #include <QSpinBox>
+#include <QSplitter>
 #include <QStyleOptionSlider>
 #include <QTest>
 #include <QUndoStack>
@@ -226,8 +227,8 @@ TEST_F(ObjectsPageTest, MaterialPresets) {
     ASSERT_GE(bare, 0);
     preset->setCurrentIndex(bare);
     emit preset->activated(bare);
-    EXPECT_DOUBLE_EQ(last().objects[0].material.emittance, 0.04);
-    EXPECT_DOUBLE_EQ(last().objects[0].material.absorptance, 0.04);
+    EXPECT_DOUBLE_EQ(last().objects[0].material.emittance, 0.09);
+    EXPECT_DOUBLE_EQ(last().objects[0].material.absorptance, 0.09);
     EXPECT_DOUBLE_EQ(last().objects[0].material.thickness_m, 0.003);
     type(child<QDoubleSpinBox>("emittance"), "0.5");
     EXPECT_TRUE(preset->currentText().startsWith("typed values"));
@@ -405,6 +406,24 @@ TEST_F(ObjectsPageTest, NotEditableDuringARun) {
     page.setEditable(true, {});
     EXPECT_TRUE(child<QDoubleSpinBox>("thickness")->isEnabled());
     EXPECT_EQ(child<MessageBar>("editNote")->sentence(), "");
+}
+
+// Catches a plan that stays small in a wide column, and one that pushes the rest out of the page.
+TEST_F(ObjectsPageTest, ThePlanGrowsWithItsColumn) {
+    auto* plan = child<QWidget>("mountingPlan");
+    EXPECT_GE(plan->height(), 200);
+    page.resize(1300, 820);
+    page.findChild<QSplitter*>()->setSizes({400, 560, 340});
+    for (int i = 0; i < 4; ++i)
+        QApplication::processEvents();
+    EXPECT_GE(plan->height(), 360);
+    EXPECT_EQ(plan->height(), plan->width());
+    page.resize(1300, 600);
+    for (int i = 0; i < 4; ++i)
+        QApplication::processEvents();
+    EXPECT_TRUE(page.rect().contains(QRect(plan->mapTo(&page, QPoint(0, 0)), plan->size())));
+    EXPECT_GT(child<ObjectList>("objectList")->height(), 60);
+    page.grab().save("objects_wide_plan.png");
 }
 
 // Catches an outline drawn out of register with its fit.
