@@ -93,6 +93,7 @@ private:
     void removeSelected();
     void previewFit(const FourierFit& fit);
     void commitFit(const FourierFit& fit);
+    void commitOutline(const Contour& polygon);
     void showAll();
     void showSelected();
     void showMounting();
