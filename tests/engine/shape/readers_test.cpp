@@ -139,6 +139,27 @@ TEST(Readers, FilesOfOneShapeAgreePairwise) {
     }
 }
 
+// Catches a sample shape of another size than its README says, off its page, or without its bore.
+TEST(Readers, SampleShapesAreAsTheyAreDescribed) {
+    const auto read = [](const char* name) {
+        const auto file = readOutlines(test::examplePath(name), {});
+        EXPECT_TRUE(file) << name << describe(file.error());
+        EXPECT_TRUE(file && file->warnings.empty()) << name;
+        return file ? *file : OutlineFile{};
+    };
+    const OutlineFile circle = read("circle.svg"), leaf = read("leaf.svg"), gear = read("gear.svg");
+    ASSERT_EQ(circle.outlines.size(), 1U);
+    EXPECT_NEAR(boxOf(circle.outlines[0]).sizes().x(), 50.0, 0.02);
+    ASSERT_EQ(leaf.outlines.size(), 1U);
+    EXPECT_NEAR(boxOf(leaf.outlines[0]).sizes().y(), 76.0, 1e-3);
+    ASSERT_EQ(gear.outlines.size(), 2U);
+    EXPECT_NEAR(boxOf(gear.outlines[0]).sizes().x(), 62.0, 0.2);
+    EXPECT_TRUE(gear.outlines[1].hole);
+    EXPECT_NEAR(boxOf(gear.outlines[1]).sizes().x(), 16.0, 0.01);
+    for (const OutlineFile& file : {circle, leaf, gear})
+        EXPECT_TRUE(contourOf(file.outlines[0]));
+}
+
 // Catches an import or a fit that takes quadratic time: 60,000 points and 20 harmonics in half a second.
 TEST(Readers, SixtyThousandPointsAreReadAndFittedAtOnce) {
     std::ostringstream text;
