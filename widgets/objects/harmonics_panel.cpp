@@ -10,6 +10,7 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -94,6 +95,7 @@ void HarmonicsPanel::connectAll() {
         m_sought_m = m_tolerance->value() * 1e-3;
         chooseFewest();
     });
+    connect(m_tolerance->findChild<QLineEdit*>(), &QLineEdit::returnPressed, m_fewest, &QPushButton::click);
     connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, [this] {
         m_sought_m.reset(); // what was said is of another tolerance
         setVerdict({});
