@@ -1296,7 +1296,7 @@
         </message>
         <message>
             <source>Fewest harmonics &amp;within</source>
-            <translation>Le &amp;moins d’harmoniques à</translation>
+            <translation>Le &amp;moins d’harmoniques pour</translation>
         </message>
         <message>
             <source>Chooses the fewest harmonics whose outline does not cross itself and is nowhere farther from the imported one than this (Hausdorff distance).</source>

@@ -59,6 +59,12 @@ HarmonicsPanel::HarmonicsPanel(QWidget* parent)
     for (QLabel* label : {m_residual, m_verdict, m_warning})
         label->setWordWrap(true);
     m_verdict->hide();
+    for (QLabel* label :
+         {m_warningIcon, m_warning}) { // or the slider would move under the mouse that drags it
+        QSizePolicy kept = label->sizePolicy();
+        kept.setRetainSizeWhenHidden(true);
+        label->setSizePolicy(kept);
+    }
     arrange();
     connectAll();
     setOutline({}, 0, Qt::gray, {});

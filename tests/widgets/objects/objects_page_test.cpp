@@ -281,8 +281,14 @@ TEST_F(ObjectsPageTest, WarnsOfACrossingOutline) {
     page.setExperiment(experiment);
     select("bunny");
     auto* spin = child<QSpinBox>("harmonicsSpin");
+    ASSERT_TRUE(fitted());
+    const QPoint before = child<QSlider>("harmonicsSlider")->mapTo(&page, QPoint());
+    EXPECT_FALSE(child<QLabel>("crossingWarning")->isVisible());
     type(spin, QString::number(crossing));
     EXPECT_TRUE(QTest::qWaitFor([&] { return child<QLabel>("crossingWarning")->isVisible(); }, 30000));
+    QApplication::processEvents();
+    EXPECT_EQ(child<QSlider>("harmonicsSlider")->mapTo(&page, QPoint()), before)
+        << "it moves under the mouse";
 }
 
 // Catches fields that are shown or sent in the wrong unit.
