@@ -9,6 +9,7 @@
 
 #include <QApplication>
 #include <QDeadlineTimer>
+#include <QElapsedTimer>
 #include <QFile>
 #include <QImage>
 #include <QLocale>
@@ -70,6 +71,27 @@ void sliderMove(benchmark::State& state) {
         benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 BENCHMARK(sliderMove)->ArgName("points")->Arg(1000)->Arg(60000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// From an outline of 60,000 points to the fit that is shown, and to all 40 (counter `all_s`).
+void fitsOffTheGuiThread(benchmark::State& state) {
+    const Contour outline = bunny(60000);
+    double all_s = 0.0;
+    for (auto _ : state) {
+        QElapsedTimer timer;
+        timer.start();
+        FourierFits fits;
+        fits.setOutline(outline);
+        fits.want(kHarmonics);
+        while (!fits.fit(kHarmonics))
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 10);
+        state.SetIterationTime(static_cast<double>(timer.nsecsElapsed()) * 1e-9);
+        while (!fits.complete())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents, 10);
+        all_s += static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+    }
+    state.counters["all_s"] = all_s / static_cast<double>(state.iterations());
+}
+BENCHMARK(fitsOffTheGuiThread)->Unit(benchmark::kMillisecond)->UseManualTime()->Iterations(3);
 
 const QTemporaryDir& folder() {
     static const QTemporaryDir made;

@@ -157,6 +157,10 @@ TEST_F(ObjectsPageTest, FewestHarmonicsForATolerance) {
     EXPECT_FALSE(child<QLabel>("toleranceVerdict")->isVisible());
     click("undo");
     EXPECT_EQ(last(), example());
+    // Five harmonics come within 10.14 mm, but cross.
+    type(child<QDoubleSpinBox>("tolerance"), "10.2");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 3; }, 30000));
+    EXPECT_EQ(std::get<FourierContour>(last().objects[2].shape).harmonics(), 6);
 }
 
 // Catches silence, or a number taken anyhow, where no number of harmonics does.
