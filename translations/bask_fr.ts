@@ -1331,8 +1331,56 @@
             <translation>Ajustement en cours…</translation>
         </message>
         <message>
-            <source>Residual: &lt;b&gt;%1 mm&lt;/b&gt; rms, &lt;b&gt;%2 mm&lt;/b&gt; at most</source>
-            <translation>Résidu : &lt;b&gt;%1 mm&lt;/b&gt; efficace, &lt;b&gt;%2 mm&lt;/b&gt; au plus</translation>
+            <source>Residual &lt;b&gt;%1 mm&lt;/b&gt; rms, &lt;b&gt;%2 mm&lt;/b&gt; at most; Hausdorff &lt;b&gt;%3 mm&lt;/b&gt;; area &lt;b&gt;%4 %&lt;/b&gt;</source>
+            <translation>Résidu &lt;b&gt;%1 mm&lt;/b&gt; efficace, &lt;b&gt;%2 mm&lt;/b&gt; au plus ; Hausdorff &lt;b&gt;%3 mm&lt;/b&gt; ; aire &lt;b&gt;%4 %&lt;/b&gt;</translation>
+        </message>
+        <message>
+            <source>%1 mm cannot be reached with up to %2 harmonics: %3 of them come closest, within %4 mm. The outline itself is exact.</source>
+            <translation>%1 mm ne peut être atteint avec au plus %2 harmoniques : %3 s’en approchent le mieux, à moins de %4 mm. Le contour lui-même est exact.</translation>
+        </message>
+        <message>
+            <source>With any number of harmonics up to %1 the outline crosses itself. The outline itself is exact.</source>
+            <translation>Quel que soit le nombre d’harmoniques jusqu’à %1, le contour se recoupe. Le contour lui-même est exact.</translation>
+        </message>
+        <message>
+            <source>Fitting… %1 of %2</source>
+            <translation>Ajustement… %1 sur %2</translation>
+        </message>
+        <message>
+            <source>Fewest harmonics &amp;within</source>
+            <translation>Le &amp;moins d’harmoniques pour</translation>
+        </message>
+        <message>
+            <source>Chooses the fewest harmonics whose outline does not cross itself and is nowhere farther from the imported one than this (Hausdorff distance).</source>
+            <translation>Choisit le plus petit nombre d’harmoniques dont le contour ne se recoupe pas et ne s’éloigne nulle part davantage du contour importé (distance de Hausdorff).</translation>
+        </message>
+        <message>
+            <source> mm</source>
+            <translation> mm</translation>
+        </message>
+        <message>
+            <source>Distance within which the Fourier outline shall be</source>
+            <translation>Distance à laquelle le contour de Fourier doit rester</translation>
+        </message>
+        <message>
+            <source>Use the outli&amp;ne itself</source>
+            <translation>&amp;Utiliser le contour lui-même</translation>
+        </message>
+        <message>
+            <source>Takes the imported outline as a polygon, corner by corner, in place of a Fourier outline. Exact; slower the more corners it has.</source>
+            <translation>Prend le contour importé comme polygone, sommet par sommet, au lieu d’un contour de Fourier. Exact ; d’autant plus lent qu’il a de sommets.</translation>
+        </message>
+        <message>
+            <source>Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of one outline is from the other. Area: of the Fourier outline against the imported one.</source>
+            <translation>Résidu : entre points de même abscisse curviligne. Distance de Hausdorff : le plus grand éloignement d’un point d’un contour à l’autre. Aire : celle du contour de Fourier par rapport au contour importé.</translation>
+        </message>
+        <message>
+            <source>The imported outline itself is used: %1 corners.</source>
+            <translation>Le contour importé lui-même est utilisé : %1 sommets.</translation>
+        </message>
+        <message>
+            <source>The imported outline itself is used, thinned from %1 to %2 corners.</source>
+            <translation>Le contour importé lui-même est utilisé, réduit de %1 à %2 sommets.</translation>
         </message>
     </context>
     <context>
@@ -2009,6 +2057,10 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
             <translation>%1 degrés de liberté utilisés sur %2</translation>
         </message>
         <message>
+            <source>use of the outline itself</source>
+            <translation>utilisation du contour lui-même</translation>
+        </message>
+        <message>
             <source>Cancel</source>
             <translation>Annuler</translation>
         </message>
@@ -2081,6 +2133,26 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>%1 mm × %2 mm</source>
             <translation>%1 mm × %2 mm</translation>
+        </message>
+        <message>
+            <source>Centroid, principal axes: radii of gyration %1 mm and %2 mm</source>
+            <translation>Centre et axes principaux : rayons de giration %1 mm et %2 mm</translation>
+        </message>
+        <message>
+            <source>Imported outline at most %1 mm from the Fourier outline</source>
+            <translation>Contour importé à %1 mm au plus du contour de Fourier</translation>
+        </message>
+        <message>
+            <source>Imported outline, %1 points, coloured by its distance</source>
+            <translation>Contour importé, %1 points, coloré selon sa distance</translation>
+        </message>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 mm</translation>
+        </message>
+        <message>
+            <source>0 mm</source>
+            <translation>0 mm</translation>
         </message>
     </context>
     <context>

@@ -98,7 +98,8 @@ struct Experiment {
     bool operator==(const Experiment&) const = default;
 };
 
-inline constexpr int kExperimentFormat = 1; ///< version written to and accepted from JSON
+inline constexpr int kExperimentFormat = 1;       ///< version written to and accepted from JSON
+inline constexpr std::size_t kMostCorners = 5000; ///< of a polygon: more would make a run slower than life
 
 /// Set point of the source at a run time, K.
 double sourceSetPoint_K(const SourceSpec& source, double time_s);

@@ -211,4 +211,25 @@ Contour simplified(const Contour& contour, double tolerance_m) {
     return contour;
 }
 
+Contour simplifiedTo(const Contour& contour, std::size_t most) {
+    const double perimeter_m = contourPerimeter(contour);
+    Contour fewer = contour;
+    for (double share = 1e-6; fewer.points_m.size() > most && share < 1.0; share *= 2.0)
+        fewer = simplified(contour, share * perimeter_m);
+    return fewer;
+}
+
+std::vector<Vector2d> pointsAlong(const Contour& contour, double step_m) {
+    std::vector<Vector2d> points;
+    points.reserve(contour.points_m.size());
+    for (std::size_t k = 0; k < contour.points_m.size(); ++k) {
+        const Vector2d& a = contour.points_m[k];
+        const Vector2d edge = contour.points_m[(k + 1) % contour.points_m.size()] - a;
+        const int pieces = std::max(1, static_cast<int>(std::ceil(edge.norm() / step_m)));
+        for (int piece = 0; piece < pieces; ++piece)
+            points.push_back(a + edge * (static_cast<double>(piece) / pieces));
+    }
+    return points;
+}
+
 } // namespace bask

@@ -34,4 +34,11 @@ Contour centred(const Contour& contour);
 /// The outline with points left out that lie within `tolerance_m` of it (Douglas-Peucker on the closed ring).
 Contour simplified(const Contour& contour, double tolerance_m);
 
+/// The outline simplified to at most `most` (> 3) points: by a millionth of its perimeter, and by twice as
+/// much until they suffice. As it is when it has no more.
+Contour simplifiedTo(const Contour& contour, std::size_t most);
+
+/// The outline's points, and more along its edges where these are longer than `step_m` (> 0).
+std::vector<Eigen::Vector2d> pointsAlong(const Contour& contour, double step_m);
+
 } // namespace bask

@@ -90,16 +90,20 @@ void measureResidual(const std::vector<Eigen::Vector2d>& points, const std::vect
     fit.max_m = std::sqrt(most);
 }
 
-// The series is taken as chords, which keep to it within a millionth of its size as far as harmonics go.
-double hausdorffOf(const std::vector<Eigen::Vector2d>& points, const FourierContour& contour,
-                   double perimeter_m) {
+// Chords that keep to the series within a millionth of its size as far as harmonics go.
+std::vector<Eigen::Vector2d> chordsOf(const FourierContour& contour) {
     constexpr int kChords = 8192;
-    constexpr double kTolerance = 1e-6;
     std::vector<Eigen::Vector2d> chords;
     chords.reserve(kChords);
     for (int k = 0; k < kChords; ++k)
         chords.push_back(vectorOf(contour.point(static_cast<double>(k) / kChords)));
-    return hausdorffDistance(points, chords, kTolerance * perimeter_m);
+    return chords;
+}
+
+double hausdorffOf(const std::vector<Eigen::Vector2d>& points, const FourierContour& contour,
+                   double perimeter_m) {
+    constexpr double kTolerance = 1e-6;
+    return hausdorffDistance(points, chordsOf(contour), kTolerance * perimeter_m);
 }
 
 // The first terms of a series, which are those of its shorter fits.
@@ -226,6 +230,13 @@ Result<FourierFit> fitFourier(const Contour& outline, int harmonics) {
     fit.contour = FourierContour(std::move(c));
     fit.crossesItself = !(fit.contour.area() > 0.0) || findCrossing(fit.contour).has_value();
     return fit;
+}
+
+std::vector<double> distancesTo(const FourierFit& fit, const std::vector<Eigen::Vector2d>& points) {
+    std::vector<Eigen::Vector2d> curve = chordsOf(fit.contour);
+    for (Eigen::Vector2d& p : curve)
+        p += fit.centre_m;
+    return distancesTo(curve, points);
 }
 
 Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m) {

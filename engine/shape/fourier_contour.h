@@ -56,6 +56,10 @@ struct FourierFit {
 /// edge). The centroid of the **series** is moved to the origin. Refuses harmonics outside 1..kMaxHarmonics.
 Result<FourierFit> fitFourier(const Contour& outline, int harmonics);
 
+/// Distance (m) of points in the outline's coordinates to the nearest point of the fit's curve, to a
+/// millionth of its size.
+std::vector<double> distancesTo(const FourierFit& fit, const std::vector<Eigen::Vector2d>& points);
+
 /// The fit of the fewest harmonics whose Hausdorff distance from the outline is at most `tolerance_m` and
 /// that does not cross itself. Errors: ValueNotPositive, ToleranceUnreachable.
 Result<FourierFit> fitFourierWithin(const Contour& outline, double tolerance_m);

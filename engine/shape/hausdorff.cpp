@@ -141,4 +141,13 @@ double hausdorffDistance(const Points& a, const Points& b, double tolerance_m) {
     return oneWay(b, a, tolerance_m, oneWay(a, b, tolerance_m, 0.0));
 }
 
+std::vector<double> distancesTo(const Points& ring, const Points& points) {
+    EdgeTree tree(ring);
+    std::vector<double> distances;
+    distances.reserve(points.size());
+    for (const Vector2d& p : points)
+        distances.push_back(tree.distance(p, 0.0));
+    return distances;
+}
+
 } // namespace bask

@@ -12,6 +12,12 @@
 
 namespace bask {
 
+/// A fit and how far the outline is from it, point by point.
+struct OutlineFit {
+    FourierFit fit;
+    std::vector<double> distances_m; ///< of FourierFits::points()
+};
+
 /// Lives on the GUI thread. A new outline cancels the fits of the one before; the wanted number of harmonics
 /// goes first.
 class FourierFits : public QObject {
@@ -29,25 +35,36 @@ public:
     void want(int harmonics);
 
     /// The fit if it is there already. 1 <= harmonics <= kMaxHarmonics.
-    const std::optional<FourierFit>& fit(int harmonics) const {
+    const std::optional<OutlineFit>& fit(int harmonics) const {
         return m_fits.at(static_cast<std::size_t>(harmonics));
     }
+    int done() const { return m_done; }
     bool complete() const { return m_done == kMaxHarmonics; }
+
+    /// The outline's points and more along its longer edges; empty until the first fit is there.
+    const std::vector<Eigen::Vector2d>& points() const { return *m_points; }
+
+    /// The outline as a polygon with no more corners than an object may have; empty until the first fit is
+    /// there.
+    const Contour& polygon() const { return *m_polygon; }
 
 signals:
     /// A fit arrived, or the outline refuses this number of harmonics (then fit() stays empty).
     void fitReady(int harmonics);
 
 private:
+    using Points = std::vector<Eigen::Vector2d>;
     struct Job {
         std::atomic<bool> cancelled{false};
         std::atomic<int> wanted{0};
     };
+    struct Work;
     void run();
-    void take(const std::shared_ptr<Job>& job, int harmonics, std::optional<FourierFit> fit);
 
     std::shared_ptr<const Contour> m_outline = std::make_shared<Contour>();
-    std::array<std::optional<FourierFit>, kMaxHarmonics + 1> m_fits;
+    std::shared_ptr<const Points> m_points = std::make_shared<Points>();
+    std::shared_ptr<const Contour> m_polygon = std::make_shared<Contour>();
+    std::array<std::optional<OutlineFit>, kMaxHarmonics + 1> m_fits;
     int m_done = 0;
     std::shared_ptr<Job> m_job;
 };

@@ -1,12 +1,18 @@
 #pragma once
-// Number of harmonics of an object's outline: slider, spin box, residual in mm, crossing warning, residual
-// plot.
+// How an object's outline becomes its shape: number of harmonics, chosen or found for a tolerance, or the
+// outline itself; what the fit leaves, in words and as a plot.
 
 #include "engine/shape/fourier_contour.h"
 
 #include <QWidget>
 
+#include <optional>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QGridLayout;
 class QLabel;
+class QPushButton;
 class QSlider;
 class QSpinBox;
 
@@ -16,42 +22,61 @@ class FourierFits;
 class ResidualPlot;
 
 /// Works on an outline; the fits run off the GUI thread. While the slider is dragged `fitChanged` follows;
-/// letting it go (or a key, the spin box, a click in the plot) gives `fitCommitted`. Object names:
-/// "harmonicsSlider", "harmonicsSpin", "residual", "crossingWarning", "residualPlot".
+/// letting it go (or a key, the spin box, a click in the plot, a tolerance) gives `fitCommitted`. Object
+/// names: "harmonicsSlider", "harmonicsSpin", "fewestHarmonics", "tolerance", "useOutline", "residual",
+/// "toleranceVerdict", "crossingWarning", "residualPlot".
 class HarmonicsPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit HarmonicsPanel(QWidget* parent = nullptr);
 
-    /// Outline of the object shown and the number in use; an empty outline disables the panel and tells
-    /// `why`.
+    /// Outline of the object shown and the number in use, 0 for the outline itself; an empty outline disables
+    /// the panel and tells `why`.
     void setOutline(const Contour& outline, int harmonics, const QColor& color, const QString& why);
 
 signals:
     void fitChanged(const bask::FourierFit& fit);
     void fitCommitted(const bask::FourierFit& fit);
+    /// The outline itself shall be the shape; thinned where it has more corners than an object may have.
+    void outlineCommitted(const bask::Contour& polygon);
+    /// How far points of the outline (m, in its own coordinates) are from the fit that is shown.
+    void distancesReady(const bask::FourierFit& fit, const std::vector<Eigen::Vector2d>& points_m,
+                        const std::vector<double>& distances_m);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void arrange();
+    void connectAll();
     void choose(int harmonics, bool commit);
     void deliver();
+    void tellDistances();
+    void chooseFewest();
+    void useOutline(bool use);
     void onFitReady(int harmonics);
     void refreshTexts();
+    void refreshResidual();
+    QString outlineText() const;
+    void setVerdict(const QString& text);
 
     FourierFits* m_fits;
     QLabel* m_caption;
     QSlider* m_slider;
     QSpinBox* m_spin;
+    QPushButton* m_fewest;
+    QDoubleSpinBox* m_tolerance;
+    QCheckBox* m_useOutline;
     QLabel* m_residual;
+    QLabel* m_verdict; ///< what became of the tolerance
     QLabel* m_warningIcon;
     QLabel* m_warning;
     ResidualPlot* m_plot;
     QString m_why;
-    bool m_waiting = false; ///< the chosen number's fit has not been delivered
-    bool m_commit = false;  ///< deliver it as committed
+    bool m_waiting = false;                ///< the chosen number's fit has not been delivered
+    bool m_commit = false;                 ///< deliver it as committed
+    std::optional<double> m_sought_m = {}; ///< tolerance whose number of harmonics is being looked for
 };
 
 } // namespace bask

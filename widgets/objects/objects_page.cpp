@@ -227,6 +227,8 @@ void ObjectsPage::connectAll() {
     });
     connect(m_harmonics, &HarmonicsPanel::fitChanged, this, &ObjectsPage::previewFit);
     connect(m_harmonics, &HarmonicsPanel::fitCommitted, this, &ObjectsPage::commitFit);
+    connect(m_harmonics, &HarmonicsPanel::outlineCommitted, this, &ObjectsPage::commitOutline);
+    connect(m_harmonics, &HarmonicsPanel::distancesReady, m_preview, &OutlinePreview::setDistances);
     connect(m_properties, &ObjectProperties::objectEdited, this, [this](const ObjectSpec& object) {
         editSelected(tr("change of \u201c%1\u201d").arg(QString::fromStdString(selected().name)), {},
                      [&object](ObjectSpec& o) { o = object; });
@@ -491,6 +493,15 @@ void ObjectsPage::commitFit(const FourierFit& fit) {
     });
 }
 
+void ObjectsPage::commitOutline(const Contour& polygon) {
+    const Contour raw = hasSelection() ? rawOutline(selected()) : Contour{};
+    editSelected(tr("use of the outline itself"), {}, [&](ObjectSpec& object) {
+        object.shape = centred(polygon);
+        object.origin.outline = raw;
+        object.origin.harmonics = 0;
+    });
+}
+
 void ObjectsPage::showAll() {
     m_list->setObjects(m_experiment.objects, m_selected, m_unit);
     showMounting();
@@ -525,7 +536,7 @@ void ObjectsPage::showSelected() {
     const bool disk = std::holds_alternative<Disk>(selected().shape);
     m_preview->setObject(QString::fromStdString(selected().name), selected().shape, raw, color);
     m_harmonics->setOutline(
-        raw, series != nullptr ? series->harmonics() : kImportHarmonics, color,
+        raw, series != nullptr ? series->harmonics() : 0, color,
         disk ? tr("A disk is used as it is; it needs no fit.")
              : tr("No imported outline is kept with this object, so it cannot be fitted again."));
     const SourceSpec& source = m_experiment.source;

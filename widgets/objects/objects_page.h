@@ -29,10 +29,10 @@ class OutlinePreview;
 /// answers a refused one with setExperiment(the value before) and showError, which also takes the edit off
 /// the undo stack. Files are read off the GUI thread.
 ///
-/// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "sampleShapes", "duplicateObject",
-/// "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks", "pageMessage"
-/// (MessageBar), "editNote" (MessageBar), "importPanel", and those of HarmonicsPanel, ObjectProperties,
-/// ImportPanel and MessageBar.
+/// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "sampleShapes",
+/// "duplicateObject", "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks",
+/// "pageMessage" (MessageBar), "editNote" (MessageBar), "importPanel", and those of HarmonicsPanel,
+/// ObjectProperties, ImportPanel and MessageBar.
 class ObjectsPage : public QWidget {
     Q_OBJECT
 
@@ -91,6 +91,7 @@ private:
     void removeSelected();
     void previewFit(const FourierFit& fit);
     void commitFit(const FourierFit& fit);
+    void commitOutline(const Contour& polygon);
     void showAll();
     void showSelected();
     void showMounting();

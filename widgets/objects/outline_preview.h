@@ -1,9 +1,11 @@
 #pragma once
-// To-scale drawing of one object: raw outline under the outline that is used, centroid, scale bar, size and
-// legend.
+// To-scale drawing of one object: raw outline coloured by its distance from the outline that is used,
+// centroid, principal axes, scale bar, size, colour bar and legend.
 
+#include "engine/shape/principal_axes.h"
 #include "engine/shape/shape.h"
 
+#include <QLinearGradient>
 #include <QPolygonF>
 #include <QWidget>
 
@@ -18,6 +20,10 @@ public:
 
     /// `shape` as used; `raw` as imported, empty if there is none; `color` of the object.
     void setObject(const QString& name, const Shape& shape, const Contour& raw, const QColor& color);
+    /// Distances (m) of points of the raw outline (m, in its own coordinates, in order) from the fit's curve;
+    /// not taken unless it is the curve that is shown.
+    void setDistances(const FourierFit& fit, const std::vector<Eigen::Vector2d>& points_m,
+                      const std::vector<double>& distances_m);
     void clear();
 
     QSize minimumSizeHint() const override { return {300, 200}; }
@@ -29,14 +35,25 @@ protected:
 
 private:
     void retranslate();
+    QString axesText() const;
+    QLinearGradient colours(const QPointF& from, const QPointF& to) const;
+    bool isColoured() const { return !m_distances_mm.empty(); }
     void paintGrid(QPainter& painter, const QTransform& map) const;
+    void paintOutlines(QPainter& painter, const QTransform& map) const;
+    void paintDistances(QPainter& painter, const QTransform& map) const;
+    void paintAxes(QPainter& painter, const QTransform& map) const;
     void paintLegend(QPainter& painter, const QRectF& area) const;
+    void paintColourBar(QPainter& painter, const QRectF& area) const;
 
     QString m_name;
+    FourierContour m_series; ///< without harmonics: not a Fourier outline
     QPolygonF m_used_mm;
-    QPolygonF m_raw_mm;
+    QPolygonF m_raw_mm;                 ///< as imported or, with distances, their points
+    int m_rawPoints = 0;                ///< as imported
+    std::vector<double> m_distances_mm; ///< of m_raw_mm; empty: not known
+    double m_most_mm = 0.0;             ///< the largest of them
+    PrincipalAxes m_axes;
     QColor m_color;
-    int m_harmonics = 0; ///< 0: not a Fourier outline
 };
 
 /// The raw outline in the frame of a series fitted to it: the fit moves the series' centroid to the origin.

@@ -2,8 +2,8 @@
 // What Qt draws over the scene: axes with ticks in cm, the colour bar, and the labels of source and objects.
 
 #include "engine/base/units.h"
+#include "widgets/common/colour_map.h"
 #include "widgets/scene/camera_fit.h"
-#include "widgets/scene/colour_map.h"
 #include "widgets/scene/label_layout.h"
 
 #include <QColor>

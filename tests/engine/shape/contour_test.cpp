@@ -4,6 +4,7 @@
 #include "tests/engine/shape/shape_samples.h"
 
 #include "engine/shape/crossing.h"
+#include "engine/shape/hausdorff.h"
 
 #include <algorithm>
 #include <chrono>
@@ -219,6 +220,28 @@ TEST(Simplified, StaysSimpleAndKeepsWhatCannotBeThinned) {
     }
     const Contour triangle = *makeContour({{0, 0}, {1, 0}, {0, 1}});
     EXPECT_EQ(simplified(triangle, 100.0), triangle);
+}
+
+// Catches an outline thinned that need not be, one left with too many points, and one thinned beyond need.
+TEST(SimplifiedTo, LeavesAsManyPointsAsAreAllowed) {
+    const Contour wavy = *makeContour(test::wavy(60000, 12));
+    EXPECT_EQ(simplifiedTo(wavy, 60000), wavy);
+    const Contour few = simplifiedTo(wavy, 5000);
+    EXPECT_LE(few.points_m.size(), 5000U);
+    EXPECT_LT(hausdorffDistance(few.points_m, wavy.points_m, 1e-7), 2e-6 * contourPerimeter(wavy));
+    EXPECT_LE(simplifiedTo(wavy, 50).points_m.size(), 50U);
+}
+
+// Catches corners lost, points beside the outline, and gaps.
+TEST(PointsAlong, KeepTheCornersAndFillLongEdges) {
+    const Contour contour = *makeContour(kSquare);
+    const Points points = pointsAlong(contour, 0.3);
+    EXPECT_EQ(points.size(), 28U);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        EXPECT_NEAR((points[(k + 1) % points.size()] - points[k]).norm(), 2.0 / 7.0, 1e-12);
+        EXPECT_EQ(points[k] == kSquare[k / 7], k % 7 == 0);
+    }
+    EXPECT_EQ(pointsAlong(contour, 5.0), kSquare);
 }
 
 } // namespace

@@ -112,14 +112,15 @@ struct Row {
 };
 
 // Computed with pyefd (elliptic Fourier descriptors by arc length) and an FFT of 131072 points; the maximum
-// was taken over 4096 points, which miss the corners, so it may only be exceeded, by 4 % at most.
+// was taken over 4096 points, which miss the corners, so it may only be exceeded: by 2 % at most, and 4 %
+// with the 30 harmonics that reach into corners.
 void expectRows(const Contour& outline, const std::vector<Row>& rows) {
     for (const Row& row : rows) {
         const auto fit = fitFourier(outline, row.harmonics);
         ASSERT_TRUE(fit);
         EXPECT_NEAR(fit->rms_m * 1e3, row.rms_mm, 1e-4 * row.rms_mm) << row.harmonics;
         EXPECT_GT(fit->max_m * 1e3, row.max_mm * (1 - 1e-4)) << row.harmonics;
-        EXPECT_LT(fit->max_m * 1e3, row.max_mm * 1.04) << row.harmonics;
+        EXPECT_LT(fit->max_m * 1e3, row.max_mm * (row.harmonics < 30 ? 1.02 : 1.04)) << row.harmonics;
         EXPECT_NEAR(fit->contour.area() * 1e6, row.area_mm2, 1e-3) << row.harmonics;
     }
 }
@@ -236,6 +237,27 @@ TEST(FitFourier, TellsTheHausdorffDistanceAndTheAreaError) {
         EXPECT_NEAR(fit->hausdorff_m, most, 2e-5) << h;
         EXPECT_LE(fit->hausdorff_m, fit->max_m + 1e-6);
         EXPECT_NEAR(fit->areaError, fit->contour.area() / contourArea(bunny) - 1.0, 1e-12);
+    }
+}
+
+// Catches distances at equal arc length, and a curve left in its own frame: brute force over the curve.
+TEST(FitFourier, DistancesAreThoseToTheCurveInTheOutlinesFrame) {
+    const Contour bunny = example("bunny_mm.csv"); // its centroid is not at the origin
+    for (const int h : {3, 20}) {
+        const auto fit = fitFourier(bunny, h);
+        const auto points = pointsAlong(bunny, 1e-3);
+        const std::vector<double> distances = distancesTo(*fit, points);
+        ASSERT_EQ(distances.size(), points.size());
+        for (std::size_t k = 0; k < points.size(); k += 7) {
+            double least = 1.0;
+            for (int s = 0; s < 20000; ++s) {
+                const Complex z = fit->contour.point(s / 20000.0);
+                least =
+                    std::min(least, (points[k] - fit->centre_m - Eigen::Vector2d(z.real(), z.imag())).norm());
+            }
+            EXPECT_NEAR(distances[k], least, 8e-6) << h; // points 14 um apart stand for the curve
+        }
+        EXPECT_LE(*std::ranges::max_element(distances), fit->hausdorff_m + 1e-6);
     }
 }
 

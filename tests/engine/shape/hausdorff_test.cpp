@@ -22,27 +22,30 @@ TEST(Hausdorff, CountsBothWaysAndEveryPointOfAnEdge) {
     EXPECT_NEAR(hausdorffDistance({{0, 0}}, {{3, 4}}, 1e-9), 5.0, 1e-12);
 }
 
+test::Points randomRing(std::mt19937& random, int n) {
+    std::uniform_real_distribution<double> number(-1.0, 1.0);
+    test::Points points;
+    for (int k = 0; k < n; ++k) {
+        const double x = number(random);
+        points.emplace_back(x, number(random));
+    }
+    return points;
+}
+
+double toEdges(const Eigen::Vector2d& p, const test::Points& ring) {
+    double best = 1e9;
+    for (std::size_t k = 0; k < ring.size(); ++k) {
+        const Eigen::Vector2d a = ring[k], e = ring[(k + 1) % ring.size()] - a;
+        best = std::min(best, (p - a - std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0) * e).norm());
+    }
+    return best;
+}
+
 // Catches a tree that misses edges or stops too early.
 TEST(Hausdorff, EqualsBruteForce) {
     std::mt19937 random(11);
-    std::uniform_real_distribution<double> number(-1.0, 1.0);
-    const auto ring = [&](int n) {
-        test::Points points;
-        for (int k = 0; k < n; ++k)
-            points.emplace_back(number(random), number(random));
-        return points;
-    };
-    const auto toEdges = [](const Eigen::Vector2d& p, const test::Points& r) {
-        double best = 1e9;
-        for (std::size_t k = 0; k < r.size(); ++k) {
-            const Eigen::Vector2d a = r[k], e = r[(k + 1) % r.size()] - a;
-            best =
-                std::min(best, (p - a - std::clamp((p - a).dot(e) / e.squaredNorm(), 0.0, 1.0) * e).norm());
-        }
-        return best;
-    };
     for (int trial = 0; trial < 40; ++trial) {
-        const test::Points a = ring(3 + trial), b = ring(3 + 2 * (trial % 7));
+        const test::Points a = randomRing(random, 3 + trial), b = randomRing(random, 3 + 2 * (trial % 7));
         double most = 0.0;
         for (const auto& [from, to] : {std::pair(a, b), std::pair(b, a)})
             for (std::size_t k = 0; k < from.size(); ++k)
@@ -52,6 +55,19 @@ TEST(Hausdorff, EqualsBruteForce) {
         const double found = hausdorffDistance(a, b, 1e-6);
         EXPECT_GT(found, most - 2e-6) << trial;
         EXPECT_LT(found, most + 0.005) << trial;
+    }
+}
+
+// Catches distances to corners only, and a search that stops at the nearest edge of the point before.
+TEST(DistancesTo, EqualBruteForcePointByPoint) {
+    std::mt19937 random(12);
+    for (int trial = 0; trial < 40; ++trial) {
+        const test::Points ring = randomRing(random, 1 + trial), points = randomRing(random, 200);
+        const std::vector<double> distances = distancesTo(ring, points);
+        ASSERT_EQ(distances.size(), points.size());
+        for (std::size_t k = 0; k < points.size(); ++k)
+            EXPECT_NEAR(distances[k],
+                        ring.size() == 1 ? (points[k] - ring[0]).norm() : toEdges(points[k], ring), 1e-12);
     }
 }
 

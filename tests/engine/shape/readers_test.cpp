@@ -120,14 +120,44 @@ std::vector<Eigen::Vector2d> centredPoints(const std::string& path, const Contou
     return contour ? centred(*contour).points_m : std::vector<Eigen::Vector2d>(1);
 }
 
-// Catches a picture's outline that is shifted, stretched or rounded against the drawing it was made from.
-TEST(Readers, PicturesAndListsOfOneShapeAgree) {
-    const ContourImportOptions scale{.scale_px_per_mm = 15.0};
-    for (const char* name : {"bunny", "hand"}) {
-        const auto list = centredPoints(test::examplePath(std::string(name) + "_mm.csv"), {});
-        const auto picture = centredPoints(test::examplePath(std::string(name) + "_1200.png"), scale);
-        EXPECT_LT(hausdorffDistance(list, picture, 1e-7), 0.15e-3) << name;
+// Catches a reader whose outline is shifted, stretched or rounded against the others of the same shape.
+TEST(Readers, FilesOfOneShapeAgreePairwise) {
+    for (const std::string name : {"bunny", "hand"}) {
+        const std::pair<std::string, test::Points> files[] = {
+            {"csv", centredPoints(test::examplePath(name + "_mm.csv"), {})},
+            {"png", centredPoints(test::examplePath(name + "_1200.png"), {.scale_px_per_mm = 15.0})},
+            {"svg", centredPoints(test::dataPath("svg/" + name + "_mm.svg"), {})},
+            {"dxf", centredPoints(test::dataPath("dxf/" + name + "_mm.dxf"), {})}};
+        for (const auto& [kind, points] : files)
+            for (const auto& [other, others] : files) {
+                if (kind >= other)
+                    continue;
+                const double distance_m = hausdorffDistance(points, others, 1e-7);
+                RecordProperty(name + "_" + kind + "_" + other + "_mm", std::to_string(distance_m * 1e3));
+                EXPECT_LT(distance_m, 0.15e-3) << name << ' ' << kind << ' ' << other;
+            }
     }
+}
+
+// Catches a sample shape of another size than its README says, off its page, or without its bore.
+TEST(Readers, SampleShapesAreAsTheyAreDescribed) {
+    const auto read = [](const char* name) {
+        const auto file = readOutlines(test::examplePath(name), {});
+        EXPECT_TRUE(file) << name << describe(file.error());
+        EXPECT_TRUE(file && file->warnings.empty()) << name;
+        return file ? *file : OutlineFile{};
+    };
+    const OutlineFile circle = read("circle.svg"), leaf = read("leaf.svg"), gear = read("gear.svg");
+    ASSERT_EQ(circle.outlines.size(), 1U);
+    EXPECT_NEAR(boxOf(circle.outlines[0]).sizes().x(), 50.0, 0.02);
+    ASSERT_EQ(leaf.outlines.size(), 1U);
+    EXPECT_NEAR(boxOf(leaf.outlines[0]).sizes().y(), 76.0, 1e-3);
+    ASSERT_EQ(gear.outlines.size(), 2U);
+    EXPECT_NEAR(boxOf(gear.outlines[0]).sizes().x(), 62.0, 0.2);
+    EXPECT_TRUE(gear.outlines[1].hole);
+    EXPECT_NEAR(boxOf(gear.outlines[1]).sizes().x(), 16.0, 0.01);
+    for (const OutlineFile& file : {circle, leaf, gear})
+        EXPECT_TRUE(contourOf(file.outlines[0]));
 }
 
 // Catches an import or a fit that takes quadratic time: 60,000 points and 20 harmonics in half a second.

@@ -35,9 +35,9 @@ TEST(FourierFits, FitsEveryNumberOfHarmonics) {
     double before_m = 1.0;
     for (int h = 1; h <= kMaxHarmonics; ++h) {
         ASSERT_TRUE(fits.fit(h)) << h;
-        EXPECT_EQ(fits.fit(h)->contour.harmonics(), h);
-        EXPECT_LE(fits.fit(h)->rms_m, before_m + 1e-9) << h;
-        before_m = fits.fit(h)->rms_m;
+        EXPECT_EQ(fits.fit(h)->fit.contour.harmonics(), h);
+        EXPECT_LE(fits.fit(h)->fit.rms_m, before_m + 1e-9) << h;
+        before_m = fits.fit(h)->fit.rms_m;
     }
 }
 
@@ -48,7 +48,7 @@ TEST(FourierFits, NewOutlineDropsTheFitsOfTheOld) {
     fits.setOutline(wavyRing(400, 9));
     ASSERT_TRUE(waitFor([&] { return fits.complete(); }));
     const FourierFit expected = fitFourier(wavyRing(400, 9), 8).value();
-    EXPECT_EQ(fits.fit(8)->contour, expected.contour);
+    EXPECT_EQ(fits.fit(8)->fit.contour, expected.contour);
 }
 
 // Catches a fit of a huge outline running on the GUI thread.

@@ -1,6 +1,7 @@
 #include "widgets/objects/objects_page.h"
 
 #include "tests/support/longer_translator.h"
+#include "widgets/common/display.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/fourier_fits.h"
@@ -10,6 +11,7 @@
 
 #include <QAbstractButton>
 #include <QApplication>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QDropEvent>
@@ -30,6 +32,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <numbers>
 
 namespace bask {
 namespace {
@@ -141,6 +144,115 @@ TEST_F(ObjectsPageTest, DraggingTheHarmonicsChangesTheResidualAndCommitsOnce) {
     EXPECT_EQ(std::get<FourierContour>(last().objects[1].shape).harmonics(), reached);
 }
 
+// Catches another number than the fewest, one taken before the smaller ones are fitted, and a crossing
+// outline.
+TEST_F(ObjectsPageTest, FewestHarmonicsForATolerance) {
+    select("hand");
+    child<QDoubleSpinBox>("tolerance")->setValue(1.5);
+    click("fewestHarmonics"); // while the fits are on their way
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 30000));
+    const Contour& outline = example().objects[2].origin.outline;
+    EXPECT_EQ(std::get<FourierContour>(last().objects[2].shape), fitFourierWithin(outline, 1.5e-3)->contour);
+    EXPECT_EQ(child<QSlider>("harmonicsSlider")->value(), last().objects[2].origin.harmonics);
+    EXPECT_FALSE(child<QLabel>("toleranceVerdict")->isVisible());
+    click("undo");
+    EXPECT_EQ(last(), example());
+    // Five harmonics come within 10.14 mm, but cross.
+    type(child<QDoubleSpinBox>("tolerance"), "10.2");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 3; }, 30000));
+    EXPECT_EQ(std::get<FourierContour>(last().objects[2].shape).harmonics(), 6);
+}
+
+// Catches silence, or a number taken anyhow, where no number of harmonics does.
+TEST_F(ObjectsPageTest, AToleranceOutOfReachIsToldWithWhatIsReached) {
+    select("bunny");
+    type(child<QDoubleSpinBox>("tolerance"), "0.01"); // and Enter
+    auto* verdict = child<QLabel>("toleranceVerdict");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return verdict->text().contains("cannot be reached"); }, 30000));
+    const Contour& outline = example().objects[1].origin.outline;
+    double least_m = 1.0;
+    for (int h = 1; h <= kMaxHarmonics; ++h)
+        if (const FourierFit fit = fitFourier(outline, h).value(); !fit.crossesItself)
+            least_m = std::min(least_m, fit.hausdorff_m);
+    EXPECT_TRUE(verdict->text().contains(QString::number(least_m * 1e3, 'f', 3)))
+        << verdict->text().toStdString();
+    EXPECT_TRUE(verdict->isVisible());
+    EXPECT_EQ(edited.count(), 0);
+    child<QDoubleSpinBox>("tolerance")->setValue(0.02);
+    EXPECT_FALSE(verdict->isVisible()) << "it was said of another tolerance";
+}
+
+// Catches the outline itself lost, off its place or not to be undone, and no way back to the fit before.
+TEST_F(ObjectsPageTest, TheOutlineItselfAndBack) {
+    select("bunny");
+    ASSERT_TRUE(fitted());
+    type(child<QSpinBox>("harmonicsSpin"), "12");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 30000));
+    const Experiment fourier = last();
+    auto* use = child<QCheckBox>("useOutline");
+    EXPECT_FALSE(use->isChecked());
+    use->setFocus();
+    QTest::keyClick(use, Qt::Key_Space);
+    ASSERT_EQ(edited.count(), 2);
+    const ObjectSpec& object = last().objects[1];
+    EXPECT_EQ(std::get<Contour>(object.shape), centred(example().objects[1].origin.outline));
+    EXPECT_EQ(object.origin.outline, example().objects[1].origin.outline);
+    EXPECT_EQ(object.origin.harmonics, 0);
+    EXPECT_TRUE(validate(last()).ok());
+    EXPECT_TRUE(residual().contains("289 corners")) << residual().toStdString();
+    EXPECT_FALSE(child<OutlinePreview>("outlinePreview")->accessibleDescription().contains("Fourier"));
+    QTest::keyClick(use, Qt::Key_Space);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 3; }, 30000));
+    EXPECT_EQ(last(), fourier) << "with the number of harmonics it had";
+    click("undo");
+    EXPECT_TRUE(use->isChecked());
+    click("undo");
+    EXPECT_EQ(last(), fourier);
+    EXPECT_FALSE(use->isChecked());
+}
+
+// Catches a polygon that the experiment refuses for its corners, and an outline thinned for good.
+TEST_F(ObjectsPageTest, AnOutlineOfManyPointsIsThinnedAsAPolygon) {
+    Contour fine;
+    for (int k = 0; k < 20000; ++k) {
+        const double t = 2.0 * std::numbers::pi * k / 20000, r = 0.03 + 0.003 * std::cos(9 * t);
+        fine.points_m.emplace_back(r * std::cos(t), r * std::sin(t));
+    }
+    Experiment experiment = example();
+    experiment.objects[1].origin.outline = fine;
+    page.setExperiment(experiment);
+    select("bunny");
+    auto* use = child<QCheckBox>("useOutline");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return use->isEnabled(); }, 30000));
+    QTest::keyClick(use, Qt::Key_Space);
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_LE(std::get<Contour>(last().objects[1].shape).points_m.size(), kMostCorners);
+    EXPECT_EQ(last().objects[1].origin.outline, fine);
+    EXPECT_TRUE(validate(last()).ok());
+    EXPECT_TRUE(residual().contains("from 20000 to")) << residual().toStdString();
+}
+
+// Catches distances that do not reach the preview, or are of another number of harmonics.
+TEST_F(ObjectsPageTest, ThePreviewTellsTheDistancesOfTheFitShown) {
+    select("bunny");
+    ASSERT_TRUE(fitted());
+    const Contour& outline = example().objects[1].origin.outline;
+    const auto told = [&](int h) {
+        const FourierFit fit = fitFourier(outline, h).value();
+        const auto distances = distancesTo(fit, pointsAlong(outline, contourPerimeter(outline) / 1000.0));
+        const QString most = QString::number(*std::ranges::max_element(distances) * 1e3, 'f', 3);
+        return child<OutlinePreview>("outlinePreview")->accessibleDescription().contains(most + " mm from");
+    };
+    EXPECT_TRUE(told(5));
+    auto* slider = child<QSlider>("harmonicsSlider");
+    slider->setSliderDown(true);
+    slider->setValue(9);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return told(9); }, 30000)) << "in a drag";
+    slider->setSliderDown(false);
+    select("circle");
+    EXPECT_FALSE(child<OutlinePreview>("outlinePreview")->accessibleDescription().contains("Fourier"));
+}
+
 // Catches residual figures that are not those of the fit, or not in mm.
 TEST_F(ObjectsPageTest, ResidualIsThatOfTheFitInMillimetres) {
     select("hand");
@@ -148,6 +260,8 @@ TEST_F(ObjectsPageTest, ResidualIsThatOfTheFitInMillimetres) {
     const FourierFit fit = fitFourier(example().objects[2].origin.outline, 5).value();
     EXPECT_TRUE(residual().contains(QString::number(fit.rms_m * 1e3, 'f', 3))) << residual().toStdString();
     EXPECT_TRUE(residual().contains(QString::number(fit.max_m * 1e3, 'f', 3)));
+    EXPECT_TRUE(residual().contains(QString::number(fit.hausdorff_m * 1e3, 'f', 3)));
+    EXPECT_TRUE(residual().contains(formatSigned(fit.areaError * 100.0, 2)));
     EXPECT_EQ(child<QLabel>("crossingWarning")->isVisible(), fit.crossesItself);
 }
 
@@ -171,8 +285,14 @@ TEST_F(ObjectsPageTest, WarnsOfACrossingOutline) {
     page.setExperiment(experiment);
     select("bunny");
     auto* spin = child<QSpinBox>("harmonicsSpin");
+    ASSERT_TRUE(fitted());
+    const QPoint before = child<QSlider>("harmonicsSlider")->mapTo(&page, QPoint());
+    EXPECT_FALSE(child<QLabel>("crossingWarning")->isVisible());
     type(spin, QString::number(crossing));
     EXPECT_TRUE(QTest::qWaitFor([&] { return child<QLabel>("crossingWarning")->isVisible(); }, 30000));
+    QApplication::processEvents();
+    EXPECT_EQ(child<QSlider>("harmonicsSlider")->mapTo(&page, QPoint()), before)
+        << "it moves under the mouse";
 }
 
 // Catches fields that are shown or sent in the wrong unit.

@@ -1,6 +1,6 @@
 #include "tests/widgets/scene/scene_fixture.h"
+#include "widgets/common/colour_map.h"
 #include "widgets/common/theme.h"
-#include "widgets/scene/colour_map.h"
 #include "widgets/scene/scene_view.h"
 #include "widgets/scene/vtk_view.h"
 

@@ -1,4 +1,4 @@
-#include "widgets/scene/colour_map.h"
+#include "widgets/common/colour_map.h"
 
 #include <algorithm>
 #include <array>
