@@ -359,6 +359,18 @@
             <translation>trous du contour laissés de côté : %1</translation>
         </message>
         <message>
+            <source>%1 holes; there may be %2 at most</source>
+            <translation>%1 trous ; il peut y en avoir %2 au plus</translation>
+        </message>
+        <message>
+            <source>the hole does not lie wholly inside the outline</source>
+            <translation>le trou n’est pas entièrement à l’intérieur du contour</translation>
+        </message>
+        <message>
+            <source>the hole meets hole %1 or lies in it, or round it</source>
+            <translation>le trou touche le trou %1, se trouve dedans ou l’entoure</translation>
+        </message>
+        <message>
             <source>silhouettes left out since they touch the picture's border: %1</source>
             <translation>silhouettes laissées de côté car elles touchent le bord de l’image : %1</translation>
         </message>

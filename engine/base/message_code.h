@@ -77,6 +77,9 @@ enum class MessageCode : int {
     OutlineUnknown,       ///< %1 index, %2 last index
     OutlinesSeveral,      ///< %1 outlines
     OutlineHasHoles,      ///< %1 holes
+    HolesTooMany,         ///< %1 holes, %2 most
+    HoleOutside,          ///< no args
+    HolesMeet,            ///< %1 index of the other
     SilhouettesAtBorder,  ///< %1 silhouettes
     ScaleTwice,           ///< no args
     MarkerNotFound,       ///< %1 dictionary
