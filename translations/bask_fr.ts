@@ -355,12 +355,16 @@
             <translation>le fichier contient %1 contours ; le plus grand est retenu</translation>
         </message>
         <message>
-            <source>holes in the outline are left out: %1</source>
-            <translation>trous du contour laissés de côté : %1</translation>
+            <source>holes left out, since they cross or touch something or are more than %2: %1</source>
+            <translation>trous laissés de côté car ils croisent ou touchent quelque chose, ou sont plus de %2 : %1</translation>
+        </message>
+        <message>
+            <source>the fitted contour cuts a hole; use more harmonics</source>
+            <translation>le contour ajusté coupe un trou ; prenez plus d’harmoniques</translation>
         </message>
         <message>
             <source>%1 holes; there may be %2 at most</source>
-            <translation>%1 trous ; il peut y en avoir %2 au plus</translation>
+            <translation>%1 trous ; il peut y en avoir %2 au plus</translation>
         </message>
         <message>
             <source>the hole does not lie wholly inside the outline</source>

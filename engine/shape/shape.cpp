@@ -66,26 +66,42 @@ const std::vector<Contour>& holesOf(const Shape& shape) {
     return pierced ? pierced->holes : kNone;
 }
 
+Result<void> checkHole(const Contour& hole, const std::vector<Eigen::Vector2d>& outline,
+                       std::span<const Contour> others, const std::string& where) {
+    const std::vector<Eigen::Vector2d>& ring = hole.points_m;
+    if (const auto simple = makeContour(ring, where); !simple)
+        return simple.error();
+    if (findMeeting(ring, outline) || !encloses(outline, ring.front()))
+        return Error{MessageCode::HoleOutside, where};
+    for (std::size_t i = 0; i < others.size(); ++i) {
+        const std::vector<Eigen::Vector2d>& other = others[i].points_m;
+        if (findMeeting(ring, other) || encloses(other, ring.front()) || encloses(ring, other.front()))
+            return Error{MessageCode::HolesMeet, where, {std::to_string(i)}};
+    }
+    return {};
+}
+
 Result<void> checkHoles(const Shape& shape, const std::string& where) {
     const std::vector<Contour>& holes = holesOf(shape);
     if (holes.size() > kMostHoles)
         return Error{
             MessageCode::HolesTooMany, where, {std::to_string(holes.size()), std::to_string(kMostHoles)}};
+    if (holes.empty())
+        return {};
     const std::vector<Eigen::Vector2d> outline = shapeOutline(shape, kFittingPoints);
-    for (std::size_t k = 0; k < holes.size(); ++k) {
-        const std::vector<Eigen::Vector2d>& hole = holes[k].points_m;
-        const std::string here = where + '[' + std::to_string(k) + ']';
-        if (const auto simple = makeContour(hole, here); !simple)
-            return simple.error();
-        if (findMeeting(hole, outline) || !encloses(outline, hole.front()))
-            return Error{MessageCode::HoleOutside, here};
-        for (std::size_t i = 0; i < k; ++i) {
-            const std::vector<Eigen::Vector2d>& other = holes[i].points_m;
-            if (findMeeting(hole, other) || encloses(other, hole.front()) || encloses(hole, other.front()))
-                return Error{MessageCode::HolesMeet, here, {std::to_string(i)}};
-        }
-    }
+    for (std::size_t k = 0; k < holes.size(); ++k)
+        if (auto fits = checkHole(holes[k], outline, std::span(holes).first(k),
+                                  where + '[' + std::to_string(k) + ']');
+            !fits)
+            return fits;
     return {};
+}
+
+Shape shapeOfFit(const FourierFit& fit, const std::vector<Contour>& holes) {
+    std::vector<Contour> moved;
+    for (const Contour& hole : holes)
+        moved.push_back(shifted(hole, -fit.centre_m));
+    return withHoles(fit.contour, std::move(moved));
 }
 
 double shapeArea(const Shape& shape) {

@@ -5,6 +5,8 @@
 #include "engine/shape/contour.h"
 #include "engine/shape/fourier_contour.h"
 
+#include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -44,8 +46,14 @@ inline constexpr std::size_t kMostHoles = 200; ///< in one shape
 
 /// Whether the holes fit into the shape (a Fourier contour as it is truncated, to a millionth of its size):
 /// simple contours, at most kMostHoles, inside the outline, none touching it or another, none in another.
-/// Errors: HolesTooMany, HoleOutside, HolesTouch, and makeContour's, with `where`[k] as place.
+/// Errors: HolesTooMany, HoleOutside, HolesMeet, and makeContour's, with `where`[k] as place.
 Result<void> checkHoles(const Shape& shape, const std::string& where = {});
+/// The same of one more hole, in the polygon `outline` beside `others`.
+Result<void> checkHole(const Contour& hole, const std::vector<Eigen::Vector2d>& outline,
+                       std::span<const Contour> others, const std::string& where = {});
+
+/// The fit with the holes of the outline that was fitted, in its coordinates: they move with the centroid.
+Shape shapeOfFit(const FourierFit& fit, const std::vector<Contour>& holes);
 
 double shapeArea(const Shape& shape);      ///< m2, holes counted off
 double shapePerimeter(const Shape& shape); ///< m, of the outline alone
