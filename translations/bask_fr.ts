@@ -622,6 +622,14 @@
             <translation>%1 harmoniques</translation>
         </message>
         <message>
+            <source>1 hole</source>
+            <translation>1 trou</translation>
+        </message>
+        <message>
+            <source>%1 holes</source>
+            <translation>%1 trous</translation>
+        </message>
+        <message>
             <source>%1 mm</source>
             <translation>%1 mm</translation>
         </message>

@@ -8,6 +8,7 @@ namespace bask {
 namespace {
 
 using Outline = std::vector<Eigen::Vector2d>;
+using Rings = std::vector<Outline>;
 
 constexpr int kOutlinePoints = 120;
 constexpr double kFlatTriangle = 0.1; ///< height over longest side, below which three places are a line
@@ -22,14 +23,25 @@ bool edgesMeet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::
            cross(d - c, a - c) * cross(d - c, b - c) <= 0.0;
 }
 
-bool overlap(const Outline& one, const Outline& other) {
-    if (encloses(other, one.front()) || encloses(one, other.front()))
-        return true;
+bool edgesMeet(const Outline& one, const Outline& other) {
     for (std::size_t i = 0; i < one.size(); ++i)
         for (std::size_t k = 0; k < other.size(); ++k)
             if (edgesMeet(one[i], one[(i + 1) % one.size()], other[k], other[(k + 1) % other.size()]))
                 return true;
     return false;
+}
+
+// Inside the outline and in no hole.
+bool covers(const Rings& face, const Eigen::Vector2d& p) {
+    return std::ranges::count_if(face, [&](const Outline& ring) { return encloses(ring, p); }) % 2 == 1;
+}
+
+bool overlap(const Rings& one, const Rings& other) {
+    if (covers(other, one.front().front()) || covers(one, other.front().front()))
+        return true;
+    return std::ranges::any_of(one, [&](const Outline& ring) {
+        return std::ranges::any_of(other, [&](const Outline& its) { return edgesMeet(ring, its); });
+    });
 }
 
 bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -39,22 +51,23 @@ bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vec
 
 } // namespace
 
-std::vector<Eigen::Vector2d> mountedOutline(const ObjectSpec& object, int points) {
+std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points) {
     const Pose X_EO = poseFromCoordinates(object.mounting);
-    Outline out;
-    for (const Eigen::Vector2d& p : shapeOutline(object.shape, points))
-        out.push_back((X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
-    return out;
+    Rings rings = shapeRings(object.shape, points);
+    for (Outline& ring : rings)
+        for (Eigen::Vector2d& p : ring)
+            p = (X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>();
+    return rings;
 }
 
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
     const std::vector<ObjectSpec>& objects = experiment.objects;
     const double most_m = experiment.robot.maxMountingRadius_m;
     const int count = static_cast<int>(objects.size());
-    std::vector<Outline> outlines;
+    std::vector<Rings> outlines;
     std::vector<Eigen::Vector3d> places;
     for (const ObjectSpec& object : objects) {
-        outlines.push_back(mountedOutline(object, kOutlinePoints));
+        outlines.push_back(mountedRings(object, kOutlinePoints));
         places.push_back(object.mounting.head<3>());
     }
     const auto name = [&](int i) { return objects[static_cast<std::size_t>(i)].name; };
@@ -64,7 +77,7 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
     std::vector<MountingRemark> out;
     for (int i = 0; i < count; ++i) {
         double radius_m = 0.0;
-        for (const Eigen::Vector2d& p : at(outlines, i))
+        for (const Eigen::Vector2d& p : at(outlines, i).front())
             radius_m = std::max(radius_m, p.norm());
         if (most_m > 0.0 && radius_m > most_m)
             out.push_back({{MessageCode::MountingFar,

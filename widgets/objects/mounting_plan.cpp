@@ -24,11 +24,8 @@ constexpr double kHandleBeyond_px = 16.0;
 constexpr double kHandleRadius_px = 5.0;
 constexpr double kHandleReach_px = 9.0;
 
-QPolygonF outline_mm(const ObjectSpec& object) {
-    QPolygonF polygon;
-    for (const Eigen::Vector2d& p : mountedOutline(object, 240))
-        polygon << QPointF(kMmPerM * p.x(), kMmPerM * p.y());
-    return polygon;
+QPainterPath face_mm(const ObjectSpec& object) {
+    return bask::face_mm(mountedRings(object, 240));
 }
 
 QPointF centre_mm(const Vector6d& mounting) {
@@ -89,7 +86,7 @@ QTransform MountingPlan::map() const {
         return m_drag->map;
     QRectF content(-10.0, -10.0, 20.0, 20.0);
     for (const ObjectSpec& object : m_objects)
-        content = content.united(outline_mm(object).boundingRect());
+        content = content.united(face_mm(object).boundingRect());
     const double margin = 12.0 + kHandleBeyond_px + kHandleRadius_px;
     const double line = fontMetrics().height();
     return fitted(content, QRectF(rect()).adjusted(margin, margin, -margin, -line - 14.0));
@@ -112,7 +109,7 @@ void MountingPlan::mousePressEvent(QMouseEvent* event) {
         return;
     }
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
-        if (!map.map(outline_mm(m_objects[i])).containsPoint(at, Qt::OddEvenFill))
+        if (!map.map(face_mm(m_objects[i])).contains(at))
             continue;
         emit objectClicked(static_cast<int>(i)); // which selects it
         if (canMove())
@@ -209,16 +206,16 @@ void MountingPlan::paintObjects(QPainter& painter, const QTransform& map) const 
         ObjectSpec object = m_objects[i];
         if (m_drag && index == m_selected)
             object.mounting = m_drag->mounting;
-        const QPolygonF outline = map.map(outline_mm(object));
+        const QPainterPath face = map.map(face_mm(object));
         QColor color = seriesColor(index, dark);
         painter.setPen(QPen(color, index == m_selected ? 2.4 : 1.2));
         color.setAlphaF(index == m_selected ? 0.28f : 0.10f);
         painter.setBrush(color);
-        painter.drawPolygon(outline);
+        painter.drawPath(face);
         if (m_remarked.contains(index)) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(QBrush(secondaryText(dark), Qt::BDiagPattern));
-            painter.drawPolygon(outline);
+            painter.drawPath(face);
         }
     }
 }

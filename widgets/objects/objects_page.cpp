@@ -61,7 +61,7 @@ QString droppedFile(const QMimeData* data) {
 Contour rawOutline(const ObjectSpec& object) {
     if (!object.origin.outline.points_m.empty())
         return object.origin.outline;
-    const auto* polygon = std::get_if<Contour>(&object.shape);
+    const auto* polygon = outlineAs<Contour>(object.shape);
     return polygon != nullptr ? *polygon : Contour{};
 }
 
@@ -464,7 +464,9 @@ void ObjectsPage::previewFit(const FourierFit& fit) {
 void ObjectsPage::commitFit(const FourierFit& fit) {
     const Contour raw = hasSelection() ? rawOutline(selected()) : Contour{};
     editSelected(tr("harmonics"), tr("harmonics") + QString::number(m_selected), [&](ObjectSpec& object) {
-        object.shape = fit.contour;
+        if (object.origin.outline.points_m.empty())
+            object.origin.holes = holesOf(object.shape);
+        object.shape = shapeOfFit(fit, object.origin.holes);
         object.origin.outline = raw;
         object.origin.harmonics = fit.contour.harmonics();
     });
@@ -500,8 +502,8 @@ void ObjectsPage::showSelected() {
     }
     const QColor color = seriesColor(m_selected, isDark(this));
     const Contour raw = rawOutline(selected());
-    const auto* series = std::get_if<FourierContour>(&selected().shape);
-    const bool disk = std::holds_alternative<Disk>(selected().shape);
+    const auto* series = outlineAs<FourierContour>(selected().shape);
+    const bool disk = outlineAs<Disk>(selected().shape) != nullptr;
     m_preview->setObject(QString::fromStdString(selected().name), selected().shape, raw, color);
     m_harmonics->setOutline(
         raw, series != nullptr ? series->harmonics() : kImportHarmonics, color,

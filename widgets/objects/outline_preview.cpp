@@ -21,7 +21,7 @@ QColor faded(const QPalette& palette, double weight) {
 } // namespace
 
 Contour registered(const Contour& raw, const Shape& shape) {
-    const auto* series = std::get_if<FourierContour>(&shape);
+    const auto* series = outlineAs<FourierContour>(shape);
     if (series == nullptr || raw.points_m.empty())
         return raw;
     // The least-squares constant term is the mean over arc length, so the two means coincide.
@@ -53,7 +53,7 @@ void OutlinePreview::setObject(const QString& name, const Shape& shape, const Co
     m_used_mm = outline_mm(shape, kCurvePoints);
     m_raw_mm = polygon_mm(registered(raw, shape));
     m_color = color;
-    const auto* series = std::get_if<FourierContour>(&shape);
+    const auto* series = outlineAs<FourierContour>(shape);
     m_harmonics = series != nullptr ? series->harmonics() : 0;
     retranslate();
     update();
