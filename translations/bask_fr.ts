@@ -415,8 +415,24 @@
             <translation>le fichier contient %1 contours ; le plus grand est retenu</translation>
         </message>
         <message>
-            <source>holes in the outline are left out: %1</source>
-            <translation>trous du contour laissés de côté : %1</translation>
+            <source>holes left out, since they cross or touch something or are more than %2: %1</source>
+            <translation>trous laissés de côté car ils croisent ou touchent quelque chose, ou sont plus de %2 : %1</translation>
+        </message>
+        <message>
+            <source>the fitted contour cuts a hole; use more harmonics</source>
+            <translation>le contour ajusté coupe un trou ; prenez plus d’harmoniques</translation>
+        </message>
+        <message>
+            <source>%1 holes; there may be %2 at most</source>
+            <translation>%1 trous ; il peut y en avoir %2 au plus</translation>
+        </message>
+        <message>
+            <source>the hole does not lie wholly inside the outline</source>
+            <translation>le trou n’est pas entièrement à l’intérieur du contour</translation>
+        </message>
+        <message>
+            <source>the hole meets hole %1 or lies in it, or round it</source>
+            <translation>le trou touche le trou %1, se trouve dedans ou l’entoure</translation>
         </message>
         <message>
             <source>silhouettes left out since they touch the picture's border: %1</source>
@@ -656,6 +672,14 @@
         <message>
             <source>%1 harmonics</source>
             <translation>%1 harmoniques</translation>
+        </message>
+        <message>
+            <source>1 hole</source>
+            <translation>1 trou</translation>
+        </message>
+        <message>
+            <source>%1 holes</source>
+            <translation>%1 trous</translation>
         </message>
         <message>
             <source>%1 mm</source>
@@ -1445,6 +1469,10 @@
             <source>px</source>
             <translation>px</translation>
         </message>
+        <message>
+            <source>%1 counted off.</source>
+            <translation>%1 déduits de l’aire.</translation>
+        </message>
     </context>
     <context>
         <name>bask::ImportQuestions</name>
@@ -1971,10 +1999,6 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>Undo</source>
             <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>%1 cannot be fitted.</source>
-            <translation>%1 ne peut pas être ajusté.</translation>
         </message>
         <message>
             <source>import</source>

@@ -6,6 +6,7 @@
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
+#include "engine/shape/shape.h"
 
 #include <nlohmann/json.hpp>
 
@@ -40,6 +41,7 @@ void setUp(QCommandLineParser& parser) {
     parser.setApplicationDescription(
         "Fits a Fourier contour to an outline, by least squares in its arc length, and prints\n"
         "area_mm2, perimeter_mm            of the fit,\n"
+        "net_area_mm2                      holes counted off,\n"
         "rms_mm, max_mm                    distance between outline and fit at equal arc length,\n"
         "hausdorff_mm                      the same whatever the arc length, both ways,\n"
         "harmonics, area_error             of the fit; its area over the outline's, less one,\n"
@@ -226,17 +228,18 @@ Result<void> checkPlaces(const QCommandLineParser& parser, Request& request) {
     return {};
 }
 
-void printFigures(const Contour& outline, const FourierFit& fit) {
+void printFigures(const PickedOutline& picked, const FourierFit& fit) {
     const auto print = [](const char* name, double value) { std::printf("%s %.9g\n", name, value); };
     print("area_mm2", fit.contour.area() * 1e6);
+    print("net_area_mm2", shapeArea(shapeOfFit(fit, picked.holes)) * 1e6);
     print("perimeter_mm", fit.contour.perimeter() * 1e3);
     print("rms_mm", fit.rms_m * 1e3);
     print("max_mm", fit.max_m * 1e3);
     print("hausdorff_mm", fit.hausdorff_m * 1e3);
     print("harmonics", fit.contour.harmonics());
     print("area_error", fit.areaError);
-    print("outline_area_mm2", contourArea(outline) * 1e6);
-    print("outline_perimeter_mm", contourPerimeter(outline) * 1e3);
+    print("outline_area_mm2", contourArea(picked.contour) * 1e6);
+    print("outline_perimeter_mm", contourPerimeter(picked.contour) * 1e3);
 }
 
 int list(const Request& request) {
@@ -263,20 +266,22 @@ int fitAndReport(const Request& request, bool asJson) {
         return refuse(describe(fit.error()));
     if (fit->crossesItself)
         picked->warnings.push_back({MessageCode::SeriesLoops, {}});
+    if (!checkHoles(shapeOfFit(*fit, picked->holes)))
+        picked->warnings.push_back({MessageCode::FitCutsHoles, {}});
     for (const Message& warning : picked->warnings)
         warn(warning);
-    const std::string report = fitReport(outline, *fit, file->unit, picked->warnings).dump(1) + '\n';
+    const std::string report = fitReport(*picked, *fit, file->unit).dump(1) + '\n';
     if (!request.contourPath.empty())
         if (const auto written = writeOutput(request.contourPath, report); !written)
             return refuse(describe(written.error()));
     if (!request.previewPath.empty())
-        if (const auto written = writeOutput(request.previewPath, fitPreview(outline, *fit).toStdString());
+        if (const auto written = writeOutput(request.previewPath, fitPreview(*picked, *fit).toStdString());
             !written)
             return refuse(describe(written.error()));
     if (asJson)
         std::printf("%s", report.c_str());
     else
-        printFigures(outline, *fit);
+        printFigures(*picked, *fit);
     return kExitDone;
 }
 

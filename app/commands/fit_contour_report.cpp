@@ -1,5 +1,7 @@
 #include "app/commands/fit_contour_report.h"
 
+#include "engine/shape/shape.h"
+
 #include <nlohmann/json.hpp>
 
 #include <Eigen/Geometry>
@@ -17,8 +19,15 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json millimetres(const Eigen::Vector2d& p_m) {
-    return {p_m.x() * 1e3, p_m.y() * 1e3};
+Json pair(const Eigen::Vector2d& p, double scale = 1.0) {
+    return {p.x() * scale, p.y() * scale};
+}
+
+Json ring(const Contour& contour, double scale = 1.0) {
+    Json points = Json::array();
+    for (const Eigen::Vector2d& p : contour.points_m)
+        points.push_back(pair(p, scale));
+    return points;
 }
 
 Eigen::AlignedBox2d boxOf(const std::vector<Eigen::Vector2d>& points) {
@@ -89,34 +98,40 @@ Json outlineList(const OutlineFile& file) {
     return list;
 }
 
-Json fitReport(const Contour& outline, const FourierFit& fit, const std::string& unit,
-               const std::vector<Message>& warnings) {
-    Json coefficients = Json::array(), points = Json::array(), sentences = Json::array();
+Json fitReport(const PickedOutline& picked, const FourierFit& fit, const std::string& unit) {
+    constexpr double kMmPerM = 1e3;
+    Json coefficients = Json::array(), sentences = Json::array(), holes_mm = Json::array();
     for (int j = -fit.contour.harmonics(); j <= fit.contour.harmonics(); ++j)
         coefficients.push_back({j, fit.contour.coefficient(j).real(), fit.contour.coefficient(j).imag()});
-    for (const Eigen::Vector2d& p : outline.points_m)
-        points.push_back(millimetres(p));
-    for (const Message& warning : warnings)
+    for (const Message& warning : picked.warnings)
         sentences.push_back(describe(warning));
-    return {{"type", "fourier"},
-            {"coefficients", std::move(coefficients)},
-            {"area_mm2", fit.contour.area() * 1e6},
-            {"perimeter_mm", fit.contour.perimeter() * 1e3},
-            {"rms_mm", fit.rms_m * 1e3},
-            {"max_mm", fit.max_m * 1e3},
-            {"hausdorff_mm", fit.hausdorff_m * 1e3},
-            {"area_error", fit.areaError},
-            {"centre_mm", millimetres(fit.centre_m)},
-            {"unit", unit},
-            {"warnings", std::move(sentences)},
-            {"outline", std::move(points)}};
+    for (const Contour& hole : picked.holes)
+        holes_mm.push_back(ring(hole, kMmPerM));
+    const Shape shape = shapeOfFit(fit, picked.holes);
+    Json report{{"type", "fourier"},
+                {"coefficients", std::move(coefficients)},
+                {"area_mm2", fit.contour.area() * 1e6},
+                {"net_area_mm2", shapeArea(shape) * 1e6},
+                {"perimeter_mm", fit.contour.perimeter() * 1e3},
+                {"rms_mm", fit.rms_m * 1e3},
+                {"max_mm", fit.max_m * 1e3},
+                {"hausdorff_mm", fit.hausdorff_m * 1e3},
+                {"area_error", fit.areaError},
+                {"centre_mm", pair(fit.centre_m, kMmPerM)},
+                {"unit", unit},
+                {"warnings", std::move(sentences)},
+                {"outline", ring(picked.contour, kMmPerM)},
+                {"holes", std::move(holes_mm)}};
+    for (const Contour& hole : holesOf(shape))
+        report["holes_m"].push_back(ring(hole));
+    return report;
 }
 
-QByteArray fitPreview(const Contour& outline, const FourierFit& fit) {
+QByteArray fitPreview(const PickedOutline& picked, const FourierFit& fit) {
     constexpr int kSize_px = 1000;
     constexpr double kFilled = 0.85; // of the picture
     const std::vector<Eigen::Vector2d> series = pointsOf(fit);
-    const Eigen::AlignedBox2d box = boxOf(outline.points_m).merged(boxOf(series));
+    const Eigen::AlignedBox2d box = boxOf(picked.contour.points_m).merged(boxOf(series));
     const View view{box.center(), kFilled * kSize_px / box.sizes().maxCoeff(), kSize_px};
     QImage image(kSize_px, kSize_px, QImage::Format_RGB32);
     image.fill(Qt::white);
@@ -126,7 +141,14 @@ QByteArray fitPreview(const Contour& outline, const FourierFit& fit) {
     drawGrid(painter, view);
     painter.setPen(QPen(QColor(0x55, 0x5f, 0x6b), 1.5));
     painter.setBrush(QColor(0x55, 0x5f, 0x6b, 0x40));
-    painter.drawPolygon(view(outline.points_m));
+    QPainterPath face; // odd-even: holes stay open
+    face.addPolygon(view(picked.contour.points_m));
+    face.closeSubpath();
+    for (const Contour& hole : picked.holes) {
+        face.addPolygon(view(hole.points_m));
+        face.closeSubpath();
+    }
+    painter.drawPath(face);
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(QColor(0xd0, 0x2b, 0x2b), 2.0));
     painter.drawPolygon(view(series));

@@ -19,13 +19,13 @@ inline constexpr const char* kPreviewMark = "bask fit-contour";
 /// An array of the outlines as they are arranged.
 nlohmann::ordered_json outlineList(const OutlineFile& file);
 
-/// A contour that Bask reads ("type", "coefficients" in metres about the series' centroid) with its figures
-/// and the outline in mm, in the file's coordinates.
-nlohmann::ordered_json fitReport(const Contour& outline, const FourierFit& fit, const std::string& unit,
-                                 const std::vector<Message>& warnings);
+/// A contour that Bask reads ("type", "coefficients" and "holes_m" in metres about the series' centroid) with
+/// its figures, and "outline" and "holes" in mm, in the file's coordinates. Area and perimeter are the
+/// series', holes are counted off in "net_area_mm2" only.
+nlohmann::ordered_json fitReport(const PickedOutline& picked, const FourierFit& fit, const std::string& unit);
 
-/// PNG of the outline (grey area) and the fit (red line) over a grid of 10 mm, or of as many powers of ten as
-/// the outline needs. Needs no application and no display.
-QByteArray fitPreview(const Contour& outline, const FourierFit& fit);
+/// PNG of the outline with its holes (grey area) and the fit (red line) over a grid of 10 mm, or of as many
+/// powers of ten as the outline needs. Needs no application and no display.
+QByteArray fitPreview(const PickedOutline& picked, const FourierFit& fit);
 
 } // namespace bask

@@ -86,20 +86,19 @@ Result<Shape> diskFromJson(const json& object, const std::string& where) {
 }
 
 // Rows of `columns` numbers; the first may be a whole number (the order of a coefficient).
-Result<std::vector<std::vector<double>>> rows(const json& object, const std::string& key, std::size_t columns,
-                                              const std::string& where) {
-    const auto array = arrayMember(object, key, 0, where);
-    if (!array)
-        return array.error();
-    if ((*array)->size() > kMostPoints)
+Result<std::vector<std::vector<double>>> rowsOf(const json& array, std::size_t columns,
+                                                const std::string& where) {
+    if (!array.is_array())
+        return Error{MessageCode::JsonWrongType, where, {"a list", jsonTypeWords(array)}};
+    if (array.size() > kMostPoints)
         return Error{MessageCode::ValueOutOfRange,
-                     placeOf(where, key),
-                     {std::to_string((*array)->size()), "1", std::to_string(kMostPoints), "entries"}};
+                     where,
+                     {std::to_string(array.size()), "1", std::to_string(kMostPoints), "entries"}};
     std::vector<std::vector<double>> result;
-    result.reserve((*array)->size());
-    for (std::size_t i = 0; i < (*array)->size(); ++i) {
-        const json& row = (**array)[i];
-        const std::string place = placeOf(where, key) + '[' + std::to_string(i) + ']';
+    result.reserve(array.size());
+    for (std::size_t i = 0; i < array.size(); ++i) {
+        const json& row = array[i];
+        const std::string place = where + '[' + std::to_string(i) + ']';
         if (!row.is_array() || row.size() != columns)
             return Error{MessageCode::JsonWrongType,
                          place,
@@ -117,10 +116,13 @@ Result<std::vector<std::vector<double>>> rows(const json& object, const std::str
 }
 
 Result<Shape> fourierFromJson(const json& object, const std::string& where) {
-    const auto entries = rows(object, "coefficients", 3, where);
+    const auto member = memberOf(object, "coefficients", where);
+    if (!member)
+        return member.error();
+    const std::string place = placeOf(where, "coefficients");
+    const auto entries = rowsOf(**member, 3, place);
     if (!entries)
         return entries.error();
-    const std::string place = placeOf(where, "coefficients");
     int harmonics = 0;
     std::set<int> seen;
     for (const auto& entry : *entries) {
@@ -158,17 +160,40 @@ Result<Shape> fourierFromJson(const json& object, const std::string& where) {
     return Shape{contour};
 }
 
-Result<Shape> polygonFromJson(const json& object, const std::string& where) {
-    const auto entries = rows(object, "points_m", 2, where);
+Result<Contour> ringFromJson(const json& ring, const std::string& where) {
+    const auto entries = rowsOf(ring, 2, where);
     if (!entries)
         return entries.error();
     std::vector<Eigen::Vector2d> points;
     for (const auto& entry : *entries)
         points.emplace_back(entry[0], entry[1]);
-    const auto contour = makeContour(std::move(points), placeOf(where, "points_m"));
+    return makeContour(std::move(points), where);
+}
+
+Result<Shape> polygonFromJson(const json& object, const std::string& where) {
+    const auto member = memberOf(object, "points_m", where);
+    if (!member)
+        return member.error();
+    const auto contour = ringFromJson(**member, placeOf(where, "points_m"));
     if (!contour)
         return contour.error();
     return Shape{*contour};
+}
+
+Result<Shape> outlineFromJson(const json& object, const std::string& where) {
+    const auto member = memberOf(object, "type", where);
+    if (!member)
+        return member.error();
+    if (!(*member)->is_string())
+        return Error{MessageCode::JsonWrongType, placeOf(where, "type"), {"text", jsonTypeWords(**member)}};
+    const auto type = (*member)->get<std::string>();
+    if (type == "disk")
+        return diskFromJson(object, where);
+    if (type == "fourier")
+        return fourierFromJson(object, where);
+    if (type == "polygon")
+        return polygonFromJson(object, where);
+    return Error{MessageCode::ValueUnknown, placeOf(where, "type"), {type, "disk, fourier, polygon"}};
 }
 
 } // namespace
@@ -195,19 +220,27 @@ Result<const json*> memberOf(const json& object, const std::string& key, const s
 }
 
 Result<Shape> shapeFromJson(const json& object, const std::string& where) {
-    const auto member = memberOf(object, "type", where);
-    if (!member)
-        return member.error();
-    if (!(*member)->is_string())
-        return Error{MessageCode::JsonWrongType, placeOf(where, "type"), {"text", jsonTypeWords(**member)}};
-    const auto type = (*member)->get<std::string>();
-    if (type == "disk")
-        return diskFromJson(object, where);
-    if (type == "fourier")
-        return fourierFromJson(object, where);
-    if (type == "polygon")
-        return polygonFromJson(object, where);
-    return Error{MessageCode::ValueUnknown, placeOf(where, "type"), {type, "disk, fourier, polygon"}};
+    auto outline = outlineFromJson(object, where);
+    if (!outline || !object.contains("holes_m"))
+        return outline;
+    const auto list = arrayMember(object, "holes_m", 0, where);
+    if (!list)
+        return list.error();
+    const std::string place = placeOf(where, "holes_m");
+    if ((*list)->size() > kMostHoles)
+        return Error{
+            MessageCode::HolesTooMany, place, {std::to_string((*list)->size()), std::to_string(kMostHoles)}};
+    std::vector<Contour> holes;
+    for (const json& ring : **list) {
+        auto hole = ringFromJson(ring, place + '[' + std::to_string(holes.size()) + ']');
+        if (!hole)
+            return hole.error();
+        holes.push_back(std::move(*hole));
+    }
+    const Shape shape = withHoles(*outline, std::move(holes));
+    if (const auto fit = checkHoles(shape, place); !fit)
+        return fit.error();
+    return shape;
 }
 
 Result<Pose> poseFromJson(const json& object, const std::string& where) {

@@ -13,9 +13,10 @@
 namespace bask {
 
 /// {"type":"disk","radius_m"} | {"type":"fourier","coefficients":[[j,re,im],...]} |
-/// {"type":"polygon","points_m":[[x,y],...]}. Clockwise outlines are reversed; outlines that
-/// cross themselves or have no area and lengths beyond 1e6 m are refused. Keys that are not known are passed
-/// over. `where` starts the place named in errors.
+/// {"type":"polygon","points_m":[[x,y],...]}, each with "holes_m":[[[x,y],...],...] or not. Clockwise
+/// outlines are reversed; outlines that cross themselves or have no area, holes that do not fit (checkHoles)
+/// and lengths beyond 1e6 m are refused. Keys that are not known are passed over. `where` starts the place
+/// named in errors.
 Result<Shape> shapeFromJson(const nlohmann::json& json, const std::string& where);
 
 /// {"translation_m":[x,y,z],"rotation_vector_rad":[x,y,z]}.

@@ -80,7 +80,11 @@ enum class MessageCode : int {
     FormatUnknown,        ///< %1 extension, %2 known
     OutlineUnknown,       ///< %1 index, %2 last index
     OutlinesSeveral,      ///< %1 outlines
-    OutlineHasHoles,      ///< %1 holes
+    HolesLeftOut,         ///< %1 holes, %2 most
+    FitCutsHoles,         ///< no args
+    HolesTooMany,         ///< %1 holes, %2 most
+    HoleOutside,          ///< no args
+    HolesMeet,            ///< %1 index of the other
     SilhouettesAtBorder,  ///< %1 silhouettes
     ScaleTwice,           ///< no args
     MarkerNotFound,       ///< %1 dictionary

@@ -11,25 +11,30 @@ using Points = std::vector<Eigen::Vector2d>;
 
 constexpr std::size_t kMostAsked = 4096; // points of one outline looked for in the other
 
-// The outline in S with no two neighbours farther apart than a 512th of the way round.
-Points denseOutline(const Shape& shape, const Pose& X) {
+// The rings of a shape in S with no two neighbours of the outline farther apart than a 512th of the way
+// round; the outline first.
+std::vector<Points> denseRings(const Shape& shape, const Pose& X) {
     constexpr int kPlaces = 512;
-    const Points corners = shapeOutline(shape, kPlaces);
     const double most = shapePerimeter(shape) / kPlaces;
-    Points dense;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Eigen::Vector2d& a = corners[i];
-        const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
-        const int parts = std::max(1, static_cast<int>(std::ceil((b - a).norm() / most)));
-        for (int k = 0; k < parts; ++k) {
-            const Eigen::Vector2d p = a + (b - a) * k / parts;
-            dense.push_back((X * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
+    std::vector<Points> rings;
+    for (const Points& corners : shapeRings(shape, kPlaces)) {
+        Points& dense = rings.emplace_back();
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const Eigen::Vector2d& a = corners[i];
+            const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
+            const int parts = std::max(1, static_cast<int>(std::ceil((b - a).norm() / most)));
+            for (int k = 0; k < parts; ++k) {
+                const Eigen::Vector2d p = a + (b - a) * k / parts;
+                dense.push_back((X * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
+            }
         }
     }
-    return dense;
+    return rings;
 }
 
-bool isInside(const Eigen::Vector2d& p, const Points& outline, double margin) {
+enum class Place { Outside, Edge, Inside };
+
+Place placeIn(const Points& outline, const Eigen::Vector2d& p, double margin) {
     int winding = 0;
     for (std::size_t i = 0; i < outline.size(); ++i) {
         const Eigen::Vector2d a = outline[i] - p;
@@ -37,14 +42,43 @@ bool isInside(const Eigen::Vector2d& p, const Points& outline, double margin) {
         const Eigen::Vector2d edge = b - a;
         const double share = std::clamp(-a.dot(edge) / std::max(edge.squaredNorm(), 1e-300), 0.0, 1.0);
         if ((a + share * edge).norm() <= margin)
-            return false;
+            return Place::Edge;
         const double cross = a.x() * b.y() - a.y() * b.x();
         if (a.y() <= 0.0 && b.y() > 0.0 && cross > 0.0)
             ++winding;
         else if (a.y() > 0.0 && b.y() <= 0.0 && cross < 0.0)
             --winding;
     }
-    return winding != 0;
+    return winding != 0 ? Place::Inside : Place::Outside;
+}
+
+bool isInside(const std::vector<Points>& rings, const Eigen::Vector2d& p, double margin) {
+    return placeIn(rings.front(), p, margin) == Place::Inside &&
+           std::all_of(rings.begin() + 1, rings.end(),
+                       [&](const Points& hole) { return placeIn(hole, p, margin) == Place::Outside; });
+}
+
+// A point well inside: the middle of the widest stretch of face on the line through the middle of its height.
+Eigen::Vector2d innerPoint(const std::vector<Points>& rings) {
+    const auto [low, high] =
+        std::ranges::minmax(rings.front(), {}, [](const Eigen::Vector2d& p) { return p.y(); });
+    const double y = 0.5 * (low.y() + high.y());
+    std::vector<double> crossings;
+    for (const Points& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+            const Eigen::Vector2d &a = ring[i], &b = ring[(i + 1) % ring.size()];
+            if ((a.y() > y) != (b.y() > y))
+                crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+        }
+    std::ranges::sort(crossings);
+    Eigen::Vector2d inner = rings.front().front();
+    double widest = 0.0;
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+        if (const double width = crossings[i + 1] - crossings[i]; width > widest) {
+            widest = width;
+            inner = {0.5 * (crossings[i] + crossings[i + 1]), y};
+        }
+    return inner;
 }
 
 } // namespace
@@ -52,20 +86,21 @@ bool isInside(const Eigen::Vector2d& p, const Points& outline, double margin) {
 bool overlapInPlane(const Shape& source, const Shape& object, const Pose& X_SO) {
     if (X_SO.translation().norm() >= shapeRadius(source) + shapeRadius(object))
         return false;
-    const Points a = denseOutline(source, Pose::Identity());
-    const Points b = denseOutline(object, X_SO);
+    const std::vector<Points> a = denseRings(source, Pose::Identity());
+    const std::vector<Points> b = denseRings(object, X_SO);
     const double margin = 1e-9 * (shapeRadius(source) + shapeRadius(object));
-    // Equal outlines have no corner inside each other: their own insides decide.
-    const auto anyInside = [&](const Points& points, const Points& outline) {
-        const std::size_t stride = 1 + points.size() / kMostAsked;
-        for (std::size_t i = 0; i < points.size(); i += stride)
-            if (isInside(points[i], outline, margin))
-                return true;
+    const auto anyInside = [&](const std::vector<Points>& rings, const std::vector<Points>& face) {
+        for (const Points& points : rings) {
+            const std::size_t stride = 1 + points.size() / kMostAsked;
+            for (std::size_t i = 0; i < points.size(); i += stride)
+                if (isInside(face, points[i], margin))
+                    return true;
+        }
         return false;
     };
-    return anyInside(b, a) || anyInside(a, b) ||
-           (isInside(X_SO.translation().head<2>(), a, margin) &&
-            isInside(X_SO.translation().head<2>(), b, margin));
+    // Equal faces have no corner inside each other: their own insides decide.
+    const Eigen::Vector2d inner = innerPoint(b);
+    return anyInside(b, a) || anyInside(a, b) || (isInside(a, inner, margin) && isInside(b, inner, margin));
 }
 
 } // namespace bask

@@ -7,7 +7,8 @@
 namespace bask {
 
 /// Whether the object at X_SO, taken to lie in the source's plane, covers part of the source. Shared edges
-/// are no overlap; outlines are looked at in 512 places or more.
+/// are no overlap, and neither is an object in a hole of the source, or round the source; outlines are looked
+/// at in 512 places or more.
 bool overlapInPlane(const Shape& source, const Shape& object, const Pose& X_SO);
 
 } // namespace bask

@@ -18,9 +18,9 @@ constexpr int kTrapezoidPoints[] = {8, 16, 24, 32, 48, 64, 96, 128, 192, 256, 38
 constexpr double kGaussDistances[] = {1.0, 0.5, 0.25, 0.125, 0.0625}; // in perimeters
 
 std::vector<std::complex<double>> seriesOf(const Shape& shape) {
-    if (const auto* disk = std::get_if<Disk>(&shape))
+    if (const auto* disk = outlineAs<Disk>(shape))
         return {0.0, 0.0, disk->radius_m};
-    if (const auto* fourier = std::get_if<FourierContour>(&shape))
+    if (const auto* fourier = outlineAs<FourierContour>(shape))
         return fourier->coefficients();
     return {};
 }
@@ -110,11 +110,13 @@ int AnalyticStrip::widest(const Table& table, double distance_m) {
 }
 
 RadiatingContour::Impl::Impl(const Shape& outline)
-    : shape(outline), area(shapeArea(outline)), m_coefficients(seriesOf(outline)) {
-    disk = std::get_if<Disk>(&shape);
-    if (!(area > kLeastArea_m2) || !std::isfinite(area) || (disk && !(disk->radius_m > 0.0)))
+    : shape(outline), netArea(shapeArea(outline)), area(netArea), m_coefficients(seriesOf(outline)) {
+    disk = outlineAs<Disk>(shape);
+    if (!(netArea > kLeastArea_m2) || !std::isfinite(netArea) || (disk && !(disk->radius_m > 0.0)))
         throw std::invalid_argument("RadiatingContour: an outline without area");
-    if (const auto* polygon = std::get_if<Contour>(&shape)) {
+    for (const Contour& hole : holesOf(shape))
+        area += holes.emplace_back(hole).area;
+    if (const auto* polygon = outlineAs<Contour>(shape)) {
         isPolygon = true;
         tabulatePolygon(*polygon);
         return;
@@ -125,7 +127,7 @@ RadiatingContour::Impl::Impl(const Shape& outline)
 
 OutlinePoint RadiatingContour::Impl::at(double phi) const {
     const std::complex<double> turn = std::polar(1.0, kTwoPi * phi);
-    if (std::holds_alternative<Disk>(shape)) {
+    if (disk) {
         const std::complex<double> p = m_coefficients[2] * turn;
         return {p.real(), p.imag(), -kTwoPi * p.imag(), kTwoPi * p.real()};
     }
@@ -274,7 +276,7 @@ PlaneSide RadiatingContour::Impl::side(const HeightPlane& height) const {
         return height.z0 > 0.0 ? PlaneSide::Front : PlaneSide::Behind;
     if (height.z0 + reach * height.slope <= 0.0)
         return PlaneSide::Behind;
-    if (const auto* polygon = std::get_if<Contour>(&shape)) {
+    if (const auto* polygon = outlineAs<Contour>(shape)) {
         double least = 1e300;
         double most = -1e300;
         for (const Eigen::Vector2d& p : polygon->points_m) {
@@ -283,7 +285,7 @@ PlaneSide RadiatingContour::Impl::side(const HeightPlane& height) const {
         }
         return most <= 0.0 ? PlaneSide::Behind : least >= 0.0 ? PlaneSide::Front : PlaneSide::Across;
     }
-    if (std::holds_alternative<Disk>(shape))
+    if (disk)
         return PlaneSide::Across;
     const std::vector<double> found = crossings(height);
     if (!found.empty())
@@ -361,7 +363,7 @@ std::vector<double> RadiatingContour::Impl::crossings(const HeightPlane& height)
 
 std::vector<OutlinePiece> RadiatingContour::Impl::smoothPieces(const HeightPlane& height) const {
     std::vector<double> cuts;
-    if (std::holds_alternative<Disk>(shape)) {
+    if (disk) {
         const double slope = reach * height.slope;
         const double middle = std::atan2(height.ky, height.kx) / kTwoPi;
         const double half = std::acos(std::clamp(-height.z0 / slope, -1.0, 1.0)) / kTwoPi;
@@ -390,7 +392,7 @@ std::vector<OutlinePiece> RadiatingContour::Impl::smoothPieces(const HeightPlane
 }
 
 std::vector<OutlinePiece> RadiatingContour::Impl::polygonPieces(const HeightPlane& height) const {
-    const auto& points = std::get<Contour>(shape).points_m;
+    const auto& points = outlineAs<Contour>(shape)->points_m;
     const std::size_t n = points.size();
     const auto z = [&](std::size_t i) { return height.at(points[i % n].x(), points[i % n].y()); };
     std::size_t start = 0; // an edge that comes out of the plane
@@ -434,7 +436,7 @@ std::vector<OutlinePiece> RadiatingContour::Impl::piecesInFront(const HeightPlan
 std::vector<OutlinePiece> RadiatingContour::Impl::allPieces() const {
     if (!isPolygon)
         return {{.from = 0.0, .to = 1.0}};
-    const auto& points = std::get<Contour>(shape).points_m;
+    const auto& points = outlineAs<Contour>(shape)->points_m;
     std::vector<OutlinePiece> pieces;
     for (std::size_t i = 0; i < points.size(); ++i)
         pieces.push_back({.straight = true, .a = points[i], .b = points[(i + 1) % points.size()]});

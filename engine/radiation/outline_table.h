@@ -99,6 +99,7 @@ struct GaussTable {
     OutlineTable table;
 };
 
+/// The tables of an outline, and those of the holes in it, which are outlines themselves.
 struct RadiatingContour::Impl {
     explicit Impl(const Shape& outline);
 
@@ -125,7 +126,10 @@ struct RadiatingContour::Impl {
     double curveDistance_m(const Eigen::Vector3d& p) const;
 
     Shape shape;
-    double area = 0.0;        ///< m2
+    double netArea = 0.0; ///< m2, holes counted off
+    std::vector<Impl> holes;
+
+    double area = 0.0;        ///< m2, of the outline alone, as all that follows
     double reach = 0.0;       ///< m, no point is farther from O
     double mostSpeed_m = 0.0; ///< of a smooth outline, per unit of phi
     double perimeter = 0.0;   ///< m, about

@@ -12,10 +12,12 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// Centres of the squares of side `side` whose centres lie inside of the outline, row by row.
-std::vector<Eigen::Vector2d> squaresInside(const std::vector<Eigen::Vector2d>& outline, double side) {
-    Eigen::Vector2d low = outline[0], high = outline[0];
-    for (const Eigen::Vector2d& p : outline) {
+/// Centres of the squares of side `side` whose centres lie inside of the first ring and of no other, row by
+/// row.
+std::vector<Eigen::Vector2d> squaresInside(const std::vector<std::vector<Eigen::Vector2d>>& rings,
+                                           double side) {
+    Eigen::Vector2d low = rings[0][0], high = rings[0][0];
+    for (const Eigen::Vector2d& p : rings[0]) {
         low = low.cwiseMin(p);
         high = high.cwiseMax(p);
     }
@@ -29,12 +31,13 @@ std::vector<Eigen::Vector2d> squaresInside(const std::vector<Eigen::Vector2d>& o
     for (int row = 0; row < rows; ++row) {
         const double y = middle.y() + (row - 0.5 * (rows - 1)) * side;
         crossings.clear();
-        for (std::size_t i = 0; i < outline.size(); ++i) {
-            const Eigen::Vector2d& a = outline[i];
-            const Eigen::Vector2d& b = outline[(i + 1) % outline.size()];
-            if ((a.y() > y) != (b.y() > y))
-                crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
-        }
+        for (const auto& ring : rings)
+            for (std::size_t i = 0; i < ring.size(); ++i) {
+                const Eigen::Vector2d& a = ring[i];
+                const Eigen::Vector2d& b = ring[(i + 1) % ring.size()];
+                if ((a.y() > y) != (b.y() > y))
+                    crossings.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+            }
         std::ranges::sort(crossings);
         std::size_t passed = 0;
         for (int column = 0; column < columns; ++column) {
@@ -59,7 +62,7 @@ Elements elementsOf(const Shape& shape, const Pose& X_SF, const Eigen::Vector3d&
     constexpr int kOutlinePoints = 2048; // of a smooth outline, for telling in from out
     const double side = std::sqrt(shapeArea(shape) / count);
     Elements result{{}, side * side, normal};
-    for (const Eigen::Vector2d& p : squaresInside(shapeOutline(shape, kOutlinePoints), side))
+    for (const Eigen::Vector2d& p : squaresInside(shapeRings(shape, kOutlinePoints), side))
         result.centres.push_back(X_SF * Eigen::Vector3d(p.x(), p.y(), 0.0));
     return result;
 }
@@ -98,7 +101,8 @@ Nodes contourNodes(const Shape& shape, int n) {
         return simpsonNodes(circle(disk->radius_m), 0.0, 2.0 * kPi, n);
     const auto* fourier = std::get_if<FourierContour>(&shape);
     if (fourier == nullptr)
-        throw std::invalid_argument("simpsonViewFactor: the paper has circles and Fourier contours only");
+        throw std::invalid_argument(
+            "simpsonViewFactor: the paper has circles and Fourier contours without holes only");
     const Curve series = [fourier](double phi, Eigen::Vector3d& point, Eigen::Vector3d& slope) {
         const std::complex<double> p = fourier->point(phi), d = fourier->derivative(phi);
         point = {p.real(), p.imag(), 0.0};

@@ -13,10 +13,10 @@ namespace bask {
 double discreteSurfaceIntegral(const Shape& source, const Shape& object, const Pose& X_SO, int elements);
 
 /// F21 by the double contour integral, composite Simpson with `points` (even) subintervals on either contour.
-/// Disks and Fourier contours, as in the paper. Of the visibility cuts it knows the one that it treats: a
-/// disk source cut by the object's plane, with `points` subintervals on the arc and on the chord. Throws
-/// std::invalid_argument on polygons, an odd number, and another source that is cut. An object that dips
-/// below the source plane is taken as if it did not, which is wrong.
+/// Disks and Fourier contours without holes, as in the paper. Of the visibility cuts it knows the one that it
+/// treats: a disk source cut by the object's plane, with `points` subintervals on the arc and on the chord.
+/// Throws std::invalid_argument on polygons and holes, an odd number, and another source that is cut. An
+/// object that dips below the source plane is taken as if it did not, which is wrong.
 double simpsonViewFactor(const Shape& source, const Shape& object, const Pose& X_SO, int points);
 
 /// A value with its derivatives by the six pose coordinates of the object (1/m, 1/rad; see

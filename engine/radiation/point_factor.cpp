@@ -211,32 +211,46 @@ double circulation(const FourierContour& contour, const Element& element) {
     return sum;
 }
 
-bool isInside(const Disk& disk, double x, double y) {
-    return std::hypot(x, y) <= disk.radius_m;
+double circulation(const PiercedShape& pierced, const Element& element) {
+    double sum =
+        std::visit([&](const auto& outline) { return circulation(outline, element); }, pierced.outline);
+    for (const Contour& hole : pierced.holes)
+        sum -= circulation(hole, element);
+    return sum;
 }
 
-bool isInside(const Contour& polygon, double x, double y) {
-    bool inside = false;
+bool isOnEdge(const Contour& polygon, const Eigen::Vector2d& p) {
     const auto& points = polygon.points_m;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const Eigen::Vector2d a = points[i] - Eigen::Vector2d(x, y);
-        const Eigen::Vector2d b = points[(i + 1) % points.size()] - Eigen::Vector2d(x, y);
-        const double cross = a.x() * b.y() - a.y() * b.x();
-        if (cross == 0.0 && a.dot(b) <= 0.0)
-            return true; // on the outline
-        if ((a.y() > 0.0) != (b.y() > 0.0) && (cross > 0.0) == (b.y() > a.y()))
-            inside = !inside;
+        const Eigen::Vector2d a = points[i] - p, b = points[(i + 1) % points.size()] - p;
+        if (a.x() * b.y() - a.y() * b.x() == 0.0 && a.dot(b) <= 0.0)
+            return true;
     }
+    return false;
+}
+
+// Edges are of the face.
+bool isInside(const Disk& disk, const Eigen::Vector2d& p) {
+    return p.norm() <= disk.radius_m;
+}
+
+bool isInside(const Contour& polygon, const Eigen::Vector2d& p) {
+    return isOnEdge(polygon, p) || encloses(polygon.points_m, p);
+}
+
+bool isInside(const FourierContour& contour, const Eigen::Vector2d& p) {
+    bool inside = false;
+    for (const auto& cut :
+         signChanges([&](double phi) { return contour.point(phi).imag() - p.y(); }, samplesOf(contour)))
+        if (contour.point(cut.first).real() >= p.x())
+            inside = !inside;
     return inside;
 }
 
-bool isInside(const FourierContour& contour, double x, double y) {
-    bool inside = false;
-    for (const auto& cut :
-         signChanges([&](double phi) { return contour.point(phi).imag() - y; }, samplesOf(contour)))
-        if (contour.point(cut.first).real() >= x)
-            inside = !inside;
-    return inside;
+bool isInside(const PiercedShape& pierced, const Eigen::Vector2d& p) {
+    const auto isOff = [&](const Contour& hole) { return isOnEdge(hole, p) || !encloses(hole.points_m, p); };
+    return std::visit([&](const auto& outline) { return isInside(outline, p); }, pierced.outline) &&
+           std::ranges::all_of(pierced.holes, isOff);
 }
 
 } // namespace
@@ -248,7 +262,7 @@ double pointFactor(const Shape& source, const Eigen::Vector3d& p_SP, const Eigen
             "pointFactor: position and normal must be finite and the normal not zero");
     if (!(shapeArea(source) > 0.0))
         throw std::invalid_argument("pointFactor: the source's area must be positive");
-    if (p_SP.z() == 0.0 && std::visit([&](const auto& s) { return isInside(s, p_SP.x(), p_SP.y()); }, source))
+    if (p_SP.z() == 0.0 && std::visit([&](const auto& s) { return isInside(s, p_SP.head<2>()); }, source))
         throw std::invalid_argument("pointFactor: the point lies in the source");
     if (p_SP.z() <= 0.0)
         return 0.0;

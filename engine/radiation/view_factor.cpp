@@ -61,16 +61,10 @@ struct Outcome {
     }
 };
 
+// One outline over another, `allowed_m2` being the error of the circulation.
 template <bool kMoments>
-Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object, const Pose& X_SO,
-                 double tolerance, int mostPoints) {
-    constexpr double kFarthest2 = 1e100; // m2; beyond, squares of squares overflow
-    if (!(X_SO.translation().squaredNorm() < kFarthest2) || !std::isfinite(X_SO.linear().sum()))
-        throw std::invalid_argument("viewFactor: the pose is not finite");
-    if (!(tolerance >= 0.0) || mostPoints < 1)
-        throw std::invalid_argument("viewFactor: the tolerance is negative or there are no points");
-    const Sight sight(X_SO);
-    refuseOverlapInPlane(source, object, sight);
+Outcome betweenOutlines(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
+                        const Sight& sight, double allowed_m2, int mostPoints) {
     const PlaneSide seen = source.side(sight.overObject);
     if (seen == PlaneSide::Behind)
         return {};
@@ -84,15 +78,13 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
     // What is seen of either face bounds A2 F21: a sliver is not worth the many points that it asks for.
     const double seen_m2 =
         std::min(visibleArea(source, sight.overObject, seen), visibleArea(object, sight.overSource, side));
-    if (seen_m2 <= tolerance * object.area) {
+    if (2.0 * std::numbers::pi * seen_m2 <= allowed_m2) {
         outcome.integral.error_m2 = 2.0 * std::numbers::pi * seen_m2;
         return outcome;
     }
     constexpr double kShare =
         0.6; // of the tolerance, so that the parts of an estimate add up to less than it
-    const IntegralGoal goal{
-        std::max(kShare * 2.0 * std::numbers::pi * object.area * tolerance, outcome.floor_m2),
-        source.perimeter, mostPoints};
+    const IntegralGoal goal{std::max(kShare * allowed_m2, outcome.floor_m2), source.perimeter, mostPoints};
     if (!source.disk)
         outcome.integral = integrate<kMoments>(LoopSource(source, sight, seen == PlaneSide::Across), object,
                                                sight, side, goal);
@@ -103,6 +95,48 @@ Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::I
         outcome.integral =
             integrate<kMoments>(DiskSegmentSource(source.disk->radius_m, sight), object, sight, side, goal);
     return outcome;
+}
+
+// A2 F21 is linear in either face, so the circulations of all pairs of outlines add up, those of a hole with
+// the opposite sign. Each pair gets an equal share of the error.
+template <bool kMoments>
+Outcome withHoles(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object,
+                  const Sight& sight, double allowed_m2, int mostPoints) {
+    const auto pairs = static_cast<double>((1 + source.holes.size()) * (1 + object.holes.size()));
+    Outcome sum = betweenOutlines<kMoments>(source, object, sight, allowed_m2 / pairs, mostPoints);
+    if (sum.visibility == Visibility::Hidden)
+        return sum;
+    const auto add = [&](const RadiatingContour::Impl& from, const RadiatingContour::Impl& to, double sign) {
+        const Outcome pair = betweenOutlines<kMoments>(from, to, sight, allowed_m2 / pairs, mostPoints);
+        sum.integral.circulation_m2 += sign * pair.integral.circulation_m2;
+        sum.integral.moments += sign * pair.integral.moments;
+        sum.integral.error_m2 += pair.integral.error_m2;
+        sum.floor_m2 += pair.floor_m2;
+    };
+    for (const RadiatingContour::Impl& hole : object.holes)
+        add(source, hole, -1.0);
+    for (const RadiatingContour::Impl& hole : source.holes) {
+        add(hole, object, -1.0);
+        for (const RadiatingContour::Impl& other : object.holes)
+            add(hole, other, 1.0);
+    }
+    return sum;
+}
+
+template <bool kMoments>
+Outcome evaluate(const RadiatingContour::Impl& source, const RadiatingContour::Impl& object, const Pose& X_SO,
+                 double tolerance, int mostPoints) {
+    constexpr double kFarthest2 = 1e100; // m2; beyond, squares of squares overflow
+    if (!(X_SO.translation().squaredNorm() < kFarthest2) || !std::isfinite(X_SO.linear().sum()))
+        throw std::invalid_argument("viewFactor: the pose is not finite");
+    if (!(tolerance >= 0.0) || mostPoints < 1)
+        throw std::invalid_argument("viewFactor: the tolerance is negative or there are no points");
+    const Sight sight(X_SO);
+    refuseOverlapInPlane(source, object, sight);
+    const double allowed_m2 = 2.0 * std::numbers::pi * object.netArea * tolerance;
+    if (source.holes.empty() && object.holes.empty())
+        return betweenOutlines<kMoments>(source, object, sight, allowed_m2, mostPoints);
+    return withHoles<kMoments>(source, object, sight, allowed_m2, mostPoints);
 }
 
 double asFraction(double circulation, double area) {
@@ -129,7 +163,7 @@ RadiatingContour::RadiatingContour(const RadiatingContour&) = default;
 RadiatingContour& RadiatingContour::operator=(const RadiatingContour&) = default;
 
 double RadiatingContour::area_m2() const {
-    return m_impl->area;
+    return m_impl->netArea;
 }
 
 const Shape& RadiatingContour::shape() const {

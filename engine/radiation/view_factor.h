@@ -24,11 +24,12 @@ struct ViewFactor {
 
 struct ViewFactorOptions {
     double tolerance = 1e-9; ///< absolute, of the value; it decides the number of points
-    int maxPoints = 1 << 17; ///< of the object's outline; beyond it the estimate tells what was reached
+    /// Of an outline of the object's over one of the source's; beyond it the estimate tells what was reached.
+    int maxPoints = 1 << 17;
 };
 
-/// An outline, of an object or of a source, prepared for many evaluations: area and tabulated points, shared
-/// by copies. Immutable.
+/// A shape, of an object or of a source, prepared for many evaluations: area and tabulated points of its
+/// outline and holes, shared by copies. Immutable.
 class RadiatingContour {
 public:
     /// Any counter-clockwise shape, taken where it is. It ought to be simple; where it crosses itself, what
@@ -38,7 +39,7 @@ public:
     RadiatingContour(const RadiatingContour&);
     RadiatingContour& operator=(const RadiatingContour&);
 
-    double area_m2() const;
+    double area_m2() const; ///< holes counted off
     const Shape& shape() const;
 
     struct Impl;
@@ -50,10 +51,11 @@ private:
 
 /// F21 of the object at X_SO over the source, with gradient, visibility and error estimate. Heated face along
 /// -z of O. Method: F21 is the circulation of the source's vector potential along the visible part of the
-/// outline; the gradient is the force and torque on a current loop in its curl. Two half-space cuts decide
-/// what is visible. Where the faces run through each other, which plates cannot, the value stands but the
-/// gradient leaves out what the cuts gain by moving. Thread-safe. Throws std::invalid_argument on a pose that
-/// is not finite, options that mean nothing, and where the two faces overlap in one plane.
+/// outline; the gradient is the force and torque on a current loop in its curl. A hole is an outline with the
+/// opposite sign, in either face. Two half-space cuts decide what is visible. Where the faces run through
+/// each other, which plates cannot, the value stands but the gradient leaves out what the cuts gain by
+/// moving. Thread-safe. Throws std::invalid_argument on a pose that is not finite, options that mean nothing,
+/// and where the two faces overlap in one plane.
 ViewFactor viewFactor(const RadiatingContour& source, const RadiatingContour& object, const Pose& X_SO,
                       const ViewFactorOptions& options = {});
 

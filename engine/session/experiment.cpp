@@ -44,6 +44,11 @@ public:
             m_error = Error(code, where, std::move(args));
     }
 
+    void take(const Result<void>& result) {
+        if (!result && !m_error)
+            m_error = result.error();
+    }
+
     /// Refuses what is not within [least, most]; NaN is never within.
     void range(const std::string& where, double value, double least, double most,
                std::string_view unit = {}) {
@@ -98,18 +103,22 @@ void checkCoefficients(Checker& check, const std::string& where, const FourierCo
 /// `most_m`: greatest radius about the shape's origin.
 void checkShape(Checker& check, const std::string& path, const Shape& shape, const ContourOrigin& origin,
                 double most_m) {
-    if (const auto* disk = std::get_if<Disk>(&shape)) {
+    if (const auto* disk = outlineAs<Disk>(shape)) {
         check.positive(path + ".radius_m", disk->radius_m, most_m, "m");
-    } else if (const auto* fourier = std::get_if<FourierContour>(&shape)) {
+    } else if (const auto* fourier = outlineAs<FourierContour>(shape)) {
         checkCoefficients(check, path + ".coefficients", *fourier);
     } else {
-        const auto& points = std::get<Contour>(shape).points_m;
+        const auto& points = outlineAs<Contour>(shape)->points_m;
         if (points.size() < 3)
             check.fail(MessageCode::ContourTooFewPoints, path + ".points_m", {to_string(points.size()), "3"});
         checkPoints(check, path + ".points_m", points);
     }
     checkPoints(check, path + ".outline_m", origin.outline.points_m);
     check.range(path + ".harmonics", origin.harmonics, 0.0, kMaxHarmonics);
+    if (!check.failed())
+        check.take(checkHoles(shape, path + ".holes_m"));
+    if (!check.failed())
+        check.take(checkHoles(withHoles(origin.outline, origin.holes), path + ".outline_holes_m"));
     if (check.failed())
         return;
     if (!(shapeArea(shape) > 0.0))
@@ -120,15 +129,18 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
                           {"a radius of " + formatNumber(radius_m), formatNumber(kLeastRadius_m),
                            formatNumber(most_m), "m"});
     // A truncated outline may cross itself a little, a real one does not go round twice.
-    const auto* fourier = std::get_if<FourierContour>(&shape);
+    const auto* fourier = outlineAs<FourierContour>(shape);
     const double uneven = fourier ? unevenShare(*fourier) : 0.0;
     if (uneven > kMostUneven)
         return check.fail(MessageCode::SeriesUneven, path + ".coefficients",
                           {formatNumber(100.0 * uneven, 2)});
-    const auto* polygon = std::get_if<Contour>(&shape);
-    if (polygon && polygon->points_m.size() > kMostCorners)
-        check.fail(MessageCode::ValueOutOfRange, path + ".points_m",
-                   {to_string(polygon->points_m.size()), "3", to_string(kMostCorners), "corners"});
+    const auto* polygon = outlineAs<Contour>(shape);
+    std::size_t corners = polygon ? polygon->points_m.size() : 0;
+    for (const Contour& hole : holesOf(shape))
+        corners += hole.points_m.size();
+    if (corners > kMostCorners)
+        check.fail(MessageCode::ValueOutOfRange, path + (polygon ? ".points_m" : ".holes_m"),
+                   {to_string(corners), "3", to_string(kMostCorners), "corners"});
 }
 
 /// Coordinates of a pose, lengths within +-most_cm and angles within +-180 degrees, theta_y within +-90 where
@@ -268,7 +280,7 @@ double leastHeight_m(const ObjectSpec& object, const Pose& X_SE) {
     const Pose X_SO = X_SE * poseFromCoordinates(object.mounting);
     const Eigen::RowVector2d slope = X_SO.linear().block<1, 2>(2, 0);
     const double origin_m = X_SO.translation().z();
-    if (const auto* disk = std::get_if<Disk>(&object.shape))
+    if (const auto* disk = outlineAs<Disk>(object.shape))
         return origin_m - disk->radius_m * slope.norm();
     double least_m = std::numeric_limits<double>::infinity();
     for (const Eigen::Vector2d& p : shapeOutline(object.shape, kOutlineSamples))
@@ -368,6 +380,27 @@ void checkTrueSource(Checker& check, const Experiment& e) {
 }
 
 } // namespace
+
+Result<OriginalShape> shapeFromOutline(const Contour& outline, const std::vector<Contour>& holes,
+                                       int harmonics) {
+    const Eigen::Vector2d centroid = contourCentroid(outline);
+    OriginalShape made;
+    made.origin.outline = shifted(outline, -centroid);
+    made.origin.harmonics = harmonics;
+    for (const Contour& hole : holes)
+        made.origin.holes.push_back(shifted(hole, -centroid));
+    if (harmonics == 0) {
+        made.shape = withHoles(made.origin.outline, made.origin.holes);
+    } else {
+        const Result<FourierFit> fit = fitFourier(made.origin.outline, harmonics);
+        if (!fit)
+            return fit.error();
+        made.shape = shapeOfFit(*fit, made.origin.holes);
+    }
+    if (const auto whole = checkHoles(made.shape, "holes"); !whole)
+        return whole.error();
+    return made;
+}
 
 double sourceSetPoint_K(const SourceSpec& source, double time_s) {
     return valueAt(source.temperatureProfile, time_s, source.temperature_K);

@@ -21,8 +21,21 @@ struct ContourOrigin {
     std::string file;  ///< as given; informative once the outline is embedded
     Contour outline;   ///< raw outline, centred as imported; empty for a disk or plain coefficients
     int harmonics = 0; ///< of the fit in use; 0: none
+    std::vector<Contour> holes{}; ///< in the raw outline, in its coordinates
     bool operator==(const ContourOrigin&) const = default;
 };
+
+/// A shape and what it was made of.
+struct OriginalShape {
+    Shape shape;
+    ContourOrigin origin; ///< without a file
+};
+
+/// The fit of so many harmonics (0: the polygon itself) of an outline with holes, as imported or as an origin
+/// has them, centred; ready to be fitted again. Errors: fitFourier's, and checkHoles' with "holes[k]" as
+/// place, where the fit cuts a hole: more harmonics help.
+Result<OriginalShape> shapeFromOutline(const Contour& outline, const std::vector<Contour>& holes,
+                                       int harmonics);
 
 /// Heat source: a shape about S's origin, emitting along +z.
 struct SourceSpec {

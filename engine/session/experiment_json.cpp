@@ -213,12 +213,10 @@ std::vector<std::array<double, 3>> readRows(const Fields& fields, const json& j,
     return rows;
 }
 
-Contour readPoints(Fields& fields, const std::string& key, bool required) {
-    const json* j = fields.find(key, required);
-    if (j == nullptr)
-        return {};
+/// A ring of points; `key` names it.
+Contour readRing(const Fields& fields, const json& j, const std::string& key) {
     std::vector<Eigen::Vector2d> points;
-    for (const auto& row : readRows(fields, *j, key, 2))
+    for (const auto& row : readRows(fields, j, key, 2))
         points.emplace_back(row[0], row[1]);
     if (fields.failure())
         return {};
@@ -229,18 +227,58 @@ Contour readPoints(Fields& fields, const std::string& key, bool required) {
     return {};
 }
 
-/// Coefficients of a counter-clockwise series about its centroid; the input may be clockwise or off centre.
-FourierContour normalised(std::vector<std::complex<double>> coefficients) {
+Contour readPoints(Fields& fields, const std::string& key, bool required) {
+    const json* j = fields.find(key, required);
+    return j != nullptr ? readRing(fields, *j, key) : Contour{};
+}
+
+std::vector<Contour> readHoles(Fields& fields, const std::string& key) {
+    std::vector<Contour> holes;
+    const json* j = fields.find(key);
+    if (j == nullptr)
+        return holes;
+    if (!j->is_array())
+        fields.fail(MessageCode::JsonWrongType, fields.pathOf(key), {"an array", typeName(*j)});
+    else if (j->size() > kMostHoles)
+        fields.fail(MessageCode::HolesTooMany, fields.pathOf(key),
+                    {std::to_string(j->size()), std::to_string(kMostHoles)});
+    for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i)
+        holes.push_back(readRing(fields, (*j)[i], key + '[' + std::to_string(i) + ']'));
+    return holes;
+}
+
+/// The input may be clockwise.
+FourierContour counterClockwise(std::vector<std::complex<double>> coefficients) {
     FourierContour contour(coefficients);
-    if (contour.area() < 0.0) {
-        std::ranges::reverse(coefficients);
-        contour = FourierContour(coefficients);
-    }
-    const std::complex<double> centroid = contour.area() > 0.0 ? contour.centroid() : 0.0;
-    if (std::abs(centroid) <= kCentredTolerance_m)
+    if (contour.area() >= 0.0)
         return contour;
-    coefficients[static_cast<std::size_t>(contour.harmonics())] -= centroid;
+    std::ranges::reverse(coefficients);
     return FourierContour(std::move(coefficients));
+}
+
+FourierContour shifted(const FourierContour& contour, const Eigen::Vector2d& by_m) {
+    auto coefficients = contour.coefficients();
+    coefficients.at(coefficients.size() / 2) += std::complex(by_m.x(), by_m.y());
+    return FourierContour(std::move(coefficients));
+}
+
+Eigen::Vector2d centroidOf(const FourierContour& contour) {
+    const std::complex<double> centroid = contour.area() > 0.0 ? contour.centroid() : 0.0;
+    return {centroid.real(), centroid.imag()};
+}
+
+Eigen::Vector2d centroidOf(const Contour& polygon) {
+    return contourCentroid(polygon);
+}
+
+/// The input may be off the outline's centroid; the holes move with the outline.
+template <class Outline> Shape centredShape(const Outline& outline, std::vector<Contour> holes) {
+    const Eigen::Vector2d centroid = centroidOf(outline);
+    if (!(centroid.norm() > kCentredTolerance_m))
+        return withHoles(outline, std::move(holes));
+    for (Contour& hole : holes)
+        hole = shifted(hole, -centroid);
+    return withHoles(shifted(outline, -centroid), std::move(holes));
 }
 
 FourierContour readCoefficients(Fields& fields) {
@@ -264,7 +302,7 @@ FourierContour readCoefficients(Fields& fields) {
     std::vector<std::complex<double>> coefficients(static_cast<std::size_t>(2 * harmonics + 1));
     for (const auto& [order, value] : given)
         coefficients[static_cast<std::size_t>(order + harmonics)] = value;
-    return normalised(std::move(coefficients));
+    return counterClockwise(std::move(coefficients));
 }
 
 /// An outline in a file beside the experiment, read and fitted now.
@@ -285,21 +323,22 @@ void readImport(Fields& fields, const std::string& folder, Shape& shape, Contour
     if (fields.failure())
         return;
     const std::filesystem::path file = std::filesystem::path(folder) / origin.file;
-    const Result<Contour> outline = readContour(file.string(), options);
-    if (!outline) {
-        fields.failure() = outline.error();
-        fields.failure()->where = fields.pathOf("file") + ": " + outline.error().where;
+    const Result<PickedOutline> picked = readPicked(file.string(), options);
+    if (!picked) {
+        fields.failure() = picked.error();
+        fields.failure()->where = fields.pathOf("file") + ": " + picked.error().where;
         return;
     }
-    origin.outline = centred(*outline);
-    shape = origin.outline;
-    if (origin.harmonics == 0)
-        return;
-    const Result<FourierFit> fit = fitFourier(origin.outline, origin.harmonics);
-    if (fit)
-        shape = fit->contour;
-    else
-        fields.fail(fit.error().code(), fields.pathOf("harmonics"), fit.error().message.args);
+    const std::string name = origin.file;
+    Result<OriginalShape> made = shapeFromOutline(picked->contour, picked->holes, origin.harmonics);
+    if (!made)
+        return fields.fail(made.error().code(),
+                           fields.pathOf("harmonics") +
+                               (made.error().where.empty() ? "" : ": " + made.error().where),
+                           made.error().message.args);
+    shape = std::move(made->shape);
+    origin = std::move(made->origin);
+    origin.file = name;
 }
 
 void readContourForm(const json& j, const std::string& path, const std::string& folder, Failure& failure,
@@ -321,21 +360,22 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
     if (form == Form::Disk) {
         Disk disk;
         fields.read("radius_m", disk.radius_m, true);
-        shape = disk;
+        shape = withHoles(disk, readHoles(fields, "holes_m"));
     } else if (form == Form::Fourier) {
-        shape = readCoefficients(fields);
-        for (const char* figure : {"area_mm2", "perimeter_mm", "rms_mm", "max_mm", "hausdorff_mm",
-                                   "area_error", "centre_mm", "unit", "warnings", "outline"})
+        const FourierContour series = readCoefficients(fields);
+        shape = centredShape(series, readHoles(fields, "holes_m"));
+        for (const char* figure :
+             {"area_mm2", "net_area_mm2", "perimeter_mm", "rms_mm", "max_mm", "hausdorff_mm", "area_error",
+              "centre_mm", "unit", "warnings", "outline", "holes"})
             fields.find(figure); // what bask fit-contour says of a fit is no part of the shape
     } else {
-        Contour polygon = readPoints(fields, "points_m", true);
-        if (!polygon.points_m.empty() && contourCentroid(polygon).norm() > kCentredTolerance_m)
-            polygon = centred(polygon);
-        shape = std::move(polygon);
+        const Contour polygon = readPoints(fields, "points_m", true);
+        shape = centredShape(polygon, readHoles(fields, "holes_m"));
     }
     fields.read("file", origin.file);
     fields.read("harmonics", origin.harmonics);
     origin.outline = readPoints(fields, "outline_m", false);
+    origin.holes = readHoles(fields, "outline_holes_m");
     fields.close();
 }
 

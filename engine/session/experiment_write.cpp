@@ -29,26 +29,37 @@ Json pointsJson(const std::vector<Eigen::Vector2d>& points) {
     return j;
 }
 
+Json holesJson(const std::vector<Contour>& holes) {
+    Json j = Json::array();
+    for (const Contour& hole : holes)
+        j.push_back(pointsJson(hole.points_m));
+    return j;
+}
+
 Json contourJson(const Shape& shape, const ContourOrigin& origin) {
     Json j;
-    if (const auto* disk = std::get_if<Disk>(&shape)) {
+    if (const auto* disk = outlineAs<Disk>(shape)) {
         j["type"] = "disk";
         j["radius_m"] = disk->radius_m;
-    } else if (const auto* fourier = std::get_if<FourierContour>(&shape)) {
+    } else if (const auto* fourier = outlineAs<FourierContour>(shape)) {
         j["type"] = "fourier";
         j["coefficients"] = Json::array();
         for (int k = -fourier->harmonics(); k <= fourier->harmonics(); ++k)
             j["coefficients"].push_back({k, fourier->coefficient(k).real(), fourier->coefficient(k).imag()});
     } else {
         j["type"] = "polygon";
-        j["points_m"] = pointsJson(std::get<Contour>(shape).points_m);
+        j["points_m"] = pointsJson(outlineAs<Contour>(shape)->points_m);
     }
+    if (!holesOf(shape).empty())
+        j["holes_m"] = holesJson(holesOf(shape));
     if (!origin.file.empty())
         j["file"] = origin.file;
     if (origin.harmonics != 0)
         j["harmonics"] = origin.harmonics;
     if (!origin.outline.points_m.empty())
         j["outline_m"] = pointsJson(origin.outline.points_m);
+    if (!origin.holes.empty())
+        j["outline_holes_m"] = holesJson(origin.holes);
     return j;
 }
 

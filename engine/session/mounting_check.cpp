@@ -11,6 +11,7 @@ namespace bask {
 namespace {
 
 using Outline = std::vector<Eigen::Vector2d>;
+using Rings = std::vector<Outline>;
 
 constexpr int kOutlinePoints = 120;
 constexpr std::size_t kManyPoints = 240;
@@ -33,14 +34,25 @@ bool edgesMeet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::
            cross(d - c, a - c) * cross(d - c, b - c) <= 0.0;
 }
 
-bool overlap(const Outline& one, const Outline& other) {
-    if (encloses(other, one.front()) || encloses(one, other.front()))
-        return true;
+bool edgesMeet(const Outline& one, const Outline& other) {
     for (std::size_t i = 0; i < one.size(); ++i)
         for (std::size_t k = 0; k < other.size(); ++k)
             if (edgesMeet(one[i], one[(i + 1) % one.size()], other[k], other[(k + 1) % other.size()]))
                 return true;
     return false;
+}
+
+// Inside the outline and in no hole.
+bool covers(const Rings& face, const Eigen::Vector2d& p) {
+    return std::ranges::count_if(face, [&](const Outline& ring) { return encloses(ring, p); }) % 2 == 1;
+}
+
+bool overlap(const Rings& one, const Rings& other) {
+    if (covers(other, one.front().front()) || covers(one, other.front().front()))
+        return true;
+    return std::ranges::any_of(one, [&](const Outline& ring) {
+        return std::ranges::any_of(other, [&](const Outline& its) { return edgesMeet(ring, its); });
+    });
 }
 
 bool inLine(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
@@ -80,25 +92,32 @@ std::vector<MountingRemark> freedomRemarks(const Experiment& experiment,
     return out;
 }
 
+Contour thinnedRing(const Contour& ring) {
+    if (ring.points_m.size() <= kManyPoints)
+        return ring;
+    Contour apart; // first what takes no thought: simplified() takes 20 ms for 60,000 points
+    for (const Eigen::Vector2d& p : ring.points_m)
+        if (apart.points_m.empty() || (p - apart.points_m.back()).norm() >= kThinned_m)
+            apart.points_m.push_back(p);
+    return apart.points_m.size() < 3 ? ring : simplified(apart, kThinned_m);
+}
+
 } // namespace
 
 Shape thinned(const Shape& shape) {
-    const auto* polygon = std::get_if<Contour>(&shape);
-    if (polygon == nullptr || polygon->points_m.size() <= kManyPoints)
-        return shape;
-    Contour apart; // first what takes no thought: simplified() takes 20 ms for 60,000 points
-    for (const Eigen::Vector2d& p : polygon->points_m)
-        if (apart.points_m.empty() || (p - apart.points_m.back()).norm() >= kThinned_m)
-            apart.points_m.push_back(p);
-    return apart.points_m.size() < 3 ? shape : simplified(apart, kThinned_m);
+    const auto* polygon = outlineAs<Contour>(shape);
+    std::vector<Contour> holes;
+    std::ranges::transform(holesOf(shape), std::back_inserter(holes), thinnedRing);
+    return withHoles(polygon ? Shape(thinnedRing(*polygon)) : shape, std::move(holes));
 }
 
-std::vector<Eigen::Vector2d> mountedOutline(const ObjectSpec& object, int points) {
+std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object, int points) {
     const Pose X_EO = poseFromCoordinates(object.mounting);
-    Outline out;
-    for (const Eigen::Vector2d& p : shapeOutline(object.shape, points))
-        out.push_back((X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>());
-    return out;
+    Rings rings = shapeRings(object.shape, points);
+    for (Outline& ring : rings)
+        for (Eigen::Vector2d& p : ring)
+            p = (X_EO * Eigen::Vector3d(p.x(), p.y(), 0.0)).head<2>();
+    return rings;
 }
 
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
@@ -107,10 +126,10 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
         object.shape = thinned(object.shape);
     const double most_m = experiment.robot.maxMountingRadius_m;
     const int count = static_cast<int>(objects.size());
-    std::vector<Outline> outlines;
+    std::vector<Rings> outlines;
     std::vector<Eigen::Vector3d> places;
     for (const ObjectSpec& object : objects) {
-        outlines.push_back(mountedOutline(object, kOutlinePoints));
+        outlines.push_back(mountedRings(object, kOutlinePoints));
         places.push_back(object.mounting.head<3>());
     }
     const auto name = [&](int i) { return objects[static_cast<std::size_t>(i)].name; };
@@ -120,7 +139,7 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
     std::vector<MountingRemark> out;
     for (int i = 0; i < count; ++i) {
         double radius_m = 0.0;
-        for (const Eigen::Vector2d& p : at(outlines, i))
+        for (const Eigen::Vector2d& p : at(outlines, i).front())
             radius_m = std::max(radius_m, p.norm());
         if (most_m > 0.0 && radius_m > most_m)
             out.push_back({{MessageCode::MountingFar,

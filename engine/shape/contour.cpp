@@ -189,12 +189,15 @@ bool encloses(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p
     return inside;
 }
 
-Contour centred(const Contour& contour) {
-    const Vector2d centroid = contourCentroid(contour);
+Contour shifted(const Contour& contour, const Vector2d& by_m) {
     Contour moved = contour;
     for (Vector2d& p : moved.points_m)
-        p -= centroid;
+        p += by_m;
     return moved;
+}
+
+Contour centred(const Contour& contour) {
+    return shifted(contour, -contourCentroid(contour));
 }
 
 Contour simplified(const Contour& contour, double tolerance_m) {

@@ -28,6 +28,9 @@ Result<Contour> makeContour(std::vector<Eigen::Vector2d> points_m, const std::st
 /// Whether p lies inside a closed polygon (even-odd); either on its edges.
 bool encloses(const std::vector<Eigen::Vector2d>& ring, const Eigen::Vector2d& p);
 
+/// The same outline elsewhere.
+Contour shifted(const Contour& contour, const Eigen::Vector2d& by_m);
+
 /// The same outline with its area centroid at the origin.
 Contour centred(const Contour& contour);
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/shape/dxf_outlines.h"
+#include "engine/shape/shape.h"
 #include "engine/shape/svg_outlines.h"
 
 #include <algorithm>
@@ -23,6 +24,22 @@ std::string lowered(std::string text) {
         if (c >= 'A' && c <= 'Z')
             c = static_cast<char>(c - 'A' + 'a');
     return text;
+}
+
+// The holes in outline `at` that can be holes of a shape. Returns how many cannot.
+int takeHoles(const std::vector<FileOutline>& outlines, std::size_t at, PickedOutline& picked) {
+    int left = 0;
+    for (const FileOutline& outline : outlines) {
+        if (outline.holeIn != at)
+            continue;
+        auto hole = contourOf(outline);
+        if (hole && picked.holes.size() < kMostHoles &&
+            checkHole(*hole, picked.contour.points_m, picked.holes))
+            picked.holes.push_back(std::move(*hole));
+        else
+            ++left;
+    }
+    return left;
 }
 
 } // namespace
@@ -92,21 +109,25 @@ Result<PickedOutline> pickOutline(const OutlineFile& file, std::optional<std::si
     auto contour = contourOf(outlines[at], where);
     if (!contour)
         return contour.error();
-    PickedOutline picked{std::move(*contour), file.warnings};
+    PickedOutline picked{std::move(*contour), {}, file.warnings};
     const auto whole = std::ranges::count_if(outlines, isWhole);
     if (!index && whole > 1)
         picked.warnings.push_back({MessageCode::OutlinesSeveral, {std::to_string(whole)}});
-    const auto isHoleHere = [&](const FileOutline& outline) { return outline.holeIn == at; };
-    if (const auto holes = std::ranges::count_if(outlines, isHoleHere); holes > 0)
-        picked.warnings.push_back({MessageCode::OutlineHasHoles, {std::to_string(holes)}});
+    if (const int left = takeHoles(outlines, at, picked); left > 0)
+        picked.warnings.push_back(
+            {MessageCode::HolesLeftOut, {std::to_string(left), std::to_string(kMostHoles)}});
     return picked;
 }
 
-Result<Contour> readContour(const std::string& path, const ContourImportOptions& options) {
+Result<PickedOutline> readPicked(const std::string& path, const ContourImportOptions& options) {
     const auto file = readOutlines(path, options);
     if (!file)
         return file.error();
-    auto picked = pickOutline(*file, std::nullopt, path);
+    return pickOutline(*file, std::nullopt, path);
+}
+
+Result<Contour> readContour(const std::string& path, const ContourImportOptions& options) {
+    auto picked = readPicked(path, options);
     if (!picked)
         return picked.error();
     return std::move(picked->contour);

@@ -86,9 +86,10 @@ Result<ColourPicture> readPicture(const std::string& path);
 /// bmp, tif, tiff).
 Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOptions& options);
 
-/// One outline of a file, checked.
+/// One outline of a file with the holes in it, checked.
 struct PickedOutline {
     Contour contour;
+    std::vector<Contour> holes;    ///< those that checkHoles takes
     std::vector<Message> warnings; ///< what was left out: other outlines, holes
 };
 
@@ -96,7 +97,9 @@ struct PickedOutline {
 Result<PickedOutline> pickOutline(const OutlineFile& file, std::optional<std::size_t> index,
                                   const std::string& where);
 
-/// The largest outline of a file that is closed and no hole.
+/// The largest outline of a file that is closed and no hole, with its holes.
+Result<PickedOutline> readPicked(const std::string& path, const ContourImportOptions& options);
+/// The same without its holes.
 Result<Contour> readContour(const std::string& path, const ContourImportOptions& options);
 
 } // namespace bask

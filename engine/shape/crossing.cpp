@@ -1,8 +1,11 @@
 #include "engine/shape/crossing.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <numeric>
 #include <set>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -157,6 +160,34 @@ private:
 
 std::optional<Crossing> findCrossing(const std::vector<Eigen::Vector2d>& points) {
     return Sweep(points).run();
+}
+
+std::optional<Vector2d> findMeeting(const std::vector<Vector2d>& a, const std::vector<Vector2d>& b) {
+    const auto boxOf = [](const std::vector<Vector2d>& points) {
+        Eigen::AlignedBox2d box;
+        for (const Vector2d& p : points)
+            box.extend(p);
+        return box;
+    };
+    const Eigen::AlignedBox2d common = boxOf(a).intersection(boxOf(b));
+    // Edges of either that come into the part of the plane where both are.
+    const auto within = [&](const std::vector<Vector2d>& points) {
+        std::vector<std::pair<Vector2d, Vector2d>> edges;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const Vector2d &from = points[k], &to = points[(k + 1) % points.size()];
+            if (common.intersects(Eigen::AlignedBox2d(from.cwiseMin(to), from.cwiseMax(to))))
+                edges.emplace_back(from, to);
+        }
+        return edges;
+    };
+    if (common.isEmpty())
+        return std::nullopt;
+    const auto edgesOfB = within(b);
+    for (const auto& [p, q] : within(a))
+        for (const auto& [r, s] : edgesOfB)
+            if (const auto point = meeting(p, q, r, s))
+                return point;
+    return std::nullopt;
 }
 
 } // namespace bask

@@ -1,6 +1,6 @@
 #pragma once
-// Where a closed polygon meets itself: Shamos and Hoey's sweep, O(n log n). Used by the other files of this
-// folder.
+// Where a closed polygon meets itself (Shamos and Hoey's sweep, O(n log n)) or another. Used by the other
+// files of this folder.
 
 #include <Eigen/Core>
 
@@ -19,5 +19,10 @@ struct Crossing {
 /// A pair of edges that cross, touch or lie on each other, neighbours that fold back included; none when the
 /// polygon is simple. Points are finite, three at least, and no two neighbours are equal.
 std::optional<Crossing> findCrossing(const std::vector<Eigen::Vector2d>& points);
+
+/// A point at which the edges of two closed polygons cross or touch. Edges are tried out pair by pair where
+/// the polygons' boxes overlap.
+std::optional<Eigen::Vector2d> findMeeting(const std::vector<Eigen::Vector2d>& a,
+                                           const std::vector<Eigen::Vector2d>& b);
 
 } // namespace bask

@@ -5,6 +5,7 @@
 #include "widgets/common/theme.h"
 #include "widgets/objects/import_questions.h"
 #include "widgets/objects/message_bar.h"
+#include "widgets/objects/outline_painting.h"
 #include "widgets/objects/outline_picker.h"
 
 #include <QEvent>
@@ -56,6 +57,15 @@ bool canBeMended(MessageCode code, const QString& path) {
         return code == ContourUnitMissing;
     const auto lost = {FileNotFound, FileUnreadable, FileEmpty, FileTooLarge, ImageUnreadable};
     return ImportQuestions::isImage(path) && std::ranges::find(lost, code) == lost.end();
+}
+
+/// Whether there is nothing to ask: one outline, with its holes, that can be used as it is.
+bool isPlain(const OutlineFile& file) {
+    const auto isPart = [](const FileOutline& outline) {
+        return outline.closed && outline.holeIn.value_or(0) == 0;
+    };
+    const auto picked = pickOutline(file, std::nullopt, {});
+    return picked && picked->warnings.empty() && std::ranges::all_of(file.outlines, isPart);
 }
 
 QString lengthPair(const FileOutline& outline, const QString& unit) {
@@ -209,8 +219,7 @@ void ImportPanel::take(Result<OutlineFile> file) {
     choose(m_file.outlines.empty() ? -1 : wanted);
     if (m_asking)
         return;
-    // Nothing to ask of a drawing or list of one outline that can be used as it is.
-    if (m_file.outlines.size() == 1 && m_picked && *m_picked && (*m_picked)->warnings.empty()) {
+    if (isPlain(m_file)) {
         accept();
     } else {
         m_asking = true;
@@ -261,6 +270,16 @@ void ImportPanel::showOutlines() {
     m_list->addTopLevelItems(rows);
 }
 
+QString ImportPanel::chosenText(const PickedOutline& picked, int number) {
+    const QString text = tr("Outline %1: %2 points, %3 around.")
+                             .arg(number)
+                             .arg(picked.contour.points_m.size())
+                             .arg(formatLength_mm(contourPerimeter(picked.contour)));
+    return picked.holes.empty()
+               ? text
+               : text + QLatin1Char(' ') + tr("%1 counted off.").arg(holesText(picked.holes.size()));
+}
+
 void ImportPanel::showChosen() {
     if (m_error)
         m_problem->say(MessageBar::Kind::Problem, messageText(m_error->message), {}, false);
@@ -276,10 +295,7 @@ void ImportPanel::showChosen() {
     m_warnings->setVisible(!remarks.isEmpty());
     const bool known = m_questions->lengthsKnown();
     m_chosenText->setText(!usable ? QString()
-                          : known ? tr("Outline %1: %2 points, %3 around.")
-                                        .arg(m_chosen + 1)
-                                        .arg((*m_picked)->contour.points_m.size())
-                                        .arg(formatLength_mm(contourPerimeter((*m_picked)->contour)))
+                          : known ? chosenText(**m_picked, m_chosen + 1)
                                   : tr("Its true size is not known yet: answer the question of the scale."));
     m_chosenText->setVisible(usable);
     m_accept->setEnabled(usable && known);

@@ -56,6 +56,7 @@ private:
     void choose(int index);
     void accept();
     void showOutlines();
+    static QString chosenText(const PickedOutline& picked, int number);
     void showChosen();
     void retranslate();
     QString fileName() const;

@@ -29,11 +29,8 @@ constexpr double kObjectReach_px = 14.0; ///< about its centre, where the outlin
 constexpr double kGridLeast_px = 18.0;
 constexpr double kArrow_px = 16.0;
 
-QPolygonF outline_mm(const ObjectSpec& object) {
-    QPolygonF polygon;
-    for (const Eigen::Vector2d& p : mountedOutline(object, 240))
-        polygon << QPointF(kMmPerM * p.x(), kMmPerM * p.y());
-    return polygon;
+QPainterPath face_mm(const ObjectSpec& object) {
+    return bask::face_mm(mountedRings(object, 240));
 }
 
 QPointF centre_mm(const Vector6d& mounting) {
@@ -113,7 +110,7 @@ QTransform MountingPlan::map() const {
         return m_drag->map;
     QRectF content(-10.0, -10.0, 20.0, 20.0);
     for (const ObjectSpec& object : m_objects)
-        content = content.united(outline_mm(object).boundingRect());
+        content = content.united(face_mm(object).boundingRect());
     const double margin = 12.0 + kHandleBeyond_px + kHandleRadius_px;
     return fitted(content, QRectF(rect()).adjusted(margin, margin, -margin, -footHeight() - 4.0));
 }
@@ -137,7 +134,7 @@ bool MountingPlan::onHandle(const QTransform& map, const QPointF& at) const {
 int MountingPlan::objectAt(const QTransform& map, const QPointF& at) const {
     const auto holds = [&](int index) {
         const ObjectSpec& object = m_objects[static_cast<std::size_t>(index)];
-        return map.map(outline_mm(object)).containsPoint(at, Qt::OddEvenFill);
+        return map.map(face_mm(object)).contains(at);
     };
     if (m_selected >= 0 && holds(m_selected))
         return m_selected;
@@ -262,16 +259,16 @@ void MountingPlan::paintObjects(QPainter& painter, const QTransform& map) const 
         ObjectSpec object = m_objects[i];
         if (m_drag && index == m_selected)
             object.mounting = m_drag->mounting;
-        const QPolygonF outline = map.map(outline_mm(object));
+        const QPainterPath face = map.map(face_mm(object));
         QColor color = seriesColor(index, dark);
         painter.setPen(QPen(color, index == m_selected ? 2.4 : 1.2));
         color.setAlphaF(index == m_selected ? 0.28f : 0.10f);
         painter.setBrush(color);
-        painter.drawPolygon(outline);
+        painter.drawPath(face);
         if (m_remarked.contains(index)) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(QBrush(secondaryText(dark), Qt::BDiagPattern));
-            painter.drawPolygon(outline);
+            painter.drawPath(face);
         }
     }
 }

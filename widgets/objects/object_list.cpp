@@ -105,11 +105,13 @@ void ObjectList::setRenamable(bool renamable) {
 }
 
 QString ObjectList::kindText(const ObjectSpec& object) const {
-    if (const auto* disk = std::get_if<Disk>(&object.shape))
-        return tr("disk, %1 cm").arg(QLocale().toString(disk->radius_m * 100.0, 'g', 4));
-    if (const auto* series = std::get_if<FourierContour>(&object.shape))
-        return harmonicsText(series->harmonics());
-    return tr("polygon");
+    const auto* disk = outlineAs<Disk>(object.shape);
+    const auto* series = outlineAs<FourierContour>(object.shape);
+    const QString kind = disk     ? tr("disk, %1 cm").arg(QLocale().toString(disk->radius_m * 100.0, 'g', 4))
+                         : series ? harmonicsText(series->harmonics())
+                                  : tr("polygon");
+    const std::size_t holes = holesOf(object.shape).size();
+    return holes > 0 ? kind + QStringLiteral(", ") + holesText(holes) : kind;
 }
 
 void ObjectList::refresh() {

@@ -106,7 +106,8 @@ void ObjectProperties::build() {
     m_lambda1 = told("lambda1");
     m_lambda2 = told("lambda2");
     m_lambda3 = told("lambda3");
-    m_radius = number("radius", 0.05, 100.0, 3, 0.1, [](S& o, double v) { o.shape = Disk{v / kCmPerM}; });
+    m_radius = number("radius", 0.05, 100.0, 3, 0.1,
+                      [](S& o, double v) { o.shape = withHoles(Disk{v / kCmPerM}, holesOf(o.shape)); });
     m_preset = new QComboBox(this);
     m_preset->setObjectName("materialPreset");
     m_preset->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -266,7 +267,7 @@ void ObjectProperties::showObject() {
     const Material& material = m_object.material;
     if (m_name->text().trimmed().toStdString() != m_object.name)
         m_name->setText(QString::fromStdString(m_object.name));
-    const auto* disk = std::get_if<Disk>(&m_object.shape);
+    const auto* disk = outlineAs<Disk>(m_object.shape);
     m_radius->setVisible(disk != nullptr);
     for (const Caption& caption : m_captions)
         if (caption.field == m_radius)
@@ -310,10 +311,13 @@ void ObjectProperties::showDerived() {
     const QLocale locale;
     if (!(shapeArea(m_object.shape) > 0.0))
         return; // nothing set yet
-    const auto* series = std::get_if<FourierContour>(&m_object.shape);
-    m_kind->setText(std::holds_alternative<Disk>(m_object.shape) ? tr("Disk")
-                    : series != nullptr ? tr("Fourier outline, %1").arg(harmonicsText(series->harmonics()))
-                                        : tr("Polygon"));
+    const auto* series = outlineAs<FourierContour>(m_object.shape);
+    const QString kind = outlineAs<Disk>(m_object.shape) != nullptr ? tr("Disk")
+                         : series != nullptr
+                             ? tr("Fourier outline, %1").arg(harmonicsText(series->harmonics()))
+                             : tr("Polygon");
+    const std::size_t holes = holesOf(m_object.shape).size();
+    m_kind->setText(holes > 0 ? kind + QStringLiteral(", ") + holesText(holes) : kind);
     m_area->setText(tr("%1 cm\u00b2").arg(locale.toString(shapeArea(m_object.shape) * 1e4, 'f', 2)));
     m_perimeter->setText(tr("%1 cm").arg(locale.toString(shapePerimeter(m_object.shape) * kCmPerM, 'f', 2)));
     m_heatCapacity->setText(tr("%1 J/(m\u00b2\u00b7K)")

@@ -40,6 +40,18 @@ constexpr int kImportHarmonics = 20;
 constexpr double kNewDiskRadius_m = 0.015;
 constexpr double kMountingGap_m = 0.005;
 
+QString fileSentence(const QString& path, const Error& error) {
+    return QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), messageText(error.message));
+}
+
+/// A Fourier contour if one of few or of many harmonics leaves the holes whole, else the outline itself.
+Result<OriginalShape> firstShape(const PickedOutline& picked) {
+    for (const int harmonics : {kImportHarmonics, kMaxHarmonics})
+        if (auto made = shapeFromOutline(picked.contour, picked.holes, harmonics))
+            return made;
+    return shapeFromOutline(picked.contour, picked.holes, 0);
+}
+
 QString droppedFile(const QMimeData* data) {
     const QList<QUrl> urls = data->urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
@@ -50,8 +62,13 @@ QString droppedFile(const QMimeData* data) {
 Contour rawOutline(const ObjectSpec& object) {
     if (!object.origin.outline.points_m.empty())
         return object.origin.outline;
-    const auto* polygon = std::get_if<Contour>(&object.shape);
+    const auto* polygon = outlineAs<Contour>(object.shape);
     return polygon != nullptr ? *polygon : Contour{};
+}
+
+/// The holes in it.
+static const std::vector<Contour>& rawHoles(const ObjectSpec& object) {
+    return object.origin.outline.points_m.empty() ? holesOf(object.shape) : object.origin.holes;
 }
 
 /// The objects before and after one edit. Other parts of the experiment are not the page's to undo.
@@ -246,7 +263,7 @@ void ObjectsPage::connectAll() {
     connect(m_importPanel, &ImportPanel::accepted, this, &ObjectsPage::addImported);
     connect(m_importPanel, &ImportPanel::refused, this, [this](const QString& path, const Error& error) {
         showPanel(false);
-        showError(QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), messageText(error.message)));
+        showError(fileSentence(path, error));
     });
 }
 
@@ -407,20 +424,20 @@ void ObjectsPage::removeSelected() {
 void ObjectsPage::addImported(const QString& path, const PickedOutline& picked) {
     showPanel(false);
     sayReading(path);
-    const Contour raw = centred(picked.contour);
     // The first fit of an outline of many thousand points takes longer than a frame may.
-    m_fitting.run([raw] { return fitFourier(raw, kImportHarmonics); },
-                  [this, path, raw](const Result<FourierFit>& fit) {
+    m_fitting.run([picked] { return firstShape(picked); },
+                  [this, path](const Result<OriginalShape>& made) {
                       m_importing = false;
                       m_message->clear();
-                      if (!fit) {
-                          showError(tr("%1 cannot be fitted.").arg(QFileInfo(path).fileName()));
+                      if (!made) {
+                          showError(fileSentence(path, made.error()));
                           return;
                       }
                       ObjectSpec object;
                       object.name = uniqueName(QFileInfo(path).completeBaseName().trimmed());
-                      object.shape = fit->contour;
-                      object.origin = {QFileInfo(path).fileName().toStdString(), raw, kImportHarmonics};
+                      object.shape = made->shape;
+                      object.origin = made->origin;
+                      object.origin.file = QFileInfo(path).fileName().toStdString();
                       object.material = materialPresets().front().material;
                       addObject(std::move(object), tr("import"));
                   });
@@ -480,23 +497,32 @@ void ObjectsPage::dropEvent(QDropEvent* event) {
 
 void ObjectsPage::previewFit(const FourierFit& fit) {
     if (hasSelection())
-        m_preview->setObject(QString::fromStdString(selected().name), fit.contour, rawOutline(selected()),
-                             seriesColor(m_selected, isDark(this)));
+        m_preview->setObject(QString::fromStdString(selected().name), shapeOfFit(fit, rawHoles(selected())),
+                             rawOutline(selected()), seriesColor(m_selected, isDark(this)));
 }
 
 void ObjectsPage::commitFit(const FourierFit& fit) {
     const Contour raw = hasSelection() ? rawOutline(selected()) : Contour{};
     editSelected(tr("harmonics"), tr("harmonics") + QString::number(m_selected), [&](ObjectSpec& object) {
-        object.shape = fit.contour;
+        object.origin.holes = rawHoles(object);
+        object.shape = shapeOfFit(fit, object.origin.holes);
         object.origin.outline = raw;
         object.origin.harmonics = fit.contour.harmonics();
     });
 }
 
 void ObjectsPage::commitOutline(const Contour& polygon) {
-    const Contour raw = hasSelection() ? rawOutline(selected()) : Contour{};
+    if (!hasSelection())
+        return;
+    const Contour raw = rawOutline(selected());
+    const auto made = shapeFromOutline(polygon, rawHoles(selected()), 0);
+    if (!made) {
+        showError(messageText(made.error().message));
+        return;
+    }
     editSelected(tr("use of the outline itself"), {}, [&](ObjectSpec& object) {
-        object.shape = centred(polygon);
+        object.origin.holes = rawHoles(object);
+        object.shape = made->shape;
         object.origin.outline = raw;
         object.origin.harmonics = 0;
     });
@@ -532,8 +558,8 @@ void ObjectsPage::showSelected() {
     }
     const QColor color = seriesColor(m_selected, isDark(this));
     const Contour raw = rawOutline(selected());
-    const auto* series = std::get_if<FourierContour>(&selected().shape);
-    const bool disk = std::holds_alternative<Disk>(selected().shape);
+    const auto* series = outlineAs<FourierContour>(selected().shape);
+    const bool disk = outlineAs<Disk>(selected().shape) != nullptr;
     m_preview->setObject(QString::fromStdString(selected().name), selected().shape, raw, color);
     m_harmonics->setOutline(
         raw, series != nullptr ? series->harmonics() : 0, color,

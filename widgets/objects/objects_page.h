@@ -116,7 +116,7 @@ private:
     MessageBar* m_message;
     QStackedWidget* m_stack; ///< the page, or the import panel
     ImportPanel* m_importPanel;
-    LatestJob<Result<FourierFit>> m_fitting; ///< of the outline imported
+    LatestJob<Result<OriginalShape>> m_fitting; ///< of the outline imported
     ObjectList* m_list;
     QLabel* m_listTitle;
     QLabel* m_count;

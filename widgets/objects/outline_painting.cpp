@@ -27,6 +27,15 @@ QPolygonF polygon_mm(const Contour& contour) {
     return polygon;
 }
 
+QPainterPath face_mm(const std::vector<std::vector<Eigen::Vector2d>>& rings_m) {
+    QPainterPath face;
+    for (const std::vector<Eigen::Vector2d>& ring : rings_m) {
+        face.addPolygon(polygon_mm(Contour{ring}));
+        face.closeSubpath();
+    }
+    return face;
+}
+
 QTransform fitted(const QRectF& content_mm, const QRectF& view) {
     const double width = std::max(content_mm.width(), 1e-3);
     const double height = std::max(content_mm.height(), 1e-3);
@@ -47,6 +56,11 @@ double niceLength(double value) {
 QString harmonicsText(int harmonics) {
     return harmonics == 1 ? QCoreApplication::translate("OutlinePainting", "1 harmonic")
                           : QCoreApplication::translate("OutlinePainting", "%1 harmonics").arg(harmonics);
+}
+
+QString holesText(std::size_t holes) {
+    return holes == 1 ? QCoreApplication::translate("OutlinePainting", "1 hole")
+                      : QCoreApplication::translate("OutlinePainting", "%1 holes").arg(holes);
 }
 
 QString lengthText_mm(double length_mm) {

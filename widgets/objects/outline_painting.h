@@ -5,6 +5,7 @@
 #include "engine/shape/shape.h"
 
 #include <QColor>
+#include <QPainterPath>
 #include <QPolygonF>
 #include <QRectF>
 #include <QString>
@@ -17,6 +18,8 @@ namespace bask {
 /// Outline of a shape as a polygon in mm; `n` points for curved ones.
 QPolygonF outline_mm(const Shape& shape, int n = 400);
 QPolygonF polygon_mm(const Contour& contour);
+/// An outline and the holes in it as one face in mm, to be filled odd-even.
+QPainterPath face_mm(const std::vector<std::vector<Eigen::Vector2d>>& rings_m);
 
 /// Maps mm (y up) into `view` pixels (y down): same scale both ways, content centred.
 QTransform fitted(const QRectF& content_mm, const QRectF& view);
@@ -26,6 +29,9 @@ double niceLength(double value);
 
 /// "1 harmonic", "5 harmonics".
 QString harmonicsText(int harmonics);
+
+/// "1 hole", "2 holes".
+QString holesText(std::size_t holes);
 
 /// Length with its unit, "20 mm".
 QString lengthText_mm(double length_mm);

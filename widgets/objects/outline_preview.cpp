@@ -8,6 +8,7 @@
 #include <QLinearGradient>
 #include <QLocale>
 #include <QPainter>
+#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
@@ -57,7 +58,7 @@ bool isSame(const FourierContour& a, const FourierContour& b) {
 } // namespace
 
 Contour registered(const Contour& raw, const Shape& shape) {
-    const auto* series = std::get_if<FourierContour>(&shape);
+    const auto* series = outlineAs<FourierContour>(shape);
     if (series == nullptr || raw.points_m.empty())
         return raw;
     // The least-squares constant term is the mean over arc length, so the two means coincide.
@@ -87,12 +88,17 @@ void OutlinePreview::setObject(const QString& name, const Shape& shape, const Co
                                const QColor& color) {
     m_name = name;
     m_color = color;
-    const auto* series = std::get_if<FourierContour>(&shape);
+    const auto* series = outlineAs<FourierContour>(shape);
     m_series = series != nullptr ? *series : FourierContour();
-    const std::vector<Eigen::Vector2d> outline = shapeOutline(shape, kCurvePoints);
-    m_axes = principalAxes({outline});
-    m_used_mm = polygon_mm({outline});
-    m_raw_mm = std::holds_alternative<Contour>(shape) ? QPolygonF() : polygon_mm(registered(raw, shape));
+    std::vector<std::vector<Eigen::Vector2d>> rings = shapeRings(shape, kCurvePoints);
+    m_used_mm = polygon_mm({rings.front()});
+    m_holes_mm.clear();
+    for (std::size_t k = 1; k < rings.size(); ++k) {
+        m_holes_mm.push_back(polygon_mm({rings[k]}));
+        std::ranges::reverse(rings[k]); // as principalAxes takes holes
+    }
+    m_axes = principalAxes(rings);
+    m_raw_mm = outlineAs<Contour>(shape) != nullptr ? QPolygonF() : polygon_mm(registered(raw, shape));
     m_rawPoints = static_cast<int>(raw.points_m.size());
     m_distances_mm.clear();
     retranslate();
@@ -119,6 +125,7 @@ void OutlinePreview::setDistances(const FourierFit& fit, const std::vector<Eigen
 void OutlinePreview::clear() {
     m_name.clear();
     m_used_mm.clear();
+    m_holes_mm.clear();
     m_raw_mm.clear();
     m_distances_mm.clear();
     m_series = FourierContour();
@@ -204,15 +211,17 @@ void OutlinePreview::paintDistances(QPainter& painter, const QTransform& map) co
 void OutlinePreview::paintOutlines(QPainter& painter, const QTransform& map) const {
     QColor fill = m_color;
     fill.setAlphaF(0.16f);
-    const QPolygonF used = drawn(m_used_mm, map);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(fill);
-    painter.drawPolygon(used);
-    painter.setBrush(Qt::NoBrush);
+    QPainterPath used;
+    used.addPolygon(drawn(m_used_mm, map));
+    used.closeSubpath();
+    for (const QPolygonF& hole : m_holes_mm) {
+        used.addPolygon(drawn(hole, map));
+        used.closeSubpath();
+    }
+    painter.fillPath(used, fill);
     if (isColoured())
         paintDistances(painter, map);
-    painter.setPen(QPen(m_color, isColoured() ? 1.4 : 2.2));
-    painter.drawPolygon(used);
+    painter.strokePath(used, QPen(m_color, isColoured() ? 1.4 : 2.2));
     if (!isColoured() && !m_raw_mm.isEmpty()) {
         painter.setPen(QPen(faded(palette(), 0.8), 1.2, Qt::DashLine));
         painter.drawPolygon(drawn(m_raw_mm, map));

@@ -47,7 +47,8 @@ private:
 
     QString m_name;
     FourierContour m_series; ///< without harmonics: not a Fourier outline
-    QPolygonF m_used_mm;
+    QPolygonF m_used_mm;     ///< without its holes
+    std::vector<QPolygonF> m_holes_mm;
     QPolygonF m_raw_mm;                 ///< as imported or, with distances, their points
     int m_rawPoints = 0;                ///< as imported
     std::vector<double> m_distances_mm; ///< of m_raw_mm; empty: not known

@@ -70,18 +70,31 @@ vtkSmartPointer<vtkPoints> pointsOf(const Points& points) {
     return result;
 }
 
-/// One line through all points, back to the first when closed.
-void setPolyline(vtkPolyData& data, const Points& points, bool closed) {
+/// One line through all points.
+void setPolyline(vtkPolyData& data, const Points& points) {
     vtkNew<vtkCellArray> lines;
     const auto count = static_cast<vtkIdType>(points.size());
     if (count > 1) {
-        lines->InsertNextCell(static_cast<int>(closed ? count + 1 : count));
+        lines->InsertNextCell(static_cast<int>(count));
         for (vtkIdType i = 0; i < count; ++i)
             lines->InsertCellPoint(i);
-        if (closed)
-            lines->InsertCellPoint(0);
     }
     data.SetPoints(pointsOf(points));
+    data.SetLines(lines);
+}
+
+/// One closed line a ring.
+void setRings(vtkPolyData& data, const std::vector<std::vector<Eigen::Vector2d>>& rings) {
+    auto points = vtkSmartPointer<vtkPoints>::New();
+    vtkNew<vtkCellArray> lines;
+    for (const std::vector<Eigen::Vector2d>& ring : rings) {
+        const vtkIdType first = points->GetNumberOfPoints();
+        lines->InsertNextCell(static_cast<int>(ring.size() + 1));
+        for (const Eigen::Vector2d& p : ring)
+            lines->InsertCellPoint(points->InsertNextPoint(p.x(), p.y(), 0.0));
+        lines->InsertCellPoint(first);
+    }
+    data.SetPoints(points);
     data.SetLines(lines);
 }
 
@@ -122,15 +135,16 @@ void addRows(vtkPoints& points, vtkCellArray& cells, const std::vector<Eigen::Ve
     }
 }
 
-/// The inside of an outline, convex or not.
-void setFilled(vtkPolyData& data, const std::vector<Eigen::Vector2d>& outline) {
+/// The inside of an outline, convex or not, less its holes.
+void setFilled(vtkPolyData& data, const std::vector<std::vector<Eigen::Vector2d>>& rings) {
+    const std::vector<Eigen::Vector2d> outline = chained(rings);
     const vtkSmartPointer<vtkPoints> points = pointsOf(flat(outline));
     vtkNew<vtkIdList> polygon;
     for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
         polygon->InsertNextId(i);
     vtkNew<vtkCellArray> cells;
-    // No triangles for an outline that crosses itself, as fits of few harmonics do.
-    if (vtkContourTriangulator::TriangulatePolygon(polygon, points, cells) == 0) {
+    // No triangles for a chain, nor for an outline that crosses itself, as fits of few harmonics do.
+    if (rings.size() > 1 || vtkContourTriangulator::TriangulatePolygon(polygon, points, cells) == 0) {
         cells->Reset();
         addRows(*points, *cells, outline);
     }
@@ -282,11 +296,13 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
     m->renderer.RemoveAllViewProps();
     m->objects.clear();
 
-    const std::vector<Eigen::Vector2d> source = shapeOutline(experiment.source.shape, kOutlinePoints);
+    const std::vector<std::vector<Eigen::Vector2d>> rings =
+        shapeRings(experiment.source.shape, kOutlinePoints);
+    const std::vector<Eigen::Vector2d> source = chained(rings);
     if (m->glowing != experiment.source.shape) {
-        setFilled(*m->source.data, source);
+        setFilled(*m->source.data, rings);
         setGlow(*m->source.data, *m->glow, source);
-        setPolyline(*m->sourceRim.data, flat(source), true);
+        setRings(*m->sourceRim.data, rings);
         m->glowing = experiment.source.shape;
     }
     m->sourceRim.width_px = 3.0F;
@@ -301,9 +317,9 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
     for (const ObjectSpec& spec : experiment.objects) {
         ObjectParts object;
         object.X_EO = poseFromCoordinates(spec.mounting);
-        const std::vector<Eigen::Vector2d> outline = shapeOutline(spec.shape, kOutlinePoints);
+        const std::vector<std::vector<Eigen::Vector2d>> outline = shapeRings(spec.shape, kOutlinePoints);
         setFilled(*object.fill.data, outline);
-        setPolyline(*object.outline.data, flat(outline), true);
+        setRings(*object.outline.data, outline);
         object.outline.width_px = 3.0F;
         setSegments(*object.mount.data, {Eigen::Vector3d::Zero(), object.X_EO.translation()});
         object.mount.width_px = 2.0F;
@@ -386,7 +402,7 @@ void SceneProps::setTrail(std::size_t index, const Trail& trail, const Temperatu
     if (!trail.empty())
         add(trail.newest());
     vtkPolyData& data = *m->objects.at(index).trail.data;
-    setPolyline(data, points, false);
+    setPolyline(data, points);
     data.GetPointData()->SetScalars(colours);
     data.Modified();
 }

@@ -27,6 +27,16 @@ std::vector<char> insideOf(const std::vector<Eigen::Vector2d>& outline, const Ei
 
 } // namespace
 
+std::vector<Eigen::Vector2d> chained(const std::vector<std::vector<Eigen::Vector2d>>& rings) {
+    std::vector<Eigen::Vector2d> chain = rings.front();
+    for (std::size_t k = 1; k < rings.size(); ++k) {
+        chain.push_back(rings.front().front());
+        chain.insert(chain.end(), rings[k].begin(), rings[k].end());
+        chain.push_back(rings[k].front());
+    }
+    return chain;
+}
+
 Eigen::AlignedBox2d boxOf(const std::vector<Eigen::Vector2d>& outline) {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& p : outline)

@@ -8,6 +8,10 @@
 
 namespace bask {
 
+/// An outline and the holes in it, each closed, as one closed chain that goes to every hole and back the same
+/// way: by the even-odd rule its inside is the face.
+std::vector<Eigen::Vector2d> chained(const std::vector<std::vector<Eigen::Vector2d>>& rings);
+
 Eigen::AlignedBox2d boxOf(const std::vector<Eigen::Vector2d>& outline);
 
 /// Glow on `n` x `n` cells of `box`, rows of growing y: 0 outside the outline and at its rim, 1 where it is

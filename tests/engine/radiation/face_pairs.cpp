@@ -21,6 +21,12 @@ Shape mirrored(const Shape& shape) {
             one = std::conj(one);
         return FourierContour(c);
     }
+    if (const auto* pierced = std::get_if<PiercedShape>(&shape)) {
+        std::vector<Contour> holes;
+        for (const Contour& hole : pierced->holes)
+            holes.push_back(std::get<Contour>(mirrored(hole)));
+        return withHoles(mirrored(withHoles(shape, {})), holes);
+    }
     return shape;
 }
 

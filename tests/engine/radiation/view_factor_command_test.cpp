@@ -72,10 +72,30 @@ TEST_F(ViewFactorCommand, answersTheReferenceFileInOrder) {
     }
 }
 
+// Catches: holes passed over as if they were an unknown key, in either face.
+TEST_F(ViewFactorCommand, countsHolesOff) {
+    const std::string pierced = R"({"type":"disk","radius_m":0.05,"holes_m":[[[0,0],[0.02,0],[0,0.02]]]})";
+    const std::string plain = R"({"type":"disk","radius_m":0.05})";
+    const std::string hole = R"({"type":"polygon","points_m":[[0,0],[0.02,0],[0,0.02]]})";
+    const auto exchange = [&](const std::string& text, double area) {
+        EXPECT_EQ(run("{\"cases\":[" + text + "]}"), kExitDone);
+        return results()[0].at("view_factor").get<double>() * area;
+    };
+    const double disk = std::numbers::pi * 0.05 * 0.05, triangle = 2e-4;
+    EXPECT_NEAR(exchange(withObject(pierced), disk - triangle),
+                exchange(withObject(plain), disk) - exchange(withObject(hole), triangle), 1e-12);
+    EXPECT_NEAR(exchange(withSource(pierced), 1.0),
+                exchange(withSource(plain), 1.0) - exchange(withSource(hole), 1.0), 1e-8);
+}
+
 // Catches: one bad case that takes the others down with it, or is answered as if it were good.
 TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
     const std::pair<std::string, std::string> bad[] = {
         {caseWith("0.15", "-0.15"), "source.radius_m"},
+        {withSource(R"({"type":"disk","radius_m":0.1,"holes_m":7})"), "source.holes_m"},
+        {withSource(R"({"type":"disk","radius_m":0.1,"holes_m":[[[0,0],[0.2,0],[0,0.2]]]})"),
+         "source.holes_m[0]"},
+        {withObject(R"({"type":"disk","radius_m":0.1,"holes_m":[[[0,0],[0.02,0]]]})"), "object.holes_m[0]"},
         {caseWith("0.15", "0"), "source.radius_m"},
         {caseWith("0.15", "NaN"), "source.radius_m"},
         {caseWith("0.015", "1e999"), "object.radius_m"},

@@ -159,9 +159,17 @@ private:
                 value *= 1e-3;
             shape = FourierContour(c);
             origin = {"dir/file \\ name.csv", polygon(), 1};
+            if (m_random() % 2 == 0)
+                origin.holes = {triangle(2e-4), triangle(3e-4, 1e-3)};
         } else {
             shape = polygon();
         }
+        if (m_random() % 2 == 0)
+            shape = withHoles(shape, {triangle(2e-4), triangle(1e-4, 4e-4)});
+    }
+
+    Contour triangle(double size, double x = 0.0) {
+        return {{{x, real(-size, 0)}, {x + real(0.5, 1) * size, 0}, {x + real(0, 0.1) * size, size}}};
     }
 
     SourceSpec source() {
@@ -307,6 +315,103 @@ TEST(Reading, PutsTheSourceRightAsItDoesObjects) {
         EXPECT_TRUE(*again == *read);
     }
     EXPECT_EQ(j["source"]["contour"]["harmonics"], 5);
+}
+
+Contour square(double half_m, double x_m, double y_m) {
+    return {{{x_m - half_m, y_m - half_m},
+             {x_m + half_m, y_m - half_m},
+             {x_m + half_m, y_m + half_m},
+             {x_m - half_m, y_m + half_m}}};
+}
+
+// Catches holes that stay where they were while the outline is moved to its centroid, clockwise ones among
+// them, and holes of a disk moved.
+TEST(Reading, MovesHolesWithTheirOutline) {
+    auto j = nlohmann::json::parse(experimentToJson(example("three-objects.json")));
+    const nlohmann::json holes{{{0.11, 0.11}, {0.11, 0.12}, {0.12, 0.12}, {0.12, 0.11}}};
+    for (const nlohmann::json& contour :
+         {nlohmann::json{{"type", "polygon"},
+                         {"points_m", {{0.1, 0.1}, {0.1, 0.14}, {0.14, 0.14}, {0.14, 0.1}}},
+                         {"holes_m", holes}},
+          nlohmann::json{
+              {"type", "fourier"}, {"coefficients", {{0, 0.12, 0.12}, {-1, 0.02, 0.0}}}, {"holes_m", holes}},
+          nlohmann::json{{"type", "disk"},
+                         {"radius_m", 0.02},
+                         {"holes_m", {{{-0.01, -0.01}, {-0.01, 0.0}, {0.0, 0.0}, {0.0, -0.01}}}}}}) {
+        j["objects"][0]["contour"] = contour;
+        const auto read = experimentFromJson(j.dump(), "", "");
+        ASSERT_TRUE(read) << describe(read.error());
+        ASSERT_EQ(holesOf(read->objects[0].shape).size(), 1u);
+        const Contour& hole = holesOf(read->objects[0].shape)[0];
+        EXPECT_LT((contourCentroid(hole) - Eigen::Vector2d(-0.005, -0.005)).norm(), 1e-15);
+        EXPECT_GT(contourArea(hole), 0.0);
+        const auto again = experimentFromJson(experimentToJson(*read), "", "");
+        ASSERT_TRUE(again) << describe(again.error());
+        EXPECT_TRUE(*again == *read);
+    }
+}
+
+// Catches an import that forgets the holes or leaves them behind when outline and fit are centred, and an
+// origin that cannot be fitted again.
+TEST(Reading, ImportsHolesWithTheOutline) {
+    const QTemporaryDir folder;
+    QFile svg(folder.filePath("plate.svg"));
+    ASSERT_TRUE(svg.open(QIODevice::WriteOnly));
+    svg.write("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100'>"
+              "<path d='M10,90 L60,90 L60,70 L30,70 L30,40 L10,40 Z M20,50 h4 v4 h-4 z M50,75 h4 v4 h-4 z'/>"
+              "</svg>");
+    svg.close();
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    const auto read = [&](int harmonics) {
+        j["objects"][0]["contour"] = {{"type", "import"}, {"file", "plate.svg"}, {"harmonics", harmonics}};
+        return experimentFromJson(j.dump(), "", folder.path().toStdString());
+    };
+    const auto exact = read(0);
+    ASSERT_TRUE(exact) << describe(exact.error());
+    const ObjectSpec& plate = exact->objects[0];
+    EXPECT_NEAR(shapeArea(plate.shape) * 1e6, 1600 - 32, 1e-6);
+    EXPECT_EQ(plate.origin.holes, holesOf(plate.shape));
+    EXPECT_EQ(plate.origin.file, "plate.svg");
+    const auto fitted = read(20);
+    ASSERT_TRUE(fitted) << describe(fitted.error());
+    const ObjectSpec& object = fitted->objects[0];
+    EXPECT_EQ(object.origin.holes, plate.origin.holes);
+    const FourierFit fit = fitFourier(plate.origin.outline, 20).value();
+    EXPECT_GT(fit.centre_m.norm(), 1e-6); // else nothing is tested
+    ASSERT_EQ(holesOf(object.shape).size(), 2u);
+    for (std::size_t k = 0; k < 2; ++k)
+        EXPECT_LT((contourCentroid(holesOf(object.shape)[k]) + fit.centre_m -
+                   contourCentroid(holesOf(plate.shape)[k]))
+                      .norm(),
+                  1e-12);
+    const auto again = shapeFromOutline(object.origin.outline, object.origin.holes, 20);
+    ASSERT_TRUE(again);
+    EXPECT_EQ(again->origin.harmonics, 20);
+    EXPECT_LT((contourCentroid(holesOf(again->shape)[0]) - contourCentroid(holesOf(object.shape)[0])).norm(),
+              1e-12);
+    const auto coarse = read(1);
+    ASSERT_FALSE(coarse);
+    EXPECT_EQ(coarse.error().code(), MessageCode::HoleOutside);
+    EXPECT_NE(coarse.error().where.find("objects[0].contour.harmonics: holes["), std::string::npos);
+    const auto whole = experimentFromJson(experimentToJson(*fitted), "", "/nowhere");
+    ASSERT_TRUE(whole) << describe(whole.error());
+    EXPECT_TRUE(*whole == *fitted);
+}
+
+// Catches holes that no file names, set by the window, taken without a look.
+TEST(Validation, LooksAtHoles) {
+    Experiment e = example("two-circles.json");
+    e.objects[0].shape = withHoles(Disk{0.015}, {square(0.002, 0.0, 0.0), square(0.002, 0.013, 0.0)});
+    const auto refused = validate(e);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::HoleOutside);
+    EXPECT_EQ(refused.error().where, "objects[0].contour.holes_m[1]");
+    e.objects[0].shape = withHoles(Disk{0.015}, {Contour{shapeOutline(Disk{0.01}, 5001)}});
+    EXPECT_EQ(validate(e).error().where, "objects[0].contour.holes_m");
+    e.objects[0].shape = Disk{0.015};
+    EXPECT_TRUE(validate(e));
+    e.objects[0].origin.holes = {square(0.002, 0.0, 0.0)};
+    EXPECT_EQ(validate(e).error().where, "objects[0].contour.outline_holes_m[0]");
 }
 
 /// A square of 20 units.

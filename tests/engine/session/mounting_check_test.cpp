@@ -65,6 +65,22 @@ TEST(MountingCheck, AlignedObjectsApartDoNotOverlap) {
     EXPECT_EQ(codesOf({one, other}), std::vector{MessageCode::MountingOverlap});
 }
 
+// Catches an object in the hole of another taken to shade it, and one that reaches over the hole's edge not.
+TEST(MountingCheck, OneInTheHoleOfAnotherDoesNotOverlap) {
+    ObjectSpec ring = disk("ring", 0.0, 0.0);
+    ring.shape = withHoles(Disk{0.06}, {Contour{shapeOutline(Disk{0.03}, 90)}});
+    for (const bool first : {true, false}) {
+        const auto with = [&](double x_m) {
+            const ObjectSpec small = disk("small", x_m, 0.0);
+            return codesOf(first ? std::vector{ring, small} : std::vector{small, ring});
+        };
+        EXPECT_TRUE(with(0.0).empty());
+        EXPECT_TRUE(with(0.014).empty());
+        EXPECT_EQ(with(0.02), std::vector{MessageCode::MountingOverlap});
+        EXPECT_EQ(with(0.045), std::vector{MessageCode::MountingOverlap});
+    }
+}
+
 // Catches a limit that is measured to the centre instead of the outline.
 TEST(MountingCheck, ObjectsFartherOutThanTheRobotCarriesAreTold) {
     EXPECT_TRUE(codesOf({disk("a", 0.18, 0.0)}).empty());

@@ -1,7 +1,10 @@
 #include "engine/base/message_code.h"
-#include "engine/shape/outline_file.h"
+#include "engine/shape/contour_import.h"
+#include "engine/shape/shape.h"
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace bask {
 namespace {
@@ -30,6 +33,36 @@ TEST(OutlineFile, LargestFirstAndHolesWithinTheirRegion) {
     EXPECT_FALSE(file.outlines[5].closed);
     EXPECT_NEAR(file.outlines[5].perimeter_m(), 1.5, 1e-12);
     EXPECT_NEAR(file.outlines[0].perimeter_m(), 0.4, 1e-12);
+}
+
+// Catches holes that the solver cannot have, taken or left out without a word, and holes of another outline.
+TEST(OutlineFile, PickedWithTheHolesThatFit) {
+    OutlineFile file;
+    FileOutline bowtie = square(0.01, 0.06, 0);
+    std::swap(bowtie.points_m[1], bowtie.points_m[2]);
+    bowtie.points_m[0].x() -= 0.005; // else it has no area
+    file.outlines = {square(0.1, 0.0, 0),  square(0.011, 0.02, 0), square(0.01, 0.03, 0), bowtie,
+                     square(0.05, 0.2, 0), square(0.02, 0.21, 0)};
+    file.arrange();
+    const auto picked = pickOutline(file, std::nullopt, "");
+    ASSERT_TRUE(picked);
+    ASSERT_EQ(picked->holes.size(), 1U) << "the squares touch, the bow tie crosses itself";
+    EXPECT_EQ(picked->holes[0].points_m, square(0.011, 0.02, 0).points_m);
+    EXPECT_EQ(picked->warnings.back(), (Message{MessageCode::HolesLeftOut, {"2", "200"}}));
+    const auto other = pickOutline(file, 1, "");
+    ASSERT_TRUE(other);
+    EXPECT_TRUE(other->warnings.empty());
+    ASSERT_EQ(other->holes.size(), 1U);
+
+    OutlineFile sieve;
+    sieve.outlines = {square(1.0, 0.0, 0)};
+    for (int k = 0; k < 210; ++k)
+        sieve.outlines.push_back(square(0.002, 0.1 + 0.003 * k, 0));
+    sieve.arrange();
+    const auto most = pickOutline(sieve, std::nullopt, "");
+    ASSERT_TRUE(most);
+    EXPECT_EQ(most->holes.size(), kMostHoles);
+    EXPECT_EQ(most->warnings.back(), (Message{MessageCode::HolesLeftOut, {"10", "200"}}));
 }
 
 // Catches an open outline that is closed in silence.

@@ -1,10 +1,12 @@
 // Measures of the three shapes.
 
+#include "engine/base/message_code.h"
 #include "engine/shape/shape.h"
 
 #include "tests/engine/shape/shape_samples.h"
 
 #include <stdexcept>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -32,6 +34,62 @@ TEST(Shape, RadiusOfASeriesIsItsFarthestPointNotASample) {
     c[7] = 1.0;
     c[0] = e;
     EXPECT_NEAR(shapeRadius(FourierContour(c)), 1.1, 1e-12);
+}
+
+Contour square(double half, double x = 0.0) {
+    return {{{x - half, -half}, {x + half, -half}, {x + half, half}, {x - half, half}}};
+}
+
+// Catches: holes not counted off, or counted where the outline alone is meant; holes that stay when taken
+// off.
+TEST(Shape, HolesCountOffTheAreaAlone) {
+    for (const Shape& outline :
+         {Shape(Disk{1.0}), Shape(FourierContour({0.0, 0.0, 1.0})), Shape(square(1.0))}) {
+        const std::vector<Contour> holes{square(0.1), square(0.05, 0.4)};
+        const Shape pierced = withHoles(outline, holes);
+        EXPECT_NEAR(shapeArea(pierced), shapeArea(outline) - 0.05, 1e-15);
+        EXPECT_EQ(shapePerimeter(pierced), shapePerimeter(outline));
+        EXPECT_EQ(shapeRadius(pierced), shapeRadius(outline));
+        EXPECT_EQ(shapeOutline(pierced, 9), shapeOutline(outline, 9));
+        EXPECT_EQ(shapeRings(pierced, 9).size(), 3u);
+        EXPECT_EQ(shapeRings(pierced, 9)[2], holes[1].points_m);
+        EXPECT_EQ(holesOf(pierced), holes);
+        EXPECT_TRUE(holesOf(outline).empty());
+        EXPECT_EQ(withHoles(pierced, {}), outline);
+        EXPECT_EQ(withHoles(pierced, {holes[0]}), withHoles(outline, {holes[0]}));
+    }
+    EXPECT_NE(outlineAs<Disk>(withHoles(Disk{1.0}, {square(0.1)})), nullptr);
+    EXPECT_EQ(outlineAs<Contour>(withHoles(Disk{1.0}, {square(0.1)})), nullptr);
+}
+
+// Catches: a hole in the air, across the outline, touching it or another, within another, or too many, that
+// is taken; a Fourier outline not looked at as it is drawn.
+TEST(Shape, HolesMustFit) {
+    const auto codeOf = [](const Shape& outline, std::vector<Contour> holes) {
+        const auto checked = checkHoles(withHoles(outline, std::move(holes)), "holes");
+        return checked ? MessageCode::None : checked.error().code();
+    };
+    for (const Shape& outline :
+         {Shape(Disk{1.0}), Shape(FourierContour({0.0, 0.0, 1.0})), Shape(square(1.0))}) {
+        EXPECT_EQ(codeOf(outline, {}), MessageCode::None);
+        EXPECT_EQ(codeOf(outline, {square(0.1), square(0.1, 0.3), square(0.1, -0.3)}), MessageCode::None);
+        EXPECT_EQ(codeOf(outline, {square(0.1, 1.0)}), MessageCode::HoleOutside);
+        EXPECT_EQ(codeOf(outline, {square(0.1, 0.9)}), MessageCode::HoleOutside);
+        EXPECT_EQ(codeOf(outline, {square(0.1, 3.0)}), MessageCode::HoleOutside);
+        EXPECT_EQ(codeOf(outline, {square(2.0)}), MessageCode::HoleOutside);
+        EXPECT_EQ(codeOf(outline, {square(0.1), square(0.1, 0.15)}), MessageCode::HolesMeet);
+        EXPECT_EQ(codeOf(outline, {square(0.125), square(0.125, 0.25)}), MessageCode::HolesMeet);
+        EXPECT_EQ(codeOf(outline, {square(0.3), square(0.1)}), MessageCode::HolesMeet);
+        EXPECT_EQ(codeOf(outline, {square(0.1), square(0.3)}), MessageCode::HolesMeet);
+        EXPECT_EQ(codeOf(outline, {{{{0.0, 0.0}, {0.1, 0.1}, {0.1, 0.0}, {0.0, 0.1}}}}),
+                  MessageCode::ContourCrossing);
+        EXPECT_EQ(codeOf(outline, std::vector<Contour>(kMostHoles + 1, square(0.01))),
+                  MessageCode::HolesTooMany);
+    }
+    EXPECT_EQ(codeOf(Disk{1.0}, {square(0.1, 0.85)}), MessageCode::None);
+    EXPECT_EQ(codeOf(Disk{1.0}, {square(0.1, 0.899)}), MessageCode::HoleOutside);
+    EXPECT_EQ(checkHoles(withHoles(Disk{1.0}, {square(0.1), square(2.0)}), "holes").error().where,
+              "holes[1]");
 }
 
 TEST(Shape, PolygonGivesItsOwnPoints) {

@@ -128,6 +128,10 @@ TEST_F(ImportPanelTest, WhatLeavesNothingToAskIsAcceptedAtOnce) {
     EXPECT_EQ(wanted.count(), 0);
     EXPECT_GT(contourArea(accepted[0].contour), 0.0);
     EXPECT_FALSE(panel.isOpen());
+    panel.open(QStringLiteral(BASK_EXAMPLES "/contours/gear.svg"));
+    ASSERT_TRUE(test::waitFor([&] { return accepted.size() == 2; }));
+    EXPECT_EQ(accepted[1].holes.size(), 1U) << "a hole is no question";
+    EXPECT_EQ(wanted.count(), 0);
 }
 
 // Catches a drawing of several outlines of which one is taken silently, and a choice that is not heeded.

@@ -200,6 +200,7 @@ std::vector<std::pair<QString, Shape>> plates() {
     return {{QStringLiteral("disk"), Disk{0.1}},
             {QStringLiteral("rectangle"), rectangle},
             {QStringLiteral("lobes"), FourierContour(lobes)},
+            {QStringLiteral("washer"), withHoles(Disk{0.1}, {Contour{shapeOutline(Disk{0.04}, 60)}})},
             {QStringLiteral("corner"), centred(corner)}};
 }
 
