@@ -60,7 +60,7 @@ HarmonicsPanel::HarmonicsPanel(QWidget* parent)
         label->setWordWrap(true);
     m_verdict->hide();
     for (QLabel* label :
-         {m_warningIcon, m_warning}) { // or the slider would move under the mouse that drags it
+         {m_warningIcon, m_warning}) { // or the preview would change its size while the slider is dragged
         QSizePolicy kept = label->sizePolicy();
         kept.setRetainSizeWhenHidden(true);
         label->setSizePolicy(kept);
@@ -73,22 +73,23 @@ HarmonicsPanel::HarmonicsPanel(QWidget* parent)
 void HarmonicsPanel::arrange() {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_caption, 0, 0);
-    layout->addWidget(m_slider, 0, 1);
-    layout->addWidget(m_spin, 0, 2);
+    // At the foot, where no longer text above moves the slider under the mouse that drags it.
+    layout->addWidget(m_caption, 4, 0);
+    layout->addWidget(m_slider, 4, 1);
+    layout->addWidget(m_spin, 4, 2);
     auto* choices = new QHBoxLayout;
     choices->addWidget(m_fewest);
     choices->addWidget(m_tolerance);
     choices->addStretch(1);
     choices->addWidget(m_useOutline);
-    layout->addLayout(choices, 1, 0, 1, 3);
-    layout->addWidget(m_residual, 2, 0, 1, 3);
-    layout->addWidget(m_verdict, 3, 0, 1, 3);
+    layout->addLayout(choices, 5, 0, 1, 3);
+    layout->addWidget(m_residual, 0, 0, 1, 3);
+    layout->addWidget(m_verdict, 1, 0, 1, 3);
     auto* warning = new QHBoxLayout;
     warning->addWidget(m_warningIcon);
     warning->addWidget(m_warning, 1);
-    layout->addLayout(warning, 4, 0, 1, 3);
-    layout->addWidget(m_plot, 5, 0, 1, 3);
+    layout->addLayout(warning, 2, 0, 1, 3);
+    layout->addWidget(m_plot, 3, 0, 1, 3);
     layout->setColumnStretch(1, 1);
 }
 
