@@ -121,10 +121,10 @@ void ResidualPlot::paintAxes(QPainter& painter, const Axes& axes) const {
     painter.drawText(QRectF(0.0, 0.0, width(), line), Qt::AlignLeft,
                      tr("Residual, mm: rms (line), largest (dashes)"));
     painter.drawText(
-        QRectF(axes.x(20) + 24.0, axes.frame.bottom() + 2.0, axes.x(30) - axes.x(20) - 48.0, line),
+        QRectF(axes.x(20) + 14.0, axes.frame.bottom() + 2.0, axes.x(30) - axes.x(20) - 28.0, line),
         Qt::AlignHCenter,
         fontMetrics().elidedText(tr("harmonics"), Qt::ElideRight,
-                                 static_cast<int>(axes.x(30) - axes.x(20) - 48.0)));
+                                 static_cast<int>(axes.x(30) - axes.x(20) - 28.0)));
 }
 
 void ResidualPlot::paintCurve(QPainter& painter, const Axes& axes, double Residual::*value) const {
