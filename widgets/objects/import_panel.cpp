@@ -189,6 +189,7 @@ void ImportPanel::cancel() {
     m_error.reset();
     m_chosen = -1;
     m_picked.reset();
+    m_accept->setEnabled(false); // a key that imports goes on to the panel, which imports, too
     m_picker->clear();
     showOutlines();
 }
@@ -298,7 +299,8 @@ void ImportPanel::showChosen() {
                           : known ? chosenText(**m_picked, m_chosen + 1)
                                   : tr("Its true size is not known yet: answer the question of the scale."));
     m_chosenText->setVisible(usable);
-    m_accept->setEnabled(usable && known);
+    m_accept->setEnabled(usable && known &&
+                         !m_reading.busy()); // busy: these lengths are of the answer before
 }
 
 void ImportPanel::keyPressEvent(QKeyEvent* event) {
