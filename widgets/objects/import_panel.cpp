@@ -175,7 +175,10 @@ void ImportPanel::open(const QString& path) {
         m_asking = true;
         emit attentionWanted();
         m_loading.run([file = path.toStdString()] { return imageOf(file); },
-                      [this](const QImage& image) { m_picker->setPicture(image); });
+                      [this](const QImage& image) {
+                          m_picker->setPicture(image);
+                          read();
+                      });
     }
     read();
 }
@@ -199,6 +202,8 @@ void ImportPanel::read() {
         return;
     m_progress->show();
     m_accept->setEnabled(false);
+    if (ImportQuestions::isImage(m_path) && m_loading.busy())
+        return; // outlines are clicked on the picture; and both at once would take half as much memory again
     m_reading.run([path = m_path, options = m_questions->options()] { return outlinesOf(path, options); },
                   [this](Result<OutlineFile> file) { take(std::move(file)); });
 }

@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -264,8 +265,11 @@ TEST_F(ImportPanelTest, ARulerLeftHalfLaidIsTheOneThatCounts) {
     ASSERT_TRUE(ready());
     QTest::mouseClick(child<QPushButton>("importMeasure"), Qt::LeftButton);
     clickAt(image.size(), 100.0, 100.0);
-    QTest::mouseMove(child<OutlinePicker>("importPicker"), at(image.size(), 500.0, 400.0)); // 500 px
-    QTest::mouseClick(child<QPushButton>("importMeasure"), Qt::LeftButton);                 // never mind
+    auto* picker = child<OutlinePicker>("importPicker");
+    const QPointF end = at(image.size(), 500.0, 400.0); // 500 px
+    QMouseEvent move(QEvent::MouseMove, end, picker->mapToGlobal(end), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(picker, &move);
+    QTest::mouseClick(child<QPushButton>("importMeasure"), Qt::LeftButton); // never mind
     const double radius_m = 100.0 * 50e-3 / 500.0;
     EXPECT_NEAR(contourArea(imported().contour), std::numbers::pi * radius_m * radius_m,
                 0.03 * std::numbers::pi * radius_m * radius_m);
