@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/control/dependent_objects.h"
+#include "engine/shape/crossing.h"
 
 #include <algorithm>
 #include <iterator>
@@ -18,30 +19,6 @@ constexpr std::size_t kManyPoints = 240;
 constexpr double kThinned_m = 1e-4;
 constexpr double kFlatTriangle = 0.1; ///< height over longest side, below which three places are a line
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return a.x() * b.y() - a.y() * b.x();
-}
-
-bool rangesMeet(double a, double b, double c, double d) {
-    return std::max(std::min(a, b), std::min(c, d)) <= std::min(std::max(a, b), std::max(c, d));
-}
-
-bool edgesMeet(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-               const Eigen::Vector2d& d) {
-    // The ranges tell edges of one line from each other, whose crosses are all zero.
-    return rangesMeet(a.x(), b.x(), c.x(), d.x()) && rangesMeet(a.y(), b.y(), c.y(), d.y()) &&
-           cross(b - a, c - a) * cross(b - a, d - a) <= 0.0 &&
-           cross(d - c, a - c) * cross(d - c, b - c) <= 0.0;
-}
-
-bool edgesMeet(const Outline& one, const Outline& other) {
-    for (std::size_t i = 0; i < one.size(); ++i)
-        for (std::size_t k = 0; k < other.size(); ++k)
-            if (edgesMeet(one[i], one[(i + 1) % one.size()], other[k], other[(k + 1) % other.size()]))
-                return true;
-    return false;
-}
-
 // Inside the outline and in no hole.
 bool covers(const Rings& face, const Eigen::Vector2d& p) {
     return std::ranges::count_if(face, [&](const Outline& ring) { return encloses(ring, p); }) % 2 == 1;
@@ -51,7 +28,8 @@ bool overlap(const Rings& one, const Rings& other) {
     if (covers(other, one.front().front()) || covers(one, other.front().front()))
         return true;
     return std::ranges::any_of(one, [&](const Outline& ring) {
-        return std::ranges::any_of(other, [&](const Outline& its) { return edgesMeet(ring, its); });
+        return std::ranges::any_of(other,
+                                   [&](const Outline& its) { return findMeeting(ring, its).has_value(); });
     });
 }
 

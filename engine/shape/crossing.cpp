@@ -156,6 +156,59 @@ private:
     std::vector<Active::iterator> m_places;
 };
 
+using Edge = std::pair<Vector2d, Vector2d>;
+
+Eigen::AlignedBox2d boxOf(const Edge& edge) {
+    return {edge.first.cwiseMin(edge.second), edge.first.cwiseMax(edge.second)};
+}
+
+/// Boxes about runs of edges, so that two rings close to each other need not be tried edge by edge: box i of
+/// level l is about the edges from i 2^l on, 2^l of them.
+class EdgeRuns {
+public:
+    explicit EdgeRuns(std::vector<Edge> edges) : m_edges(std::move(edges)), m_levels(1) {
+        for (const Edge& edge : m_edges)
+            m_levels[0].push_back(boxOf(edge));
+        while (m_levels.back().size() > 1) {
+            const std::vector<Eigen::AlignedBox2d>& below = m_levels.back();
+            std::vector<Eigen::AlignedBox2d> runs;
+            for (std::size_t i = 0; i < below.size(); i += 2)
+                runs.push_back(i + 1 < below.size() ? below[i].merged(below[i + 1]) : below[i]);
+            m_levels.push_back(std::move(runs));
+        }
+    }
+
+    std::optional<Vector2d> meeting(const EdgeRuns& other) const {
+        if (m_edges.empty() || other.m_edges.empty())
+            return std::nullopt;
+        return meeting({m_levels.size() - 1, 0}, other, {other.m_levels.size() - 1, 0});
+    }
+
+private:
+    struct Run {
+        std::size_t level, index;
+    };
+
+    std::optional<Vector2d> meeting(Run run, const EdgeRuns& other, Run its) const {
+        if (!m_levels[run.level][run.index].intersects(other.m_levels[its.level][its.index]))
+            return std::nullopt;
+        if (run.level < its.level)
+            return other.meeting(its, *this, run);
+        if (run.level == 0)
+            return bask::meeting(m_edges[run.index].first, m_edges[run.index].second,
+                                 other.m_edges[its.index].first, other.m_edges[its.index].second);
+        const std::size_t half = 2 * run.index;
+        if (const auto point = meeting({run.level - 1, half}, other, its))
+            return point;
+        if (half + 1 < m_levels[run.level - 1].size())
+            return meeting({run.level - 1, half + 1}, other, its);
+        return std::nullopt;
+    }
+
+    std::vector<Edge> m_edges;
+    std::vector<std::vector<Eigen::AlignedBox2d>> m_levels;
+};
+
 } // namespace
 
 std::optional<Crossing> findCrossing(const std::vector<Eigen::Vector2d>& points) {
@@ -163,31 +216,24 @@ std::optional<Crossing> findCrossing(const std::vector<Eigen::Vector2d>& points)
 }
 
 std::optional<Vector2d> findMeeting(const std::vector<Vector2d>& a, const std::vector<Vector2d>& b) {
-    const auto boxOf = [](const std::vector<Vector2d>& points) {
+    const auto boxOfRing = [](const std::vector<Vector2d>& points) {
         Eigen::AlignedBox2d box;
         for (const Vector2d& p : points)
             box.extend(p);
         return box;
     };
-    const Eigen::AlignedBox2d common = boxOf(a).intersection(boxOf(b));
-    // Edges of either that come into the part of the plane where both are.
-    const auto within = [&](const std::vector<Vector2d>& points) {
-        std::vector<std::pair<Vector2d, Vector2d>> edges;
-        for (std::size_t k = 0; k < points.size(); ++k) {
-            const Vector2d &from = points[k], &to = points[(k + 1) % points.size()];
-            if (common.intersects(Eigen::AlignedBox2d(from.cwiseMin(to), from.cwiseMax(to))))
-                edges.emplace_back(from, to);
-        }
-        return edges;
-    };
+    const Eigen::AlignedBox2d common = boxOfRing(a).intersection(boxOfRing(b));
     if (common.isEmpty())
         return std::nullopt;
-    const auto edgesOfB = within(b);
-    for (const auto& [p, q] : within(a))
-        for (const auto& [r, s] : edgesOfB)
-            if (const auto point = meeting(p, q, r, s))
-                return point;
-    return std::nullopt;
+    // Edges of either that come into the part of the plane where both are.
+    const auto within = [&](const std::vector<Vector2d>& points) {
+        std::vector<Edge> edges;
+        for (std::size_t k = 0; k < points.size(); ++k)
+            if (const Edge edge{points[k], points[(k + 1) % points.size()]}; common.intersects(boxOf(edge)))
+                edges.push_back(edge);
+        return edges;
+    };
+    return EdgeRuns(within(a)).meeting(EdgeRuns(within(b)));
 }
 
 } // namespace bask

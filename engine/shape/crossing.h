@@ -20,8 +20,7 @@ struct Crossing {
 /// polygon is simple. Points are finite, three at least, and no two neighbours are equal.
 std::optional<Crossing> findCrossing(const std::vector<Eigen::Vector2d>& points);
 
-/// A point at which the edges of two closed polygons cross or touch. Edges are tried out pair by pair where
-/// the polygons' boxes overlap.
+/// A point at which the edges of two closed polygons cross or touch.
 std::optional<Eigen::Vector2d> findMeeting(const std::vector<Eigen::Vector2d>& a,
                                            const std::vector<Eigen::Vector2d>& b);
 

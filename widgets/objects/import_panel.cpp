@@ -175,7 +175,10 @@ void ImportPanel::open(const QString& path) {
         m_asking = true;
         emit attentionWanted();
         m_loading.run([file = path.toStdString()] { return imageOf(file); },
-                      [this](const QImage& image) { m_picker->setPicture(image); });
+                      [this](const QImage& image) {
+                          m_picker->setPicture(image);
+                          read();
+                      });
     }
     read();
 }
@@ -189,6 +192,7 @@ void ImportPanel::cancel() {
     m_error.reset();
     m_chosen = -1;
     m_picked.reset();
+    m_accept->setEnabled(false); // a key that imports goes on to the panel, which imports, too
     m_picker->clear();
     showOutlines();
 }
@@ -198,6 +202,8 @@ void ImportPanel::read() {
         return;
     m_progress->show();
     m_accept->setEnabled(false);
+    if (ImportQuestions::isImage(m_path) && m_loading.busy())
+        return; // outlines are clicked on the picture; and both at once would take half as much memory again
     m_reading.run([path = m_path, options = m_questions->options()] { return outlinesOf(path, options); },
                   [this](Result<OutlineFile> file) { take(std::move(file)); });
 }
@@ -298,7 +304,8 @@ void ImportPanel::showChosen() {
                           : known ? chosenText(**m_picked, m_chosen + 1)
                                   : tr("Its true size is not known yet: answer the question of the scale."));
     m_chosenText->setVisible(usable);
-    m_accept->setEnabled(usable && known);
+    m_accept->setEnabled(usable && known &&
+                         !m_reading.busy()); // busy: these lengths are of the answer before
 }
 
 void ImportPanel::keyPressEvent(QKeyEvent* event) {

@@ -64,7 +64,7 @@ private:
     QString m_path;
     bool m_asking = false; ///< the operator sees the panel
     LatestJob<Result<OutlineFile>> m_reading;
-    LatestJob<QImage> m_loading;
+    LatestJob<QImage> m_loading; ///< of a picture, before its outlines
     OutlineFile m_file;
     std::optional<Error> m_error; ///< of reading
     int m_chosen = -1;

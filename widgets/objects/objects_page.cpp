@@ -30,6 +30,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -80,13 +81,22 @@ public:
 
     void undo() override { m_page.applyObjects(m_before, m_selectBefore); }
     void redo() override { m_page.applyObjects(m_after, m_selectAfter); }
-    const std::vector<ObjectSpec>& before() const { return m_before; }
+    /// Before what was done or merged last.
+    const std::vector<ObjectSpec>& before() const { return m_beforeMerge ? *m_beforeMerge : m_before; }
+    /// Takes back what was merged last, or all where nothing was.
+    void takeBack() {
+        if (m_beforeMerge)
+            m_after = *std::exchange(m_beforeMerge, std::nullopt);
+        else
+            setObsolete(true);
+    }
     int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
     bool mergeWith(const QUndoCommand* other) override {
         const auto* next = dynamic_cast<const Edit*>(other);
         if (next == nullptr || next->m_mergeKey != m_mergeKey)
             return false;
-        m_after = next->m_after;
+        m_beforeMerge = std::exchange(m_after, next->m_after);
+        m_page.m_lastEdit = this;
         return true;
     }
 
@@ -94,6 +104,7 @@ private:
     ObjectsPage& m_page;
     std::vector<ObjectSpec> m_before;
     std::vector<ObjectSpec> m_after;
+    std::optional<std::vector<ObjectSpec>> m_beforeMerge;
     QString m_mergeKey;
     int m_selectBefore;
     int m_selectAfter;
@@ -280,8 +291,9 @@ void ObjectsPage::setExperiment(const Experiment& experiment) {
         if (m_lastEdit != nullptr && m_undo->canUndo() &&
             m_undo->command(m_undo->index() - 1) == m_lastEdit &&
             m_lastEdit->before() == experiment.objects) {
-            m_lastEdit->setObsolete(true);
-            m_undo->undo(); // deletes an obsolete command without running it
+            m_lastEdit->takeBack();
+            if (m_lastEdit->isObsolete())
+                m_undo->undo(); // deletes an obsolete command without running it
         } else {
             m_undo->clear();
         }
@@ -326,7 +338,7 @@ void ObjectsPage::commit(std::vector<ObjectSpec> objects, const QString& text, c
     }
     auto* edit = new Edit(*this, std::move(objects), text, mergeKey, select < 0 ? m_selected : select);
     m_lastEdit = edit;
-    m_undo->push(edit); // a merged one is deleted here, and then is not the stack's last
+    m_undo->push(edit); // one that is merged is deleted here, and the one that took it in is the last edit
 }
 
 void ObjectsPage::applyObjects(const std::vector<ObjectSpec>& objects, int select) {
@@ -340,7 +352,8 @@ void ObjectsPage::tellApplied() {
     // Only now is the stack at rest, so that an answer from within the signal may change it.
     if (!std::exchange(m_applied, false))
         return;
-    m_message->clear();
+    if (!m_importing) // then it is the message that offers to cancel
+        m_message->clear();
     showAll();
     emit experimentEdited(m_experiment);
 }
@@ -431,6 +444,10 @@ void ObjectsPage::addImported(const QString& path, const PickedOutline& picked) 
                       m_message->clear();
                       if (!made) {
                           showError(fileSentence(path, made.error()));
+                          return;
+                      }
+                      if (!m_import->isEnabled()) { // a disk was added meanwhile, and all axes are used
+                          showError(m_import->toolTip());
                           return;
                       }
                       ObjectSpec object;

@@ -75,9 +75,10 @@ void OutlinePicker::setSelected(int index) {
 
 void OutlinePicker::setTool(Tool tool) {
     m_tool = tool;
-    m_secondEnd = false;
     setCursor(tool == Tool::Pick ? Qt::ArrowCursor : Qt::CrossCursor);
     update();
+    if (std::exchange(m_secondEnd, false) && m_ruler_px)
+        emit rulerMoved(*m_ruler_px); // as it is drawn, whether its second end was clicked or not
 }
 
 void OutlinePicker::setRulerShown(bool shown) {
@@ -179,7 +180,6 @@ void OutlinePicker::click(const QPointF& position) {
         }
         setRulerEnd(1, place);
         setTool(Tool::Pick);
-        emit rulerMoved(*m_ruler_px);
         emit measured();
         return;
     case Tool::Colour:

@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <cmath>
+
 namespace bask {
 namespace {
 
@@ -151,6 +154,25 @@ TEST(MountingCheck, TheExamplesAreSound) {
     // and hand do touch.
     using enum MessageCode;
     EXPECT_EQ(codesOf(*line), (std::vector{MountingInLine, MountingOverlap}));
+}
+
+// Catches a page that waits at every edit for objects of many holes.
+TEST(MountingCheck, IsQuickWithManyHoles) {
+    std::vector<Contour> holes;
+    for (int i = -7; i <= 7; ++i)
+        for (int k = -7; k <= 7; ++k)
+            if (const Eigen::Vector2d at(0.0019 * i, 0.0019 * k); at.norm() < 0.0139)
+                holes.push_back(shifted(Contour{shapeOutline(Disk{0.0008}, 24)}, at));
+    ASSERT_GT(holes.size(), 150u);
+    ASSERT_TRUE(checkHoles(withHoles(Disk{0.015}, holes)));
+    std::vector<ObjectSpec> objects;
+    for (int k = 0; k < 6; ++k) {
+        objects.push_back(disk(std::to_string(k).c_str(), 0.06 * std::cos(k), 0.06 * std::sin(k)));
+        objects.back().shape = withHoles(objects.back().shape, holes);
+    }
+    const auto start = std::chrono::steady_clock::now();
+    codesOf(objects);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(250));
 }
 
 } // namespace bask

@@ -5,6 +5,7 @@
 
 #include "tests/engine/shape/shape_samples.h"
 
+#include <chrono>
 #include <stdexcept>
 #include <utility>
 
@@ -102,4 +103,17 @@ TEST(Shape, PolygonGivesItsOwnPoints) {
 }
 
 } // namespace
+// Catches: rings close to each other tried out edge by edge, which takes a minute; a meeting in the middle of
+// long runs of edges overlooked.
+TEST(Shape, HolesOfManyCornersAreCheckedInTime) {
+    const auto ring = [](double radius_m) { return Contour{shapeOutline(Disk{radius_m}, 100000)}; };
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(checkHoles(withHoles(ring(1.0), {ring(0.97)})));
+    Contour reaching = ring(0.97);
+    for (const int k : {37501, 37502})
+        reaching.points_m[static_cast<std::size_t>(k)] *= 1.0 / 0.96;
+    EXPECT_EQ(checkHoles(withHoles(ring(1.0), {reaching})).error().code(), MessageCode::HoleOutside);
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+}
+
 } // namespace bask

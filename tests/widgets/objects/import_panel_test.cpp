@@ -12,6 +12,7 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPainter>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -231,6 +232,47 @@ TEST_F(ImportPanelTest, AMarkerGivesThePictureItsScale) {
     choose("importDictionary", child<QComboBox>("importDictionary")->findText("4X4_50"));
     ASSERT_TRUE(ready());
     EXPECT_NEAR(contourArea(imported().contour), 0.04 * 0.02, 0.015 * 0.04 * 0.02); // steps of a whole pixel
+}
+
+// Catches Enter in the list that imports twice, the second time what is no longer there.
+TEST_F(ImportPanelTest, EnterInTheListImportsOnce) {
+    panel.open(kData + "dxf/square_and_circle_mm.dxf");
+    ASSERT_TRUE(ready());
+    QTest::keyClick(list(), Qt::Key_Return);
+    EXPECT_EQ(accepted.size(), 1U);
+    EXPECT_FALSE(panel.isOpen());
+}
+
+// Catches an outline that is imported in the scale before, while the file is read in the new one.
+TEST_F(ImportPanelTest, NothingIsImportedWhileAnAnswerIsUnderWay) {
+    panel.open(saved(twoDisks()));
+    ASSERT_TRUE(outlines(2));
+    choose("importScaleMethod", 1);
+    type("importScale", "1");
+    ASSERT_TRUE(ready());
+    child<QDoubleSpinBox>("importScale")->setValue(10.0);
+    list()->setCurrentItem(list()->topLevelItem(1));
+    EXPECT_FALSE(import()->isEnabled());
+    EXPECT_NEAR(contourArea(imported().contour), std::numbers::pi * 36e-6, 0.01 * std::numbers::pi * 36e-6);
+}
+
+// Catches a ruler that is drawn in one place and measures in another, when its second end is not clicked.
+TEST_F(ImportPanelTest, ARulerLeftHalfLaidIsTheOneThatCounts) {
+    const QImage image = twoDisks();
+    panel.open(saved(image));
+    ASSERT_TRUE(outlines(2));
+    type("importLength", "50");
+    ASSERT_TRUE(ready());
+    QTest::mouseClick(child<QPushButton>("importMeasure"), Qt::LeftButton);
+    clickAt(image.size(), 100.0, 100.0);
+    auto* picker = child<OutlinePicker>("importPicker");
+    const QPointF end = at(image.size(), 500.0, 400.0); // 500 px
+    QMouseEvent move(QEvent::MouseMove, end, picker->mapToGlobal(end), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(picker, &move);
+    QTest::mouseClick(child<QPushButton>("importMeasure"), Qt::LeftButton); // never mind
+    const double radius_m = 100.0 * 50e-3 / 500.0;
+    EXPECT_NEAR(contourArea(imported().contour), std::numbers::pi * radius_m * radius_m,
+                0.03 * std::numbers::pi * radius_m * radius_m);
 }
 
 // Catches a file forgotten that answers late, and the old file's outlines under the new one.

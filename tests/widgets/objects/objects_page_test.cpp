@@ -510,6 +510,20 @@ TEST_F(ObjectsPageTest, RefusedEditGoesBackAndTellsWhy) {
     EXPECT_EQ(page.experiment(), example());
 }
 
+// Catches an outline that comes when its place is taken, and a button that takes back something else.
+TEST_F(ObjectsPageTest, WhatIsEditedDuringAnImportCounts) {
+    click("removeObject");
+    page.offerFile(BASK_EXAMPLES "/contours/gear.svg");
+    ASSERT_TRUE(message().startsWith("Reading"));
+    while (child<QPushButton>("addDisk")->isEnabled())
+        click("addDisk");
+    EXPECT_TRUE(message().startsWith("Reading")) << "an edit leaves the button that cancels";
+    const auto objects = page.experiment().objects;
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !message().startsWith("Reading"); }, 30000));
+    EXPECT_EQ(page.experiment().objects, objects);
+    EXPECT_TRUE(message().contains("free axis")) << message().toStdString();
+}
+
 // Catches fields that can be edited during a run.
 TEST_F(ObjectsPageTest, NotEditableDuringARun) {
     page.setEditable(false, "A run is on; stop it to edit the objects.");

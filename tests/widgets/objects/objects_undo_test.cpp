@@ -235,4 +235,28 @@ TEST_F(ObjectsUndoTest, AllTheWayBackAndForth) {
     EXPECT_EQ(page.experiment(), after);
 }
 
+// Catches a refused step of a held key that takes the steps before it, or the whole stack, along.
+TEST_F(ObjectsUndoTest, OneRefusedStepOfAHeldKeyIsTakenBackAlone) {
+    type("thickness", "2.5");
+    const Experiment first = page.experiment();
+    Experiment good = first;
+    QObject::connect(&page, &ObjectsPage::experimentEdited, &page, [&](const Experiment& experiment) {
+        if (experiment.objects[1].mounting[kX] > first.objects[1].mounting[kX] + 0.0025)
+            page.setExperiment(good);
+        else
+            good = experiment;
+    });
+    auto* plan = child<MountingPlan>("mountingPlan");
+    for (int k = 0; k < 4; ++k) {
+        QKeyEvent held(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, QString(), k > 0);
+        QApplication::sendEvent(plan, &held);
+    }
+    EXPECT_NEAR(page.experiment().objects[1].mounting[kX], first.objects[1].mounting[kX] + 0.002, 1e-12);
+    ASSERT_EQ(page.undoStack()->index(), 2);
+    click("undo");
+    EXPECT_EQ(page.experiment(), first);
+    click("redo");
+    EXPECT_NEAR(page.experiment().objects[1].mounting[kX], first.objects[1].mounting[kX] + 0.002, 1e-12);
+}
+
 } // namespace bask
