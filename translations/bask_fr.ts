@@ -662,6 +662,14 @@
             <source>A run is on; stop it first</source>
             <translation>Un essai est en cours ; arrêtez-le d’abord</translation>
         </message>
+        <message>
+            <source>no part of the picture is clearly of this colour; set a tolerance or take another colour</source>
+            <translation>aucune partie de l’image n’est nettement de cette couleur ; donnez une tolérance ou prenez une autre couleur</translation>
+        </message>
+        <message>
+            <source>the drawing names its unit itself (%1); the unit given is not used</source>
+            <translation>le dessin nomme lui-même son unité (%1) ; l’unité donnée n’est pas utilisée</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>
@@ -1438,10 +1446,6 @@
             <translation>Importer un contour</translation>
         </message>
         <message>
-            <source>Its true size is not known yet: answer the question of the scale.</source>
-            <translation>Sa taille vraie n’est pas encore connue : répondez à la question de l’échelle.</translation>
-        </message>
-        <message>
             <source>Outline</source>
             <translation>Contour</translation>
         </message>
@@ -1472,6 +1476,18 @@
         <message>
             <source>%1 counted off.</source>
             <translation>%1 déduits de l’aire.</translation>
+        </message>
+        <message>
+            <source>units</source>
+            <translation>unités</translation>
+        </message>
+        <message>
+            <source>The outline is %1 across; an object may be %2 at most. Correct its size.</source>
+            <translation>Le contour fait %1 de large ; un objet peut faire %2 au plus. Corrigez sa taille.</translation>
+        </message>
+        <message>
+            <source>Its true size is not known yet: answer the question above.</source>
+            <translation>Sa taille vraie n’est pas encore connue : répondez à la question ci-dessus.</translation>
         </message>
     </context>
     <context>
@@ -1595,6 +1611,18 @@
         <message>
             <source>tell it by its colour</source>
             <translation>le reconnaître à sa couleur</translation>
+        </message>
+        <message>
+            <source>&amp;Width</source>
+            <translation>&amp;Largeur</translation>
+        </message>
+        <message>
+            <source>Width of the outline chosen</source>
+            <translation>Largeur du contour choisi</translation>
+        </message>
+        <message>
+            <source>As the drawing says. Type another to make all of it larger or smaller.</source>
+            <translation>Selon le dessin. Tapez-en une autre pour agrandir ou réduire le tout.</translation>
         </message>
     </context>
     <context>
@@ -1900,6 +1928,10 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>%1 h</source>
             <translation>%1 h</translation>
+        </message>
+        <message>
+            <source>%1 without holes</source>
+            <translation>%1 sans les trous</translation>
         </message>
     </context>
     <context>

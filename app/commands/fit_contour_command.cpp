@@ -46,6 +46,8 @@ void setUp(QCommandLineParser& parser) {
         "hausdorff_mm                      the same whatever the arc length, both ways,\n"
         "harmonics, area_error             of the fit; its area over the outline's, less one,\n"
         "outline_area_mm2, outline_perimeter_mm   of the outline itself.\n\n"
+        "--json also gives outline and holes in mm as the file has them, and coefficients and holes_m in\n"
+        "metres about the centroid, as experiments take them.\n\n"
         "A picture needs a scale: --scale, --known-length or --marker-size.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption({"list", "Prints the file's outlines as a JSON array, the largest first, and ends."});
@@ -56,8 +58,8 @@ void setUp(QCommandLineParser& parser) {
                       "H"});
     parser.addOption(
         {"tolerance", "Largest Hausdorff distance between outline and fit for --harmonics auto.", "mm"});
-    parser.addOption(
-        {"unit", "Unit of a list of points without one in its header: mm, cm, m or in.", "unit"});
+    parser.addOption({"unit", "Unit of a list or drawing that names none: mm, cm, m or in.", "unit"});
+    parser.addOption({"factor", "Makes a list's or drawing's outlines so many times as large.", "F"});
     parser.addOption({"scale", "Scale of a picture, in pixels per mm.", "px_per_mm"});
     parser.addOption(
         {"known-length",
@@ -76,7 +78,8 @@ void setUp(QCommandLineParser& parser) {
     parser.addOption({{"o", "output"}, "Writes the fitted contour as JSON (metres).", "CONTOUR.json"});
     parser.addOption({"preview", "Writes a picture of outline and fit over a grid of 10 mm.", "FILE.png"});
     parser.addPositionalArgument(
-        "FILE", "Outlines: csv, txt or dat with x and y; png, jpg, bmp or tif of silhouettes.");
+        "FILE", "Outlines: drawing (svg, dxf), list of x and y (csv, txt, dat) or picture of silhouettes "
+                "(png, jpg, bmp, tif).");
 }
 
 /// Numbers of an option, separated by commas, as many as are wanted.
@@ -149,6 +152,12 @@ Result<ContourImportOptions> readImport(const QCommandLineParser& parser) {
             return Error{
                 MessageCode::ValueUnknown, "--unit", {parser.value("unit").toStdString(), "mm, cm, m, in"}};
     }
+    if (parser.isSet("factor")) {
+        const auto factor = positiveOf(parser, "factor");
+        if (!factor)
+            return factor.error();
+        options.factor = *factor;
+    }
     if (parser.isSet("scale")) {
         bool isNumber = false;
         options.scale_px_per_mm = parser.value("scale").toDouble(&isNumber);
@@ -171,6 +180,10 @@ Result<ContourImportOptions> readImport(const QCommandLineParser& parser) {
 Result<void> readFit(const QCommandLineParser& parser, Request& request) {
     const QString harmonics = parser.value("harmonics");
     if (harmonics == QLatin1String("auto")) {
+        if (!parser.isSet("tolerance"))
+            return Error{MessageCode::ValueUnknown,
+                         "--tolerance",
+                         {"", "a length in mm, which --harmonics auto needs"}};
         const auto tolerance_mm = positiveOf(parser, "tolerance");
         if (!tolerance_mm)
             return tolerance_mm.error();

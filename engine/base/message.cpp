@@ -87,6 +87,8 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(DrawingTooFull, QT_TRANSLATE_NOOP("Message", "the drawing holds more than can be read; save the one outline that is needed")),
     Entry BASK_MESSAGE(DrawingTooWide, QT_TRANSLATE_NOOP("Message", "the drawing reaches farther than %1 m; check its unit")),
     Entry BASK_MESSAGE(PathTooLong, QT_TRANSLATE_NOOP("Message", "a path has more than the %1 parts that can be read; simplify it, or save the outline as DXF or CSV")),
+    Entry BASK_MESSAGE(ColourUnclear, QT_TRANSLATE_NOOP("Message", "no part of the picture is clearly of this colour; set a tolerance or take another colour")),
+    Entry BASK_MESSAGE(UnitNotUsed, QT_TRANSLATE_NOOP("Message", "the drawing names its unit itself (%1); the unit given is not used")),
     Entry BASK_MESSAGE(NoSilhouette, QT_TRANSLATE_NOOP("Message", "no silhouette found; the picture needs one dark object on a light ground or the reverse")),
     Entry BASK_MESSAGE(SilhouetteAtBorder, QT_TRANSLATE_NOOP("Message", "the silhouette touches the picture's border; take the picture with a margin all round")),
     Entry BASK_MESSAGE(ImageUnreadable, QT_TRANSLATE_NOOP("Message", "not a picture that can be read, or a damaged one")),

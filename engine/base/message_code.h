@@ -71,6 +71,8 @@ enum class MessageCode : int {
     DrawingTooFull,       ///< no args
     DrawingTooWide,       ///< %1 m allowed
     PathTooLong,          ///< %1 parts allowed
+    ColourUnclear,        ///< no args
+    UnitNotUsed,          ///< %1 the drawing's
     NoSilhouette,         ///< no args
     SilhouetteAtBorder,   ///< no args
     ImageUnreadable,      ///< no args

@@ -111,6 +111,7 @@ struct Experiment {
     bool operator==(const Experiment&) const = default;
 };
 
+inline constexpr double kMaxObjectRadius_m = 1.0; ///< about the outline's centroid
 inline constexpr int kExperimentFormat = 1;       ///< version written to and accepted from JSON
 inline constexpr std::size_t kMostCorners = 5000; ///< of a polygon: more would make a run slower than life
 

@@ -215,13 +215,15 @@ cv::Mat1f colourDistance(const cv::Mat& image, const std::array<std::uint8_t, 3>
 // split, if the near ones have that colour at all.
 std::optional<Field> colourField(const cv::Mat& image, const PickedColour& colour) {
     constexpr double kMostUnlike = 30.0;
+    constexpr double kUsualTolerance = 20.0; // where the ground has too many colours for two levels
     const cv::Mat1f distance = colourDistance(image, colour.rgb);
-    if (const auto tolerance = colour.tolerance) { // farther off counts the same: edges lie in the middle
-        const cv::Mat1f within(cv::max(*tolerance - distance, -*tolerance));
-        return Field{within, 2.0 * *tolerance};
+    const auto levels = colour.tolerance ? std::nullopt : twoLevels(distance);
+    if (!levels) {
+        const double tolerance = colour.tolerance.value_or(kUsualTolerance);
+        // Farther off counts the same: edges lie in the middle.
+        return Field{cv::Mat1f(cv::max(tolerance - distance, -tolerance)), 2.0 * tolerance};
     }
-    const auto levels = twoLevels(distance);
-    if (!levels || levels->dark > kMostUnlike)
+    if (levels->dark > kMostUnlike)
         return std::nullopt;
     return Field{cv::Mat1f(0.5 * (levels->dark + levels->light) - distance), levels->light - levels->dark};
 }
@@ -337,8 +339,9 @@ Result<OutlineFile> outlinesOf(cv::Mat& image, const std::optional<double>& scal
     auto field = fieldOf(image, options.colour);
     image.release();
     if (!field)
-        return Error{MessageCode::NoSilhouette, path};
-    const auto silhouettes = traceSilhouettes(signedField(field->values, field->contrast), path);
+        return Error{options.colour ? MessageCode::ColourUnclear : MessageCode::NoSilhouette, path};
+    const auto silhouettes =
+        traceSilhouettes(signedField(field->values, field->contrast), options.leaveOutBorder, path);
     if (!silhouettes)
         return silhouettes.error();
     if (silhouettes->atBorder > 0)

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -80,7 +81,26 @@ std::optional<LengthUnit> lengthUnitFromName(const std::string& name) {
     return std::nullopt;
 }
 
+namespace {
+
+// A drawing that names no unit was read in mm or in pixels of 1/96 in.
+void useUnit(OutlineFile& file, LengthUnit unit) {
+    constexpr double kPixel_m = 25.4e-3 / 96.0;
+    const auto unitless = [](const Message& warning) { return warning.code == MessageCode::DxfUnitless; };
+    if (std::erase_if(file.warnings, unitless) > 0)
+        file.enlarge(metresPer(unit) / metresPer(LengthUnit::Millimetre));
+    else if (file.unit == "px")
+        file.enlarge(metresPer(unit) / kPixel_m);
+    else
+        return file.warnings.push_back({MessageCode::UnitNotUsed, {file.unit}});
+    file.unit = lengthUnitName(unit);
+}
+
+} // namespace
+
 Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOptions& options) {
+    if (!(options.factor > 0.0) || !std::isfinite(options.factor))
+        return Error{MessageCode::ValueNotPositive, path, {formatNumber(options.factor)}};
     std::string ending = lowered(std::filesystem::path(path).extension().string());
     if (!ending.empty())
         ending.erase(0, 1);
@@ -90,8 +110,13 @@ Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOpt
                 : ending == "svg"        ? readSvgOutlines(path, kFlattening_m)
                 : ending == "dxf"        ? readDxfOutlines(path, kFlattening_m)
                                          : Error{MessageCode::FormatUnknown, path, {ending, kKnownEndings}};
-    if (file)
-        file->arrange();
+    if (!file)
+        return file;
+    if (options.unit && (ending == "svg" || ending == "dxf"))
+        useUnit(*file, *options.unit);
+    if (!isOneOf(kImageEndings))
+        file->enlarge(options.factor);
+    file->arrange();
     return file;
 }
 

@@ -39,11 +39,13 @@ struct PickedColour {
 
 /// What an import needs to know beyond the file. A picture needs one of the three scales.
 struct ContourImportOptions {
-    std::optional<LengthUnit> unit = {};         ///< CSV
+    std::optional<LengthUnit> unit = {};         ///< list, or drawing that names none: of a number or pixel
+    double factor = 1.0;                         ///< list or drawing: makes it so many times as large
     std::optional<double> scale_px_per_mm = {};  ///< picture seen straight on
     std::optional<KnownLength> knownLength = {}; ///< picture seen straight on
     std::optional<ReferenceMarker> marker = {};  ///< picture in any perspective
     std::optional<PickedColour> colour = {};     ///< picture; none: opacity, else brightness
+    bool leaveOutBorder = false; ///< picture: silhouettes at its border are left out, even the largest
 };
 
 /// The outline of a CSV of x,y: comma, semicolon, tab or blanks; decimal comma unless the comma delimits;
@@ -69,7 +71,8 @@ Result<Contour> readContourCsv(const std::string& path, std::optional<LengthUnit
 /// 1/px and grow with the square of the distance. What the lens bends is not undone, and what lies h above
 /// the marker's plane looks larger by h over the camera's distance.
 ///
-/// Refuses a picture with no clear silhouette, one whose largest silhouette touches the border, a cut JPEG,
+/// Refuses a picture with no clear silhouette, one whose largest silhouette touches the border (unless those
+/// are to be left out), a cut JPEG,
 /// more than 64 megapixels, and a scale that is missing, not positive or given twice.
 Result<OutlineFile> readImageOutlines(const std::string& path, const ContourImportOptions& options);
 
@@ -82,8 +85,8 @@ struct ColourPicture {
 /// A picture turned as readImageOutlines takes it, on white where it is transparent, to be shown.
 Result<ColourPicture> readPicture(const std::string& path);
 
-/// Every outline of a file, arranged, by the reader that its extension names (csv, txt, dat; png, jpg, jpeg,
-/// bmp, tif, tiff).
+/// Every outline of a file, arranged, by the reader that its extension names (svg, dxf; csv, txt, dat; png,
+/// jpg, jpeg, bmp, tif, tiff).
 Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOptions& options);
 
 /// One outline of a file with the holes in it, checked.

@@ -32,6 +32,12 @@ double FileOutline::perimeter_m() const {
     return length_m;
 }
 
+void OutlineFile::enlarge(double factor) {
+    for (FileOutline& outline : outlines)
+        for (Eigen::Vector2d& p : outline.points_m)
+            p *= factor;
+}
+
 void OutlineFile::arrange() {
     struct Sized {
         FileOutline outline;

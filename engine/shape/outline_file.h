@@ -29,6 +29,8 @@ struct OutlineFile {
     std::vector<Message> warnings;          ///< for the operator
     std::optional<PicturePlane> plane = {}; ///< of a picture: from its pixels to the outlines' lengths
 
+    void enlarge(double factor);
+
     /// Puts closed ones first and the largest of them first of all, open ones behind by their length, and
     /// marks holes: closed outlines within an odd number of closed outlines of their region.
     void arrange();

@@ -99,7 +99,7 @@ struct Chosen {
     int atBorder = 0;
 };
 
-Result<Chosen> choose(const Labels& inside, const std::string& where) {
+Result<Chosen> choose(const Labels& inside, bool leaveOutBorder, const std::string& where) {
     int largest = 0;
     std::int64_t all = 0, kept = 0;
     for (int k = 1; k < inside.count; ++k) {
@@ -122,7 +122,7 @@ Result<Chosen> choose(const Labels& inside, const std::string& where) {
     }
     if (2 * kept < all || chosen.labels.size() > kMostSilhouettes)
         return Error{MessageCode::NoSilhouette, where};
-    if (inside.atBorder(largest))
+    if (leaveOutBorder ? chosen.labels.empty() : inside.atBorder(largest))
         return Error{MessageCode::SilhouetteAtBorder, where};
     return chosen;
 }
@@ -132,9 +132,9 @@ struct Traced {
     bool isStair = false;
 };
 
-Result<Traced> trace(const cv::Mat1f& values, float contrast, const std::string& where) {
+Result<Traced> trace(const cv::Mat1f& values, float contrast, bool leaveOutBorder, const std::string& where) {
     const Labels inside(values > 0.0F, 4);
-    const auto chosen = choose(inside, where);
+    const auto chosen = choose(inside, leaveOutBorder, where);
     if (!chosen)
         return chosen.error();
     Traced traced;
@@ -156,18 +156,19 @@ Result<Traced> trace(const cv::Mat1f& values, float contrast, const std::string&
 
 } // namespace
 
-Result<Silhouettes> traceSilhouettes(const SignedField& field, const std::string& where) {
+Result<Silhouettes> traceSilhouettes(const SignedField& field, bool leaveOutBorder,
+                                     const std::string& where) {
     // 0.1 px is what anti-aliased edges tell; stairs are smoothed first, then straightened by what they hide.
     constexpr double kUncertainty_px = 0.1, kStairUncertainty_px = 0.6, kStairBlur_px = 1.0;
     const cv::Mat1f values(field.height, field.width, const_cast<float*>(field.values.data()));
-    auto traced = trace(values, field.contrast, where);
+    auto traced = trace(values, field.contrast, leaveOutBorder, where);
     if (!traced)
         return traced.error();
     traced->silhouettes.uncertainty_px = kUncertainty_px;
     if (traced->isStair) {
         cv::Mat1f blurred;
         cv::GaussianBlur(values, blurred, cv::Size(), kStairBlur_px, kStairBlur_px, cv::BORDER_REPLICATE);
-        if (auto smooth = trace(blurred, field.contrast, where))
+        if (auto smooth = trace(blurred, field.contrast, leaveOutBorder, where))
             traced = std::move(smooth);
         traced->silhouettes.uncertainty_px = kStairUncertainty_px;
     }

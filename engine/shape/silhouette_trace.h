@@ -27,7 +27,7 @@ struct Silhouettes {
 /// squares; those of fewer than 64 pixels or a thousandth of the largest count as dust. Where a picture is
 /// black and white only, its edges are stairs that are known to half a pixel: they are smoothed first.
 /// Errors: NoSilhouette (none, more than a hundred, or more dust than silhouette), SilhouetteAtBorder (the
-/// largest touches it).
-Result<Silhouettes> traceSilhouettes(const SignedField& field, const std::string& where);
+/// largest touches it, or with `leaveOutBorder` all do).
+Result<Silhouettes> traceSilhouettes(const SignedField& field, bool leaveOutBorder, const std::string& where);
 
 } // namespace bask

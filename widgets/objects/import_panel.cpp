@@ -1,6 +1,7 @@
 #include "widgets/objects/import_panel.h"
 
 #include "engine/base/message_code.h"
+#include "engine/session/experiment.h"
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/import_questions.h"
@@ -19,9 +20,12 @@
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QTemporaryDir>
 #include <QTreeWidget>
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 
@@ -53,8 +57,6 @@ Result<OutlineFile> outlinesOf(const QString& path, const ContourImportOptions& 
 /// Whether another answer could make something of the file.
 bool canBeMended(MessageCode code, const QString& path) {
     using enum MessageCode;
-    if (ImportQuestions::isList(path))
-        return code == ContourUnitMissing;
     const auto lost = {FileNotFound, FileUnreadable, FileEmpty, FileTooLarge, ImageUnreadable};
     return ImportQuestions::isImage(path) && std::ranges::find(lost, code) == lost.end();
 }
@@ -68,13 +70,15 @@ bool isPlain(const OutlineFile& file) {
     return picked && picked->warnings.empty() && std::ranges::all_of(file.outlines, isPart);
 }
 
+Eigen::AlignedBox2d boxOf(const FileOutline& outline) {
+    Eigen::AlignedBox2d box;
+    for (const Eigen::Vector2d& p : outline.points_m)
+        box.extend(p);
+    return box;
+}
+
 QString lengthPair(const FileOutline& outline, const QString& unit) {
-    Eigen::Vector2d least = outline.points_m.front(), most = least;
-    for (const Eigen::Vector2d& p : outline.points_m) {
-        least = least.cwiseMin(p);
-        most = most.cwiseMax(p);
-    }
-    const Eigen::Vector2d size = kMmPerM * (most - least);
+    const Eigen::Vector2d size = kMmPerM * boxOf(outline).sizes();
     return QStringLiteral("%1 \u00d7 %2 %3")
         .arg(QLocale().toString(size.x(), 'f', 1), QLocale().toString(size.y(), 'f', 1), unit);
 }
@@ -153,7 +157,18 @@ void ImportPanel::connectAll() {
     connect(m_list, &QTreeWidget::currentItemChanged, this,
             [this](QTreeWidgetItem* item) { choose(m_list->indexOfTopLevelItem(item)); });
     connect(m_list, &QTreeWidget::itemActivated, this, &ImportPanel::accept);
+    connect(m_list, &QTreeWidget::itemSelectionChanged, this, [this] {
+        if (m_list->selectedItems().isEmpty() && m_chosen >= 0) // a click beside the rows
+            choose(m_chosen);
+    });
     connect(m_accept, &QPushButton::clicked, this, &ImportPanel::accept);
+    auto* escape = new QShortcut(Qt::Key_Escape, this); // wherever the focus is
+    connect(escape, &QShortcut::activated, this, [this] {
+        if (m_picker->tool() != OutlinePicker::Tool::Pick)
+            m_questions->releaseTools();
+        else
+            m_cancel->click();
+    });
     connect(m_cancel, &QPushButton::clicked, this, [this] {
         cancel();
         emit cancelled();
@@ -210,6 +225,12 @@ void ImportPanel::read() {
 
 void ImportPanel::take(Result<OutlineFile> file) {
     m_progress->hide();
+    if (!file && file.error().code() == MessageCode::ContourUnitMissing && m_questions->lengthsKnown()) {
+        m_asking = true;
+        emit attentionWanted();
+        m_questions->setUnitMissing();
+        return read();
+    }
     if (!file && !canBeMended(file.error().code(), m_path)) {
         const QString path = m_path;
         cancel();
@@ -239,6 +260,8 @@ void ImportPanel::choose(int index) {
     if (index >= 0)
         m_picked = pickOutline(m_file, static_cast<std::size_t>(index), {});
     m_picker->setSelected(index);
+    if (index >= 0)
+        m_questions->setWidth_m(boxOf(m_file.outlines[static_cast<std::size_t>(index)]).sizes().x());
     const QSignalBlocker quiet(m_list);
     m_list->setCurrentItem(m_list->topLevelItem(index));
     showChosen();
@@ -254,7 +277,9 @@ void ImportPanel::accept() {
 }
 
 void ImportPanel::showOutlines() {
-    const QString unit = m_questions->lengthsKnown() ? tr("mm") : tr("px");
+    const QString unit = m_questions->lengthsKnown()        ? tr("mm")
+                         : ImportQuestions::isImage(m_path) ? tr("px")
+                                                            : tr("units");
     const QSignalBlocker quiet(m_list);
     m_list->clear();
     QList<QTreeWidgetItem*> rows;
@@ -287,31 +312,37 @@ QString ImportPanel::chosenText(const PickedOutline& picked, int number) {
 }
 
 void ImportPanel::showChosen() {
+    const bool usable = m_picked && *m_picked;
+    const bool known = m_questions->lengthsKnown();
+    const double radius_m = usable ? shapeRadius(centred((*m_picked)->contour)) : 0.0;
+    const bool tooLarge = usable && known && radius_m > kMaxObjectRadius_m;
     if (m_error)
         m_problem->say(MessageBar::Kind::Problem, messageText(m_error->message), {}, false);
     else if (m_picked && !*m_picked)
         m_problem->say(MessageBar::Kind::Problem, messageText(m_picked->error().message), {}, false);
+    else if (tooLarge)
+        m_problem->say(
+            MessageBar::Kind::Problem,
+            tr("The outline is %1 across; an object may be %2 at most. Correct its size.")
+                .arg(formatLength_mm(2.0 * radius_m, 0), formatLength_mm(2.0 * kMaxObjectRadius_m, 0)),
+            {}, false);
     else
         m_problem->clear();
     QStringList remarks;
-    const bool usable = m_picked && *m_picked;
     for (const Message& warning : usable ? (*m_picked)->warnings : m_file.warnings)
         remarks << messageText(warning);
     m_warnings->setText(remarks.join(QLatin1Char('\n')));
     m_warnings->setVisible(!remarks.isEmpty());
-    const bool known = m_questions->lengthsKnown();
     m_chosenText->setText(!usable ? QString()
                           : known ? chosenText(**m_picked, m_chosen + 1)
-                                  : tr("Its true size is not known yet: answer the question of the scale."));
+                                  : tr("Its true size is not known yet: answer the question above."));
     m_chosenText->setVisible(usable);
-    m_accept->setEnabled(usable && known &&
+    m_accept->setEnabled(usable && known && !tooLarge &&
                          !m_reading.busy()); // busy: these lengths are of the answer before
 }
 
 void ImportPanel::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape)
-        m_cancel->click();
-    else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
+    if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         accept();
     else
         QWidget::keyPressEvent(event);

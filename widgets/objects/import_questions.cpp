@@ -50,8 +50,9 @@ bool ImportQuestions::isList(const QString& path) {
 
 ImportQuestions::ImportQuestions(QWidget* parent)
     : QWidget(parent), m_form(new QFormLayout(this)), m_unit(new QComboBox(this)),
-      m_scaleMethod(new QComboBox(this)), m_length(lengthBox(this, "importLength", 2, 1e4)),
-      m_measure(new QPushButton(this)), m_scale(lengthBox(this, "importScale", 3, 1e5)),
+      m_width(lengthBox(this, "importWidth", 3, 1e6)), m_scaleMethod(new QComboBox(this)),
+      m_length(lengthBox(this, "importLength", 2, 1e4)), m_measure(new QPushButton(this)),
+      m_scale(lengthBox(this, "importScale", 3, 1e5)),
       m_markerSide(lengthBox(this, "importMarkerSide", 2, 1e4)), m_dictionary(new QComboBox(this)),
       m_byColour(new QCheckBox(this)), m_pickColour(new QPushButton(this)),
       m_tolerance(lengthBox(this, "importColourTolerance", 1, 100.0)), m_hint(new QLabel(this)) {
@@ -75,12 +76,19 @@ ImportQuestions::ImportQuestions(QWidget* parent)
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     for (QWidget* field :
-         std::initializer_list<QWidget*>{m_unit, m_scaleMethod, m_length, m_measure, m_scale, m_markerSide,
-                                         m_dictionary, m_byColour, m_pickColour, m_tolerance})
+         std::initializer_list<QWidget*>{m_unit, m_width, m_scaleMethod, m_length, m_measure, m_scale,
+                                         m_markerSide, m_dictionary, m_byColour, m_pickColour, m_tolerance})
         m_form->addRow(QStringLiteral(" "), field);
     m_form->addRow(m_hint);
 
     connect(m_unit, &QComboBox::currentIndexChanged, this, &ImportQuestions::changed);
+    connect(m_width, &QDoubleSpinBox::valueChanged, this, [this](double width_mm) {
+        if (!(width_mm > 0.0) || !(m_width_mm > 0.0))
+            return;
+        m_factor *= width_mm / m_width_mm;
+        m_width_mm = width_mm;
+        emit changed();
+    });
     connect(m_scaleMethod, &QComboBox::currentIndexChanged, this, [this] {
         m_measure->setChecked(false);
         showRows();
@@ -113,6 +121,8 @@ void ImportQuestions::setFile(const QString& path) {
     m_list = isList(path);
     m_colour = QColor(); // {} would be a Qt::GlobalColor
     m_ruler_px = QLineF();
+    m_unitMissing = false;
+    m_factor = 1.0;
     m_unit->setCurrentIndex(0);
     m_scaleMethod->setCurrentIndex(0);
     for (QDoubleSpinBox* box : {m_length, m_scale, m_markerSide, m_tolerance})
@@ -128,13 +138,23 @@ ImportQuestions::ScaleMethod ImportQuestions::scaleMethod() const {
     return static_cast<ScaleMethod>(m_scaleMethod->currentData().toInt());
 }
 
+void ImportQuestions::setUnitMissing() {
+    m_unitMissing = true;
+}
+
+void ImportQuestions::setWidth_m(double width_m) {
+    const QSignalBlocker quiet(m_width);
+    m_width_mm = width_m * 1e3;
+    m_width->setValue(m_width_mm);
+}
+
 bool ImportQuestions::usesRuler() const {
     return m_image && scaleMethod() == ScaleMethod::KnownLength;
 }
 
 bool ImportQuestions::lengthsKnown() const {
     if (!m_image)
-        return true;
+        return !m_unitMissing || m_unit->currentData().toInt() != kUnitFromHeader;
     switch (scaleMethod()) {
     case ScaleMethod::KnownLength:
         return m_length->value() > 0.0 && m_ruler_px.length() > 0.0;
@@ -151,8 +171,13 @@ ContourImportOptions ImportQuestions::options() const {
     ContourImportOptions options;
     if (const int unit = m_unit->currentData().toInt(); m_list && unit != kUnitFromHeader)
         options.unit = static_cast<LengthUnit>(unit);
+    else if (m_unitMissing)
+        options.unit = LengthUnit::Millimetre;
+    options.factor = m_factor;
     if (!m_image)
         return options;
+    options.factor = 1.0;
+    options.leaveOutBorder = true; // the panel says so, and the operator sees what is left
     if (!lengthsKnown())
         options.scale_px_per_mm = 1.0;
     else if (scaleMethod() == ScaleMethod::KnownLength)
@@ -197,6 +222,7 @@ void ImportQuestions::showRows() {
     const auto method = scaleMethod();
     const auto show = [this](QWidget* field, bool on) { m_form->setRowVisible(field, on); };
     show(m_unit, m_list);
+    show(m_width, !m_image && !m_list);
     show(m_scaleMethod, m_image);
     show(m_length, m_image && method == ScaleMethod::KnownLength);
     show(m_measure, m_image && method == ScaleMethod::KnownLength);
@@ -232,6 +258,7 @@ void ImportQuestions::showColour() {
 
 void ImportQuestions::retranslate() {
     setLabel(m_form, m_unit, tr("&Unit"));
+    setLabel(m_form, m_width, tr("&Width"));
     setLabel(m_form, m_scaleMethod, tr("&Scale from"));
     setLabel(m_form, m_length, tr("&Length"));
     setLabel(m_form, m_measure, QString());
@@ -260,6 +287,9 @@ void ImportQuestions::retranslate() {
     m_length->setAccessibleName(tr("Length of the ruler"));
     m_measure->setText(tr("Click its two ends"));
     m_scale->setSuffix(tr(" px/mm"));
+    m_width->setSuffix(tr(" mm"));
+    m_width->setAccessibleName(tr("Width of the outline chosen"));
+    m_width->setToolTip(tr("As the drawing says. Type another to make all of it larger or smaller."));
     m_markerSide->setSuffix(tr(" mm"));
     m_byColour->setText(tr("tell it by its colour"));
     m_byColour->setToolTip(tr("Otherwise by the picture\u2019s opacity or brightness."));

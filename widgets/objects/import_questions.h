@@ -16,7 +16,7 @@ class QPushButton;
 
 namespace bask {
 
-/// Shows the questions of a file's kind; a drawing has none. Object names: "importUnit", "importScaleMethod",
+/// Shows the questions of a file's kind. Object names: "importUnit", "importWidth", "importScaleMethod",
 /// "importLength", "importMeasure", "importScale", "importMarkerSide", "importDictionary", "importByColour",
 /// "importPickColour", "importColourTolerance".
 class ImportQuestions : public QWidget {
@@ -29,6 +29,10 @@ public:
     /// The answers so far; while lengthsKnown() is false a picture's pixel stands for a millimetre.
     ContourImportOptions options() const;
     bool lengthsKnown() const;
+    /// The list's header names no unit: until it is answered a number stands for a millimetre.
+    void setUnitMissing();
+    /// Width of the outline chosen, which may be typed to make all so many times as large.
+    void setWidth_m(double width_m);
     /// Whether a known length between two points gives the scale.
     bool usesRuler() const;
     void setRuler(const QLineF& ruler_px);
@@ -56,10 +60,14 @@ private:
 
     bool m_image = false;
     bool m_list = false;
+    bool m_unitMissing = false;
+    double m_factor = 1.0;
+    double m_width_mm = 0.0; ///< as shown
     QLineF m_ruler_px;
     QColor m_colour;
     QFormLayout* m_form;
     QComboBox* m_unit;
+    QDoubleSpinBox* m_width;
     QComboBox* m_scaleMethod;
     QDoubleSpinBox* m_length;
     QPushButton* m_measure;

@@ -318,7 +318,8 @@ void ObjectProperties::showDerived() {
                              : tr("Polygon");
     const std::size_t holes = holesOf(m_object.shape).size();
     m_kind->setText(holes > 0 ? kind + QStringLiteral(", ") + holesText(holes) : kind);
-    m_area->setText(tr("%1 cm\u00b2").arg(locale.toString(shapeArea(m_object.shape) * 1e4, 'f', 2)));
+    const QString area = tr("%1 cm\u00b2").arg(locale.toString(shapeArea(m_object.shape) * 1e4, 'f', 2));
+    m_area->setText(holesOf(m_object.shape).empty() ? area : tr("%1 without holes").arg(area));
     m_perimeter->setText(tr("%1 cm").arg(locale.toString(shapePerimeter(m_object.shape) * kCmPerM, 'f', 2)));
     m_heatCapacity->setText(tr("%1 J/(m\u00b2\u00b7K)")
                                 .arg(locale.toString(m_object.material.arealHeatCapacity_J_m2K(), 'f', 0)));

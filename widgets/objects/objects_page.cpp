@@ -40,6 +40,7 @@ namespace {
 constexpr int kImportHarmonics = 20;
 constexpr double kNewDiskRadius_m = 0.015;
 constexpr double kMountingGap_m = 0.005;
+constexpr int kRemarkLines = 5, kListLines = 9;
 
 QString fileSentence(const QString& path, const Error& error) {
     return QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), messageText(error.message));
@@ -134,7 +135,6 @@ ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent), m_undo(new QUndoSta
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(10, 10, 10, 10);
     layout->addWidget(m_note);
-    layout->addWidget(m_message);
     layout->addWidget(m_stack, 1);
     connectAll();
     refreshTexts();
@@ -151,12 +151,19 @@ QWidget* ObjectsPage::buildLeft() {
     m_listTitle->setFont(font);
     m_list = new ObjectList(box);
     m_list->setObjectName("objectList");
+    m_list->setMinimumHeight(kListLines * fontMetrics().lineSpacing());
     m_listTitle->setBuddy(m_list);
     m_plan = new MountingPlan(box);
     m_plan->setObjectName("mountingPlan");
     m_remarks = new QLabel(box);
     m_remarks->setObjectName("mountingRemarks");
     m_remarks->setWordWrap(true);
+    m_remarks->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    auto* remarks = new QScrollArea(box); // always of one height: what comes and goes would move the buttons
+    remarks->setWidget(m_remarks);
+    remarks->setWidgetResizable(true);
+    remarks->setFrameShape(QFrame::NoFrame);
+    remarks->setFixedHeight(kRemarkLines * fontMetrics().lineSpacing());
     m_count = new QLabel(box);
     m_count->setObjectName("objectCount");
     m_count->setWordWrap(true);
@@ -188,7 +195,7 @@ QWidget* ObjectsPage::buildLeft() {
     layout->addWidget(m_undoButton, 6, 0);
     layout->addWidget(m_redoButton, 6, 1);
     layout->addWidget(m_plan, 7, 0, 1, 2);
-    layout->addWidget(m_remarks, 8, 0, 1, 2);
+    layout->addWidget(remarks, 8, 0, 1, 2);
     layout->setRowStretch(1, 1);
     return box;
 }
@@ -198,10 +205,13 @@ QWidget* ObjectsPage::buildCentre() {
     m_preview = new OutlinePreview(box);
     m_preview->setObjectName("outlinePreview");
     m_harmonics = new HarmonicsPanel(box);
-    auto* layout = new QVBoxLayout(box);
+    auto* layout = new QGridLayout(box);
     layout->setContentsMargins(6, 0, 6, 0);
-    layout->addWidget(m_preview, 1);
-    layout->addWidget(m_harmonics);
+    layout->setRowStretch(0, 1);
+    layout->addWidget(m_preview, 0, 0);
+    layout->addWidget(m_message, 0, 0, Qt::AlignTop); // over the preview, so that it moves nothing
+    layout->addWidget(m_harmonics, 1, 0);
+    m_message->raise();
     return box;
 }
 
@@ -495,11 +505,13 @@ void ObjectsPage::offerFile(const QString& path) {
 
 void ObjectsPage::chooseFile() {
     const QString path = QFileDialog::getOpenFileName(
-        this, tr("Import an outline"), QString(),
+        this, tr("Import an outline"), m_folder,
         tr("Outlines (%1);;All files (*)")
             .arg("*.svg *.dxf *.csv *.txt *.dat *.png *.jpg *.jpeg *.bmp *.tif *.tiff"));
-    if (!path.isEmpty())
-        offerFile(path);
+    if (path.isEmpty())
+        return;
+    m_folder = QFileInfo(path).path();
+    offerFile(path);
 }
 
 void ObjectsPage::dragEnterEvent(QDragEnterEvent* event) {
@@ -557,11 +569,10 @@ void ObjectsPage::showMounting() {
     std::set<int> remarked;
     QStringList sentences;
     for (const MountingRemark& remark : mountingRemarks(m_experiment)) {
-        sentences << messageText(remark.message);
+        sentences << QStringLiteral("\u2022 ") + messageText(remark.message);
         remarked.insert(remark.objects.begin(), remark.objects.end());
     }
     m_remarks->setText(sentences.join(QLatin1Char('\n')));
-    m_remarks->setVisible(!sentences.isEmpty());
     m_plan->setObjects(m_experiment.objects, m_selected, remarked, m_experiment.robot.maxMountingRadius_m);
 }
 

@@ -108,6 +108,7 @@ private:
     bool m_importing = false; ///< a file is read or fitted behind the page, as its message says
     bool m_applied = false;   ///< the undo stack changed the objects and it was not told yet
     QString m_why;
+    QString m_folder; ///< of the last file chosen
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QUndoStack* m_undo;
     Edit* m_lastEdit = nullptr; ///< compared with the stack's last only

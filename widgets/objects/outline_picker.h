@@ -35,6 +35,7 @@ public:
     void setOutlines(const OutlineFile& file);
     void setSelected(int index); ///< -1: none
     void setTool(Tool tool);
+    Tool tool() const { return m_tool; }
     /// A line on the picture whose ends can be dragged; it begins across the largest outline.
     void setRulerShown(bool shown);
 

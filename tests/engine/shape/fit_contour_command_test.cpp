@@ -2,7 +2,9 @@
 
 #include "app/commands/command_line.h"
 
+#include "engine/base/message_code.h"
 #include "engine/session/experiment.h"
+#include "engine/shape/contour_import.h"
 #include "engine/shape/fourier_contour.h"
 #include "tests/engine/shape/shape_samples.h"
 #include "tests/support/captured_command.h"
@@ -191,6 +193,31 @@ TEST(FitContourCommand, PicksOneOfSeveral) {
 }
 
 // Catches a scale by a known length and a colour that do not reach the reader.
+// Catches a unit that a drawing without one does not heed, one that overrides a drawing's own, and a factor
+// for nothing.
+TEST(FitContourCommand, TakesAUnitAndAFactorForDrawings) {
+    const auto width_m = [](const char* name, const ContourImportOptions& options) {
+        const auto file = readOutlines(test::dataPath(name), options);
+        double least = 1e9, most = -1e9;
+        for (const auto& p : file.value().outlines[0].points_m) {
+            least = std::min(least, p.x());
+            most = std::max(most, p.x());
+        }
+        return most - least;
+    };
+    const double px_m = width_m("svg/leaf_maple_mdi.svg", {});
+    EXPECT_NEAR(width_m("svg/leaf_maple_mdi.svg", {.unit = LengthUnit::Millimetre}), px_m * 96.0 / 25.4,
+                1e-9);
+    EXPECT_NEAR(width_m("svg/leaf_maple_mdi.svg", {.factor = 2.0}), 2.0 * px_m, 1e-12);
+    const double mm_m = width_m("svg/bunny_mm.svg", {});
+    EXPECT_NEAR(width_m("svg/bunny_mm.svg", {.unit = LengthUnit::Inch}), mm_m, 1e-12);
+    EXPECT_EQ(
+        readOutlines(test::dataPath("svg/bunny_mm.svg"), {.unit = LengthUnit::Inch})->warnings.back().code,
+        MessageCode::UnitNotUsed);
+    EXPECT_EQ(readOutlines(test::dataPath("svg/bunny_mm.svg"), {.factor = 0.0}).error().code(),
+              MessageCode::ValueNotPositive);
+}
+
 TEST(FitContourCommand, TakesAKnownLengthAndAColour) {
     const QString file = QString::fromStdString(twoSquares());
     auto figures =

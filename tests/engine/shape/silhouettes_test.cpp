@@ -106,9 +106,23 @@ TEST(Silhouettes, ByTheColourPicked) {
             ASSERT_EQ(file->outlines.size(), 1U);
             EXPECT_NEAR(area_px(file->outlines[0]), area, 0.02 * area);
         }
-    EXPECT_EQ(read(colourful(), PickedColour{{0, 255, 0}, {}}).error().code(), MessageCode::NoSilhouette);
+    EXPECT_EQ(read(colourful(), PickedColour{{0, 255, 0}, {}}).error().code(), MessageCode::ColourUnclear);
     EXPECT_EQ(read(colourful(), PickedColour{{204, 51, 60}, 0.01}).error().code(), MessageCode::NoSilhouette)
         << "nothing is as exactly of that colour";
+}
+
+// Catches a colour that is lost in a ground of many colours, for which there is no split in two.
+TEST(Silhouettes, ByTheColourPickedOnAMottledGround) {
+    cv::Mat3b image(300, 300);
+    cv::RNG random(3);
+    for (int y = 0; y < 300; y += 20)
+        for (int x = 0; x < 300; x += 20)
+            image(cv::Rect(x, y, 20, 20))
+                .setTo(cv::Scalar(random.uniform(0, 255), random.uniform(60, 255), random.uniform(0, 120)));
+    cv::circle(image, {150, 150}, 50, cv::Scalar(38, 51, 204), cv::FILLED, cv::LINE_AA);
+    const auto file = read(image, PickedColour{{204, 51, 38}, {}});
+    ASSERT_TRUE(file) << describe(file.error());
+    EXPECT_NEAR(area_px(file->outlines.at(0)), kPi * 50 * 50, 0.03 * kPi * 50 * 50);
 }
 
 // Catches a picked colour found where the picture is transparent.

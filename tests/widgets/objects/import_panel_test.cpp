@@ -110,8 +110,9 @@ QImage twoDisks() {
 TEST_F(ImportPanelTest, AListWithoutAUnitAsksForIt) {
     panel.open(kData + "bunny_tab_noheader.txt");
     ASSERT_TRUE(test::waitFor([&] { return wanted.count() == 1; }));
+    ASSERT_TRUE(outlines(1)) << "it is shown all the same";
     EXPECT_FALSE(import()->isEnabled());
-    EXPECT_TRUE(problem().contains("unit"));
+    EXPECT_TRUE(list()->topLevelItem(0)->text(1).endsWith("units"));
     auto* unit = child<QComboBox>("importUnit");
     unit->setCurrentIndex(unit->findText("cm"));
     ASSERT_TRUE(ready());
@@ -273,6 +274,43 @@ TEST_F(ImportPanelTest, ARulerLeftHalfLaidIsTheOneThatCounts) {
     const double radius_m = 100.0 * 50e-3 / 500.0;
     EXPECT_NEAR(contourArea(imported().contour), std::numbers::pi * radius_m * radius_m,
                 0.03 * std::numbers::pi * radius_m * radius_m);
+}
+
+// Catches a drawing whose size cannot be corrected, and one that is too large told only after the import.
+TEST_F(ImportPanelTest, ADrawingsWidthCanBeTyped) {
+    panel.open(kData + "svg/leaf_maple_mdi.svg"); // px: its size is a guess
+    ASSERT_TRUE(outlines(1));
+    ASSERT_TRUE(ready());
+    const auto asItSays = readOutlines((kData + "svg/leaf_maple_mdi.svg").toStdString(), {});
+    ASSERT_TRUE(asItSays);
+    const double width_mm = child<QDoubleSpinBox>("importWidth")->value();
+    type("importWidth", "5000");
+    ASSERT_TRUE(test::waitFor([&] { return !problem().isEmpty(); }));
+    EXPECT_FALSE(import()->isEnabled()) << "five metres";
+    type("importWidth", "60");
+    ASSERT_TRUE(ready());
+    const double expected_m2 = asItSays->outlines[0].area_m2() * std::pow(60.0 / width_mm, 2);
+    EXPECT_NEAR(contourArea(imported().contour), expected_m2, 1e-3 * expected_m2); // three digits are shown
+}
+
+// Catches a picture of which nothing is offered since one thing in it touches the border.
+TEST_F(ImportPanelTest, WhatTouchesTheBorderIsLeftOutAndTold) {
+    panel.open(kData + "coins.png");
+    ASSERT_TRUE(test::waitFor([&] { return list()->topLevelItemCount() > 5; })) << problem().toStdString();
+    EXPECT_TRUE(child<QLabel>("importWarnings")->text().contains("border"));
+}
+
+// Catches an Escape that loses the import where it was to end the picking, or that is not heard.
+TEST_F(ImportPanelTest, EscapeEndsTheToolFirst) {
+    panel.activateWindow();
+    panel.open(saved(twoDisks()));
+    ASSERT_TRUE(outlines(2));
+    QTest::mouseClick(child<QPushButton>("importMeasure"), Qt::LeftButton);
+    QTest::keyClick(list(), Qt::Key_Escape);
+    EXPECT_TRUE(panel.isOpen());
+    EXPECT_FALSE(child<QPushButton>("importMeasure")->isChecked());
+    QTest::keyClick(list(), Qt::Key_Escape);
+    EXPECT_FALSE(panel.isOpen());
 }
 
 // Catches a file forgotten that answers late, and the old file's outlines under the new one.
