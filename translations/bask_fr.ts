@@ -419,6 +419,10 @@
             <translation>trous laissés de côté car ils croisent ou touchent quelque chose, ou sont plus de %2 : %1</translation>
         </message>
         <message>
+            <source>the corners of the holes were thinned from %1 to %2, within %3 mm</source>
+            <translation>les sommets des trous ont été réduits de %1 à %2, à %3 mm près</translation>
+        </message>
+        <message>
             <source>the fitted contour cuts a hole; use more harmonics</source>
             <translation>le contour ajusté coupe un trou ; prenez plus d’harmoniques</translation>
         </message>

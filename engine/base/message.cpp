@@ -99,6 +99,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(OutlineUnknown, QT_TRANSLATE_NOOP("Message", "there is no outline %1; they are numbered from 0 to %2")),
     Entry BASK_MESSAGE(OutlinesSeveral, QT_TRANSLATE_NOOP("Message", "the file holds %1 outlines; the largest is taken")),
     Entry BASK_MESSAGE(HolesLeftOut, QT_TRANSLATE_NOOP("Message", "holes left out, since they cross or touch something or are more than %2: %1")),
+    Entry BASK_MESSAGE(HolesThinned, QT_TRANSLATE_NOOP("Message", "the corners of the holes were thinned from %1 to %2, within %3 mm")),
     Entry BASK_MESSAGE(FitCutsHoles, QT_TRANSLATE_NOOP("Message", "the fitted contour cuts a hole; use more harmonics")),
     Entry BASK_MESSAGE(HolesTooMany, QT_TRANSLATE_NOOP("Message", "%1 holes; there may be %2 at most")),
     Entry BASK_MESSAGE(HoleOutside, QT_TRANSLATE_NOOP("Message", "the hole does not lie wholly inside the outline")),

@@ -83,6 +83,7 @@ enum class MessageCode : int {
     OutlineUnknown,       ///< %1 index, %2 last index
     OutlinesSeveral,      ///< %1 outlines
     HolesLeftOut,         ///< %1 holes, %2 most
+    HolesThinned,         ///< from %1 to %2 corners, within %3 mm
     FitCutsHoles,         ///< no args
     HolesTooMany,         ///< %1 holes, %2 most
     HoleOutside,          ///< no args

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
@@ -18,7 +19,9 @@ namespace {
 constexpr std::array<std::string_view, 3> kTextEndings{"csv", "txt", "dat"};
 constexpr std::array<std::string_view, 6> kImageEndings{"png", "jpg", "jpeg", "bmp", "tif", "tiff"};
 constexpr const char* kKnownEndings = "svg, dxf, csv, txt, dat, png, jpg, jpeg, bmp, tif, tiff";
-constexpr double kFlattening_m = 1e-5; ///< of curves
+constexpr double kFlattening_m = 1e-5;         ///< of curves
+constexpr std::size_t kMostHoleCorners = 4000; ///< of all holes: an experiment takes 5000 with the outline's
+constexpr double kCoarsest_m = 2e-4;
 
 std::string lowered(std::string text) {
     for (char& c : text)
@@ -41,6 +44,28 @@ int takeHoles(const std::vector<FileOutline>& outlines, std::size_t at, PickedOu
             ++left;
     }
     return left;
+}
+
+std::size_t cornersOf(const std::vector<Contour>& rings) {
+    return std::accumulate(rings.begin(), rings.end(), std::size_t{0},
+                           [](std::size_t sum, const Contour& ring) { return sum + ring.points_m.size(); });
+}
+
+// A sieve of fifty drilled holes has more corners than an experiment takes: no more are left than needed.
+void thinHoles(PickedOutline& picked) {
+    const std::vector<Contour> exact = picked.holes;
+    const std::size_t before = cornersOf(exact);
+    double within_m = 0.0;
+    for (double next_m = kFlattening_m; cornersOf(picked.holes) > kMostHoleCorners && next_m <= kCoarsest_m;
+         next_m *= 1.5) {
+        within_m = next_m;
+        std::ranges::transform(exact, picked.holes.begin(),
+                               [=](const Contour& hole) { return simplified(hole, within_m); });
+    }
+    if (within_m > 0.0)
+        picked.warnings.push_back({MessageCode::HolesThinned,
+                                   {std::to_string(before), std::to_string(cornersOf(picked.holes)),
+                                    formatNumber(within_m * 1e3, 2)}});
 }
 
 } // namespace
@@ -138,7 +163,9 @@ Result<PickedOutline> pickOutline(const OutlineFile& file, std::optional<std::si
     const auto whole = std::ranges::count_if(outlines, isWhole);
     if (!index && whole > 1)
         picked.warnings.push_back({MessageCode::OutlinesSeveral, {std::to_string(whole)}});
-    if (const int left = takeHoles(outlines, at, picked); left > 0)
+    const int left = takeHoles(outlines, at, picked);
+    thinHoles(picked);
+    if (left > 0)
         picked.warnings.push_back(
             {MessageCode::HolesLeftOut, {std::to_string(left), std::to_string(kMostHoles)}});
     return picked;

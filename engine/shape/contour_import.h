@@ -92,8 +92,8 @@ Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOpt
 /// One outline of a file with the holes in it, checked.
 struct PickedOutline {
     Contour contour;
-    std::vector<Contour> holes;    ///< those that checkHoles takes
-    std::vector<Message> warnings; ///< what was left out: other outlines, holes
+    std::vector<Contour> holes;    ///< those that checkHoles takes, thinned where they have many corners
+    std::vector<Message> warnings; ///< what was left out: other outlines, holes, corners of holes
 };
 
 /// The outline with this index in an arranged file; without one the largest that is closed and no hole.

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <ctime>
 #include <filesystem>
+#include <numbers>
 #include <random>
 
 namespace bask {
@@ -419,6 +420,27 @@ void writeSquare(QFile& csv) {
     EXPECT_TRUE(csv.open(QIODevice::WriteOnly));
     csv.write("x,y\n0,0\n20,0\n20,20\n0,20\n");
     csv.close();
+}
+
+// Catches a plate with many drilled holes that no experiment takes, since each of them has a hundred corners.
+TEST(Reading, ImportsManyRoundHoles) {
+    const QTemporaryDir folder;
+    QFile svg(folder.filePath("sieve.svg"));
+    ASSERT_TRUE(svg.open(QIODevice::WriteOnly));
+    svg.write("<svg xmlns='http://www.w3.org/2000/svg' width='100mm' height='100mm' viewBox='0 0 100 100'>"
+              "<path d='M0,0 H100 V100 H0 Z");
+    for (int k = 0; k < 190; ++k)
+        svg.write(QByteArray(" M%1,%2 a2.5,2.5 0 1 0 5,0 a2.5,2.5 0 1 0 -5,0 z")
+                      .replace("%1", QByteArray::number(2 + 7 * (k % 14)))
+                      .replace("%2", QByteArray::number(5 + 7 * (k / 14))));
+    svg.write("' fill-rule='evenodd'/></svg>");
+    svg.close();
+    auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    j["objects"][0]["contour"] = {{"type", "import"}, {"file", "sieve.svg"}, {"harmonics", 0}};
+    const auto read = experimentFromJson(j.dump(), "", folder.path().toStdString());
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(holesOf(read->objects[0].shape).size(), 190u);
+    EXPECT_NEAR(shapeArea(read->objects[0].shape) * 1e6, 10000 - 190 * std::numbers::pi * 6.25, 0.03 * 3731);
 }
 
 // Catches an import that works for objects only, or forgets the raw outline.

@@ -1,5 +1,6 @@
 #include "engine/base/message_code.h"
 #include "engine/shape/contour_import.h"
+#include "engine/shape/hausdorff.h"
 #include "engine/shape/shape.h"
 
 #include <gtest/gtest.h>
@@ -63,6 +64,42 @@ TEST(OutlineFile, PickedWithTheHolesThatFit) {
     ASSERT_TRUE(most);
     EXPECT_EQ(most->holes.size(), kMostHoles);
     EXPECT_EQ(most->warnings.back(), (Message{MessageCode::HolesLeftOut, {"10", "200"}}));
+}
+
+// Catches corners of holes thinned without need, without a word, or farther than is said.
+TEST(OutlineFile, HolesOfManyCornersAreThinned) {
+    const auto pickedWith = [](int holes) {
+        OutlineFile file;
+        file.outlines = {square(1.0, 0.0, 0)};
+        for (int k = 0; k < holes; ++k) {
+            FileOutline round;
+            for (const Eigen::Vector2d& p : shapeOutline(Disk{0.0025}, 96))
+                round.points_m.push_back(p + Eigen::Vector2d(0.1 + 0.006 * k, 0.5));
+            file.outlines.push_back(round);
+        }
+        file.arrange();
+        return pickOutline(file, std::nullopt, "").value();
+    };
+    const PickedOutline few = pickedWith(40);
+    EXPECT_EQ(few.holes[0].points_m.size(), 96U);
+    EXPECT_TRUE(few.warnings.empty());
+    const PickedOutline many = pickedWith(100);
+    ASSERT_EQ(many.holes.size(), 100U);
+    std::size_t corners = 0;
+    for (const Contour& hole : many.holes) {
+        corners += hole.points_m.size();
+        EXPECT_NEAR(hausdorffDistance(
+                        hole.points_m,
+                        shifted(few.holes[0], contourCentroid(hole) - contourCentroid(few.holes[0])).points_m,
+                        1e-7),
+                    0.0, 5e-5);
+    }
+    EXPECT_LE(corners, 4000U);
+    ASSERT_EQ(many.warnings.size(), 1U);
+    EXPECT_EQ(many.warnings[0].code, MessageCode::HolesThinned);
+    EXPECT_EQ(many.warnings[0].args[0], "9600");
+    EXPECT_EQ(many.warnings[0].args[1], std::to_string(corners));
+    EXPECT_LT(std::stod(many.warnings[0].args[2]), 0.05) << "mm";
 }
 
 // Catches an open outline that is closed in silence.
