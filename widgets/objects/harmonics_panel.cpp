@@ -188,7 +188,7 @@ void HarmonicsPanel::chooseFewest() {
         const auto& found = m_fits->fit(h);
         if (!found && !m_fits->complete())
             return setVerdict(tr("Fitting\u2026 %1 of %2").arg(m_fits->done()).arg(kMaxHarmonics));
-        if (!found || found->fit.crossesItself)
+        if (!found || found->fit.crossesItself || !checkHoles(shapeOfFit(found->fit, m_holes)))
             continue;
         if (found->fit.hausdorff_m <= *m_sought_m)
             return choose(h, true);

@@ -2,7 +2,7 @@
 // How an object's outline becomes its shape: number of harmonics, chosen or found for a tolerance, or the
 // outline itself; what the fit leaves, in words and as a plot.
 
-#include "engine/shape/fourier_contour.h"
+#include "engine/shape/shape.h"
 
 #include <QWidget>
 
@@ -34,6 +34,8 @@ public:
     /// Outline of the object shown and the number in use, 0 for the outline itself; an empty outline disables
     /// the panel and tells `why`.
     void setOutline(const Contour& outline, int harmonics, const QColor& color, const QString& why);
+    /// Holes in the outline: the fewest harmonics sought leave them whole.
+    void setHoles(const std::vector<Contour>& holes) { m_holes = holes; }
 
 signals:
     void fitChanged(const bask::FourierFit& fit);
@@ -74,6 +76,7 @@ private:
     QLabel* m_warning;
     ResidualPlot* m_plot;
     QString m_why;
+    std::vector<Contour> m_holes;
     bool m_waiting = false;                ///< the chosen number's fit has not been delivered
     bool m_commit = false;                 ///< deliver it as committed
     std::optional<double> m_sought_m = {}; ///< tolerance whose number of harmonics is being looked for

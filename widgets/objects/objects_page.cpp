@@ -255,13 +255,10 @@ void ObjectsPage::connectAll() {
     shortcut(QKeySequence::Undo, m_undoButton);
     shortcut(QKeySequence::Redo, m_redoButton);
     connect(m_message, &MessageBar::actionClicked, this, [this] {
-        if (std::exchange(m_importing, false)) {
-            m_importPanel->cancel();
-            m_fitting.forget();
-            m_message->clear();
-        } else {
+        if (m_importing)
+            endImport();
+        else
             m_undoButton->click();
-        }
     });
     connect(m_harmonics, &HarmonicsPanel::fitChanged, this, &ObjectsPage::previewFit);
     connect(m_harmonics, &HarmonicsPanel::fitCommitted, this, &ObjectsPage::commitFit);
@@ -306,6 +303,7 @@ void ObjectsPage::setExperiment(const Experiment& experiment) {
                 m_undo->undo(); // deletes an obsolete command without running it
         } else {
             m_undo->clear();
+            endImport();
         }
         m_lastEdit = nullptr;
     }
@@ -317,11 +315,8 @@ void ObjectsPage::setExperiment(const Experiment& experiment) {
 
 void ObjectsPage::setEditable(bool editable, const QString& why) {
     m_editable = editable;
-    if (!editable && (m_importing || m_importPanel->isOpen())) {
-        m_importPanel->cancel();
-        m_fitting.forget();
-        showPanel(false);
-    }
+    if (!editable)
+        endImport();
     m_why = why;
     refreshTexts();
     updateEnabled();
@@ -476,6 +471,14 @@ void ObjectsPage::showPanel(bool shown) {
     m_stack->setCurrentIndex(shown ? 1 : 0);
 }
 
+void ObjectsPage::endImport() {
+    if (!m_importing && !m_importPanel->isOpen())
+        return;
+    m_importPanel->cancel();
+    m_fitting.forget();
+    showPanel(false);
+}
+
 void ObjectsPage::sayReading(const QString& path) {
     m_importing = true;
     m_message->say(MessageBar::Kind::Note, tr("Reading %1\u2026").arg(QFileInfo(path).fileName()),
@@ -544,7 +547,11 @@ void ObjectsPage::commitOutline(const Contour& polygon) {
     if (!hasSelection())
         return;
     const Contour raw = rawOutline(selected());
-    const auto made = shapeFromOutline(polygon, rawHoles(selected()), 0);
+    const std::vector<Contour>& holes = rawHoles(selected());
+    std::size_t corners = kMostCorners; // of outline and holes together
+    for (const Contour& hole : holes)
+        corners -= std::min(corners, hole.points_m.size());
+    const auto made = shapeFromOutline(simplifiedTo(polygon, std::max<std::size_t>(corners, 3)), holes, 0);
     if (!made) {
         showError(messageText(made.error().message));
         return;
@@ -589,6 +596,7 @@ void ObjectsPage::showSelected() {
     const auto* series = outlineAs<FourierContour>(selected().shape);
     const bool disk = outlineAs<Disk>(selected().shape) != nullptr;
     m_preview->setObject(QString::fromStdString(selected().name), selected().shape, raw, color);
+    m_harmonics->setHoles(rawHoles(selected()));
     m_harmonics->setOutline(
         raw, series != nullptr ? series->harmonics() : 0, color,
         disk ? tr("A disk is used as it is; it needs no fit.")

@@ -86,6 +86,7 @@ private:
     void addImported(const QString& path, const PickedOutline& picked);
     void showPanel(bool shown);
     void sayReading(const QString& path);
+    void endImport();
     void addDisk();
     void duplicateSelected();
     void removeSelected();

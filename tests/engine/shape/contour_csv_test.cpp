@@ -44,7 +44,7 @@ TEST(ContourCsv, ReadsTheBunnyInEveryDress) {
     expectBunny(readContourCsv(test::dataPath("bunny_bom_closed.csv"), std::nullopt));
     expectBunny(readContourCsv(test::dataPath("bunny_semicolon_comma.csv"), kMillimetre));
     expectBunny(readContourCsv(test::dataPath("bunny_tab_noheader.txt"), kMillimetre));
-    expectBunny(readContour(test::dataPath("bunny_tab_noheader.txt"), {kMillimetre, std::nullopt}));
+    expectBunny(readContour(test::dataPath("bunny_tab_noheader.txt"), {.unit = kMillimetre}));
 }
 
 TEST(ContourCsv, ReadsOtherPeoplesFiles) {
