@@ -205,7 +205,7 @@ TEST(ContourImport, ChoosesTheReaderByTheEnding) {
     EXPECT_EQ(codeOf(readContour("drawing", {})), MessageCode::FormatUnknown);
     EXPECT_EQ(codeOf(readContour("drawing.csv", {})), MessageCode::FileNotFound);
     EXPECT_EQ(codeOf(readContour("drawing.PNG", {})), MessageCode::ScaleMissing);
-    EXPECT_EQ(codeOf(readContour("drawing.JPEG", {std::nullopt, 10.0})), MessageCode::FileNotFound);
+    EXPECT_EQ(codeOf(readContour("drawing.JPEG", {.scale_px_per_mm = 10.0})), MessageCode::FileNotFound);
 }
 
 TEST(LengthUnit, NamesGoThereAndBack) {
