@@ -301,6 +301,16 @@ TEST(JointFeasibility, AWorkspaceBelowTheClearanceHasNoPose) {
     EXPECT_EQ(verdict.reason.code, MessageCode::TargetsNoPose);
 }
 
+// A workspace that reaches into the source's plane, where there is no view factor, must not end the program.
+TEST(JointFeasibility, WithoutAClearanceObjectsStopShortOfThePlane) {
+    RobotLimits limits;
+    limits.clearance_m = limits.lower[kZ] = 0.0;
+    const JointVerdict verdict =
+        verdictOf(requestOf(triangle(limits), SourceModel::Paper, {60.0, 60.0, 30.0}));
+    EXPECT_TRUE(verdict.feasible);
+    EXPECT_GT(verdict.pose[kZ], 0.0);
+}
+
 // A job that nobody waits for any more.
 TEST(JointFeasibility, StopsWhenAsked) {
     std::stop_source stop;
