@@ -34,6 +34,7 @@ VALUE_HEADERS = {
     "engine/control/controller_settings.h",
     "engine/control/feasibility.h",
     "engine/control/joint_feasibility.h",
+    "engine/control/reachable_pairs.h",
     "engine/control/rig_geometry.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",

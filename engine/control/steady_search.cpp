@@ -142,7 +142,7 @@ std::vector<Vector6d> SteadySearch::startsFor(const SteadyAim& aim, int count) c
     std::ranges::partial_sort(order, some, cheaper);
     std::vector<Vector6d> out;
     for (auto k = order.begin(); k != some && static_cast<int>(out.size()) < count; ++k) {
-        const Vector6d& q = m_lookup->pose(static_cast<std::size_t>(*k));
+        const Vector6d& q = sample(*k);
         const bool apart = std::ranges::all_of(out, [&](const Vector6d& other) {
             return ((q - other).cwiseAbs() - 1.5 * m_lookup->cell()).maxCoeff() > 0.0;
         });

@@ -38,6 +38,7 @@ public:
     bool empty() const { return m_T_K.rows() == 0; }
     /// Steady temperatures at the look-up's poses, size() x N, K.
     const Eigen::ArrayXXd& table_K() const { return m_T_K; }
+    const Vector6d& sample(Eigen::Index k) const { return m_lookup->pose(static_cast<std::size_t>(k)); }
     bool stopped() const { return m_stop.stop_requested(); }
 
     /// Steady temperatures at q and their derivatives by the six coordinates (K/m, K/rad).

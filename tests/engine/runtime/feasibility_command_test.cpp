@@ -96,6 +96,28 @@ TEST_F(FeasibilityCommand, SaysItInWords) {
         EXPECT_NE(answer.out.find(words), std::string::npos) << words << '\n' << answer.out;
 }
 
+// Catches: a pair without its map, or a map without the cell that the target lies in; and another's file lost
+// to it.
+TEST_F(FeasibilityCommand, WritesWhichPairsAreReachable) {
+    const QString folder = file("maps");
+    const QStringList arguments{kTriangle, "--targets", "45,42,40", "--reachable", folder};
+    ASSERT_EQ(feasibility(arguments).code, 0);
+    ASSERT_EQ(feasibility(arguments).code, 0) << "over its own";
+    for (const char* name : {"/reachable-1-2.csv", "/reachable-1-3.csv", "/reachable-2-3.csv"}) {
+        QFile map(folder + name);
+        ASSERT_TRUE(map.open(QIODevice::ReadOnly));
+        const QByteArray text = map.readAll();
+        EXPECT_TRUE(text.contains("a pose holds it"));
+        EXPECT_EQ(text.count(",1\n") + text.count(",0\n"), 48 * 48);
+        EXPECT_GT(text.count(",1\n"), 300);
+    }
+    QFile other(folder + "/reachable-1-3.csv");
+    ASSERT_TRUE(other.open(QIODevice::WriteOnly));
+    other.write("my notes");
+    other.close();
+    EXPECT_EQ(feasibility(arguments).code, 2);
+}
+
 // Catches: bad input that is taken, and a file of the user's that is lost to the summary.
 TEST_F(FeasibilityCommand, RefusesBadInput) {
     const QString experiment = file("e.json");
