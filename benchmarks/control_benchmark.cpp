@@ -1,8 +1,11 @@
 // One control step for three objects (the three-object example). Wanted: 20 us for the paper's two laws, 20
 // ms for the level servo, 200 ms for the rebuilding of its look-up. Baseline: the same interaction matrix and
-// a plain damped pseudo-inverse, without any limit. And what is said of a mounting.
+// a plain damped pseudo-inverse, without any limit. And what is said of a mounting and of
+// targets.
 
+#include "engine/base/units.h"
 #include "engine/control/controller.h"
+#include "engine/control/steady_search.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/session/mounting_check.h"
 
@@ -92,6 +95,40 @@ void lookUpRebuild(benchmark::State& state) {
     }
 }
 
+/// The verdict on all targets together, three objects and four axes: 100 ms at most on 2 cores, with the
+/// workspace sampled anew (a geometry was edited) or at hand (a target was). Line: the search finds nothing
+/// and tries all its starts.
+void jointFeasibilityOf(benchmark::State& state, const char* name, bool atHand) {
+    const auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/" + name);
+    if (!experiment) {
+        state.SkipWithError(describe(experiment.error()).c_str());
+        return;
+    }
+    FeasibilityRequest request = feasibilityRequest(*experiment);
+    request.targets_K.assign(3, kelvinFromCelsius(45.0));
+    if (atHand)
+        request.lookup = feasibilityLookup(request.geometry, request.rest);
+    for (auto _ : state)
+        state.counters["feasible"] = jointFeasibility(request)->feasible ? 1.0 : 0.0;
+}
+
+/// Baseline: the best of a grid of 1.5 million poses, without gradients. How far off it still is: best_K.
+void feasibilityByGrid(benchmark::State& state) {
+    const auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
+    if (!experiment) {
+        state.SkipWithError(describe(experiment.error()).c_str());
+        return;
+    }
+    const FeasibilityRequest request = feasibilityRequest(*experiment);
+    for (auto _ : state) {
+        const SteadySearch grid(request.geometry,
+                                std::make_shared<PoseLookup>(request.geometry, request.rest, 1500000),
+                                request.rates);
+        const Eigen::ArrayXXd residuals_K = grid.table_K() - kelvinFromCelsius(45.0);
+        state.counters["best_K"] = std::sqrt(residuals_K.square().rowwise().mean().minCoeff());
+    }
+}
+
 /// Told at every edit on the Objects page, on the GUI thread: 5 ms at most. At worst six outlines over a
 /// round source, all axes free: as many as the axes, dependent, so that the whole sample is looked at.
 void mountingRemarksOf(benchmark::State& state, bool worst, int polygonPoints) {
@@ -138,6 +175,13 @@ BASK_STEP(levelServoFar, LevelServo, kFar_K, 0.0, benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mountingRemarksOf, threeObjects, false, 0)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mountingRemarksOf, polygonsOf60000, false, 60000)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(mountingRemarksOf, worst, true, 0)->Unit(benchmark::kMillisecond);
+#define BASK_FEASIBILITY(name, file, atHand)                                                                 \
+    BENCHMARK_CAPTURE(jointFeasibilityOf, name, file, atHand)->Unit(benchmark::kMillisecond)->UseRealTime()
+BASK_FEASIBILITY(triangle, "three-objects.json", false);
+BASK_FEASIBILITY(triangleAtHand, "three-objects.json", true);
+BASK_FEASIBILITY(line, "three-objects-in-line.json", false);
+BASK_FEASIBILITY(lineAtHand, "three-objects-in-line.json", true);
+BENCHMARK(feasibilityByGrid)->Unit(benchmark::kMillisecond)->UseRealTime();
 BENCHMARK(lookUpRebuild)->Unit(benchmark::kMillisecond);
 
 } // namespace

@@ -8,6 +8,8 @@ std::span<const Subcommand> subcommands() {
     static constexpr std::array kSubcommands{
         Subcommand{"run", "run an experiment on the simulated rig, as fast as the machine goes",
                    runExperimentCommand},
+        Subcommand{"feasibility", "whether all targets of an experiment can be held together, and why not",
+                   feasibilityCommand},
         Subcommand{"fit-contour", "fit a Fourier contour to an outline", fitContourCommand},
         Subcommand{"view-factor", "view factors and gradients of a list of cases", viewFactorCommand},
         Subcommand{"field", "view factors or steady temperatures on a grid of poses, for ParaView",

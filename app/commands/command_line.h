@@ -22,6 +22,7 @@ struct Subcommand {
 std::span<const Subcommand> subcommands();
 
 int runExperimentCommand(const QStringList& arguments);
+int feasibilityCommand(const QStringList& arguments);
 int fitContourCommand(const QStringList& arguments);
 int viewFactorCommand(const QStringList& arguments);
 int fieldCommand(const QStringList& arguments);

@@ -42,6 +42,7 @@ public:
     Eigen::Vector3d away() const { return m_X_RS.linear().col(2); }
 
     int objects() const { return static_cast<int>(m_mounted.size()); }
+    /// As given, with a clearance of 0.1 mm at least.
     const RobotLimits& limits() const { return m_limits; }
     const std::vector<int>& freeCoordinates() const { return m_free; }
 

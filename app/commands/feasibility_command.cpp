@@ -1,0 +1,322 @@
+// bask feasibility: whether all targets of an experiment can be held together: the pose and its margin, or
+// why not and what is nearest.
+
+#include "app/commands/command_line.h"
+#include "app/commands/experiment_arguments.h"
+#include "app/commands/output_file.h"
+#include "app/commands/parse_command.h"
+#include "app/commands/study_output.h"
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/control/reachable_pairs.h"
+#include "engine/runtime/rig_setup.h"
+#include "engine/runtime/simulated_run.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QCommandLineParser>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace bask {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Everything asked for on the command line, checked.
+struct Request {
+    Experiment experiment;
+    std::vector<bool> held;
+    std::string summaryPath; ///< empty: none
+};
+
+Result<std::vector<bool>> heldObjects(const QStringList& names, const Experiment& experiment) {
+    std::vector<bool> held(experiment.objects.size());
+    std::string known;
+    for (const ObjectSpec& object : experiment.objects)
+        known += (known.empty() ? "" : ", ") + object.name;
+    for (const QString& name : names) {
+        const auto found = std::ranges::find(experiment.objects, name.toStdString(), &ObjectSpec::name);
+        if (found == experiment.objects.end())
+            return Error(MessageCode::ValueUnknown, "--hold", {name.toStdString(), known});
+        held[static_cast<std::size_t>(found - experiment.objects.begin())] = true;
+    }
+    return held;
+}
+
+Result<Request> readRequest(const QCommandLineParser& parser) {
+    const std::string path = parser.positionalArguments().first().toStdString();
+    auto experiment = readExperiment(path);
+    if (!experiment)
+        return experiment.error();
+    Request request{std::move(*experiment), {}, parser.value("summary").toStdString()};
+    if (parser.isSet("source-model")) {
+        const QString model = parser.value("source-model");
+        if (model != "gray" && model != "paper")
+            return Error(MessageCode::ValueUnknown, "--source-model", {model.toStdString(), "gray, paper"});
+        request.experiment.source.model = model == "paper" ? SourceModel::Paper : SourceModel::Gray;
+    }
+    if (parser.isSet("targets")) {
+        const auto targets = parseTargets(parser.value("targets"));
+        if (!targets)
+            return targets.error();
+        if (const auto set = setTargets(request.experiment, *targets); !set)
+            return set.error();
+    }
+    if (const auto valid = validate(request.experiment); !valid)
+        return valid.error();
+    const auto held = heldObjects(parser.values("hold"), request.experiment);
+    if (!held)
+        return held.error();
+    request.held = *held;
+    std::vector<OutputFile> outputs;
+    if (parser.isSet("summary"))
+        outputs.push_back({request.summaryPath, "feasible", "a feasibility summary written by Bask"});
+    if (const auto place = checkOutputs(inputsOf(path, request.experiment), outputs); !place)
+        return place.error();
+    return request;
+}
+
+/// When the experiment's controller has settled all objects on the simulated rig, s; empty: not within the
+/// experiment's duration limit.
+Result<std::optional<double>> predictedTime_s(const Experiment& experiment) {
+    const auto outcome = runSimulated(experiment, {});
+    if (!outcome)
+        return outcome.error();
+    double last_s = 0.0;
+    for (const ObjectOutcome& object : outcome->objects) {
+        if (!object.settlingTime_s)
+            return std::optional<double>();
+        last_s = std::max(last_s, *object.settlingTime_s);
+    }
+    return std::optional(last_s);
+}
+
+std::string limitName(const PoseMargin& margin) {
+    return margin.limit == Limit::Clearance
+               ? "clearance"
+               : std::string("workspace ") + kCoordinateNames[static_cast<std::size_t>(margin.coordinate)];
+}
+
+Json poseJson(const Vector6d& q) {
+    Json pose;
+    for (int c = 0; c < 6; ++c) {
+        const std::string name = kCoordinateNames[static_cast<std::size_t>(c)];
+        if (c < 3)
+            pose[name + "_cm"] = q[c] * 100.0;
+        else
+            pose[name + "_deg"] = degFromRad(q[c]);
+    }
+    return pose;
+}
+
+Json celsiusJson(const std::vector<double>& values_K) {
+    Json list = Json::array();
+    for (const double value_K : values_K)
+        list.push_back(celsiusFromKelvin(value_K));
+    return list;
+}
+
+Json condition1Json(const Experiment& experiment, const std::vector<TargetVerdict>& verdicts) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        const TargetVerdict& v = verdicts[i];
+        rows.push_back({{"object", experiment.objects[i].name},
+                        {"holds", v.verdict == FeasibilityVerdict::Reachable},
+                        {"target_C", celsiusFromKelvin(v.target_K)},
+                        {"least_C", celsiusFromKelvin(v.reachableMin_K)},
+                        {"largest_C", celsiusFromKelvin(v.reachableMax_K)},
+                        {"needed_F", v.neededViewFactor},
+                        {"least_F", v.reachableMin_F},
+                        {"largest_F", v.reachableMax_F}});
+    }
+    return rows;
+}
+
+Json condition2Json(const Experiment& experiment, const std::vector<PairVerdict>& verdicts) {
+    Json rows = Json::array();
+    for (const PairVerdict& v : verdicts)
+        rows.push_back(
+            {{"objects", Json::array({experiment.objects[static_cast<std::size_t>(v.first)].name,
+                                      experiment.objects[static_cast<std::size_t>(v.second)].name})},
+             {"holds", v.holds},
+             {"wanted_K", v.wanted_K},
+             {"least_K", v.least_K},
+             {"largest_K", v.largest_K}});
+    return rows;
+}
+
+std::string summaryJson(const Experiment& experiment, const JointVerdict& verdict,
+                        const std::optional<double>& predicted_s) {
+    Json summary;
+    summary["feasible"] = verdict.feasible;
+    summary["reason"] = describe(verdict.reason);
+    summary["pose"] = nullptr;
+    summary["margin"] = nullptr;
+    if (verdict.anyPose) {
+        summary["pose"] = poseJson(verdict.pose);
+        summary["margin"] = {
+            {"distance_cm", verdict.margin.distance_m * 100.0},
+            {"limit", limitName(verdict.margin)},
+            {"smallest_singular_value_K_cm", verdict.margin.smallestSingularValue_K_m / 100.0}};
+    }
+    summary["steady_C"] = celsiusJson(verdict.steady_K);
+    summary["residual_K"] = verdict.residuals_K;
+    summary["nearest_feasible_C"] = celsiusJson(verdict.nearest_K);
+    summary["held_kept"] = verdict.heldKept;
+    summary["surface_gap_cm"] = verdict.surfaceGap_m ? Json(*verdict.surfaceGap_m * 100.0) : Json(nullptr);
+    summary["predicted_time_s"] = predicted_s ? Json(*predicted_s) : Json(nullptr);
+    summary["condition1"] = condition1Json(experiment, verdict.conditions1);
+    summary["condition2"] = condition2Json(experiment, verdict.conditions2);
+    return summary.dump(2) + "\n";
+}
+
+void printPose(const JointVerdict& verdict) {
+    std::printf("%s x %.2f, y %.2f, z %.2f cm; theta_x %.2f, theta_y %.2f, theta_z %.2f degrees\n",
+                verdict.feasible ? "pose:" : "best compromise:", verdict.pose[kX] * 100.0,
+                verdict.pose[kY] * 100.0, verdict.pose[kZ] * 100.0, degFromRad(verdict.pose[kThetaX]),
+                degFromRad(verdict.pose[kThetaY]), degFromRad(verdict.pose[kThetaZ]));
+    std::printf(
+        "margin: %.2f cm to its nearest limit (%s; a degree counts as %.2f cm), least effect of a move "
+        "%.3g K/cm\n",
+        verdict.margin.distance_m * 100.0, limitName(verdict.margin).c_str(), radFromDeg(1.0) * 10.0,
+        verdict.margin.smallestSingularValue_K_m / 100.0);
+}
+
+void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
+                  const std::optional<double>& predicted_s) {
+    std::printf("%-16s %10s %10s %10s %10s   %s\n", "object", "target_C", "steady_C", "nearest_C", "needed_F",
+                "within the workspace");
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const TargetVerdict& v = verdict.conditions1[i];
+        std::printf("%-16s %10.2f", experiment.objects[i].name.c_str(), celsiusFromKelvin(v.target_K));
+        if (verdict.anyPose)
+            std::printf(" %10.2f %10.2f %10.3f   F %.3f to %.3f, %.1f to %.1f degC",
+                        celsiusFromKelvin(verdict.steady_K[i]), celsiusFromKelvin(verdict.nearest_K[i]),
+                        v.neededViewFactor, v.reachableMin_F, v.reachableMax_F,
+                        celsiusFromKelvin(v.reachableMin_K), celsiusFromKelvin(v.reachableMax_K));
+        std::printf("\n");
+    }
+    for (const PairVerdict& v : verdict.conditions2)
+        std::printf("%s - %s: %.2f K wanted, %.2f to %.2f K within the workspace\n",
+                    experiment.objects[static_cast<std::size_t>(v.first)].name.c_str(),
+                    experiment.objects[static_cast<std::size_t>(v.second)].name.c_str(), v.wanted_K,
+                    v.least_K, v.largest_K);
+    if (verdict.anyPose)
+        printPose(verdict);
+    if (verdict.feasible)
+        std::printf("feasible; on the simulated rig the experiment's controller %s\n",
+                    predicted_s ? ("settles after " + formatNumber(*predicted_s) + " s").c_str()
+                                : "does not settle within its time");
+    else
+        std::printf("not feasible: %s\n", describe(verdict.reason).c_str());
+    if (!verdict.heldKept)
+        std::printf("the held targets cannot be held together either\n");
+}
+
+constexpr const char* kMapMark = "# Pairs of steady temperatures within the workspace";
+
+/// One map as a table, a row a cell, with its definitions in comment lines.
+std::string mapCsv(const Experiment& experiment, const ReachableMap& map) {
+    const std::string& first = experiment.objects[static_cast<std::size_t>(map.first)].name;
+    const std::string& second = experiment.objects[static_cast<std::size_t>(map.second)].name;
+    std::string text = std::string(kMapMark) + "\n# first: " + first + "\n# second: " + second +
+                       "\n# target_C: " + formatNumber(celsiusFromKelvin(map.target_K.x()), 6) + " " +
+                       formatNumber(celsiusFromKelvin(map.target_K.y()), 6) +
+                       (map.targetReachable ? "; a pose holds it, K to the boundary: "
+                                            : "; no pose holds it, K to the nearest pair that one holds: ") +
+                       formatNumber(map.distance_K) +
+                       "\n# first_C, second_C: centre of a cell. share: of the sampled poses, in the cell. "
+                       "reachable: 1 where some pose comes into the cell\n"
+                       "first_C,second_C,share,reachable\n";
+    for (int y = 0; y < map.cells; ++y)
+        for (int x = 0; x < map.cells; ++x) {
+            const Eigen::Vector2d centre_K =
+                map.lower_K + map.cell_K().cwiseProduct(Eigen::Vector2d(x + 0.5, y + 0.5));
+            const auto k = static_cast<std::size_t>(y * map.cells + x);
+            text += formatNumber(celsiusFromKelvin(centre_K.x()), 6) + "," +
+                    formatNumber(celsiusFromKelvin(centre_K.y()), 6) + "," + formatNumber(map.density[k]) +
+                    (map.reachable[k] ? ",1\n" : ",0\n");
+        }
+    return text;
+}
+
+/// reachable-1-2.csv and so on in the folder; nothing, and words on standard error, when that cannot be.
+std::optional<std::vector<OutputFile>> mapFiles(const QString& folder, std::size_t objects) {
+    QStringList names;
+    for (std::size_t i = 1; i <= objects; ++i)
+        for (std::size_t j = i + 1; j <= objects; ++j)
+            names << QStringLiteral("reachable-%1-%2.csv").arg(i).arg(j);
+    return filesIn(folder, "feasibility", kMapMark, names);
+}
+
+Result<void> writeMaps(const Experiment& experiment, const FeasibilityRequest& question,
+                       const std::vector<OutputFile>& files) {
+    std::vector<std::string> contents;
+    const std::vector<ReachableMap> maps = reachablePairs(question).value();
+    for (const ReachableMap& map : maps)
+        contents.push_back(mapCsv(experiment, map));
+    if (contents.empty()) // no pose of the workspace is allowed
+        return {};
+    return writeStudyFiles(files, contents);
+}
+
+int refuse(const Error& error) {
+    return refuse("feasibility", error);
+}
+
+} // namespace
+
+int feasibilityCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        "Answers whether the robot's workspace has a pose with all targets as steady temperatures: that "
+        "pose,\n"
+        "its margin and the time that the experiment's controller takes on the simulated rig; or the reason\n"
+        "why not, the best compromise and the nearest targets that can be held.\n"
+        "Exit code: 0 feasible, 2 bad input or unwritable output, 3 not feasible.");
+    parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");
+    parser.addOptions(
+        {{"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
+         {"source-model", "gray or paper, instead of the experiment's.", "MODEL"},
+         {"hold", "Keeps this object's target in the nearest ones; may be given more than once.", "NAME"},
+         {"summary", "Write the answer as JSON.", "SUMMARY.json"},
+         {"reachable", "Write a CSV for each pair of objects: which of their temperatures go together.",
+          "DIR"}});
+    if (const auto code = parseCommand(parser, "feasibility", arguments, 1))
+        return *code;
+    const auto request = readRequest(parser);
+    if (!request)
+        return refuse(request.error());
+    std::vector<OutputFile> maps;
+    if (parser.isSet("reachable")) {
+        const auto files = mapFiles(parser.value("reachable"), request->experiment.objects.size());
+        if (!files)
+            return kExitBadInput;
+        maps = *files;
+    }
+    FeasibilityRequest question = feasibilityRequest(request->experiment);
+    question.held = request->held;
+    const JointVerdict verdict = jointFeasibility(question).value();
+    std::optional<double> predicted_s;
+    if (verdict.feasible) {
+        const auto predicted = predictedTime_s(request->experiment);
+        if (!predicted)
+            return refuse(predicted.error());
+        predicted_s = *predicted;
+    }
+    printVerdict(request->experiment, verdict, predicted_s);
+    if (!request->summaryPath.empty())
+        if (const auto written =
+                writeOutput(request->summaryPath, summaryJson(request->experiment, verdict, predicted_s));
+            !written)
+            return refuse(written.error());
+    if (!maps.empty())
+        if (const auto written = writeMaps(request->experiment, question, maps); !written)
+            return refuse(written.error());
+    return verdict.feasible ? kExitDone : kExitNegative;
+}
+
+} // namespace bask
