@@ -33,6 +33,7 @@ VALUE_HEADERS = {
     "engine/thermal/heat_balance.h",
     "engine/control/controller_settings.h",
     "engine/control/feasibility.h",
+    "engine/control/joint_feasibility.h",
     "engine/control/rig_geometry.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",

@@ -291,6 +291,46 @@
             <translation>les temps doivent croître, mais %1 s vient après %2 s</translation>
         </message>
         <message>
+            <source>no pose of the workspace keeps the clearance to the source; widen the workspace or lower the clearance</source>
+            <translation>aucune pose de l’espace de travail ne respecte la distance à la source ; élargissez l’espace de travail ou réduisez cette distance</translation>
+        </message>
+        <message>
+            <source>"%1" cannot be held at %2 °C: with this source it settles at %3 °C at most, even at a view factor of 1</source>
+            <translation>« %1 » ne peut être tenu à %2 °C : avec cette source il se stabilise à %3 °C au plus, même avec un facteur de forme de 1</translation>
+        </message>
+        <message>
+            <source>"%1" cannot be held at %2 °C: it settles at %3 °C where it does not see the source</source>
+            <translation>« %1 » ne peut être tenu à %2 °C : il se stabilise à %3 °C là où il ne voit pas la source</translation>
+        </message>
+        <message>
+            <source>"%1" needs a view factor of %2; within the workspace it has at most %3</source>
+            <translation>« %1 » demande un facteur de forme de %2 ; dans l’espace de travail il a au plus %3</translation>
+        </message>
+        <message>
+            <source>"%1" needs a view factor of %2; within the workspace it has at least %3</source>
+            <translation>« %1 » demande un facteur de forme de %2 ; dans l’espace de travail il a au moins %3</translation>
+        </message>
+        <message>
+            <source>"%1" is to be %3 K hotter than "%2"; with this mounting and workspace at most %4 K are possible</source>
+            <translation>« %1 » doit être plus chaud que « %2 » de %3 K ; avec ce montage et cet espace de travail, au plus %4 K sont possibles</translation>
+        </message>
+        <message>
+            <source>"%1" is to be %3 K hotter than "%2"; with this mounting and workspace it is at least %4 K hotter everywhere</source>
+            <translation>« %1 » doit être plus chaud que « %2 » de %3 K ; avec ce montage et cet espace de travail, l’écart est d’au moins %4 K</translation>
+        </message>
+        <message>
+            <source>each target can be held by itself, but not all together: where they come nearest, the target surfaces miss one another by %3 cm and "%1" is %2 K off</source>
+            <translation>chaque cible peut être tenue seule, mais pas toutes ensemble : là où elles sont le plus proches, les surfaces cibles se manquent de %3 cm et « %1 » est à %2 K de sa cible</translation>
+        </message>
+        <message>
+            <source>the target surfaces meet only outside the workspace; the best pose within it leaves "%1" %2 K off</source>
+            <translation>les surfaces cibles ne se rencontrent qu’en dehors de l’espace de travail ; la meilleure pose à l’intérieur laisse « %1 » à %2 K de sa cible</translation>
+        </message>
+        <message>
+            <source>each target can be held by itself, but not all together: the best pose leaves "%1" %2 K off</source>
+            <translation>chaque cible peut être tenue seule, mais pas toutes ensemble : la meilleure pose laisse « %1 » à %2 K de sa cible</translation>
+        </message>
+        <message>
             <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
             <translation>le mouvement doit commencer à source.pose, où %1 vaut %3 et non %2</translation>
         </message>

@@ -50,6 +50,17 @@ enum class MessageCode : int {
     SourceTooWeak,         ///< %1 net emissive power W/m2
     TimesNotGrowing,       ///< %1 time s, %2 the one before
     MotionElsewhere,       ///< %1 coordinate, %2 value, %3 of source.pose
+    // Why targets cannot be held together
+    TargetsNoPose,        ///< no args
+    TargetAboveCeiling,   ///< %1 object, %2 target degC, %3 degC at F = 1
+    TargetBelowFloor,     ///< %1 object, %2 target degC, %3 degC at F = 0
+    TargetNeedsMore,      ///< %1 object, %2 view factor needed, %3 largest
+    TargetNeedsLess,      ///< %1 object, %2 view factor needed, %3 least
+    TargetsTooFarApart,   ///< %1 hotter, %2 colder object, %3 K wanted, %4 K most
+    TargetsTooClose,      ///< %1 hotter, %2 colder object, %3 K wanted, %4 K least
+    TargetsSurfacesApart, ///< %1 object with the largest error, %2 its K, %3 gap cm
+    TargetsMeetOutside,   ///< %1 object with the largest error, %2 its K
+    TargetsNotTogether,   ///< %1 object with the largest error, %2 its K
     // Contours
     ContourTooFewPoints,  ///< %1 points, %2 least
     ContourNotFinite,     ///< %1 line or point

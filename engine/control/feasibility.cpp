@@ -1,6 +1,6 @@
 #include "engine/control/feasibility.h"
 
-#include "engine/control/pose_lookup.h"
+#include "engine/control/steady_search.h"
 
 #include <algorithm>
 #include <stdexcept>
@@ -8,49 +8,81 @@
 namespace bask {
 namespace {
 
-/// Extreme view factor of one object: the look-up's best pose, refined towards `aim` (0 or 1).
-double extremeViewFactor(const RigGeometry& geometry, const PoseLookup& lookup, int object, double aim) {
-    const auto F = lookup.table().col(object);
-    Eigen::Index k = 0;
-    const double sampled = aim > 0.5 ? F.maxCoeff(&k) : F.minCoeff(&k);
-    PoseQuery query;
-    query.wanted = Eigen::VectorXd::Constant(geometry.objects(), aim);
-    query.weights = Eigen::VectorXd::Unit(geometry.objects(), object);
-    query.from = lookup.pose(static_cast<std::size_t>(k));
-    const double refined = geometry.viewFactors(refinePose(geometry, query, query.from, 20)).F[object];
-    return aim > 0.5 ? std::max(sampled, refined) : std::min(sampled, refined);
+/// Least or largest value that `row` times the steady temperatures takes within the workspace; `bound_K` is
+/// one that it cannot pass.
+double extreme_K(const SteadySearch& search, const Eigen::RowVectorXd& row, double bound_K) {
+    constexpr int kStarts = 2;
+    const SteadyAim aim{row, Eigen::VectorXd::Constant(1, bound_K)};
+    return (row * search.best(aim, kStarts, 0.0).T_K)[0];
+}
+
+void checkCounts(const SteadySearch& search, const std::vector<double>& targets_K) {
+    if (targets_K.size() != search.rates().size())
+        throw std::invalid_argument("feasibility: one target an object");
 }
 
 } // namespace
 
+std::shared_ptr<const PoseLookup> feasibilityLookup(const std::shared_ptr<const RigGeometry>& geometry,
+                                                    const Vector6d& rest) {
+    constexpr int kSamples = 12000;
+    return std::make_shared<const PoseLookup>(geometry, rest, kSamples);
+}
+
 std::vector<TargetVerdict> targetVerdicts(const std::shared_ptr<const RigGeometry>& geometry,
                                           const Vector6d& rest, const std::vector<HeatRates>& rates,
                                           const std::vector<double>& targets_K) {
-    const auto N = static_cast<std::size_t>(geometry->objects());
-    if (rates.size() != N || targets_K.size() != N)
-        throw std::invalid_argument("targetVerdicts: one rate and one target an object");
-    constexpr int kSamples = 12000;
-    const PoseLookup lookup(geometry, rest, kSamples);
+    return targetVerdicts(SteadySearch(geometry, feasibilityLookup(geometry, rest), rates), targets_K);
+}
+
+std::vector<TargetVerdict> targetVerdicts(const SteadySearch& search, const std::vector<double>& targets_K) {
+    checkCounts(search, targets_K);
+    const std::size_t N = targets_K.size();
     std::vector<TargetVerdict> out(N);
     for (std::size_t i = 0; i < N; ++i) {
         TargetVerdict& verdict = out[i];
+        const HeatRates& rates = search.rates()[i];
         verdict.target_K = targets_K[i];
-        verdict.lowest_K = rates[i].steadyTemperature_K(0.0);
-        verdict.highest_K = rates[i].steadyTemperature_K(1.0);
-        verdict.neededViewFactor = rates[i].steadyViewFactor(targets_K[i]);
-        if (lookup.size() == 0) {
+        verdict.lowest_K = rates.steadyTemperature_K(0.0);
+        verdict.highest_K = rates.steadyTemperature_K(1.0);
+        verdict.neededViewFactor = rates.steadyViewFactor(targets_K[i]);
+        if (search.empty()) {
             verdict.verdict = FeasibilityVerdict::TooHot; // no pose of the workspace keeps the clearance
             continue;
         }
-        verdict.reachableMin_F = extremeViewFactor(*geometry, lookup, static_cast<int>(i), 0.0);
-        verdict.reachableMax_F = extremeViewFactor(*geometry, lookup, static_cast<int>(i), 1.0);
-        verdict.reachableMin_K = rates[i].steadyTemperature_K(verdict.reachableMin_F);
-        verdict.reachableMax_K = rates[i].steadyTemperature_K(verdict.reachableMax_F);
-        if (verdict.neededViewFactor > verdict.reachableMax_F)
+        const Eigen::RowVectorXd row =
+            Eigen::RowVectorXd::Unit(static_cast<Eigen::Index>(N), static_cast<Eigen::Index>(i));
+        verdict.reachableMin_K = extreme_K(search, row, verdict.lowest_K);
+        verdict.reachableMax_K = extreme_K(search, row, verdict.highest_K);
+        verdict.reachableMin_F = std::max(0.0, rates.steadyViewFactor(verdict.reachableMin_K));
+        verdict.reachableMax_F = rates.steadyViewFactor(verdict.reachableMax_K);
+        if (verdict.target_K > verdict.reachableMax_K + kHeldWithin_K)
             verdict.verdict = FeasibilityVerdict::TooHot;
-        else if (verdict.neededViewFactor < verdict.reachableMin_F)
+        else if (verdict.target_K < verdict.reachableMin_K - kHeldWithin_K)
             verdict.verdict = FeasibilityVerdict::TooCold;
     }
+    return out;
+}
+
+std::vector<PairVerdict> pairVerdicts(const SteadySearch& search, const std::vector<double>& targets_K) {
+    checkCounts(search, targets_K);
+    const int N = static_cast<int>(targets_K.size());
+    std::vector<PairVerdict> out;
+    for (int i = 0; i < N; ++i)
+        for (int j = i + 1; j < N; ++j) {
+            const auto first = static_cast<std::size_t>(i);
+            const auto second = static_cast<std::size_t>(j);
+            const HeatRates& a = search.rates()[first];
+            const HeatRates& b = search.rates()[second];
+            const Eigen::RowVectorXd row = Eigen::RowVectorXd::Unit(N, i) - Eigen::RowVectorXd::Unit(N, j);
+            PairVerdict verdict{i, j, targets_K[first] - targets_K[second]};
+            verdict.least_K = extreme_K(search, row, a.steadyTemperature_K(0.0) - b.steadyTemperature_K(1.0));
+            verdict.largest_K =
+                extreme_K(search, row, a.steadyTemperature_K(1.0) - b.steadyTemperature_K(0.0));
+            verdict.holds = verdict.wanted_K <= verdict.largest_K + 2.0 * kHeldWithin_K &&
+                            verdict.wanted_K >= verdict.least_K - 2.0 * kHeldWithin_K;
+            out.push_back(verdict);
+        }
     return out;
 }
 

@@ -24,6 +24,8 @@ public:
 
     std::size_t size() const { return m_poses.size(); }
     const Vector6d& pose(std::size_t k) const { return m_poses[k]; }
+    /// Mean spacing of the samples, m and rad; 0 in fixed coordinates.
+    const Vector6d& cell() const { return m_cell; }
     /// size() x N
     const Eigen::ArrayXXd& table() const { return m_F; }
 
@@ -34,7 +36,7 @@ private:
     std::shared_ptr<const RigGeometry> m_geometry;
     std::vector<Vector6d> m_poses;
     Eigen::ArrayXXd m_F;
-    Vector6d m_cell = Vector6d::Zero(); ///< spacing, m and rad
+    Vector6d m_cell = Vector6d::Zero();
 };
 
 /// Weighted squared errors of F.

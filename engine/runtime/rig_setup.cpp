@@ -62,6 +62,18 @@ std::vector<HeatRates> believedRates(const Experiment& experiment, double enviro
     return rates;
 }
 
+FeasibilityRequest feasibilityRequest(const Experiment& experiment) {
+    FeasibilityRequest request;
+    request.geometry = rigGeometry(experiment);
+    request.rest = experiment.start;
+    request.rates = nominalRates(experiment, experiment.environment_K);
+    for (const ObjectSpec& object : experiment.objects) {
+        request.names.push_back(object.name);
+        request.targets_K.push_back(object.target_K);
+    }
+    return request;
+}
+
 std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment) {
     std::vector<double> targets_K;
     for (const ObjectSpec& object : experiment.objects)

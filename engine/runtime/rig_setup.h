@@ -2,7 +2,7 @@
 // From an experiment to what runs it: geometry, believed rates, the simulated rig, verdicts on the targets.
 
 #include "engine/control/controller.h"
-#include "engine/control/feasibility.h"
+#include "engine/control/joint_feasibility.h"
 #include "engine/session/experiment.h"
 #include "engine/simulation/simulated_rig.h"
 
@@ -30,6 +30,9 @@ std::vector<HeatRates> believedRates(const Experiment& experiment, double enviro
 
 /// First feasibility condition for the experiment's targets. Takes some 0.1 s: run it as a job.
 std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment);
+
+/// The joint question for the experiment's targets, without a look-up.
+FeasibilityRequest feasibilityRequest(const Experiment& experiment);
 
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment);
 

@@ -39,9 +39,9 @@ QString axisName(int coordinate) {
 FeasibilityVerdict verdictHere(const TargetVerdict& v) {
     if (v.verdict != FeasibilityVerdict::Reachable)
         return v.verdict;
-    if (v.target_K > v.reachableMax_K + kSameTemperature_K)
+    if (v.target_K > v.reachableMax_K + kHeldWithin_K)
         return FeasibilityVerdict::TooHot;
-    if (v.target_K < v.reachableMin_K - kSameTemperature_K)
+    if (v.target_K < v.reachableMin_K - kHeldWithin_K)
         return FeasibilityVerdict::TooCold;
     return FeasibilityVerdict::Reachable;
 }

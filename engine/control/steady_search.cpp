@@ -1,0 +1,186 @@
+#include "engine/control/steady_search.h"
+
+#include "engine/control/bounded_least_squares.h"
+#include "engine/control/velocity_solve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+namespace bask {
+namespace {
+
+double lengthOf(int coordinate) {
+    return coordinate < 3 ? 1.0 : kRadianLength_m;
+}
+
+/// q inside the workspace's box, and lifted along the clearance's gradient where a step along its tangent has
+/// sunk below it.
+Vector6d repaired(const RigGeometry& geometry, Vector6d q) {
+    constexpr int kLifts = 3;
+    const RobotLimits& limits = geometry.limits();
+    for (int lift = 0;; ++lift) {
+        for (const int c : geometry.freeCoordinates())
+            q[c] = std::clamp(q[c], limits.lower[c], limits.upper[c]);
+        if (lift == kLifts || geometry.lowestPoint_m(q) >= limits.clearance_m)
+            return q;
+        for (const Clearance& clearance : geometry.clearances(q)) {
+            const double missing_m = limits.clearance_m - clearance.height_m;
+            if (missing_m <= 0.0)
+                continue;
+            Vector6d way = Vector6d::Zero();
+            for (const int c : geometry.freeCoordinates())
+                way[c] = clearance.gradient[c] / (lengthOf(c) * lengthOf(c));
+            if (const double rise = way.dot(clearance.gradient); rise > 0.0)
+                q += (missing_m + 1e-10) / rise * way;
+        }
+    }
+}
+
+} // namespace
+
+SteadySearch::SteadySearch(std::shared_ptr<const RigGeometry> geometry,
+                           std::shared_ptr<const PoseLookup> lookup, std::vector<HeatRates> rates,
+                           std::stop_token stop)
+    : m_geometry(std::move(geometry)), m_lookup(std::move(lookup)), m_rates(std::move(rates)),
+      m_stop(std::move(stop)) {
+    if (static_cast<int>(m_rates.size()) != m_geometry->objects())
+        throw std::invalid_argument("SteadySearch: one rate an object");
+    m_T_K = m_lookup->table();
+    for (Eigen::Index i = 0; i < m_T_K.cols(); ++i) {
+        const HeatRates& rate = m_rates[static_cast<std::size_t>(i)];
+        m_T_K.col(i) = ((rate.lambda1 * m_T_K.col(i) + rate.lambda3) / rate.lambda2).sqrt().sqrt();
+    }
+}
+
+SteadySearch::Gradient SteadySearch::at(const Vector6d& q) const {
+    ViewFactors now = m_geometry->viewFactors(q);
+    Gradient out{Eigen::VectorXd(now.F.size()), std::move(now.dF)};
+    for (Eigen::Index i = 0; i < now.F.size(); ++i) {
+        const HeatRates& rate = m_rates[static_cast<std::size_t>(i)];
+        out.T_K[i] = rate.steadyTemperature_K(std::max(0.0, now.F[i]));
+        out.dT.row(i) *= rate.lambda1 / (4.0 * rate.lambda2 * std::pow(out.T_K[i], 3));
+    }
+    return out;
+}
+
+SteadyPose SteadySearch::evaluated(const SteadyAim& aim, const Vector6d& q) const {
+    Eigen::VectorXd T_K = at(q).T_K;
+    const double cost_K2 = (aim.rows * T_K - aim.wanted).squaredNorm();
+    return {q, std::move(T_K), cost_K2};
+}
+
+SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) const {
+    constexpr int kIterations = 60;
+    constexpr double kExact_K2 = 1e-12;
+    const auto& free = m_geometry->freeCoordinates();
+    const auto n = static_cast<Eigen::Index>(free.size());
+    Vector6d q = start;
+    Gradient now = at(q);
+    Eigen::VectorXd residual = aim.rows * now.T_K - aim.wanted;
+    double damping = 1e-3;
+    int still = 0; // steps in a row that gained next to nothing
+    for (int i = 0; i < kIterations && still < 3 && !stopped(); ++i) {
+        if (residual.squaredNorm() < kExact_K2)
+            break;
+        Eigen::MatrixXd J(aim.rows.rows(), n);
+        for (Eigen::Index k = 0; k < n; ++k)
+            J.col(k) = aim.rows * now.dT.col(free[static_cast<std::size_t>(k)]);
+        Eigen::MatrixXd H = J.transpose() * J;
+        const double size = std::max(H.trace(), 1e-9);
+        for (Eigen::Index k = 0; k < n; ++k)
+            H(k, k) += damping * size * std::pow(lengthOf(free[static_cast<std::size_t>(k)]), 2);
+        Eigen::MatrixXd G;
+        Eigen::VectorXd h;
+        stepLimits(*m_geometry, q, G, h);
+        const Eigen::VectorXd y = solveBounded(H, -J.transpose() * residual, G, h).y;
+        Vector6d next = q;
+        for (Eigen::Index k = 0; k < n; ++k)
+            next[free[static_cast<std::size_t>(k)]] += y[k];
+        next = repaired(*m_geometry, next);
+        if ((next - q).cwiseAbs().maxCoeff() < 1e-9)
+            break;
+        bool better = false;
+        if (m_geometry->allowed(next)) {
+            Gradient there = at(next);
+            Eigen::VectorXd left = aim.rows * there.T_K - aim.wanted;
+            const double before_K2 = residual.squaredNorm();
+            if (const double after_K2 = left.squaredNorm(); after_K2 < before_K2) {
+                better = true;
+                still = after_K2 > (1.0 - 1e-6) * before_K2 ? still + 1 : 0;
+                q = next;
+                now = std::move(there);
+                residual = std::move(left);
+            }
+        }
+        damping = better ? std::max(1e-9, damping * 0.2) : damping * 8.0;
+        if (damping > 1e6)
+            break;
+    }
+    return {q, now.T_K, residual.squaredNorm()};
+}
+
+std::vector<Vector6d> SteadySearch::startsFor(const SteadyAim& aim, int count) const {
+    constexpr Eigen::Index kSome = 1024; // from which those in neighbouring cells are left out
+    Eigen::ArrayXd cost_K2 = Eigen::ArrayXd::Zero(m_T_K.rows());
+    for (Eigen::Index k = 0; k < aim.rows.rows(); ++k) {
+        Eigen::ArrayXd residual_K = Eigen::ArrayXd::Constant(m_T_K.rows(), -aim.wanted[k]);
+        for (Eigen::Index i = 0; i < m_T_K.cols(); ++i)
+            if (aim.rows(k, i) != 0.0)
+                residual_K += aim.rows(k, i) * m_T_K.col(i);
+        cost_K2 += residual_K.square();
+    }
+    std::vector<Eigen::Index> order(static_cast<std::size_t>(m_T_K.rows()));
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    const auto cheaper = [&](Eigen::Index a, Eigen::Index b) {
+        return std::pair(cost_K2[a], a) < std::pair(cost_K2[b], b);
+    };
+    const auto some = order.begin() + std::min<Eigen::Index>(kSome, m_T_K.rows());
+    std::ranges::partial_sort(order, some, cheaper);
+    std::vector<Vector6d> out;
+    for (auto k = order.begin(); k != some && static_cast<int>(out.size()) < count; ++k) {
+        const Vector6d& q = m_lookup->pose(static_cast<std::size_t>(*k));
+        const bool apart = std::ranges::all_of(out, [&](const Vector6d& other) {
+            return ((q - other).cwiseAbs() - 1.5 * m_lookup->cell()).maxCoeff() > 0.0;
+        });
+        if (apart)
+            out.push_back(q);
+    }
+    return out;
+}
+
+SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2) const {
+    SteadyPose best;
+    best.cost_K2 = std::numeric_limits<double>::infinity();
+    double bestMargin_m = 0.0;
+    int tried = 0;
+    for (const Vector6d& start : startsFor(aim, starts)) {
+        if (stopped() || (tried++ % kBatch == 0 && best.cost_K2 <= enough_K2))
+            break;
+        SteadyPose found = refine(aim, start);
+        const double margin_m = nearestLimit(*m_geometry, found.q).distance_m;
+        const bool bothEnough = std::max(found.cost_K2, best.cost_K2) <= enough_K2;
+        if (bothEnough ? margin_m > bestMargin_m : found.cost_K2 < best.cost_K2) {
+            best = std::move(found);
+            bestMargin_m = margin_m;
+        }
+    }
+    return best;
+}
+
+LimitDistance nearestLimit(const RigGeometry& geometry, const Vector6d& q) {
+    const RobotLimits& limits = geometry.limits();
+    LimitDistance out{geometry.lowestPoint_m(q) - limits.clearance_m, Limit::Clearance, 0};
+    for (const int c : geometry.freeCoordinates()) {
+        const double distance_m = lengthOf(c) * std::min(q[c] - limits.lower[c], limits.upper[c] - q[c]);
+        if (distance_m < out.distance_m)
+            out = {distance_m, Limit::Workspace, c};
+    }
+    out.distance_m = std::max(0.0, out.distance_m);
+    return out;
+}
+
+} // namespace bask
