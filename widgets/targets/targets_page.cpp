@@ -149,8 +149,8 @@ void TargetsPage::addRow(int index) {
     const auto named = [index](QWidget* widget, const char* name) {
         widget->setObjectName(QString::fromLatin1(name) + QString::number(index));
     };
-    Row made{new QLabel(m_table),   new QLabel(m_table),     new QuantitySpinBox(m_table),
-             new ReachBar(m_table), new QLabel(m_table),     new QLabel(m_table),
+    Row made{new QLabel(m_table),   new QLabel(m_table),      new QuantitySpinBox(m_table),
+             new ReachBar(m_table), new QLabel(m_table),      new QLabel(m_table),
              wrapped(m_table),      new QPushButton(m_table), new QCheckBox(m_table)};
     named(made.target, "target");
     named(made.bar, "reach");
@@ -272,7 +272,8 @@ void TargetsPage::useNearestTogether() {
 
 bool TargetsPage::rowStale(std::size_t row) const {
     return m_stale || !m_verdict ||
-           std::abs(m_verdict->conditions1[row].target_K - m_experiment.objects[row].target_K) > kSameTarget_K;
+           std::abs(m_verdict->conditions1[row].target_K - m_experiment.objects[row].target_K) >
+               kSameTarget_K;
 }
 
 void TargetsPage::showRow(std::size_t i) {
@@ -307,8 +308,7 @@ void TargetsPage::showRow(std::size_t i) {
     row.nearest->setAccessibleName(tr("Set the target of %1 to the nearest reachable one").arg(name));
     row.nearest->setEnabled(bad && m_editable);
     row.nearest->setToolTip(
-        bad ? tr("Set the target to %1")
-                  .arg(formatTemperature(nearestReachable_K(own, m_unit), m_unit))
+        bad ? tr("Set the target to %1").arg(formatTemperature(nearestReachable_K(own, m_unit), m_unit))
             : tr("The target is within reach already."));
     row.keep->setText(tr("Keep"));
     row.keep->setAccessibleName(tr("Keep the target of %1").arg(name));
@@ -367,8 +367,10 @@ QString TargetsPage::jointDetail() const {
                  QLocale().toString(verdict.margin.distance_m * 100.0, 'f', 1), limitWord(verdict.margin));
     QStringList residuals, nearest;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        residuals << QStringLiteral("%1 %2").arg(objectName(i), formatDifference(verdict.residuals_K[i], m_unit));
-        nearest << QStringLiteral("%1 %2").arg(objectName(i), formatTemperature(verdict.nearest_K[i], m_unit));
+        residuals << QStringLiteral("%1 %2").arg(objectName(i),
+                                                 formatDifference(verdict.residuals_K[i], m_unit));
+        nearest << QStringLiteral("%1 %2").arg(objectName(i),
+                                               formatTemperature(verdict.nearest_K[i], m_unit));
     }
     const QString separator = tr(", ", "between names");
     QString text = tr("Best compromise, at %1: %2.")

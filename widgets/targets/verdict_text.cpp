@@ -101,8 +101,10 @@ QString poseText(const Vector6d& pose, const RobotLimits& robot) {
     QStringList parts;
     for (int k = 0; k < 6; ++k)
         if (robot.free[static_cast<std::size_t>(k)])
-            parts << (k < kThetaX ? QStringLiteral("%1 %2 cm").arg(axisName(k), formatSigned(pose[k] * kCmPerM, 1))
-                                  : QStringLiteral("%1 %2\u00b0").arg(axisName(k), formatSigned(degFromRad(pose[k]), 1)));
+            parts << (k < kThetaX
+                          ? QStringLiteral("%1 %2 cm").arg(axisName(k), formatSigned(pose[k] * kCmPerM, 1))
+                          : QStringLiteral("%1 %2\u00b0")
+                                .arg(axisName(k), formatSigned(degFromRad(pose[k]), 1)));
     return parts.join(QStringLiteral(", "));
 }
 
