@@ -8,6 +8,10 @@ namespace bask {
 
 Document::Document(QObject* parent) : QObject(parent) {}
 
+Document::~Document() {
+    m_stop.request_stop();
+}
+
 QString Document::displayName() const {
     if (!m_path.isEmpty())
         return QFileInfo(m_path).fileName();
@@ -27,7 +31,9 @@ void Document::open(const Experiment& experiment, const QString& path) {
     m_experiment = experiment;
     m_path = path;
     m_modified = false;
-    m_verdicts.clear();
+    m_verdict.reset();
+    m_lookup.reset();
+    m_kept.clear();
     emit opened();
     emit modifiedChanged();
     judgeTargets();
@@ -51,6 +57,7 @@ Result<void> Document::adopt(const Experiment& experiment) {
 Result<void> Document::edit(const Experiment& experiment) {
     if (const auto adopted = adopt(experiment); !adopted)
         return adopted;
+    m_lookup.reset();
     emit edited();
     judgeTargets();
     return {};
@@ -76,15 +83,30 @@ Result<void> Document::setController(const ControllerSettings& settings) {
     return {};
 }
 
+void Document::setKept(const std::vector<bool>& kept) {
+    m_kept = kept;
+    judgeTargets();
+}
+
 void Document::judgeTargets() {
     m_stale = true;
-    emit verdictsChanged();
-    m_judge.run([experiment = m_experiment] { return targetVerdicts(experiment); },
-                [this](std::vector<TargetVerdict> verdicts) {
-                    m_verdicts = std::move(verdicts);
-                    m_stale = false;
-                    emit verdictsChanged();
-                });
+    emit verdictChanged();
+    m_stop.request_stop();
+    m_stop = {};
+    const auto work = [experiment = m_experiment, lookup = m_lookup, kept = m_kept,
+                       stop = m_stop.get_token()] {
+        FeasibilityRequest request = feasibilityRequest(experiment);
+        request.lookup = lookup ? lookup : feasibilityLookup(request.geometry, request.rest);
+        if (kept.size() == experiment.objects.size())
+            request.held = kept;
+        return Judgement{jointFeasibility(request, stop), request.lookup};
+    };
+    m_judge.run(work, [this](Judgement judgement) {
+        m_verdict = std::move(judgement.verdict);
+        m_lookup = std::move(judgement.lookup);
+        m_stale = false;
+        emit verdictChanged();
+    });
 }
 
 } // namespace bask

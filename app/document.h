@@ -1,22 +1,28 @@
 #pragma once
-// The experiment that is open: its value, its file, whether it was changed, and the verdicts on its targets.
+// The experiment that is open: its value, its file, whether it was changed, and the verdict on its targets.
 
-#include "engine/control/feasibility.h"
+#include "engine/control/joint_feasibility.h"
 #include "engine/session/experiment.h"
 #include "widgets/common/latest_job.h"
 
 #include <QObject>
 #include <QString>
 
+#include <memory>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
 namespace bask {
 
-/// GUI thread. Only valid experiments get in; verdicts are computed off the thread and are stale until they
-/// are there.
+/// GUI thread. Only valid experiments get in; the verdict is computed off the thread and is stale until it is
+/// there; a newer edit stops the work on an older one.
 class Document : public QObject {
     Q_OBJECT
 
 public:
     explicit Document(QObject* parent = nullptr);
+    ~Document() override;
 
     const Experiment& experiment() const { return m_experiment; }
     QString path() const { return m_path; }
@@ -33,8 +39,12 @@ public:
     Result<void> setTargets(const std::vector<double>& targets_K);
     Result<void> setController(const ControllerSettings& settings);
 
-    const std::vector<TargetVerdict>& verdicts() const { return m_verdicts; }
-    bool verdictsStale() const { return m_stale; }
+    /// Targets that the nearest feasible ones shall keep.
+    void setKept(const std::vector<bool>& kept);
+
+    /// Empty before the first.
+    const std::optional<JointVerdict>& verdict() const { return m_verdict; }
+    bool verdictStale() const { return m_stale; }
 
     /// What File > New makes: one painted disk over the default source.
     static Experiment blank();
@@ -46,7 +56,7 @@ signals:
     void targetsChanged();
     void controllerChanged();
     void modifiedChanged();
-    void verdictsChanged();
+    void verdictChanged();
 
 private:
     Result<void> adopt(const Experiment& experiment);
@@ -55,9 +65,17 @@ private:
     Experiment m_experiment;
     QString m_path;
     bool m_modified = false;
-    std::vector<TargetVerdict> m_verdicts;
+    /// The sampled workspace outlives edits of targets.
+    struct Judgement {
+        std::optional<JointVerdict> verdict; ///< empty: stopped
+        std::shared_ptr<const PoseLookup> lookup;
+    };
+    std::optional<JointVerdict> m_verdict;
+    std::shared_ptr<const PoseLookup> m_lookup; ///< of the present objects, source and robot
+    std::vector<bool> m_kept;
     bool m_stale = true;
-    LatestJob<std::vector<TargetVerdict>> m_judge;
+    std::stop_source m_stop;
+    LatestJob<Judgement> m_judge;
 };
 
 } // namespace bask

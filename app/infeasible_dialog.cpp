@@ -8,9 +8,9 @@
 
 namespace bask {
 
-InfeasibleDialog::InfeasibleDialog(const QStringList& objects, QWidget* parent) : QDialog(parent) {
+InfeasibleDialog::InfeasibleDialog(const QString& reason, QWidget* parent) : QDialog(parent) {
     setObjectName(QStringLiteral("infeasibleDialog"));
-    setWindowTitle(tr("Target out of reach"));
+    setWindowTitle(tr("Targets out of reach"));
     setWindowModality(Qt::WindowModal);
     setAttribute(Qt::WA_DeleteOnClose);
 
@@ -19,10 +19,9 @@ InfeasibleDialog::InfeasibleDialog(const QStringList& objects, QWidget* parent) 
     bold.setBold(true);
     title->setFont(bold);
     auto* text =
-        new QLabel(tr("The target of %1 is outside of what this rig can hold. The run would end at the best "
-                      "compromise it finds.\n"
-                      "The Targets page shows the range and offers the nearest target that can be reached.")
-                       .arg(objects.join(QStringLiteral(", "))),
+        new QLabel(reason + (reason.isEmpty() ? "" : "\n") +
+                       tr("The run would end at the best compromise it finds.\n"
+                          "The Targets page says more and offers the nearest targets that can be held."),
                    this);
     text->setWordWrap(true);
     text->setMinimumWidth(420);

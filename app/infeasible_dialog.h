@@ -1,8 +1,8 @@
 #pragma once
-// Before a run whose targets cannot all be reached: which, and an explicit tick to start all the same.
+// Before a run whose targets cannot be held: why, and an explicit tick to start all the same.
 
 #include <QDialog>
-#include <QStringList>
+#include <QString>
 
 namespace bask {
 
@@ -12,7 +12,8 @@ class InfeasibleDialog : public QDialog {
     Q_OBJECT
 
 public:
-    InfeasibleDialog(const QStringList& objects, QWidget* parent);
+    /// `reason` in words; may be empty.
+    InfeasibleDialog(const QString& reason, QWidget* parent);
 };
 
 } // namespace bask

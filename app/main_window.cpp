@@ -144,20 +144,15 @@ void MainWindow::arm() {
 
 void MainWindow::refuse(const Message& refusal) {
     if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed)
-        askInfeasible(refusal.args.empty() ? QString() : QString::fromStdString(refusal.args.front()));
+        askInfeasible();
     else
         m_pages->showProblem(sentence(refusal));
 }
 
-void MainWindow::askInfeasible(const QString& object) {
-    QStringList objects;
-    if (!m_document.verdictsStale())
-        for (std::size_t i = 0; i < m_document.verdicts().size(); ++i)
-            if (m_document.verdicts()[i].verdict != FeasibilityVerdict::Reachable)
-                objects << QString::fromStdString(m_document.experiment().objects[i].name);
-    if (objects.isEmpty())
-        objects << object;
-    auto* dialog = new InfeasibleDialog(objects, this);
+void MainWindow::askInfeasible() {
+    const auto& verdict = m_document.verdict();
+    const bool known = verdict && !m_document.verdictStale() && !verdict->feasible;
+    auto* dialog = new InfeasibleDialog(known ? sentence(verdict->reason) : QString(), this);
     connect(dialog, &QDialog::accepted, this, [this] { m_engine.send(Start{true}); });
     dialog->open();
 }

@@ -63,7 +63,7 @@ private:
     void takeRows(const Snapshot& snapshot);
     void perform(Verb verb);
     void arm();
-    void askInfeasible(const QString& object);
+    void askInfeasible();
     void refuse(const Message& refusal);
     void showReason(int index);
     void showEvents();

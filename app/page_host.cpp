@@ -92,12 +92,13 @@ void PageHost::connectDocument() {
         m_objects->setExperiment(m_document.experiment());
         emit commandIssued(SetController{m_document.experiment().controller});
     });
-    connect(&m_document, &Document::verdictsChanged, this, [this] {
-        if (m_document.verdictsStale())
+    connect(&m_document, &Document::verdictChanged, this, [this] {
+        if (m_document.verdictStale() || !m_document.verdict())
             m_targets->setStale(true);
         else
-            m_targets->setVerdicts(m_document.verdicts());
+            m_targets->setVerdict(*m_document.verdict());
     });
+    connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
 }
 
 void PageHost::showDocument() {

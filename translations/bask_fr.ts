@@ -603,8 +603,8 @@
             <translation>Mis en pause par l’opérateur. Reprenez ou arrêtez.</translation>
         </message>
         <message>
-            <source>The target of "%1" cannot be reached. Change it on the Targets page.</source>
-            <translation>La consigne de « %1 » ne peut pas être atteinte. Modifiez-la sur la page Consignes.</translation>
+            <source>The targets cannot be held. See the Targets page.</source>
+            <translation>Les cibles ne peuvent pas être tenues. Voir la page Cibles.</translation>
         </message>
         <message>
             <source>The sensor of "%1" has given nothing new for %2 s. Check its cable, then resume.</source>
@@ -1672,16 +1672,6 @@
     <context>
         <name>bask::InfeasibleDialog</name>
         <message>
-            <source>Target out of reach</source>
-            <translation>Consigne hors d’atteinte</translation>
-        </message>
-        <message>
-            <source>The target of %1 is outside of what this rig can hold. The run would end at the best compromise it finds.
-The Targets page shows the range and offers the nearest target that can be reached.</source>
-            <translation>La consigne de %1 est hors de ce que ce banc peut tenir. L’essai finirait au meilleur compromis trouvé.
-La page Consignes montre la plage et propose la consigne atteignable la plus proche.</translation>
-        </message>
-        <message>
             <source>Start all the same; the recording says so</source>
             <translation>Démarrer malgré tout ; l’enregistrement le mentionne</translation>
         </message>
@@ -1692,6 +1682,16 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
         <message>
             <source>Cancel</source>
             <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Targets out of reach</source>
+            <translation>Cibles hors d’atteinte</translation>
+        </message>
+        <message>
+            <source>The run would end at the best compromise it finds.
+The Targets page says more and offers the nearest targets that can be held.</source>
+            <translation>L’essai finirait au meilleur compromis trouvé.
+La page Cibles en dit plus et propose les cibles les plus proches qui peuvent être tenues.</translation>
         </message>
     </context>
     <context>
@@ -2895,10 +2895,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Il n’y a pas encore d’objet. Ajoutez-en un sur la page Objets.</translation>
         </message>
         <message>
-            <source>Cannot be held anywhere in the workspace: %1. A run would end at a compromise.</source>
-            <translation>Impossible à tenir où que ce soit dans l’espace de travail : %1. Un essai finirait par un compromis.</translation>
-        </message>
-        <message>
             <source>, </source>
             <comment>between names</comment>
             <translation>, </translation>
@@ -2906,14 +2902,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Checking the targets…</source>
             <translation>Vérification des consignes…</translation>
-        </message>
-        <message>
-            <source>The target can be held somewhere in the workspace.</source>
-            <translation>La consigne peut être tenue quelque part dans l’espace de travail.</translation>
-        </message>
-        <message>
-            <source>Each target alone can be held somewhere in the workspace; whether all can be held together is not checked yet.</source>
-            <translation>Chaque consigne seule peut être tenue quelque part dans l’espace de travail ; qu’elles le soient ensemble n’est pas encore vérifié.</translation>
         </message>
         <message>
             <source>Targets</source>
@@ -2950,6 +2938,50 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed.</source>
             <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis trouvé, le dit, et la session consigne votre accord.</translation>
+        </message>
+        <message>
+            <source>All targets can be held together.</source>
+            <translation>Toutes les cibles peuvent être tenues ensemble.</translation>
+        </message>
+        <message>
+            <source>At %1; %2 cm from the nearest limit: %3.</source>
+            <translation>En %1 ; à %2 cm de la limite la plus proche : %3.</translation>
+        </message>
+        <message>
+            <source>Best compromise, at %1: %2.</source>
+            <translation>Meilleur compromis, en %1 : %2.</translation>
+        </message>
+        <message>
+            <source>Cannot be held: %1.</source>
+            <translation>Ne peuvent être tenues : %1.</translation>
+        </message>
+        <message>
+            <source>Keep</source>
+            <translation>Garder</translation>
+        </message>
+        <message>
+            <source>Keep the target of %1</source>
+            <translation>Garder la cible de %1</translation>
+        </message>
+        <message>
+            <source>Leave this target as it is when the nearest ones are sought.</source>
+            <translation>Laisser cette cible telle quelle quand on cherche les plus proches.</translation>
+        </message>
+        <message>
+            <source>Nearest targets that can be held: %1.</source>
+            <translation>Cibles les plus proches qui peuvent être tenues : %1.</translation>
+        </message>
+        <message>
+            <source>The target can be held.</source>
+            <translation>La cible peut être tenue.</translation>
+        </message>
+        <message>
+            <source>Those to be kept cannot be held together.</source>
+            <translation>Celles à garder ne peuvent être tenues ensemble.</translation>
+        </message>
+        <message>
+            <source>Use nearest feasible</source>
+            <translation>Prendre les plus proches</translation>
         </message>
     </context>
     <context>
@@ -3057,6 +3089,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>needs F = %1, up to %2 here</source>
             <translation>demande F = %1, jusqu’à %2 ici</translation>
+        </message>
+        <message>
+            <source>clearance</source>
+            <translation>dégagement</translation>
+        </message>
+        <message>
+            <source>workspace %1</source>
+            <translation>espace de travail %1</translation>
         </message>
     </context>
 </TS>

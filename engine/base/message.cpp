@@ -144,7 +144,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(ReasonNotAtAmbient, QT_TRANSLATE_NOOP("Message", "The objects are not at rest at the room's temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment's temperature.")),
     Entry BASK_MESSAGE(ReasonSensorsDisagree, QT_TRANSLATE_NOOP("Message", "At rest the sensors' readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.")),
     Entry BASK_MESSAGE(ReasonHeldByOperator, QT_TRANSLATE_NOOP("Message", "Held by the operator. Resume or stop.")),
-    Entry BASK_MESSAGE(ReasonTargetInfeasible, QT_TRANSLATE_NOOP("Message", "The target of \"%1\" cannot be reached. Change it on the Targets page.")),
+    Entry BASK_MESSAGE(ReasonTargetInfeasible, QT_TRANSLATE_NOOP("Message", "The targets cannot be held. See the Targets page.")),
     Entry BASK_MESSAGE(ReasonSensorStale, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given nothing new for %2 s. Check its cable, then resume.")),
     Entry BASK_MESSAGE(ReasonSensorInvalid, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" gives no plausible value. Check it, then resume.")),
     Entry BASK_MESSAGE(ReasonSourcePoseLost, QT_TRANSLATE_NOOP("Message", "The source's pose is not measured any more. Bring the source back into view, then resume.")),

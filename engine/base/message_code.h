@@ -133,7 +133,7 @@ enum class MessageCode : int {
     ReasonNotAtAmbient,     ///< %1 degC expected
     ReasonSensorsDisagree,  ///< %1 K apart at rest, %2 K allowed
     ReasonHeldByOperator,
-    ReasonTargetInfeasible, ///< %1 object
+    ReasonTargetInfeasible, ///< no args
     ReasonSensorStale,      ///< %1 object, %2 age s
     ReasonSensorInvalid,    ///< %1 object
     ReasonSourcePoseLost,   ///< no args

@@ -128,10 +128,9 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     if (const auto fresh = requireFreshSensors(); !fresh)
         return fresh;
     if (!acceptInfeasible) {
-        const std::vector<TargetVerdict> verdicts = targetVerdicts(m_experiment);
-        for (std::size_t i = 0; i < verdicts.size(); ++i)
-            if (verdicts[i].verdict != FeasibilityVerdict::Reachable)
-                return Error(MessageCode::ReasonTargetInfeasible, {}, {m_experiment.objects[i].name});
+        const auto verdict = jointFeasibility(feasibilityRequest(m_experiment));
+        if (!verdict || !verdict->feasible)
+            return Error(MessageCode::ReasonTargetInfeasible, {});
     }
     m_startTime_s = m_clock.now_s();
     m_withinBandSince_s = m_startTime_s;

@@ -27,18 +27,22 @@ TEST(Document, RefusedEditsChangeNothing) {
     EXPECT_FALSE(document.setTargets({300.0, 300.0}).ok());
 }
 
-// Catches: verdicts of old targets shown as if they belonged to the new ones.
+// Catches: a verdict of old targets shown as if it belonged to the new ones.
 TEST(Document, VerdictsFollowTheTargets) {
     Document document;
     document.open(Document::blank(), {});
-    ASSERT_TRUE(waitFor([&] { return !document.verdictsStale(); }));
+    ASSERT_TRUE(waitFor([&] { return !document.verdictStale(); }));
     ASSERT_TRUE(document.setTargets({kelvinFromCelsius(200.0)}).ok());
-    EXPECT_TRUE(document.verdictsStale());
+    EXPECT_TRUE(document.verdictStale());
     EXPECT_TRUE(document.modified());
-    ASSERT_TRUE(waitFor([&] { return !document.verdictsStale(); }));
-    ASSERT_EQ(document.verdicts().size(), 1U);
-    EXPECT_EQ(document.verdicts()[0].verdict, FeasibilityVerdict::TooHot);
-    EXPECT_NEAR(document.verdicts()[0].target_K, kelvinFromCelsius(200.0), 1e-9);
+    ASSERT_TRUE(waitFor([&] { return !document.verdictStale(); }));
+    ASSERT_TRUE(document.verdict());
+    EXPECT_FALSE(document.verdict()->feasible);
+    EXPECT_NEAR(document.verdict()->conditions1.at(0).target_K, kelvinFromCelsius(200.0), 1e-9);
+    EXPECT_LT(document.verdict()->nearest_K.at(0), kelvinFromCelsius(200.0));
+    ASSERT_TRUE(document.setTargets(document.verdict()->nearest_K).ok());
+    ASSERT_TRUE(waitFor([&] { return !document.verdictStale(); }));
+    EXPECT_TRUE(document.verdict()->feasible);
 }
 
 TEST(Document, IsNamedAfterFileOrTitle) {

@@ -6,6 +6,7 @@
 #include "widgets/targets/reach_bar.h"
 #include "widgets/targets/verdict_text.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QFrame>
 #include <QGridLayout>
@@ -59,11 +60,13 @@ struct TargetsPage::Row {
     QLabel* word;
     QLabel* detail;
     QPushButton* nearest;
+    QCheckBox* keep;
 };
 
 TargetsPage::TargetsPage(QWidget* parent)
     : QWidget(parent), m_title(new QLabel(this)), m_note(wrapped(this, "targetsNote")),
       m_jointIcon(new QLabel(this)), m_joint(wrapped(this, "jointVerdict")),
+      m_jointDetail(wrapped(this, "jointDetail")), m_useNearest(new QPushButton(this)),
       m_explanationTitle(new QLabel(this)), m_explanation(wrapped(this)), m_infeasibleTitle(new QLabel(this)),
       m_infeasible(wrapped(this, "infeasibleNote")) {
     makeBold(m_title, 1.25);
@@ -73,7 +76,15 @@ TargetsPage::TargetsPage(QWidget* parent)
     auto* joint = new QHBoxLayout;
     joint->setSpacing(10);
     joint->addWidget(m_jointIcon, 0, Qt::AlignTop);
-    joint->addWidget(m_joint, 1);
+    auto* jointWords = new QVBoxLayout;
+    jointWords->setSpacing(4);
+    jointWords->addWidget(m_joint);
+    jointWords->addWidget(m_jointDetail);
+    joint->addLayout(jointWords, 1);
+    joint->addWidget(m_useNearest, 0, Qt::AlignTop);
+    m_useNearest->setObjectName("useNearest");
+    makeBold(m_joint);
+    connect(m_useNearest, &QPushButton::clicked, this, &TargetsPage::useNearestTogether);
     auto* words = new QGridLayout;
     words->setHorizontalSpacing(32);
     words->addWidget(m_explanationTitle, 0, 0);
@@ -138,14 +149,15 @@ void TargetsPage::addRow(int index) {
     const auto named = [index](QWidget* widget, const char* name) {
         widget->setObjectName(QString::fromLatin1(name) + QString::number(index));
     };
-    Row made{new QLabel(m_table),   new QLabel(m_table),     new QuantitySpinBox(m_table),
-             new ReachBar(m_table), new QLabel(m_table),     new QLabel(m_table),
-             wrapped(m_table),      new QPushButton(m_table)};
+    Row made{new QLabel(m_table),   new QLabel(m_table),      new QuantitySpinBox(m_table),
+             new ReachBar(m_table), new QLabel(m_table),      new QLabel(m_table),
+             wrapped(m_table),      new QPushButton(m_table), new QCheckBox(m_table)};
     named(made.target, "target");
     named(made.bar, "reach");
     named(made.word, "verdict");
     named(made.detail, "verdictDetail");
     named(made.nearest, "nearest");
+    named(made.keep, "keep");
     makeBold(made.name, 1.1);
     makeBold(made.word);
     QFont large = made.target->font();
@@ -157,6 +169,11 @@ void TargetsPage::addRow(int index) {
     made.name->setBuddy(made.target);
     connect(made.target, &QuantitySpinBox::valueEdited_K, this,
             [this, row](double target_K) { editTarget(row, target_K); });
+    connect(made.keep, &QCheckBox::toggled, this, [this] {
+        m_stale = true;
+        showAll();
+        emit keptChanged(kept());
+    });
     connect(made.nearest, &QPushButton::clicked, this, [this, row] { useNearest(row); });
 
     auto* verdict = new QGridLayout;
@@ -177,6 +194,7 @@ void TargetsPage::addRow(int index) {
     m_grid->addWidget(made.bar, line + 1, 3);
     m_grid->addLayout(verdict, line + 1, 4);
     m_grid->addWidget(made.nearest, line + 1, 5);
+    m_grid->addWidget(made.keep, line + 1, 6);
     m_grid->setRowMinimumHeight(line + 1, kRowHeight);
     m_rows.push_back(made);
 }
@@ -188,12 +206,14 @@ void TargetsPage::setExperiment(const Experiment& experiment) {
         showAll();
         return;
     }
-    m_verdicts.clear();
+    m_verdict.reset();
     buildRows();
 }
 
-void TargetsPage::setVerdicts(const std::vector<TargetVerdict>& verdicts) {
-    m_verdicts = verdicts.size() == m_rows.size() ? verdicts : std::vector<TargetVerdict>{};
+void TargetsPage::setVerdict(const JointVerdict& verdict) {
+    m_verdict.reset();
+    if (verdict.conditions1.size() == m_rows.size())
+        m_verdict = verdict;
     m_stale = false;
     showAll();
 }
@@ -221,6 +241,13 @@ std::vector<double> TargetsPage::targets_K() const {
     return targets_K;
 }
 
+std::vector<bool> TargetsPage::kept() const {
+    std::vector<bool> kept;
+    for (const Row& row : m_rows)
+        kept.push_back(row.keep->isChecked());
+    return kept;
+}
+
 void TargetsPage::editTarget(std::size_t row, double target_K) {
     if (row >= m_experiment.objects.size() || m_experiment.objects[row].target_K == target_K)
         return;
@@ -230,13 +257,23 @@ void TargetsPage::editTarget(std::size_t row, double target_K) {
 }
 
 void TargetsPage::useNearest(std::size_t row) {
-    if (row < m_verdicts.size())
-        editTarget(row, nearestReachable_K(m_verdicts[row], m_unit));
+    if (m_verdict && row < m_verdict->conditions1.size())
+        editTarget(row, nearestReachable_K(m_verdict->conditions1[row], m_unit));
+}
+
+void TargetsPage::useNearestTogether() {
+    if (!m_verdict || m_verdict->nearest_K.size() != m_rows.size())
+        return;
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
+        m_experiment.objects[i].target_K = m_verdict->nearest_K[i];
+    showAll();
+    emit targetsEdited(targets_K());
 }
 
 bool TargetsPage::rowStale(std::size_t row) const {
-    return m_stale || row >= m_verdicts.size() ||
-           std::abs(m_verdicts[row].target_K - m_experiment.objects[row].target_K) > kSameTarget_K;
+    return m_stale || !m_verdict ||
+           std::abs(m_verdict->conditions1[row].target_K - m_experiment.objects[row].target_K) >
+               kSameTarget_K;
 }
 
 void TargetsPage::showRow(std::size_t i) {
@@ -245,7 +282,8 @@ void TargetsPage::showRow(std::size_t i) {
     const QString name = QString::fromStdString(object.name);
     const bool dark = isDark(this);
     const bool stale = rowStale(i);
-    const bool known = i < m_verdicts.size();
+    const bool known = m_verdict.has_value();
+    const TargetVerdict own = known ? m_verdict->conditions1[i] : TargetVerdict{};
     row.swatch->setPixmap(seriesSwatch(static_cast<int>(i), dark, {26, 14}, devicePixelRatioF()));
     row.name->setText(name);
     row.target->setTemperatureUnit(m_unit);
@@ -255,61 +293,92 @@ void TargetsPage::showRow(std::size_t i) {
     row.target->setAccessibleName(tr("Target of %1").arg(name));
     row.bar->setTemperatureUnit(m_unit);
     row.bar->setTarget_K(object.target_K);
-    row.bar->setVerdict(known ? std::optional(m_verdicts[i]) : std::nullopt);
+    row.bar->setVerdict(known ? std::optional(own) : std::nullopt);
     row.bar->setStale(stale);
 
-    const FeasibilityVerdict verdict = known ? verdictHere(m_verdicts[i]) : FeasibilityVerdict::Reachable;
+    const FeasibilityVerdict verdict = known ? verdictHere(own) : FeasibilityVerdict::Reachable;
     const bool bad = !stale && verdict != FeasibilityVerdict::Reachable;
     row.icon->setVisible(bad);
     row.icon->setPixmap(alarmPixmap(3, dark, 18, devicePixelRatioF()));
     row.word->setText(stale ? tr("Checking\u2026") : verdictWord(verdict));
     row.word->setEnabled(!stale);
-    row.detail->setText(stale ? QString() : verdictDetail(m_verdicts[i], m_experiment.environment_K, m_unit));
+    row.detail->setText(stale ? QString() : verdictDetail(own, m_experiment.environment_K, m_unit));
     row.detail->setPalette(captionPalette(palette()));
     row.nearest->setText(tr("Nearest reachable"));
     row.nearest->setAccessibleName(tr("Set the target of %1 to the nearest reachable one").arg(name));
     row.nearest->setEnabled(bad && m_editable);
     row.nearest->setToolTip(
-        bad ? tr("Set the target to %1")
-                  .arg(formatTemperature(nearestReachable_K(m_verdicts[i], m_unit), m_unit))
+        bad ? tr("Set the target to %1").arg(formatTemperature(nearestReachable_K(own, m_unit), m_unit))
             : tr("The target is within reach already."));
+    row.keep->setText(tr("Keep"));
+    row.keep->setAccessibleName(tr("Keep the target of %1").arg(name));
+    row.keep->setToolTip(tr("Leave this target as it is when the nearest ones are sought."));
+    row.keep->setVisible(m_rows.size() > 1);
 }
 
 void TargetsPage::showAxis() {
     double low_K = m_experiment.environment_K;
     double high_K = low_K + 50.0;
-    for (std::size_t i = 0; i < m_verdicts.size(); ++i) {
-        low_K = std::min(low_K, m_verdicts[i].lowest_K);
-        high_K = i == 0 ? m_verdicts[i].highest_K : std::max(high_K, m_verdicts[i].highest_K);
+    for (std::size_t i = 0; m_verdict && i < m_rows.size(); ++i) {
+        const TargetVerdict& own = m_verdict->conditions1[i];
+        low_K = std::min(low_K, own.lowest_K);
+        high_K = i == 0 ? own.highest_K : std::max(high_K, own.highest_K);
     }
     const double margin_K = 0.12 * (high_K - low_K);
     for (Row& row : m_rows)
         row.bar->setAxis_K(low_K - margin_K, high_K + margin_K);
 }
 
+QString TargetsPage::objectName(std::size_t row) const {
+    return QString::fromStdString(m_experiment.objects[row].name);
+}
+
 void TargetsPage::showJoint() {
-    QStringList unreachable;
     bool stale = false;
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
         stale = stale || rowStale(i);
-        if (!rowStale(i) && verdictHere(m_verdicts[i]) != FeasibilityVerdict::Reachable)
-            unreachable << QString::fromStdString(m_experiment.objects[i].name);
-    }
-    m_jointIcon->setVisible(!unreachable.isEmpty());
+    const bool bad = !stale && !m_verdict->feasible && !m_rows.empty();
+    m_jointIcon->setVisible(bad);
     m_jointIcon->setPixmap(alarmPixmap(3, isDark(this), 18, devicePixelRatioF()));
     if (m_rows.empty())
         m_joint->setText(tr("There is no object yet. Add one on the Objects page."));
-    else if (!unreachable.isEmpty())
-        m_joint->setText(tr("Cannot be held anywhere in the workspace: %1. A run would end at a compromise.")
-                             .arg(unreachable.join(tr(", ", "between names"))));
     else if (stale)
         m_joint->setText(tr("Checking the targets\u2026"));
-    else if (m_rows.size() == 1)
-        m_joint->setText(tr("The target can be held somewhere in the workspace."));
+    else if (bad)
+        m_joint->setText(tr("Cannot be held: %1.").arg(messageText(m_verdict->reason)));
     else
-        m_joint->setText(
-            tr("Each target alone can be held somewhere in the workspace; whether all can be held "
-               "together is not checked yet."));
+        m_joint->setText(m_rows.size() == 1 ? tr("The target can be held.")
+                                            : tr("All targets can be held together."));
+    m_joint->setEnabled(!stale);
+    m_jointDetail->setText(stale || m_rows.empty() ? QString() : jointDetail());
+    m_jointDetail->setPalette(captionPalette(palette()));
+    m_useNearest->setText(tr("Use nearest feasible"));
+    m_useNearest->setVisible(bad && !m_verdict->nearest_K.empty());
+    m_useNearest->setEnabled(m_editable);
+}
+
+QString TargetsPage::jointDetail() const {
+    const JointVerdict& verdict = *m_verdict;
+    if (!verdict.anyPose)
+        return {};
+    if (verdict.feasible)
+        return tr("At %1; %2 cm from the nearest limit: %3.")
+            .arg(poseText(verdict.pose, m_experiment.robot),
+                 QLocale().toString(verdict.margin.distance_m * 100.0, 'f', 1), limitWord(verdict.margin));
+    QStringList residuals, nearest;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        residuals << QStringLiteral("%1 %2").arg(objectName(i),
+                                                 formatDifference(verdict.residuals_K[i], m_unit));
+        nearest << QStringLiteral("%1 %2").arg(objectName(i),
+                                               formatTemperature(verdict.nearest_K[i], m_unit));
+    }
+    const QString separator = tr(", ", "between names");
+    QString text = tr("Best compromise, at %1: %2.")
+                       .arg(poseText(verdict.pose, m_experiment.robot), residuals.join(separator));
+    text += QLatin1Char('\n') + tr("Nearest targets that can be held: %1.").arg(nearest.join(separator));
+    if (!verdict.heldKept)
+        text += QLatin1Char(' ') + tr("Those to be kept cannot be held together.");
+    return text;
 }
 
 void TargetsPage::showAll() {

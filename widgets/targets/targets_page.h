@@ -1,13 +1,16 @@
 #pragma once
-// The Targets page: a row per object with its target, the range that can be reached, and the verdict in
-// words.
+// The Targets page: a row per object with its target, the range that can be reached and the verdict in words;
+// whether all can be held together, why not, and the nearest targets that can.
 
 #include "engine/base/units.h"
-#include "engine/control/feasibility.h"
+#include "engine/control/joint_feasibility.h"
 #include "engine/session/experiment.h"
 
 #include <QWidget>
 
+#include <optional>
+
+class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
@@ -21,7 +24,8 @@ class ReachBar;
 /// as stale, as are all between setStale(true) and the next setVerdicts.
 ///
 /// Object names for tests, i being the row from 0: "target<i>" (spin box), "reach<i>" (bar), "verdict<i>"
-/// (word), "verdictDetail<i>", "nearest<i>" (button); "jointVerdict", "infeasibleNote", "targetsNote".
+/// (word), "verdictDetail<i>", "nearest<i>" (button), "keep<i>"; "jointVerdict", "jointDetail", "useNearest",
+/// "infeasibleNote", "targetsNote".
 class TargetsPage : public QWidget {
     Q_OBJECT
 
@@ -30,17 +34,20 @@ public:
     ~TargetsPage() override;
 
     void setExperiment(const Experiment& experiment);
-    /// One verdict an object, in the experiment's order; another number of them is taken as none.
-    void setVerdicts(const std::vector<TargetVerdict>& verdicts);
+    /// Of the experiment's objects, in their order; of another number of them it is taken as none.
+    void setVerdict(const JointVerdict& verdict);
     void setStale(bool stale);
     /// Targets may be edited during a run too; `why` is shown when they may not.
     void setEditable(bool editable, const QString& why = {});
     void setTemperatureUnit(TemperatureUnit unit);
 
     std::vector<double> targets_K() const;
+    /// Targets that the nearest feasible ones shall leave as they are.
+    std::vector<bool> kept() const;
 
 signals:
     void targetsEdited(const std::vector<double>& targets_K);
+    void keptChanged(const std::vector<bool>& kept);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -51,15 +58,18 @@ private:
     void addRow(int index);
     void editTarget(std::size_t row, double target_K);
     void useNearest(std::size_t row);
+    void useNearestTogether();
     bool rowStale(std::size_t row) const;
     void showRow(std::size_t row);
     void showAxis();
     void showJoint();
+    QString objectName(std::size_t row) const;
+    QString jointDetail() const;
     void showAll();
     void refreshTexts();
 
     Experiment m_experiment;
-    std::vector<TargetVerdict> m_verdicts;
+    std::optional<JointVerdict> m_verdict;
     bool m_stale = true;
     bool m_editable = true;
     QString m_why;
@@ -73,6 +83,8 @@ private:
     QLabel* m_note;
     QLabel* m_jointIcon;
     QLabel* m_joint;
+    QLabel* m_jointDetail;
+    QPushButton* m_useNearest;
     QLabel* m_explanationTitle;
     QLabel* m_explanation;
     QLabel* m_infeasibleTitle;

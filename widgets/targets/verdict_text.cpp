@@ -29,6 +29,11 @@ Pair viewFactors(double needed, double bound) {
     return {QLocale().toString(needed, 'f', decimals), QLocale().toString(bound, 'f', decimals)};
 }
 
+QString axisName(int coordinate) {
+    static const QStringList kNames{"x", "y", "z", "\u03b8x", "\u03b8y", "\u03b8z"};
+    return kNames[coordinate];
+}
+
 } // namespace
 
 FeasibilityVerdict verdictHere(const TargetVerdict& v) {
@@ -89,6 +94,23 @@ double nearestReachable_K(const TargetVerdict& v, TemperatureUnit unit) {
         break;
     }
     return v.target_K;
+}
+
+QString poseText(const Vector6d& pose, const RobotLimits& robot) {
+    constexpr double kCmPerM = 100.0;
+    QStringList parts;
+    for (int k = 0; k < 6; ++k)
+        if (robot.free[static_cast<std::size_t>(k)])
+            parts << (k < kThetaX
+                          ? QStringLiteral("%1 %2 cm").arg(axisName(k), formatSigned(pose[k] * kCmPerM, 1))
+                          : QStringLiteral("%1 %2\u00b0")
+                                .arg(axisName(k), formatSigned(degFromRad(pose[k]), 1)));
+    return parts.join(QStringLiteral(", "));
+}
+
+QString limitWord(const PoseMargin& margin) {
+    return margin.limit == Limit::Clearance ? Words::tr("clearance")
+                                            : Words::tr("workspace %1").arg(axisName(margin.coordinate));
 }
 
 } // namespace bask

@@ -1,8 +1,8 @@
 #pragma once
-// The first feasibility condition of one target in words, and the nearest target that meets it.
+// Verdicts on targets in words, and the nearest target that one object can reach.
 
 #include "engine/base/units.h"
-#include "engine/control/feasibility.h"
+#include "engine/control/joint_feasibility.h"
 
 #include <QString>
 
@@ -19,5 +19,10 @@ QString verdictDetail(const TargetVerdict& verdict, double environment_K, Temper
 /// The target itself if it is reachable, else the bound of the reachable range, rounded inwards to a tenth in
 /// the unit shown so that what is displayed is reachable too. K.
 double nearestReachable_K(const TargetVerdict& verdict, TemperatureUnit unit);
+
+/// "x 1.2 cm, y -3.4 cm, θx 10.0°": the coordinates that the robot moves.
+QString poseText(const Vector6d& pose, const RobotLimits& robot);
+/// "clearance", "workspace z".
+QString limitWord(const PoseMargin& margin);
 
 } // namespace bask

@@ -1,17 +1,21 @@
 #include "widgets/targets/targets_page.h"
 
+#include "engine/base/message_code.h"
 #include "tests/support/longer_translator.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/targets/verdict_text.h"
 
 #include <QApplication>
+#include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace bask {
 namespace {
@@ -35,6 +39,25 @@ TargetVerdict verdict(double target_degC, double neededF) {
     return v;
 }
 
+/// Not feasible unless each is by itself; the nearest targets are 30, 31, 32 degC then.
+JointVerdict joint(const std::vector<TargetVerdict>& each) {
+    JointVerdict verdict;
+    verdict.conditions1 = each;
+    verdict.feasible = std::ranges::all_of(
+        each, [](const TargetVerdict& v) { return v.verdict == FeasibilityVerdict::Reachable; });
+    verdict.pose << 0.012, -0.034, 0.06, radFromDeg(10.0), 0.0, 0.0;
+    verdict.margin.distance_m = 0.021;
+    verdict.margin.limit = Limit::Clearance;
+    for (std::size_t i = 0; i < each.size(); ++i) {
+        verdict.residuals_K.push_back(verdict.feasible ? 0.0 : 1.5 - static_cast<double>(i));
+        verdict.nearest_K.push_back(verdict.feasible ? each[i].target_K
+                                                     : kelvinFromCelsius(30.0 + static_cast<double>(i)));
+    }
+    if (!verdict.feasible)
+        verdict.reason = {MessageCode::TargetNeedsMore, {"bunny", "1.31", "0.93"}};
+    return verdict;
+}
+
 Experiment experimentWith(const std::vector<double>& targets_degC) {
     Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
     for (std::size_t i = 0; i < 3; ++i)
@@ -48,7 +71,7 @@ struct TargetsPageTest : testing::Test {
 
     TargetsPageTest() {
         page.setExperiment(experimentWith({40.0, 120.0, 20.0}));
-        page.setVerdicts({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)});
+        page.setVerdict(joint({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)}));
         page.resize(1150, 620);
         page.show();
         page.activateWindow();
@@ -78,16 +101,37 @@ TEST_F(TargetsPageTest, VerdictsInWords) {
     EXPECT_EQ(text("verdictDetail1").toStdString(), "needs F = 1.31, at most 0.93 here; at most 88.2 °C");
     EXPECT_EQ(text("verdict2"), "Too cold");
     EXPECT_EQ(text("verdictDetail2").toStdString(), "below the room's 25.0 °C");
-    EXPECT_TRUE(text("jointVerdict").contains("bunny, hand"));
+    EXPECT_TRUE(text("jointVerdict").contains("bunny")) << text("jointVerdict").toStdString();
+    EXPECT_TRUE(text("jointDetail").contains("hand \u22120.5 K")) << text("jointDetail").toStdString();
+    EXPECT_TRUE(text("jointDetail").contains("bunny 31.0 °C"));
 }
 
-// Catches a claim that all targets together were checked.
-TEST_F(TargetsPageTest, JointLineIsHonest) {
+// Catches a joint verdict without its pose and margin, and a button that offers what is held already.
+TEST_F(TargetsPageTest, HeldTogether) {
     page.setExperiment(experimentWith({40.0, 40.0, 40.0}));
-    page.setVerdicts({verdict(40.0, 0.16), verdict(40.0, 0.16), verdict(40.0, 0.16)});
-    EXPECT_EQ(text("jointVerdict"),
-              "Each target alone can be held somewhere in the workspace; whether all can be "
-              "held together is not checked yet.");
+    page.setVerdict(joint({verdict(40.0, 0.16), verdict(40.0, 0.16), verdict(40.0, 0.16)}));
+    EXPECT_EQ(text("jointVerdict"), "All targets can be held together.");
+    EXPECT_TRUE(text("jointDetail").contains("z +6.0 cm")) << text("jointDetail").toStdString();
+    EXPECT_TRUE(text("jointDetail").contains("2.1 cm from the nearest limit: clearance"));
+    EXPECT_FALSE(child<QPushButton>("useNearest")->isVisible());
+}
+
+// Catches nearest targets that are rounded, or sent one by one.
+TEST_F(TargetsPageTest, TheNearestFeasibleTargetsAreTakenTogether) {
+    QTest::mouseClick(child<QPushButton>("useNearest"), Qt::LeftButton);
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_EQ(lastTargets(),
+              joint({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)}).nearest_K);
+}
+
+// Catches a target to be kept that is not told to who seeks, or a verdict that stays although the question
+// changed.
+TEST_F(TargetsPageTest, KeptTargetsAreAskedFor) {
+    QSignalSpy keptChanged{&page, &TargetsPage::keptChanged};
+    child<QCheckBox>("keep2")->click();
+    ASSERT_EQ(keptChanged.count(), 1);
+    EXPECT_EQ(page.kept(), (std::vector<bool>{false, false, true}));
+    EXPECT_TRUE(text("jointVerdict").startsWith("Checking"));
 }
 
 // Catches a target inside the source's range but outside the workspace's called reachable, and figures that
@@ -113,7 +157,7 @@ TEST_F(TargetsPageTest, TypingATargetSendsAllInKelvinAndMakesItsRowStale) {
     EXPECT_EQ(page.targets_K(), lastTargets());
     EXPECT_TRUE(text("verdict0").startsWith("Checking")) << "the verdict was for another target";
     EXPECT_EQ(text("verdict1"), "Too hot");
-    page.setVerdicts({verdict(55.0, 0.33), verdict(120.0, 1.31), verdict(20.0, -0.05)});
+    page.setVerdict(joint({verdict(55.0, 0.33), verdict(120.0, 1.31), verdict(20.0, -0.05)}));
     EXPECT_EQ(text("verdict0"), "Reachable");
 }
 
