@@ -44,6 +44,8 @@ struct FieldRequest {
     Vector6d held = Vector6d::Zero();
     /// Mounting: X_SO = poseFromCoordinates(q) * X_EO. Identity: q is of the object's own centre.
     Pose X_EO = Pose::Identity();
+    /// The source in R, the frame of the coordinates: X_SO = X_RS^-1 * poseFromCoordinates(q) * X_EO.
+    Pose X_RS = Pose::Identity();
     double tolerance = 1e-9; ///< of F, absolute
     bool withGradient = false;
     FieldQuantity quantity = {};

@@ -46,7 +46,8 @@ Vector6d coordinatesOf(const FieldRequest& asked, std::size_t sample) {
 }
 
 double valueAt(const FieldRequest& asked, const Vector6d& q) {
-    return viewFactorValue(kSource, kObject, poseFromCoordinates(q) * asked.X_EO, asked.tolerance);
+    return viewFactorValue(kSource, kObject, asked.X_RS.inverse() * poseFromCoordinates(q) * asked.X_EO,
+                           asked.tolerance);
 }
 
 void expectSinglesAgree(const FieldRequest& asked) {
@@ -110,15 +111,26 @@ TEST(FieldSampler, putsTheMountingBehindThePose) {
     expectSinglesAgree(asked);
 }
 
+/// A source off the base and turned about every axis.
+Pose movedSource() {
+    return poseFromCoordinates((Vector6d() << 0.01, 0.02, -0.015, -0.1, 0.15, 0.8).finished());
+}
+
+// Catches: coordinates of the source's frame where those of the robot's base are meant.
+TEST(FieldSampler, theCoordinatesAreOfTheBaseTheSourceLiesIn) {
+    FieldRequest asked = request({axisOf(kX), axisOf(kThetaY), axisOf(kThetaZ)});
+    asked.X_RS = movedSource();
+    expectSinglesAgree(asked);
+    asked.X_EO = poseFromCoordinates((Vector6d() << 0.02, -0.03, 0.01, 0.1, 0.2, 0.3).finished());
+    expectSinglesAgree(asked);
+}
+
 // Catches: a chunk's edge that starts at the wrong sample, on a grid of many chunks with odd counts.
 TEST(FieldSampler, agreesAcrossChunks) {
     expectSinglesAgree(request({{kZ, 0.03, 0.002, 37}, {kThetaX, -1.2, 0.11, 23}, {kX, -0.1, 0.05, 5}}));
 }
 
-// Catches: a gradient about the wrong point or by the wrong angles: it must be what the field itself does
-// along its axes.
-TEST(FieldSampler, gradientIsTheSlopeByTheCoordinates) {
-    FieldRequest asked = request({axisOf(kY), axisOf(kThetaX), axisOf(kThetaZ)});
+void expectSlopes(FieldRequest asked) {
     asked.X_EO = poseFromCoordinates((Vector6d() << 0.02, -0.03, 0.01, 0.1, 0.2, 0.3).finished());
     asked.withGradient = true;
     asked.tolerance = 1e-13;
@@ -135,6 +147,15 @@ TEST(FieldSampler, gradientIsTheSlopeByTheCoordinates) {
             ASSERT_NEAR(field->gradient[6 * i + c], slope, 1e-6) << "sample " << i << ", coordinate " << c;
         }
     }
+}
+
+// Catches: a gradient about the wrong point, by the wrong angles or in the source's axes: it must be what the
+// field itself does along its axes.
+TEST(FieldSampler, gradientIsTheSlopeByTheCoordinates) {
+    FieldRequest asked = request({axisOf(kY), axisOf(kThetaX), axisOf(kThetaZ)});
+    expectSlopes(asked);
+    asked.X_RS = movedSource();
+    expectSlopes(asked);
 }
 
 // Catches: numbers that depend on who computed them.
