@@ -26,6 +26,7 @@ TargetGeometry geometry(const Experiment& experiment) {
     for (const ObjectSpec& object : experiment.objects)
         out.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
     out.held = experiment.start;
+    out.clearance_m = experiment.robot.clearance_m;
     return out;
 }
 
@@ -35,7 +36,13 @@ void fields(benchmark::State& state) {
     for ([[maybe_unused]] auto _ : state)
         benchmark::DoNotOptimize(targetFields(of));
 }
-BENCHMARK(fields)->Name("target_fields")->Arg(0)->Arg(30)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(fields)
+    ->Name("target_fields")
+    ->Arg(0)
+    ->Arg(30)
+    ->Arg(60)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 void surfaces(benchmark::State& state) {
     const Experiment experiment = example();

@@ -34,6 +34,8 @@ VALUE_HEADERS = {
     "engine/control/controller_settings.h",
     "engine/control/feasibility.h",
     "engine/control/rig_geometry.h",
+    "engine/exchange/isosurface.h",
+    "engine/exchange/target_surfaces.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",
     "engine/session/mounting_check.h",

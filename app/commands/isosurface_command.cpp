@@ -127,6 +127,7 @@ Result<void> readGrid(const QCommandLineParser& parser, const Experiment& experi
     geometry.axes =
         surfaceAxes(moves ? PoseSubset::Translation : PoseSubset::Rotation, experiment.robot, step);
     geometry.held = experiment.start;
+    geometry.clearance_m = experiment.robot.clearance_m;
     if (!parser.isSet("held"))
         return {};
     Vector6d typed; // cm and degrees

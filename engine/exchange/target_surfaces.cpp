@@ -19,6 +19,15 @@ FieldAxis axisOver(Coordinate coordinate, double least, double most, double step
     return {coordinate, least, span / steps, static_cast<int>(steps) + 1};
 }
 
+/// How far an object moves from sample to sample, about.
+double largestStep_m(const std::vector<FieldAxis>& axes) {
+    constexpr double kArm_m = 0.1;
+    double step_m = 0.0;
+    for (const FieldAxis& axis : axes)
+        step_m = std::max(step_m, axis.coordinate < kThetaX ? axis.step : kArm_m * axis.step);
+    return step_m;
+}
+
 } // namespace
 
 std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits, double step) {
@@ -41,6 +50,7 @@ Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeome
         FieldRequest request{geometry.source, object.contour, geometry.axes,
                              geometry.held,   object.X_EO,    geometry.X_RS};
         request.tolerance = geometry.tolerance;
+        request.leastHeight_m = geometry.clearance_m - largestStep_m(geometry.axes);
         auto field = sampleField(request, {.stop = stop});
         if (!field)
             return field.error();

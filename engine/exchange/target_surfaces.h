@@ -31,7 +31,9 @@ struct TargetGeometry {
     std::vector<MountedContour> objects;
     std::vector<FieldAxis> axes;      ///< three of the end-effector's coordinates in R; see surfaceAxes
     Vector6d held = Vector6d::Zero(); ///< the others
-    double tolerance = 1e-6;          ///< of F; between samples a surface is off by more than that
+    /// Poses that are a grid step too near for this clearance are left out, and so are the surfaces there.
+    double clearance_m = 0.0;
+    double tolerance = 1e-6; ///< of F; between samples a surface is off by more than that
 };
 
 /// View factors of every object over the grid, one field an object. They stay valid until the geometry

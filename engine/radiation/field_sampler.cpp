@@ -17,6 +17,7 @@
 namespace bask {
 namespace {
 
+constexpr int kOutlinePoints = 64;  // of a curved outline, for its height
 constexpr std::size_t kChunk = 256; // samples a thread takes at a time
 constexpr double kProgressStep = 0.01;
 constexpr double kLeastStep = 1e-11; // of the largest value: finer ones drown in rounding
@@ -104,6 +105,8 @@ struct Grid {
             for (int i = 0; axis.coordinate >= kThetaX && i < axis.count; ++i)
                 turns[a].push_back(turnBy(axis.at(i)));
         }
+        if (request.leastHeight_m)
+            outline = shapeOutline(request.object.shape(), kOutlinePoints);
     }
 
     const FieldRequest& request;
@@ -111,6 +114,7 @@ struct Grid {
     bool isMoved;   ///< else the product with X_SR is left out, which costs more than the rest of a pose
     bool isMounted; ///< the same of X_EO
     std::vector<std::vector<Turn>> turns; ///< one list an axis, empty for a translation
+    std::vector<Eigen::Vector2d> outline; ///< of the object, where its height matters
     std::size_t samples = 1;
 };
 
@@ -144,6 +148,11 @@ public:
     }
 
     const Pose& X_SO() const { return m_X_SO; }
+
+    bool isTooLow() const {
+        const auto& least_m = m_grid.request.leastHeight_m;
+        return least_m && m_X_SO.translation().z() + m_lowest_m < *least_m;
+    }
 
     /// By the pose coordinates, from the gradient by position and rotation in S axes about O's origin.
     void writeGradient(const Vector6d& aboutO, double* out) const {
@@ -189,6 +198,9 @@ private:
             m_X_SO.linear() = R_SE * m_grid.request.X_EO.linear();
             m_arm = R_SE * m_grid.request.X_EO.translation();
         }
+        m_lowest_m = std::numeric_limits<double>::infinity();
+        for (const Eigen::Vector2d& p_OQ : m_grid.outline)
+            m_lowest_m = std::min(m_lowest_m, m_X_SO.linear().row(2).head<2>().dot(p_OQ));
     }
 
     void translate() {
@@ -203,6 +215,7 @@ private:
     Eigen::Matrix3d m_R_RE;
     Eigen::Vector3d m_arm = Eigen::Vector3d::Zero(); ///< from E's to O's origin, S axes
     Pose m_X_SO = Pose::Identity();
+    double m_lowest_m = 0.0; ///< the outline's lowest point over O's origin
 };
 
 /// The work that the threads share.
@@ -279,10 +292,17 @@ private:
         return tally;
     }
 
-    /// Writes the gradient of sample i too. NaN where object and source overlap in one plane.
+    /// Writes the gradient of sample i too. NaN where object and source overlap in one plane or are left out.
     double viewFactorAt(const Cursor& cursor, std::size_t i, double& error) {
         constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
         const FieldRequest& request = m_grid.request;
+        const auto none = [&] {
+            if (request.withGradient)
+                std::fill_n(&m_field.gradient[6 * i], 6, kUndefined);
+            return kUndefined;
+        };
+        if (cursor.isTooLow())
+            return none();
         try {
             if (!request.withGradient)
                 return viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance,
@@ -294,9 +314,7 @@ private:
             cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
             return factor.value;
         } catch (const std::invalid_argument&) {
-            if (request.withGradient)
-                std::fill_n(&m_field.gradient[6 * i], 6, kUndefined);
-            return kUndefined;
+            return none();
         }
     }
 

@@ -144,6 +144,31 @@ TEST(TargetSurfaces, theGridHoldsTheWholeWorkspace) {
     EXPECT_THROW(surfaceAxes(PoseSubset::Rotation, limits, 0.0), std::invalid_argument);
 }
 
+// Catches: surfaces at poses where an object would be in the source, and surfaces that end before the
+// clearance does.
+TEST(TargetSurfaces, endWhereTheClearanceDoes) {
+    TargetGeometry of = geometry(Vector6d::Zero());
+    of.axes = surfaceAxes(PoseSubset::Translation, {}, kSurfaceStep_m);
+    of.held[kThetaX] = 0.5;
+    of.clearance_m = 0.02;
+    const auto fields = targetFields(of);
+    ASSERT_TRUE(fields);
+    const auto surfaces = targetSurfaces(*fields, std::array{0.2, 0.2});
+    for (std::size_t i = 0; i < 2; ++i) {
+        const RigGeometry rig(kSource, {kShapes[i]}, {mountings()[i]}, {});
+        double lowest_m = 1.0;
+        for (const Eigen::Vector3d& point : (*surfaces)[i].points) {
+            Vector6d q = of.held;
+            q.head<3>() = point;
+            lowest_m = std::min(lowest_m, rig.lowestPoint_m(q));
+        }
+        EXPECT_GT(lowest_m, of.clearance_m - 0.0101);
+        if (i == 1) { // the tilt lifts the other one over it all over the workspace
+            EXPECT_LT(lowest_m, of.clearance_m);
+        }
+    }
+}
+
 // Catches: a job that goes on when nobody wants its answer any more, and half an answer that looks whole.
 TEST(TargetSurfaces, stopsWhenAsked) {
     std::stop_source stop;

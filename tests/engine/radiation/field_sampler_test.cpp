@@ -125,6 +125,30 @@ TEST(FieldSampler, theCoordinatesAreOfTheBaseTheSourceLiesIn) {
     expectSinglesAgree(asked);
 }
 
+// Catches: a pose left out that the plates can take, or kept that they cannot; a height over the base's plane
+// instead of the source's.
+TEST(FieldSampler, leavesOutWhatIsTooLow) {
+    FieldRequest asked = request({{kZ, -0.06, 0.005, 40}, axisOf(kThetaX), axisOf(kThetaY)});
+    asked.X_RS = movedSource();
+    asked.withGradient = true;
+    asked.leastHeight_m = 0.01;
+    const auto field = sampled(asked);
+    std::size_t leftOut = 0;
+    for (std::size_t i = 0; i < field->values.size(); ++i) {
+        const Pose X_SO = asked.X_RS.inverse() * poseFromCoordinates(coordinatesOf(asked, i));
+        double lowest_m = 1.0;
+        for (const Eigen::Vector2d& p : shapeOutline(kObject.shape(), 1000))
+            lowest_m = std::min(lowest_m, (X_SO * Eigen::Vector3d(p.x(), p.y(), 0.0)).z());
+        if (std::abs(lowest_m - 0.01) < 1e-4)
+            continue; // within the outline's points
+        ASSERT_EQ(std::isnan(field->values[i]), lowest_m < 0.01) << "sample " << i;
+        ASSERT_EQ(std::isnan(field->gradient[6 * i]), lowest_m < 0.01) << "sample " << i;
+        leftOut += lowest_m < 0.01;
+    }
+    EXPECT_GT(leftOut, 50u);
+    EXPECT_LT(leftOut, field->values.size() - 50u);
+}
+
 // Catches: a chunk's edge that starts at the wrong sample, on a grid of many chunks with odd counts.
 TEST(FieldSampler, agreesAcrossChunks) {
     expectSinglesAgree(request({{kZ, 0.03, 0.002, 37}, {kThetaX, -1.2, 0.11, 23}, {kX, -0.1, 0.05, 5}}));

@@ -1,0 +1,27 @@
+#pragma once
+// Geometry of the target scene: what a line of sight meets, and where a plane cuts a box.
+
+#include "engine/exchange/isosurface.h"
+#include "widgets/scene/camera_fit.h"
+
+#include <optional>
+
+namespace bask {
+
+/// Half a line from `origin` along `direction` (R).
+struct Ray {
+    Eigen::Vector3d origin;
+    Eigen::Vector3d direction;
+};
+
+/// How far along the ray (in lengths of its direction) the first triangle is; nothing when it meets none.
+std::optional<double> distanceTo(const Isosurface& surface, const Ray& ray);
+
+/// How far along the ray the plane `coordinate axis = position` is, within the box.
+std::optional<double> distanceToCut(const Box& box, int axis, double position, const Ray& ray);
+
+/// The polygon in which the plane normal . p = offset cuts the box, its corners in order; empty when it does
+/// not.
+std::vector<Eigen::Vector3d> planeInBox(const Box& box, const Eigen::Vector3d& normal, double offset);
+
+} // namespace bask
