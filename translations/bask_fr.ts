@@ -2789,6 +2789,33 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
     </context>
     <context>
+        <name>bask::TargetScene</name>
+        <message>
+            <source>Picked</source>
+            <translation>Choisi</translation>
+        </message>
+        <message>
+            <source>All targets</source>
+            <translation>Toutes les cibles</translation>
+        </message>
+        <message>
+            <source>Closest</source>
+            <translation>Au plus près</translation>
+        </message>
+        <message>
+            <source>%1: F %2, steady at %3, F grows by %4 per cm</source>
+            <translation>%1 : F %2, équilibre à %3, F croît de %4 par cm</translation>
+        </message>
+        <message>
+            <source>3-D scene of the targets</source>
+            <translation>Scène 3D des cibles</translation>
+        </message>
+        <message>
+            <source>The 3-D scene of the targets needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
+            <translation>La scène 3D des cibles demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::TargetsPage</name>
         <message>
             <source>Target of %1</source>
