@@ -2591,6 +2591,18 @@ La page Consignes montre la plage et propose la consigne atteignable la plus pro
             <source>z (cm)</source>
             <translation>z (cm)</translation>
         </message>
+        <message>
+            <source>θx (°)</source>
+            <translation>θx (°)</translation>
+        </message>
+        <message>
+            <source>θy (°)</source>
+            <translation>θy (°)</translation>
+        </message>
+        <message>
+            <source>θz (°)</source>
+            <translation>θz (°)</translation>
+        </message>
     </context>
     <context>
         <name>bask::SceneView</name>
@@ -2803,8 +2815,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Au plus près</translation>
         </message>
         <message>
-            <source>%1: F %2, steady at %3, F grows by %4 per cm</source>
-            <translation>%1 : F %2, équilibre à %3, F croît de %4 par cm</translation>
+            <source>%1: F %2, steady at %3, F grows by %4 per %5</source>
+            <translation>%1 : F %2, équilibre à %3, F croît de %4 par %5</translation>
         </message>
         <message>
             <source>3-D scene of the targets</source>

@@ -1,5 +1,7 @@
 #include "widgets/scene/scene_rays.h"
 
+#include <vtkCamera.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,6 +30,15 @@ std::optional<double> distanceTo(const Eigen::Vector3d& a, const Eigen::Vector3d
 }
 
 } // namespace
+
+Ray rayThrough(vtkCamera& camera, QSizeF size, QPointF place) {
+    const Eigen::Vector3d direction = Eigen::Vector3d(camera.GetDirectionOfProjection()).normalized();
+    const Eigen::Vector3d right = direction.cross(Eigen::Vector3d(camera.GetViewUp())).normalized();
+    const double metresPerPixel = 2.0 * camera.GetParallelScale() / size.height();
+    const double x_m = metresPerPixel * (place.x() - 0.5 * size.width());
+    const double y_m = metresPerPixel * (0.5 * size.height() - place.y());
+    return {Eigen::Vector3d(camera.GetPosition()) + x_m * right + y_m * right.cross(direction), direction};
+}
 
 std::optional<double> distanceTo(const Isosurface& surface, const Ray& ray) {
     std::optional<double> nearest;
@@ -73,6 +84,25 @@ std::vector<Eigen::Vector3d> planeInBox(const Box& box, const Eigen::Vector3d& n
         return std::atan2(v.dot(p - middle), u.dot(p - middle));
     });
     return points;
+}
+
+std::vector<Eigen::Vector3d> edgesOf(const Box& box) {
+    std::vector<Eigen::Vector3d> ends;
+    for (int a = 0; a < 8; ++a)
+        for (const int bit : {1, 2, 4})
+            if ((a & bit) == 0)
+                for (const int corner : {a, a | bit})
+                    ends.push_back(box.corner(static_cast<Box::CornerType>(corner)));
+    return ends;
+}
+
+std::vector<Eigen::Vector3d> sidesOf(const std::vector<Eigen::Vector3d>& polygon) {
+    std::vector<Eigen::Vector3d> ends;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        ends.push_back(polygon[i]);
+        ends.push_back(polygon[(i + 1) % polygon.size()]);
+    }
+    return ends;
 }
 
 } // namespace bask

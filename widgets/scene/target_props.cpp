@@ -73,13 +73,13 @@ void fill(vtkPolyData& data, const Isosurface& surface) {
     data.Modified();
 }
 
-void setSpheres(vtkPolyData& data, const std::vector<Eigen::Vector3d>& points, double radius_m) {
+void setSpheres(vtkPolyData& data, const std::vector<Eigen::Vector3d>& points, double radius) {
     vtkNew<vtkAppendPolyData> all;
     all->AddInputData(vtkSmartPointer<vtkPolyData>::New());
     for (const Eigen::Vector3d& point : points) {
         vtkNew<vtkSphereSource> sphere;
         sphere->SetCenter(point.x(), point.y(), point.z());
-        sphere->SetRadius(radius_m);
+        sphere->SetRadius(radius);
         sphere->SetThetaResolution(20);
         sphere->SetPhiResolution(12);
         sphere->Update();
@@ -144,25 +144,25 @@ void setSheet(vtkPolyData& data, const CutSheet& sheet) {
 
 struct TargetProps::Impl {
     explicit Impl(vtkRenderer& target) : renderer(target) {
-        clearanceFill.actor->GetProperty()->SetOpacity(0.07);
+        boundsFill.actor->GetProperty()->SetOpacity(0.07);
         sheet.mapper->ScalarVisibilityOn();
         arrows.mapper->ScalarVisibilityOn();
         arrows.width_px = 3.0F;
         join.width_px = 3.0F;
         lines.width_px = 1.5F;
-        clearance.width_px = 1.5F;
+        bounds.width_px = 1.5F;
     }
 
     vtkRenderer& renderer;
     std::vector<Part> surfaces;
-    Part clearance, clearanceFill;
+    Part bounds, boundsFill;
     Part sheet, lines;
     Part marks, join;
     Part picked, arrows;
     double lineScale = 1.0;
 
     std::vector<Part*> parts() {
-        std::vector<Part*> all{&clearance, &clearanceFill, &sheet, &lines, &marks, &join, &picked, &arrows};
+        std::vector<Part*> all{&bounds, &boundsFill, &sheet, &lines, &marks, &join, &picked, &arrows};
         for (Part& surface : surfaces)
             all.push_back(&surface);
         return all;
@@ -197,7 +197,7 @@ void TargetProps::setColours(const std::vector<QColor>& surfaces, const QColor& 
         m->surfaces[i].setColour(surfaces[i]);
         m->surfaces[i].actor->GetProperty()->SetOpacity(stale ? kStaleOpacity : kSurfaceOpacity);
     }
-    for (Part* part : {&m->marks, &m->join, &m->picked, &m->clearance, &m->clearanceFill})
+    for (Part* part : {&m->marks, &m->join, &m->picked, &m->bounds, &m->boundsFill})
         part->setColour(marks);
     m->lines.setColour(contours);
 }
@@ -208,24 +208,18 @@ void TargetProps::setLineScale(double scale) {
         part->actor->GetProperty()->SetLineWidth(part->width_px * static_cast<float>(scale));
 }
 
-void TargetProps::setClearance(const std::vector<Eigen::Vector3d>& polygon) {
-    std::vector<Eigen::Vector3d> edges;
+void TargetProps::setBounds(const std::vector<Eigen::Vector3d>& lines,
+                            const std::vector<Eigen::Vector3d>& polygon) {
+    setLines(*m->bounds.data, lines, {});
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        edges.push_back(polygon[i]);
-        edges.push_back(polygon[(i + 1) % polygon.size()]);
-        points->InsertNextPoint(polygon[i].data());
-    }
-    if (!polygon.empty()) {
+    if (!polygon.empty())
         cells->InsertNextCell(static_cast<int>(polygon.size()));
-        for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-            cells->InsertCellPoint(i);
-    }
-    setLines(*m->clearance.data, edges, {});
-    m->clearanceFill.data->SetPoints(points);
-    m->clearanceFill.data->SetPolys(cells);
-    m->clearanceFill.data->Modified();
+    for (const Eigen::Vector3d& corner : polygon)
+        cells->InsertCellPoint(points->InsertNextPoint(corner.data()));
+    m->boundsFill.data->SetPoints(points);
+    m->boundsFill.data->SetPolys(cells);
+    m->boundsFill.data->Modified();
 }
 
 void TargetProps::setCut(const CutSheet& sheet, const std::function<QColor(double)>& colour) {
@@ -253,8 +247,8 @@ void TargetProps::setCut(const CutSheet& sheet, const std::function<QColor(doubl
     m->sheet.data->ShallowCopy(valued);
 }
 
-void TargetProps::setMarks(const std::vector<Eigen::Vector3d>& points, double radius_m) {
-    setSpheres(*m->marks.data, points, radius_m);
+void TargetProps::setMarks(const std::vector<Eigen::Vector3d>& points, double radius) {
+    setSpheres(*m->marks.data, points, radius);
     setLines(*m->join.data, points, {});
 }
 
@@ -264,21 +258,21 @@ void TargetProps::setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& m
         part->actor->SetPosition(marks.x(), marks.y(), marks.z());
 }
 
-void TargetProps::setArrows(const PickedArrows* arrows, double radius_m, const std::vector<QColor>& colours) {
+void TargetProps::setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours) {
     if (arrows == nullptr) {
         m->picked.data->Initialize();
         m->arrows.data->Initialize();
         return;
     }
-    const Eigen::Vector3d& from = arrows->p_R;
-    setSpheres(*m->picked.data, {from}, radius_m);
+    const Eigen::Vector3d& from = arrows->at;
+    setSpheres(*m->picked.data, {from}, radius);
     std::vector<Eigen::Vector3d> ends;
     std::vector<QColor> lineColours;
     for (std::size_t i = 0; i < arrows->directions.size(); ++i) {
         const Eigen::Vector3d& d = arrows->directions[i];
-        const Eigen::Vector3d tip = from + arrows->length_m * d;
-        const Eigen::Vector3d aside = 0.2 * arrows->length_m * d.unitOrthogonal();
-        const Eigen::Vector3d back = tip - 0.3 * arrows->length_m * d;
+        const Eigen::Vector3d tip = from + arrows->length * d;
+        const Eigen::Vector3d aside = 0.2 * arrows->length * d.unitOrthogonal();
+        const Eigen::Vector3d back = tip - 0.3 * arrows->length * d;
         ends.insert(ends.end(), {from, tip, tip, back + aside, tip, back - aside});
         for (int k = 0; k < 3; ++k)
             lineColours.push_back(colours[i % colours.size()]);

@@ -1,8 +1,9 @@
 #pragma once
-// The VTK actors that a target scene has more than a scene: surfaces, clearance plane, cut, verdict, what was
-// picked; private to widgets/scene.
+// The VTK actors that a target scene has more than a scene: surfaces, bounds, cut, verdict, what was
+// picked; private to widgets/scene. Points are in the surfaces' coordinates: m, or rad.
 
 #include "engine/exchange/isosurface.h"
+#include "widgets/scene/cut_sheet.h"
 
 #include <QColor>
 
@@ -14,19 +15,11 @@ class vtkRenderer;
 
 namespace bask {
 
-/// A plane through a field: its samples in rows, and where they are.
-struct CutSheet {
-    int columns = 0;
-    std::vector<Eigen::Vector3d> points; ///< R, m
-    std::vector<double> values;          ///< one a point; NaN: none
-    std::vector<double> lines;           ///< values that get a contour line
-};
-
 /// Arrows from one point.
 struct PickedArrows {
-    Eigen::Vector3d p_R = Eigen::Vector3d::Zero();
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
     std::vector<Eigen::Vector3d> directions; ///< one an object, unit or zero
-    double length_m = 0.03;
+    double length = 0.03;
 };
 
 /// Owns the actors and keeps them in the renderer. All calls on the GUI thread; none draws.
@@ -44,12 +37,14 @@ public:
                     bool stale);
     void setLineScale(double scale);
 
-    void setClearance(const std::vector<Eigen::Vector3d>& polygon); ///< empty: none
+    /// What the robot may do: lines from each even point to the odd one after it, and a plane's polygon or
+    /// none.
+    void setBounds(const std::vector<Eigen::Vector3d>& lines, const std::vector<Eigen::Vector3d>& polygon);
     void setCut(const CutSheet& sheet, const std::function<QColor(double)>& colour);
     /// A sphere at each point; two points are joined by a line.
-    void setMarks(const std::vector<Eigen::Vector3d>& points, double radius_m);
+    void setMarks(const std::vector<Eigen::Vector3d>& points, double radius);
     /// A sphere and an arrow an object, in the surfaces' colours; null: none.
-    void setArrows(const PickedArrows* arrows, double radius_m, const std::vector<QColor>& colours);
+    void setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours);
     /// Moves lines on the cut, and marks and arrows, towards the viewer (R, m), as SceneProps::setPoses does:
     /// the marks far enough to be seen before everything.
     void setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& marks);

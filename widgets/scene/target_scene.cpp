@@ -4,6 +4,7 @@
 #include "engine/control/rig_geometry.h"
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
+#include "widgets/scene/cut_sheet.h"
 #include "widgets/scene/scene_frame.h"
 #include "widgets/scene/scene_overlay.h"
 #include "widgets/scene/scene_rays.h"
@@ -20,9 +21,9 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 namespace bask {
@@ -36,62 +37,16 @@ constexpr double kMarkShare = 0.009; ///< radius of a mark, of the frame's diago
 constexpr double kArrowShare = 0.07;
 constexpr QSizeF kPlainSize{1000.0, 700.0}; ///< of a saved picture whose text is as large as on screen
 
-QString lengthText_cm(double length_m) {
-    const double tenths = std::round(1000.0 * length_m) + 0.0; // no minus before zero
+QString tenthsText(double value) {
+    const double tenths = std::round(10.0 * value) + 0.0; // no minus before zero
     return QLocale()
         .toString(tenths / 10.0, 'f', 1)
         .replace(QLocale().negativeSign(), QStringLiteral("\u2212"));
 }
 
-QString placeText(const Eigen::Vector3d& p_R) {
-    return QStringLiteral("(%1, %2, %3) cm")
-        .arg(lengthText_cm(p_R.x()), lengthText_cm(p_R.y()), lengthText_cm(p_R.z()));
-}
-
-/// The field's samples on a plane, linear between the two layers beside it.
-CutSheet sheetOf(const SceneCut& cut) {
-    const auto normal = static_cast<std::size_t>(cut.axis);
-    const std::size_t u = (normal + 1) % 3, v = (normal + 2) % 3;
-    const std::vector<FieldAxis>& axes = cut.field->axes;
-    const double layer =
-        std::clamp((cut.position_m - axes[normal].first) / axes[normal].step, 0.0, axes[normal].count - 1.0);
-    const int below = std::min(static_cast<int>(layer), std::max(0, axes[normal].count - 2));
-    const double share = layer - below;
-    CutSheet sheet;
-    sheet.columns = axes[u].count;
-    std::array<int, 3> index{};
-    const auto value = [&] {
-        const auto count = [&axes](std::size_t a) { return static_cast<std::size_t>(axes[a].count); };
-        return cut.field->values[static_cast<std::size_t>(index[0]) +
-                                 count(0) * (static_cast<std::size_t>(index[1]) +
-                                             count(1) * static_cast<std::size_t>(index[2]))];
-    };
-    for (index[v] = 0; index[v] < axes[v].count; ++index[v])
-        for (index[u] = 0; index[u] < axes[u].count; ++index[u]) {
-            index[normal] = below;
-            double F = value();
-            if (share > 0.0) {
-                index[normal] = below + 1;
-                F += share * (value() - F);
-            }
-            Eigen::Vector3d point;
-            point[static_cast<int>(u)] = axes[u].at(index[u]);
-            point[static_cast<int>(v)] = axes[v].at(index[v]);
-            point[static_cast<int>(normal)] = axes[normal].at(0) + layer * axes[normal].step;
-            sheet.points.push_back(point);
-            sheet.values.push_back(F);
-        }
-    return sheet;
-}
-
-/// What the person looks along at a place of the view.
-Ray rayThrough(vtkCamera& camera, QSizeF size, QPointF place) {
-    const Eigen::Vector3d direction = Eigen::Vector3d(camera.GetDirectionOfProjection()).normalized();
-    const Eigen::Vector3d right = direction.cross(Eigen::Vector3d(camera.GetViewUp())).normalized();
-    const double metresPerPixel = 2.0 * camera.GetParallelScale() / size.height();
-    const double x_m = metresPerPixel * (place.x() - 0.5 * size.width());
-    const double y_m = metresPerPixel * (0.5 * size.height() - place.y());
-    return {Eigen::Vector3d(camera.GetPosition()) + x_m * right + y_m * right.cross(direction), direction};
+Box angleBox() {
+    constexpr double kRightAngle = std::numbers::pi / 2.0; // as surfaceAxes has it
+    return {Eigen::Vector3d::Constant(-kRightAngle), Eigen::Vector3d::Constant(kRightAngle)};
 }
 
 } // namespace
@@ -103,6 +58,7 @@ struct TargetScene::Impl {
     std::vector<HeatRates> rates;
     Box frame;
     Vector6d held = Vector6d::Zero();
+    PoseSubset subset = PoseSubset::Translation;
     std::vector<Isosurface> surfaces;
     std::optional<SceneVerdict> verdict;
     std::optional<SceneCut> cut;
@@ -130,6 +86,17 @@ struct TargetScene::Impl {
     std::unique_ptr<TargetProps> targets;
     SceneOverlay overlay;
 
+    bool isOverAngles() const { return subset == PoseSubset::Rotation; }
+    /// The drawn three of a pose's coordinates.
+    Eigen::Vector3d drawn(const Vector6d& q) const { return q.segment<3>(isOverAngles() ? kThetaX : kX); }
+    Box limits() const { return {drawn(experiment.robot.lower), drawn(experiment.robot.upper)}; }
+    Box drawnBox() const { return isOverAngles() ? angleBox() : limits(); }
+    double inUnit(double value) const { return isOverAngles() ? degFromRad(value) : 100.0 * value; }
+    QString unitWord() const { return isOverAngles() ? QStringLiteral("°") : QStringLiteral("cm"); }
+    QString placeText(const Eigen::Vector3d& p) const {
+        return QStringLiteral("(%1, %2, %3) %4")
+            .arg(tenthsText(inUnit(p.x())), tenthsText(inUnit(p.y())), tenthsText(inUnit(p.z())), unitWord());
+    }
     QSizeF size() const { return QSizeF(view->size()) / scale; }
     Vector6d ghost() const { return verdict ? verdict->pose : experiment.start; }
     double markRadius() const { return kMarkShare * frame.diagonal().norm(); }
@@ -160,8 +127,7 @@ std::vector<Eigen::Vector3d> TargetScene::Impl::clearancePolygon() const {
     const Eigen::Vector3d n = rig->away();
     const double offset =
         n.dot(rig->X_RS().translation()) + experiment.robot.clearance_m - rig->lowestPoint_m(q);
-    const RobotLimits& robot = experiment.robot;
-    return planeInBox(Box(robot.lower.head<3>().eval(), robot.upper.head<3>().eval()), n, offset);
+    return planeInBox(limits(), n, offset);
 }
 
 void TargetScene::Impl::showCut(bool dark) {
@@ -174,7 +140,7 @@ void TargetScene::Impl::showCut(bool dark) {
     for (const double F : cut->field->values) // comparisons with NaN are false
         least = F < least ? F : least, most = F > most ? F : most;
     cutRange = least <= most ? niceRange(cutValue(least), cutValue(most), kBarSteps) : NiceRange{};
-    CutSheet sheet = sheetOf(*cut);
+    CutSheet sheet = sheetOf(*cut->field, cut->axis % 3, cut->position);
     for (double& value : sheet.values)
         value = cutValue(value);
     for (double line = cutRange.least + cutRange.step; line < cutRange.most; line += cutRange.step)
@@ -187,7 +153,7 @@ void TargetScene::Impl::showCut(bool dark) {
 void TargetScene::Impl::showMarks(bool dark) {
     std::vector<Eigen::Vector3d> points;
     if (verdict && verdict->feasible)
-        points = {verdict->pose.head<3>()};
+        points = {drawn(verdict->pose)};
     else if (verdict && verdict->closest)
         points = {verdict->closest->first, verdict->closest->second};
     targets->setMarks(points, markRadius());
@@ -199,6 +165,7 @@ OverlayContent TargetScene::Impl::overlayContent(bool dark) const {
     if (!rig)
         return result;
     result.frame = frame;
+    result.angles = isOverAngles();
     result.hasBar = cut.has_value();
     result.bar = cutRange;
     if (cut)
@@ -212,15 +179,16 @@ OverlayContent TargetScene::Impl::overlayContent(bool dark) const {
         result.labels.push_back(label);
     };
     if (picked)
-        add(TargetScene::tr("Picked"), placeText(picked->q.head<3>()), {picked->q.head<3>()});
+        add(TargetScene::tr("Picked"), placeText(drawn(picked->q)), {drawn(picked->q)});
     if (verdict && verdict->feasible)
-        add(TargetScene::tr("All targets"), placeText(verdict->pose.head<3>()), {verdict->pose.head<3>()});
+        add(TargetScene::tr("All targets"), placeText(drawn(verdict->pose)), {drawn(verdict->pose)});
     else if (verdict && verdict->closest) {
         const auto& [a, b] = *verdict->closest;
-        add(TargetScene::tr("Closest"), QStringLiteral("%1 cm").arg(lengthText_cm((a - b).norm())), {a, b});
+        add(TargetScene::tr("Closest"), tenthsText(inUnit((a - b).norm())) + QLatin1Char(' ') + unitWord(),
+            {a, b});
     }
     const Pose X_RE = poseFromCoordinates(ghost());
-    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+    for (std::size_t i = 0; i < experiment.objects.size() && !isOverAngles(); ++i) {
         const ObjectSpec& object = experiment.objects[i];
         const Pose X_RO = X_RE * poseFromCoordinates(object.mounting);
         std::vector<Eigen::Vector3d> outline;
@@ -235,18 +203,18 @@ OverlayContent TargetScene::Impl::overlayContent(bool dark) const {
 /// Points the arrows and says the figures, a sentence an object.
 QStringList TargetScene::Impl::describe(Pick& pick) const {
     QStringList words;
-    pick.arrows.p_R = pick.q.head<3>();
-    pick.arrows.length_m = kArrowShare * frame.diagonal().norm();
+    pick.arrows.at = drawn(pick.q);
+    pick.arrows.length = kArrowShare * frame.diagonal().norm();
     const ViewFactors factors = rig->viewFactors(pick.q);
     for (Eigen::Index i = 0; i < factors.F.size(); ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const Eigen::Vector3d slope = factors.dF.row(i).head<3>().transpose();
+        const Eigen::Vector3d slope = drawn(factors.dF.row(i).transpose());
         pick.arrows.directions.push_back(slope.stableNormalized());
-        words << TargetScene::tr("%1: F %2, steady at %3, F grows by %4 per cm")
+        words << TargetScene::tr("%1: F %2, steady at %3, F grows by %4 per %5")
                      .arg(QString::fromStdString(experiment.objects[k].name),
                           QLocale().toString(factors.F[i], 'f', 3),
                           formatTemperature(rates[k].steadyTemperature_K(factors.F[i]), unit),
-                          QLocale().toString(0.01 * slope.norm(), 'f', 3));
+                          QLocale().toString(slope.norm() / inUnit(1.0), 'f', 3), unitWord());
     }
     return words;
 }
@@ -337,6 +305,7 @@ void TargetScene::requestFrame() {
 void TargetScene::setExperiment(const Experiment& experiment) {
     const bool sameRoom = m->rig && frameOf(experiment).isApprox(m->frame);
     m->experiment = experiment;
+    m->subset = PoseSubset::Translation;
     m->frame = frameOf(experiment);
     std::vector<Shape> shapes;
     std::vector<Vector6d> mountings;
@@ -362,7 +331,15 @@ void TargetScene::setExperiment(const Experiment& experiment) {
     requestFrame();
 }
 
-void TargetScene::setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held) {
+void TargetScene::setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held, PoseSubset subset) {
+    if (subset != m->subset) {
+        m->subset = subset;
+        m->frame = m->isOverAngles() ? angleBox() : frameOf(m->experiment);
+        m->cut.reset();
+        m->picked.reset();
+        m->rebuild = true;
+        fit();
+    }
     m->surfaces = std::move(surfaces);
     m->held = held;
     m->resurface = true;
@@ -377,13 +354,14 @@ void TargetScene::setVerdictPoint(const std::optional<SceneVerdict>& verdict) {
 
 void TargetScene::setCut(const std::optional<SceneCut>& cut) {
     if (cut) {
-        const auto isOver = [&cut](std::size_t a) {
-            return cut->field->axes[a].coordinate == static_cast<Coordinate>(a);
+        const int first = m->isOverAngles() ? kThetaX : kX;
+        const auto isOver = [&](int a) {
+            return cut->field->axes[static_cast<std::size_t>(a)].coordinate == first + a;
         };
         if (!cut->field || cut->field->axes.size() != 3 || !isOver(0) || !isOver(1) || !isOver(2) ||
-            cut->axis > kZ || cut->object < 0 ||
+            cut->axis < first || cut->axis > first + 2 || cut->object < 0 ||
             cut->object >= static_cast<int>(m->experiment.objects.size()))
-            throw std::invalid_argument("TargetScene: a cut needs an object's field over x, y and z");
+            throw std::invalid_argument("TargetScene: a cut needs an object's field over the surfaces' axes");
     }
     m->cut = cut;
     m->remark = true;
@@ -444,16 +422,20 @@ void TargetScene::prepareFrame() {
                              std::clamp(std::min(size.width() / 800.0, size.height() / 560.0), 0.5, 1.0);
     if (m->rebuild)
         m->props->setColours(sceneColours(palette()));
-    if (m->rebuild && m->rig) {
+    if (m->rebuild && m->rig && m->isOverAngles())
+        m->view->renderer().RemoveAllViewProps();
+    else if (m->rebuild && m->rig) {
         m->props->build(m->experiment, m->frame);
         m->props->setObjectOpacity(kGhostOpacity);
         for (std::size_t i = 0; i < m->experiment.objects.size(); ++i)
             m->props->setObjectColour(i, seriesColor(static_cast<int>(i), dark));
-        m->targets->addActors();
     }
+    if (m->rebuild && m->rig)
+        m->targets->addActors();
     if ((m->rebuild || m->resurface) && m->rig) {
+        const auto clearance = m->isOverAngles() ? std::vector<Eigen::Vector3d>() : m->clearancePolygon();
         m->targets->setSurfaces(m->surfaces);
-        m->targets->setClearance(m->clearancePolygon());
+        m->targets->setBounds(m->isOverAngles() ? edgesOf(m->limits()) : sidesOf(clearance), clearance);
     }
     if ((m->rebuild || m->resurface || m->remark) && m->rig) {
         m->showCut(dark);
@@ -489,12 +471,12 @@ void TargetScene::pick(QPointF place) {
     const RobotLimits& robot = m->experiment.robot;
     if (m->cut)
         take(distanceToCut(Box(robot.lower.head<3>().eval(), robot.upper.head<3>().eval()), m->cut->axis,
-                           m->cut->position_m, ray));
+                           m->cut->position, ray));
     if (!nearest)
         return;
     Impl::Pick picked;
     picked.q = m->held;
-    picked.q.head<3>() = ray.origin + *nearest * ray.direction;
+    picked.q.segment<3>(m->isOverAngles() ? kThetaX : kX) = ray.origin + *nearest * ray.direction;
     QStringList words;
     try {
         words = m->describe(picked);

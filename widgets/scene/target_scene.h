@@ -4,7 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/base/units.h"
-#include "engine/exchange/isosurface.h"
+#include "engine/exchange/target_surfaces.h"
 #include "engine/session/experiment.h"
 
 #include <QStringList>
@@ -23,16 +23,16 @@ enum class ViewPreset;
 struct SceneVerdict {
     Vector6d pose = Vector6d::Zero(); ///< end-effector in R: the objects' ghost stands there
     bool feasible = false;            ///< marked as the surfaces' common point
-    /// Where two surfaces come closest (R, m): joined by a line when not feasible.
+    /// Where two surfaces come closest, in their coordinates: joined by a line when not feasible.
     std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> closest = {};
 };
 
 /// A plane through one object's field.
 struct SceneCut {
-    std::shared_ptr<const Field> field; ///< view factors over x, y and z, as targetFields gives them
+    std::shared_ptr<const Field> field; ///< view factors over the surfaces' coordinates, as of targetFields
     int object = 0;
-    Coordinate axis = kY; ///< normal to the plane
-    double position_m = 0.0;
+    Coordinate axis = kY;      ///< normal to the plane
+    double position = 0.0;     ///< m or rad
     bool asTemperature = true; ///< steady temperature of the object, else its view factor
 };
 
@@ -48,11 +48,13 @@ public:
 
     /// Shows another experiment, its objects' ghost at the start pose; surfaces, verdict, cut and pick go.
     void setExperiment(const Experiment& experiment);
-    /// One surface an object, over x, y and z of the end-effector in R; `held` has the angles that they are
-    /// for. Fewer, or empty ones: none for those objects.
-    void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held);
+    /// One surface an object, over the subset's coordinates of the end-effector in R; `held` has the others.
+    /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
+    /// the robot's limits and marks, but neither source nor objects. Another subset drops the cut.
+    void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held,
+                     PoseSubset subset = PoseSubset::Translation);
     void setVerdictPoint(const std::optional<SceneVerdict>& verdict);
-    /// Throws std::invalid_argument unless the field is over x, y and z.
+    /// After setSurfaces of its subset. Throws std::invalid_argument unless the field is over it.
     void setCut(const std::optional<SceneCut>& cut);
     /// Dims and hatches: what is shown belongs to older input.
     void setStale(bool stale);

@@ -45,6 +45,8 @@ TEST(SceneRays, aPlaneCutsABoxInAPolygon) {
     for (std::size_t i = 0; i < 6; ++i)
         EXPECT_NEAR((hexagon[i] - hexagon[(i + 1) % 6]).norm(), std::numbers::sqrt2, 1e-12);
     EXPECT_TRUE(planeInBox(box, Eigen::Vector3d::UnitX(), 1.5).empty());
+    EXPECT_EQ(edgesOf(box).size(), 24U);
+    EXPECT_EQ(sidesOf(hexagon).size(), 12U);
 }
 
 } // namespace

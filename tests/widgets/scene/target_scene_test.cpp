@@ -21,12 +21,14 @@ namespace {
 
 using testing::keepScreenshot;
 
-/// Fields of the experiment's objects, angles held as at its start.
-std::vector<std::shared_ptr<const Field>> fieldsOf(const Experiment& experiment) {
+/// Fields of the experiment's objects, the other coordinates held as at its start.
+std::vector<std::shared_ptr<const Field>> fieldsOf(const Experiment& experiment,
+                                                   PoseSubset subset = PoseSubset::Translation) {
+    const double step = subset == PoseSubset::Translation ? kSurfaceStep_m : kSurfaceStep_rad;
     TargetGeometry geometry{RadiatingContour(experiment.source.shape),
                             poseFromCoordinates(experiment.source.pose),
                             {},
-                            surfaceAxes(PoseSubset::Translation, experiment.robot, kSurfaceStep_m)};
+                            surfaceAxes(subset, experiment.robot, step)};
     for (const ObjectSpec& object : experiment.objects)
         geometry.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
     geometry.held = experiment.start;
@@ -44,11 +46,12 @@ HeatRates ratesOf(const Experiment& experiment, const ObjectSpec& object) {
         experiment.environment_K);
 }
 
-std::vector<Isosurface> surfacesOf(const Experiment& experiment) {
+std::vector<Isosurface> surfacesOf(const Experiment& experiment,
+                                   PoseSubset subset = PoseSubset::Translation) {
     std::vector<double> values;
     for (const ObjectSpec& object : experiment.objects)
         values.push_back(ratesOf(experiment, object).steadyViewFactor(object.target_K));
-    return *targetSurfaces(fieldsOf(experiment), values);
+    return *targetSurfaces(fieldsOf(experiment, subset), values);
 }
 
 /// A square of half the side across z = height, in two triangles.
@@ -305,7 +308,7 @@ TEST_F(TargetSceneTest, TheCutHasTheFieldsColours) {
     }
     cut.asTemperature = true;
     cut.axis = kY;
-    cut.position_m = 0.05;
+    cut.position = 0.05;
     scene.setCut(cut);
     scene.setSurfaces(surfacesOf(experiment), experiment.start);
     scene.viewIsometric();
@@ -401,6 +404,46 @@ TEST_F(TargetSceneTest, SavesPicturesOfAnySize) {
     const auto refused = scene.saveImage(folder.filePath(QStringLiteral("no/such.png")), {640, 480});
     EXPECT_FALSE(refused);
     EXPECT_FALSE(TargetScene().saveImage(folder.filePath(QStringLiteral("never-shown.png")), {640, 480}));
+}
+
+// Catches: angles drawn as positions, on axes of centimetres, with a source that is nowhere in that space; a
+// pick there that gives positions.
+TEST_F(TargetSceneTest, OverTheAnglesTheAxesAreAngles) {
+    Experiment experiment = testing::threeObjects();
+    experiment.start.head<3>() << 0.02, 0.0, 0.14;
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    show(scene);
+    const QImage positions = grab(scene);
+    scene.setSurfaces(surfacesOf(experiment, PoseSubset::Rotation), experiment.start, PoseSubset::Rotation);
+    scene.setCut(SceneCut{fieldsOf(experiment, PoseSubset::Rotation)[0], 0, kThetaZ, -1.2, true});
+    const QImage angles = grab(scene);
+    keepScreenshot(angles, QStringLiteral("targets-angles-light"));
+    EXPECT_GT(testing::pixelsOf(positions, QColor(0xff, 0xb4, 0x5c), 40), 500);
+    EXPECT_LT(testing::pixelsOf(angles, QColor(0xff, 0xb4, 0x5c), 40), 20) << "the source is still there";
+    EXPECT_THROW(scene.setCut(SceneCut{fieldsOf(experiment)[0], 0}), std::invalid_argument);
+
+    scene.setCut(std::nullopt);
+    scene.setSurfaces({square(0.5, 0.5, 0.3, 0.4)}, experiment.start, PoseSubset::Rotation);
+    scene.viewAlongMinusZ();
+    const QImage flat = grab(scene);
+    const QColor ground = QApplication::palette().color(QPalette::Base);
+    int left = flat.width(), right = 0, top = flat.height(), bottom = 0;
+    for (int y = 0; y < flat.height(); ++y)
+        for (int x = 0; x < flat.width(); ++x)
+            if (likeness(QColor(flat.pixel(x, y)), ground, seriesColor(0, false)) > 0.98) {
+                left = std::min(left, x), right = std::max(right, x);
+                top = std::min(top, y), bottom = std::max(bottom, y);
+            }
+    QSignalSpy spy(&scene, &TargetScene::posePicked);
+    QTest::mouseClick(pictureOf(scene), Qt::LeftButton, {}, {(left + right) / 2, (top + bottom) / 2});
+    ASSERT_EQ(spy.count(), 1);
+    const auto q = spy[0][0].value<Vector6d>();
+    EXPECT_NEAR(q[kThetaX], 0.5, 0.03);
+    EXPECT_NEAR(q[kThetaY], 0.5, 0.03);
+    EXPECT_NEAR(q[kThetaZ], 0.3, 1e-9);
+    EXPECT_EQ(q[kX], 0.02) << "the held position";
+    EXPECT_TRUE(spy[0][1].toStringList()[0].endsWith(QStringLiteral("per °")));
 }
 
 // Catches: a setter that needs the picture to be there, or the experiment.
