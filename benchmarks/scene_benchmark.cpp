@@ -1,9 +1,11 @@
-// Frame time of the 3-D scene: three objects, 1000 x 700, a trajectory of 600 or 30,000 samples, one new
-// sample a frame.
+// Frame time of the 3-D scenes, three objects, 1000 x 700: a trajectory of 600 or 30,000 samples, one new
+// sample a frame; the targets' surfaces at the 1 cm grid, turned, or new ones each frame.
 
 #include "engine/base/units.h"
+#include "engine/exchange/target_surfaces.h"
 #include "widgets/common/theme.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/scene/target_scene.h"
 #include "widgets/scene/vtk_view.h"
 
 #include <QApplication>
@@ -13,6 +15,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
@@ -121,6 +124,58 @@ BENCHMARK(frame)
     ->Arg(600)
     ->Arg(30000)
     ->Iterations(100)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+std::vector<Isosurface> surfacesOf(const Experiment& experiment) {
+    TargetGeometry geometry{RadiatingContour(experiment.source.shape),
+                            Pose::Identity(),
+                            {},
+                            surfaceAxes(PoseSubset::Translation, experiment.robot, kSurfaceStep_m)};
+    for (const ObjectSpec& spec : experiment.objects)
+        geometry.objects.push_back({RadiatingContour(spec.shape), poseFromCoordinates(spec.mounting)});
+    const auto fields = targetFields(geometry);
+    return *targetSurfaces(*fields, std::array{0.35, 0.2, 0.13});
+}
+
+/// One frame of the targets' surfaces; with a range of 1 they are new each time.
+void targetFrame(benchmark::State& state) {
+    const Experiment experiment = *readExperiment(BASK_EXAMPLES "/three-objects.json");
+    const std::vector<Isosurface> surfaces = surfacesOf(experiment);
+    TargetScene scene;
+    scene.resize(1000, 700);
+    scene.setExperiment(experiment);
+    scene.setSurfaces(surfaces, experiment.start);
+    scene.show();
+    auto* picture = scene.findChild<VtkView*>();
+    if (picture == nullptr) {
+        state.SkipWithError("no OpenGL 3.2 on this display");
+        return;
+    }
+    drawFrame(*picture);
+    std::vector<double> frames_ms;
+    std::vector<double> processor_ms;
+    QElapsedTimer timer;
+    for ([[maybe_unused]] auto _ : state) {
+        const std::clock_t processor = std::clock();
+        timer.start();
+        if (state.range(0) == 1)
+            scene.setSurfaces(surfaces, experiment.start);
+        drawFrame(*picture);
+        const double elapsed_s = 1e-9 * static_cast<double>(timer.nsecsElapsed());
+        state.SetIterationTime(elapsed_s);
+        frames_ms.push_back(1e3 * elapsed_s);
+        processor_ms.push_back(1e3 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC);
+    }
+    state.counters["median_ms"] = median(frames_ms);
+    state.counters["max_ms"] = *std::max_element(frames_ms.begin(), frames_ms.end());
+    state.counters["processor_ms"] = median(processor_ms);
+}
+BENCHMARK(targetFrame)
+    ->Name("target_frame")
+    ->Arg(0)
+    ->Arg(1)
+    ->Iterations(60)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
 

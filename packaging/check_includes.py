@@ -36,6 +36,8 @@ VALUE_HEADERS = {
     "engine/control/joint_feasibility.h",
     "engine/control/reachable_pairs.h",
     "engine/control/rig_geometry.h",
+    "engine/exchange/isosurface.h",
+    "engine/exchange/target_surfaces.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",
     "engine/session/mounting_check.h",

@@ -2667,6 +2667,18 @@ La page Cibles en dit plus et propose les cibles les plus proches qui peuvent ê
             <source>z (cm)</source>
             <translation>z (cm)</translation>
         </message>
+        <message>
+            <source>θx (°)</source>
+            <translation>θx (°)</translation>
+        </message>
+        <message>
+            <source>θy (°)</source>
+            <translation>θy (°)</translation>
+        </message>
+        <message>
+            <source>θz (°)</source>
+            <translation>θz (°)</translation>
+        </message>
     </context>
     <context>
         <name>bask::SceneView</name>
@@ -2862,6 +2874,33 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Software stop, not a safety-rated emergency stop.</source>
             <translation>Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::TargetScene</name>
+        <message>
+            <source>Picked</source>
+            <translation>Choisi</translation>
+        </message>
+        <message>
+            <source>All targets</source>
+            <translation>Toutes les cibles</translation>
+        </message>
+        <message>
+            <source>Closest</source>
+            <translation>Au plus près</translation>
+        </message>
+        <message>
+            <source>%1: F %2, steady at %3, F grows by %4 per %5</source>
+            <translation>%1 : F %2, équilibre à %3, F croît de %4 par %5</translation>
+        </message>
+        <message>
+            <source>3-D scene of the targets</source>
+            <translation>Scène 3D des cibles</translation>
+        </message>
+        <message>
+            <source>The 3-D scene of the targets needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
+            <translation>La scène 3D des cibles demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
         </message>
     </context>
     <context>

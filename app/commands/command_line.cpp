@@ -14,6 +14,8 @@ std::span<const Subcommand> subcommands() {
         Subcommand{"view-factor", "view factors and gradients of a list of cases", viewFactorCommand},
         Subcommand{"field", "view factors or steady temperatures on a grid of poses, for ParaView",
                    fieldCommand},
+        Subcommand{"isosurface", "where an object has a view factor or steady temperature, for ParaView",
+                   isosurfaceCommand},
         Subcommand{"study", "repeat the paper's study of view-factor methods: table and figures",
                    studyCommand, true},
         Subcommand{"reproduce",

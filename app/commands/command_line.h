@@ -26,6 +26,7 @@ int feasibilityCommand(const QStringList& arguments);
 int fitContourCommand(const QStringList& arguments);
 int viewFactorCommand(const QStringList& arguments);
 int fieldCommand(const QStringList& arguments);
+int isosurfaceCommand(const QStringList& arguments);
 int studyCommand(const QStringList& arguments);
 int reproduceCommand(const QStringList& arguments);
 int identifyCommand(const QStringList& arguments);

@@ -99,18 +99,19 @@ Result<std::vector<FieldAxis>> parseFieldAxes(const std::string& text) {
     return axes;
 }
 
-Result<void> parseHeld(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& held) {
+Result<void> parseHeld(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& held,
+                       const std::string& option) {
     std::vector<Coordinate> seen;
     for (const QString& part : QString::fromStdString(text).split(u',')) {
-        const auto item = parseItem(part, "--hold", "a coordinate such as theta_x=0.1");
+        const auto item = parseItem(part, option, "a coordinate such as theta_x=0.1");
         if (!item)
             return item.error();
         const std::string name = kCoordinateNames[item->coordinate];
         if (hasAxis(axes, item->coordinate))
-            return Error(MessageCode::HeldIsAxis, "--hold", {name});
+            return Error(MessageCode::HeldIsAxis, option, {name});
         if (std::ranges::find(seen, item->coordinate) != seen.end())
-            return Error(MessageCode::JsonDuplicateKey, "--hold", {name});
-        const auto value = parseNumber(item->rest, "--hold: " + name);
+            return Error(MessageCode::JsonDuplicateKey, option, {name});
+        const auto value = parseNumber(item->rest, option + ": " + name);
         if (!value)
             return value.error();
         seen.push_back(item->coordinate);

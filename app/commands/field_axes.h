@@ -12,8 +12,10 @@ namespace bask {
 /// grid to within a millionth of a step. Errors name the axis and the number.
 Result<std::vector<FieldAxis>> parseFieldAxes(const std::string& text);
 
-/// "z=0.05,theta_x=0": sets those of `held`; a coordinate that is an axis is refused.
-Result<void> parseHeld(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& held);
+/// "z=0.05,theta_x=0": sets those of `held`; a coordinate that is an axis is refused. `option` is named in
+/// errors.
+Result<void> parseHeld(const std::string& text, const std::vector<FieldAxis>& axes, Vector6d& held,
+                       const std::string& option = "--hold");
 
 /// Where the paper samples.
 struct PresetGrid {

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkErrorCode.h>
 #include <vtkExecutive.h>
@@ -10,8 +11,11 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkXMLImageDataWriter.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <array>
@@ -29,23 +33,23 @@ namespace fs = std::filesystem;
 constexpr const char* kMark = "Name=\"made_by\"";
 constexpr std::size_t kMarkWithin = 4096; // bytes from the start
 
-void addWords(vtkImageData* image, const char* name, const std::vector<std::string>& words) {
+void addWords(vtkDataSet* data, const char* name, const std::vector<std::string>& words) {
     vtkNew<vtkStringArray> array;
     array->SetName(name);
     for (const std::string& word : words)
         array->InsertNextValue(word);
-    image->GetFieldData()->AddArray(array);
+    data->GetFieldData()->AddArray(array);
 }
 
-void addNumbers(vtkImageData* image, const char* name, const std::vector<double>& numbers) {
+void addNumbers(vtkDataSet* data, const char* name, const std::vector<double>& numbers) {
     vtkNew<vtkDoubleArray> array;
     array->SetName(name);
     for (const double number : numbers)
         array->InsertNextValue(number);
-    image->GetFieldData()->AddArray(array);
+    data->GetFieldData()->AddArray(array);
 }
 
-void describeAxes(vtkImageData* image, const Field& field) {
+void describeAxes(vtkDataSet* data, const Field& field) {
     std::vector<std::string> names;
     std::vector<std::string> units;
     std::vector<double> first;
@@ -58,14 +62,14 @@ void describeAxes(vtkImageData* image, const Field& field) {
         step.push_back(axis.step);
         count.push_back(axis.count);
     }
-    addWords(image, "axis_names", names);
-    addWords(image, "axis_units", units);
-    addNumbers(image, "axis_first", first);
-    addNumbers(image, "axis_step", step);
-    addNumbers(image, "axis_count", count);
+    addWords(data, "axis_names", names);
+    addWords(data, "axis_units", units);
+    addNumbers(data, "axis_first", first);
+    addNumbers(data, "axis_step", step);
+    addNumbers(data, "axis_count", count);
 }
 
-void describeHeld(vtkImageData* image, const Field& field) {
+void describeHeld(vtkDataSet* data, const Field& field) {
     std::vector<std::string> names;
     std::vector<std::string> units;
     std::vector<double> values;
@@ -77,9 +81,21 @@ void describeHeld(vtkImageData* image, const Field& field) {
         units.emplace_back(coordinateUnit(coordinate));
         values.push_back(field.held[i]);
     }
-    addWords(image, "held_names", names);
-    addWords(image, "held_units", units);
-    addNumbers(image, "held_values", values);
+    addWords(data, "held_names", names);
+    addWords(data, "held_units", units);
+    addNumbers(data, "held_values", values);
+}
+
+/// What the numbers are and how they came about.
+void explain(vtkDataSet* data, const Field& field, const std::string& title) {
+    addWords(data, "made_by", {"Bask " BASK_VERSION});
+    addWords(data, "title", {title});
+    describeAxes(data, field);
+    describeHeld(data, field);
+    addNumbers(data, "tolerance", {field.tolerance});
+    addNumbers(data, "undefined_samples", {static_cast<double>(field.undefinedSamples)});
+    addNumbers(data, "samples_above_tolerance", {static_cast<double>(field.unreachedSamples)});
+    addNumbers(data, "largest_error_estimate", {field.largestErrorEstimate});
 }
 
 /// Image without point data: the first three axes.
@@ -95,14 +111,7 @@ void layOut(vtkImageData* image, const Field& field, const std::string& title) {
     image->SetDimensions(counts.data());
     image->SetOrigin(origin.data());
     image->SetSpacing(spacing.data());
-    addWords(image, "made_by", {"Bask " BASK_VERSION});
-    addWords(image, "title", {title});
-    describeAxes(image, field);
-    describeHeld(image, field);
-    addNumbers(image, "tolerance", {field.tolerance});
-    addNumbers(image, "undefined_samples", {static_cast<double>(field.undefinedSamples)});
-    addNumbers(image, "samples_above_tolerance", {static_cast<double>(field.unreachedSamples)});
-    addNumbers(image, "largest_error_estimate", {field.largestErrorEstimate});
+    explain(image, field, title);
 }
 
 int fourthAxisCount(const Field& field) {
@@ -151,17 +160,13 @@ void putSamples(vtkImageData* image, const Field& field) {
 }
 
 /// Nothing, or why it could not be written.
-std::string writeImage(const Field& field, const std::string& path, const std::string& title) {
-    vtkNew<vtkImageData> image;
-    layOut(image, field, title);
-    putSamples(image, field);
-    vtkNew<vtkXMLImageDataWriter> writer;
+std::string writeData(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path) {
     vtkNew<vtkCallbackCommand> silent; // with an observer VTK prints nothing of its own
     silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
     writer->AddObserver(vtkCommand::ErrorEvent, silent);
     writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
     writer->SetFileName(path.c_str());
-    writer->SetInputData(image);
+    writer->SetInputData(data);
     writer->SetHeaderTypeToUInt64();
     writer->SetDataModeToAppended();
     writer->EncodeAppendedDataOff();
@@ -172,31 +177,12 @@ std::string writeImage(const Field& field, const std::string& path, const std::s
     return done ? "" : "VTK does not say why";
 }
 
-} // namespace
-
-Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis>& axes) {
-    if (axes.size() == 4 && axes[3].count > kMostFourthAxisSamples)
-        return Error(MessageCode::FieldTooLarge,
-                     std::string("fourth axis, ") + kCoordinateNames[axes[3].coordinate],
-                     {std::to_string(axes[3].count), std::to_string(kMostFourthAxisSamples)});
-    std::error_code failed;
-    if (!fs::exists(path, failed) || (fs::file_size(path, failed) == 0 && !failed))
-        return {};
-    std::ifstream file(path, std::ios::binary);
-    std::string start(kMarkWithin, '\0');
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (!start.starts_with("<VTKFile type=\"ImageData\"") || start.find(kMark) == std::string::npos)
-        return Error(MessageCode::OutputForeign, path, {"a field written by Bask"});
-    return {};
-}
-
-Result<void> writeField(const Field& field, const std::string& path, const std::string& title) {
-    if (auto place = checkFieldFile(path, field.axes); !place)
-        return place;
+/// Through a temporary beside it, where a link leads.
+Result<void> writeWhole(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path) {
     std::error_code failed;
     const fs::path target = fs::exists(path, failed) ? fs::canonical(path, failed) : fs::path(path);
     const std::string temporary = target.string() + '.' + std::to_string(::getpid()) + ".part";
-    std::string reason = writeImage(field, temporary, title);
+    std::string reason = writeData(writer, data, temporary);
     if (reason.empty()) {
         fs::rename(temporary, target, failed);
         if (failed)
@@ -206,6 +192,93 @@ Result<void> writeField(const Field& field, const std::string& path, const std::
         return {};
     fs::remove(temporary, failed);
     return Error(MessageCode::FileUnwritable, path, {reason});
+}
+
+/// Refuses a file that is there, not empty and not of Bask's own of VTK's type; `kind` is that in words.
+Result<void> checkOwn(const std::string& path, const std::string& type, const char* kind) {
+    std::error_code failed;
+    if (!fs::exists(path, failed) || (fs::file_size(path, failed) == 0 && !failed))
+        return {};
+    std::ifstream file(path, std::ios::binary);
+    std::string start(kMarkWithin, '\0');
+    file.read(start.data(), static_cast<std::streamsize>(start.size()));
+    if (!start.starts_with("<VTKFile type=\"" + type + '"') || start.find(kMark) == std::string::npos)
+        return Error(MessageCode::OutputForeign, path, {kind});
+    return {};
+}
+
+vtkNew<vtkDoubleArray> emptyArray(const char* name, int components) {
+    vtkNew<vtkDoubleArray> array;
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    return array;
+}
+
+/// All surfaces one after another, with their point data.
+void putSurfaces(vtkPolyData* data, const SurfaceSet& set) {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkCellArray> triangles;
+    const auto normals = emptyArray("Normals", 3);
+    const auto factors = emptyArray("view_factor", 1);
+    const auto temperatures = emptyArray("steady_temperature_K", 1);
+    for (std::size_t s = 0; s < set.surfaces.size(); ++s) {
+        const Isosurface& surface = set.surfaces[s];
+        const vtkIdType first = points->GetNumberOfPoints();
+        for (std::size_t i = 0; i < surface.points.size(); ++i) {
+            points->InsertNextPoint(surface.points[i].data());
+            normals->InsertNextTuple(surface.normals[i].data());
+            factors->InsertNextValue(surface.value);
+            if (!set.steadyTemperatures_K.empty())
+                temperatures->InsertNextValue(set.steadyTemperatures_K.at(s));
+        }
+        for (const std::array<int, 3>& triangle : surface.triangles)
+            triangles->InsertNextCell({first + triangle[0], first + triangle[1], first + triangle[2]});
+    }
+    data->SetPoints(points);
+    data->SetPolys(triangles);
+    data->GetPointData()->SetNormals(normals);
+    data->GetPointData()->SetScalars(factors);
+    if (!set.steadyTemperatures_K.empty())
+        data->GetPointData()->AddArray(temperatures);
+}
+
+} // namespace
+
+Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis>& axes) {
+    if (axes.size() == 4 && axes[3].count > kMostFourthAxisSamples)
+        return Error(MessageCode::FieldTooLarge,
+                     std::string("fourth axis, ") + kCoordinateNames[axes[3].coordinate],
+                     {std::to_string(axes[3].count), std::to_string(kMostFourthAxisSamples)});
+    return checkOwn(path, "ImageData", "a field written by Bask");
+}
+
+Result<void> writeField(const Field& field, const std::string& path, const std::string& title) {
+    if (auto place = checkFieldFile(path, field.axes); !place)
+        return place;
+    vtkNew<vtkImageData> image;
+    layOut(image, field, title);
+    putSamples(image, field);
+    vtkNew<vtkXMLImageDataWriter> writer;
+    return writeWhole(writer, image, path);
+}
+
+Result<void> checkSurfaceFile(const std::string& path) {
+    return checkOwn(path, "PolyData", "surfaces written by Bask");
+}
+
+Result<void> writeSurfaces(const Field& field, const SurfaceSet& set, const std::string& path) {
+    if (auto place = checkSurfaceFile(path); !place)
+        return place;
+    vtkNew<vtkPolyData> data;
+    explain(data, field, set.title);
+    std::vector<double> values;
+    for (const Isosurface& surface : set.surfaces)
+        values.push_back(surface.value);
+    addNumbers(data, "values", values);
+    putSurfaces(data, set);
+    vtkNew<vtkXMLPolyDataWriter> writer;
+    return writeWhole(writer, data, path);
 }
 
 } // namespace bask

@@ -1,6 +1,8 @@
 #pragma once
-// A sampled field as a VTK image file (.vti), which ParaView and other VTK programs open.
+// A sampled field as a VTK image file (.vti) and surfaces in it as VTK poly data (.vtp), which ParaView and
+// other VTK programs open.
 
+#include "engine/exchange/isosurface.h"
 #include "engine/radiation/field_sampler.h"
 
 #include <string>
@@ -25,5 +27,22 @@ Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis
 /// held_values, tolerance, undefined_samples.
 /// Errors: FileUnwritable, and those of checkFieldFile.
 Result<void> writeField(const Field& field, const std::string& path, const std::string& title);
+
+/// Surfaces of one field of view factors in one file.
+struct SurfaceSet {
+    std::vector<Isosurface> surfaces; ///< of `field`
+    /// Of each surface, K; empty: not said.
+    std::vector<double> steadyTemperatures_K = {};
+    std::string title; ///< says in words what they are
+};
+
+/// Refuses a file that is there and was not written by writeSurfaces (an empty one may go).
+Result<void> checkSurfaceFile(const std::string& path);
+
+/// Writes the surfaces as one VTK poly data, whole or not at all. Points in m and rad by the field's axes;
+/// point data "Normals" (unit vectors to where the view factor falls), "view_factor" and, where they are
+/// given, "steady_temperature_K". Field data as of writeField, and "values", the surfaces' view factors.
+/// Errors: FileUnwritable, and those of checkSurfaceFile.
+Result<void> writeSurfaces(const Field& field, const SurfaceSet& set, const std::string& path);
 
 } // namespace bask

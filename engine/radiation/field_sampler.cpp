@@ -17,6 +17,7 @@
 namespace bask {
 namespace {
 
+constexpr int kOutlinePoints = 64;  // of a curved outline, for its height
 constexpr std::size_t kChunk = 256; // samples a thread takes at a time
 constexpr double kProgressStep = 0.01;
 constexpr double kLeastStep = 1e-11; // of the largest value: finer ones drown in rounding
@@ -89,29 +90,38 @@ Turn turnBy(double angle_rad) {
     return {std::sin(angle_rad), std::cos(angle_rad)};
 }
 
+bool isIdentity(const Pose& X) {
+    return X.matrix() == Pose::Identity().matrix();
+}
+
 /// The request's axes with sine and cosine of every angle on them.
 struct Grid {
     explicit Grid(const FieldRequest& asked)
-        : request(asked), isMounted(asked.X_EO.matrix() != Pose::Identity().matrix()),
-          turns(asked.axes.size()) {
+        : request(asked), X_SR(asked.X_RS.inverse()), isMoved(!isIdentity(asked.X_RS)),
+          isMounted(!isIdentity(asked.X_EO)), turns(asked.axes.size()) {
         for (std::size_t a = 0; a < turns.size(); ++a) {
             const FieldAxis& axis = request.axes[a];
             samples *= static_cast<std::size_t>(axis.count);
             for (int i = 0; axis.coordinate >= kThetaX && i < axis.count; ++i)
                 turns[a].push_back(turnBy(axis.at(i)));
         }
+        if (request.leastHeight_m)
+            outline = shapeOutline(request.object.shape(), kOutlinePoints);
     }
 
     const FieldRequest& request;
-    bool isMounted; ///< else the product with X_EO is left out, which costs more than the rest of a pose
+    Pose X_SR;
+    bool isMoved;   ///< else the product with X_SR is left out, which costs more than the rest of a pose
+    bool isMounted; ///< the same of X_EO
     std::vector<std::vector<Turn>> turns; ///< one list an axis, empty for a translation
+    std::vector<Eigen::Vector2d> outline; ///< of the object, where its height matters
     std::size_t samples = 1;
 };
 
 /// Walks the grid, first axis fastest; the rotation is made anew only where an angle has changed.
 class Cursor {
 public:
-    Cursor(const Grid& grid, std::size_t sample) : m_grid(grid), m_p_SE(grid.request.held.head<3>()) {
+    Cursor(const Grid& grid, std::size_t sample) : m_grid(grid), m_p_RE(grid.request.held.head<3>()) {
         for (int k = 0; k < 3; ++k)
             m_turns[static_cast<std::size_t>(k)] = turnBy(grid.request.held[kThetaX + k]);
         for (std::size_t a = 0; a < grid.turns.size(); ++a) {
@@ -139,15 +149,24 @@ public:
 
     const Pose& X_SO() const { return m_X_SO; }
 
+    bool isTooLow() const {
+        const auto& least_m = m_grid.request.leastHeight_m;
+        return least_m && m_X_SO.translation().z() + m_lowest_m < *least_m;
+    }
+
     /// By the pose coordinates, from the gradient by position and rotation in S axes about O's origin.
     void writeGradient(const Vector6d& aboutO, double* out) const {
-        const Vector6d aboutE = gradientAbout(aboutO, m_X_SO.translation(), m_p_SE);
+        Vector6d aboutE = gradientAbout(aboutO, m_X_SO.translation(), m_X_SO.translation() - m_arm);
+        if (m_grid.isMoved) {
+            const Eigen::Matrix3d R_RS = m_grid.X_SR.linear().transpose();
+            aboutE << R_RS * aboutE.head<3>(), R_RS * aboutE.tail<3>();
+        }
         const Eigen::Vector3d torque = aboutE.tail<3>();
         const Turn& z = m_turns[2];
         for (int k = 0; k < 3; ++k)
             out[k] = aboutE[k];
         // The axes about which theta_x, theta_y and theta_z turn, as in rotationAxes.
-        out[kThetaX] = m_R_SE.col(0).dot(torque);
+        out[kThetaX] = m_R_RE.col(0).dot(torque);
         out[kThetaY] = z.cos * torque.y() - z.sin * torque.x();
         out[kThetaZ] = torque.z();
     }
@@ -157,7 +176,7 @@ private:
         const FieldAxis& axis = m_grid.request.axes[a];
         m_index[a] = i;
         if (axis.coordinate < kThetaX)
-            m_p_SE[axis.coordinate] = axis.at(i);
+            m_p_RE[axis.coordinate] = axis.at(i);
         else
             m_turns[static_cast<std::size_t>(axis.coordinate - kThetaX)] =
                 m_grid.turns[a][static_cast<std::size_t>(i)];
@@ -166,28 +185,37 @@ private:
     // Rz Ry Rx
     void rotate() {
         const auto& [x, y, z] = m_turns;
-        m_R_SE << z.cos * y.cos, z.cos * y.sin * x.sin - z.sin * x.cos,
+        m_R_RE << z.cos * y.cos, z.cos * y.sin * x.sin - z.sin * x.cos,
             z.cos * y.sin * x.cos + z.sin * x.sin, //
             z.sin * y.cos, z.sin * y.sin * x.sin + z.cos * x.cos,
             z.sin * y.sin * x.cos - z.cos * x.sin, //
             -y.sin, y.cos * x.sin, y.cos * x.cos;
+        Eigen::Matrix3d R_SE = m_R_RE;
+        if (m_grid.isMoved)
+            R_SE = m_grid.X_SR.linear() * m_R_RE;
+        m_X_SO.linear() = R_SE;
         if (m_grid.isMounted) {
-            m_X_SO.linear() = m_R_SE * m_grid.request.X_EO.linear();
-            m_arm = m_R_SE * m_grid.request.X_EO.translation();
-        } else {
-            m_X_SO.linear() = m_R_SE;
+            m_X_SO.linear() = R_SE * m_grid.request.X_EO.linear();
+            m_arm = R_SE * m_grid.request.X_EO.translation();
         }
+        m_lowest_m = std::numeric_limits<double>::infinity();
+        for (const Eigen::Vector2d& p_OQ : m_grid.outline)
+            m_lowest_m = std::min(m_lowest_m, m_X_SO.linear().row(2).head<2>().dot(p_OQ));
     }
 
-    void translate() { m_X_SO.translation() = m_p_SE + m_arm; }
+    void translate() {
+        const Eigen::Vector3d p_SE = m_grid.isMoved ? Eigen::Vector3d(m_grid.X_SR * m_p_RE) : m_p_RE;
+        m_X_SO.translation() = p_SE + m_arm;
+    }
 
     const Grid& m_grid;
     std::array<int, kMostAxes> m_index{};
     std::array<Turn, 3> m_turns;
-    Eigen::Vector3d m_p_SE;
-    Eigen::Matrix3d m_R_SE;
+    Eigen::Vector3d m_p_RE;
+    Eigen::Matrix3d m_R_RE;
     Eigen::Vector3d m_arm = Eigen::Vector3d::Zero(); ///< from E's to O's origin, S axes
     Pose m_X_SO = Pose::Identity();
+    double m_lowest_m = 0.0; ///< the outline's lowest point over O's origin
 };
 
 /// The work that the threads share.
@@ -264,10 +292,17 @@ private:
         return tally;
     }
 
-    /// Writes the gradient of sample i too. NaN where object and source overlap in one plane.
+    /// Writes the gradient of sample i too. NaN where object and source overlap in one plane or are left out.
     double viewFactorAt(const Cursor& cursor, std::size_t i, double& error) {
         constexpr double kUndefined = std::numeric_limits<double>::quiet_NaN();
         const FieldRequest& request = m_grid.request;
+        const auto none = [&] {
+            if (request.withGradient)
+                std::fill_n(&m_field.gradient[6 * i], 6, kUndefined);
+            return kUndefined;
+        };
+        if (cursor.isTooLow())
+            return none();
         try {
             if (!request.withGradient)
                 return viewFactorValue(request.source, request.object, cursor.X_SO(), request.tolerance,
@@ -279,9 +314,7 @@ private:
             cursor.writeGradient(factor.gradient, &m_field.gradient[6 * i]);
             return factor.value;
         } catch (const std::invalid_argument&) {
-            if (request.withGradient)
-                std::fill_n(&m_field.gradient[6 * i], 6, kUndefined);
-            return kUndefined;
+            return none();
         }
     }
 

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <string>
 
@@ -44,6 +45,11 @@ struct FieldRequest {
     Vector6d held = Vector6d::Zero();
     /// Mounting: X_SO = poseFromCoordinates(q) * X_EO. Identity: q is of the object's own centre.
     Pose X_EO = Pose::Identity();
+    /// The source in R, the frame of the coordinates: X_SO = X_RS^-1 * poseFromCoordinates(q) * X_EO.
+    Pose X_RS = Pose::Identity();
+    /// Samples with a point of the object's outline lower than this over the source's plane (m) are left out,
+    /// NaN: plates cannot go through each other, and what they would exchange there takes long.
+    std::optional<double> leastHeight_m = {};
     double tolerance = 1e-9; ///< of F, absolute
     bool withGradient = false;
     FieldQuantity quantity = {};
@@ -59,7 +65,7 @@ struct Field {
     std::vector<double> values;
     /// dF/dq by the six pose coordinates (1/m, 1/rad), six numbers a sample; empty when not asked for.
     std::vector<double> gradient;
-    /// Samples where object and source overlap in one plane: their numbers are NaN.
+    /// Samples where object and source overlap in one plane, or that are left out: their numbers are NaN.
     std::size_t undefinedSamples = 0;
     /// Samples whose error estimate is above the tolerance (points ran out, or rounding), and the largest
     /// estimate.

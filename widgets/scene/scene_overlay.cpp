@@ -1,5 +1,6 @@
 #include "widgets/scene/scene_overlay.h"
 
+#include "engine/base/units.h"
 #include "widgets/common/theme.h"
 
 #include <QFontMetricsF>
@@ -171,14 +172,15 @@ void SceneOverlay::paintAxis(Frame& frame, int axis) {
     QPainter& painter = frame.painter;
     painter.setPen(QPen(frame.line, 1.0));
     painter.drawLine(line.from, line.to);
-    const double from_cm = frame.content.frame.min()[axis] * 100.0;
-    const double to_cm = frame.content.frame.max()[axis] * 100.0;
-    const NiceRange range = niceRange(from_cm, to_cm, std::max(1, static_cast<int>(length / 44.0)));
+    const double unit = frame.content.angles ? degFromRad(1.0) : 100.0; // degrees or cm
+    const double from = frame.content.frame.min()[axis] * unit;
+    const double to = frame.content.frame.max()[axis] * unit;
+    const NiceRange range = niceRange(from, to, std::max(1, static_cast<int>(length / 44.0)));
     const int decimals = decimalsFor(range.step);
     double widest = 0.0;
-    for (double k = std::ceil(from_cm / range.step - 1e-6); k * range.step <= to_cm + 1e-6; k += 1.0) {
+    for (double k = std::ceil(from / range.step - 1e-6); k * range.step <= to + 1e-6; k += 1.0) {
         const double value = k * range.step;
-        const QPointF at = line.from + (line.to - line.from) * ((value - from_cm) / (to_cm - from_cm));
+        const QPointF at = line.from + (line.to - line.from) * ((value - from) / (to - from));
         painter.setPen(QPen(frame.line, 1.0));
         painter.drawLine(at, at + line.outward * kTick);
         const QString text = numberText(value, decimals);
@@ -199,9 +201,10 @@ void SceneOverlay::paintAxis(Frame& frame, int axis) {
                           .normalized()
                           .adjusted(-1.0, -1.0, 1.0, 1.0));
 
-    static constexpr std::array<const char*, 3> kTitles{QT_TR_NOOP("x (cm)"), QT_TR_NOOP("y (cm)"),
-                                                        QT_TR_NOOP("z (cm)")};
-    const QString title = tr(kTitles[static_cast<std::size_t>(axis)]);
+    static constexpr std::array<const char*, 6> kTitles{QT_TR_NOOP("x (cm)"), QT_TR_NOOP("y (cm)"),
+                                                        QT_TR_NOOP("z (cm)"), QT_TR_NOOP("θx (°)"),
+                                                        QT_TR_NOOP("θy (°)"), QT_TR_NOOP("θz (°)")};
+    const QString title = tr(kTitles[static_cast<std::size_t>(axis + (frame.content.angles ? 3 : 0))]);
     const QSizeF size(frame.metrics.horizontalAdvance(title), frame.metrics.ascent());
     QRectF place = beside(0.5 * (line.from + line.to), line.outward, kTick + 4.0 + widest + 6.0, size);
     // Beside an upright axis there is little room: its title stands at its upper end.

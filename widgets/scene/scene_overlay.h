@@ -29,7 +29,8 @@ struct SceneLabel {
 
 /// Everything the overlay shows, as values.
 struct OverlayContent {
-    Box frame;                      ///< whose edges carry the axes, S, m
+    Box frame;                      ///< whose edges carry the axes, R, m; or angles, rad
+    bool angles = false;            ///< axes are theta_x, theta_y, theta_z
     std::vector<SceneLabel> labels; ///< in order of importance
     bool hasBar = false;
     NiceRange bar; ///< in the shown unit

@@ -386,6 +386,11 @@ void SceneProps::setObjectColour(std::size_t index, const QColor& colour) {
     m->objects.at(index).fill.setColour(colour);
 }
 
+void SceneProps::setObjectOpacity(double opacity) {
+    for (ObjectParts& object : m->objects)
+        object.fill.actor->GetProperty()->SetOpacity(opacity);
+}
+
 void SceneProps::setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour) {
     Points points;
     vtkNew<vtkUnsignedCharArray> colours;

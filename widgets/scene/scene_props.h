@@ -48,6 +48,8 @@ public:
     /// before the filling that it bounds.
     void setPoses(const Pose& X_RE, const Pose& X_RS, const Eigen::Vector3d& lift);
     void setObjectColour(std::size_t index, const QColor& colour);
+    /// Of the objects' fillings, 0 to 1: objects that are not there, but could be.
+    void setObjectOpacity(double opacity);
     /// Uploads one trail of at most Trail::kMostPoints points.
     void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);
 

@@ -2,6 +2,7 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
+#include "widgets/scene/scene_frame.h"
 #include "widgets/scene/scene_overlay.h"
 #include "widgets/scene/scene_props.h"
 #include "widgets/scene/trail.h"
@@ -25,8 +26,7 @@ namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr int kBarSteps = 5;
-constexpr double kLift_px = 8.0;  ///< of lines towards the viewer: enough at 80 degrees of tilt
-constexpr int kLabelOutline = 24; ///< points of an outline that a label stands beside
+constexpr double kLift_px = 8.0; ///< of lines towards the viewer: enough at 80 degrees of tilt
 
 /// What the controller holds for true, else the reading, else the plant's own.
 double temperatureOf_K(const ObjectSample& sample) {
@@ -35,35 +35,6 @@ double temperatureOf_K(const ObjectSample& sample) {
     if (std::isfinite(sample.measured_K) && sample.measured_K > 0.0)
         return sample.measured_K;
     return std::isfinite(sample.true_K) && sample.true_K > 0.0 ? sample.true_K : kUnknown;
-}
-
-std::vector<Eigen::Vector3d> labelOutline(const Shape& shape) {
-    std::vector<Eigen::Vector3d> points;
-    for (const Eigen::Vector2d& p : shapeOutline(shape, kLabelOutline))
-        points.emplace_back(p.x(), p.y(), 0.0);
-    return points;
-}
-
-/// Workspace and source, wherever that is moved: what the axes measure and the presets show.
-Box frameOf(const Experiment& experiment) {
-    Box box(experiment.robot.lower.head<3>().eval());
-    box.extend(experiment.robot.upper.head<3>().eval());
-    TimeTable<Vector6d> places = experiment.simulation.sourceMotion;
-    places.push_back({0.0, experiment.source.pose});
-    for (const auto& [time_s, place] : places)
-        for (const Eigen::Vector2d& p : shapeOutline(experiment.source.shape, kOutlinePoints))
-            box.extend(poseFromCoordinates(place) * Eigen::Vector3d(p.x(), p.y(), 0.0));
-    // A plane or a line is no box: give it some height.
-    const double least = 0.1 * box.diagonal().norm();
-    for (int axis = 0; axis < 3; ++axis)
-        if (box.sizes()[axis] < least)
-            box.extend(Eigen::Vector3d(box.max() + least * Eigen::Vector3d::Unit(axis)));
-    return box;
-}
-
-QColor mixed(const QColor& a, const QColor& b, double weight) {
-    const auto mix = [weight](float x, float y) { return x + (y - x) * static_cast<float>(weight); };
-    return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
 }
 
 } // namespace
@@ -352,12 +323,8 @@ void SceneView::prepareFrame() {
     m->props->setLineScale(
         m->view->devicePixelRatioF() *
         std::clamp(std::min(m->view->width() / 800.0, m->view->height() / 560.0), 0.5, 1.0));
-    if (m->rebuild || m->recolour) {
-        const QColor ground = palette().color(QPalette::Base);
-        const QColor text = palette().color(QPalette::Text);
-        m->props->setColours(
-            {dark, ground, mixed(ground, text, 0.10), mixed(ground, text, 0.34), mixed(ground, text, 0.5)});
-    }
+    if (m->rebuild || m->recolour)
+        m->props->setColours(sceneColours(palette()));
     if (m->hasExperiment) {
         if (m->rebuild)
             m->props->build(m->experiment, m->frame);

@@ -1,5 +1,6 @@
 #include "widgets/scene/vtk_view.h"
 
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -70,6 +71,8 @@ struct VtkView::Impl {
     QTimer timer;
     QElapsedTimer sinceFrame;
     Qt::MouseButton button = Qt::NoButton;
+    QPointF pressedAt;
+    bool dragged = false; ///< since the press, farther than a hand trembles
     double wheelDegrees = 0.0;
     bool ready = false;
     bool broken = false;
@@ -291,12 +294,15 @@ void VtkView::mousePressEvent(QMouseEvent* event) {
         return;
     }
     m->button = event->button();
+    m->pressedAt = event->position();
+    m->dragged = false;
 }
 
 void VtkView::mouseMoveEvent(QMouseEvent* event) {
     if (m->button == Qt::NoButton || !m->ready)
         return;
     tellPosition(event->position(), event->modifiers());
+    m->dragged |= (event->position() - m->pressedAt).manhattanLength() >= QApplication::startDragDistance();
     m->interactor->MouseMoveEvent();
     emit cameraMoved();
 }
@@ -322,7 +328,10 @@ void VtkView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != m->button)
         return;
     tellPosition(event->position(), event->modifiers());
+    const bool click = m->button == Qt::LeftButton && !m->dragged;
     releaseButton();
+    if (click)
+        emit clicked(event->position());
 }
 
 void VtkView::focusOutEvent(QFocusEvent* event) {

@@ -47,6 +47,7 @@ public:
 
 signals:
     void cameraMoved();          ///< by the person
+    void clicked(QPointF place); ///< left button pressed and let go at one place, logical pixels
     void cameraResetRequested(); ///< Home
     void failed();               ///< VTK could not use the context; the view stays empty
 

@@ -25,7 +25,7 @@ inline vtkSmartPointer<vtkImageData> readImage(const std::string& path) {
     return reader->GetOutput();
 }
 
-inline std::vector<std::string> wordsIn(vtkImageData* image, const char* name) {
+inline std::vector<std::string> wordsIn(vtkDataSet* image, const char* name) {
     std::vector<std::string> out;
     auto* array = vtkStringArray::SafeDownCast(image->GetFieldData()->GetAbstractArray(name));
     EXPECT_TRUE(array) << name;
@@ -34,7 +34,7 @@ inline std::vector<std::string> wordsIn(vtkImageData* image, const char* name) {
     return out;
 }
 
-inline std::vector<double> numbersIn(vtkImageData* image, const char* name) {
+inline std::vector<double> numbersIn(vtkDataSet* image, const char* name) {
     std::vector<double> out;
     vtkDataArray* array = image->GetFieldData()->GetArray(name);
     EXPECT_TRUE(array) << name;
@@ -44,7 +44,7 @@ inline std::vector<double> numbersIn(vtkImageData* image, const char* name) {
 }
 
 /// All numbers of a point array, tuple after tuple.
-inline std::vector<double> samplesIn(vtkImageData* image, const std::string& name) {
+inline std::vector<double> samplesIn(vtkDataSet* image, const std::string& name) {
     std::vector<double> out;
     vtkDataArray* array = image->GetPointData()->GetArray(name.c_str());
     EXPECT_TRUE(array) << name;

@@ -46,7 +46,8 @@ Vector6d coordinatesOf(const FieldRequest& asked, std::size_t sample) {
 }
 
 double valueAt(const FieldRequest& asked, const Vector6d& q) {
-    return viewFactorValue(kSource, kObject, poseFromCoordinates(q) * asked.X_EO, asked.tolerance);
+    return viewFactorValue(kSource, kObject, asked.X_RS.inverse() * poseFromCoordinates(q) * asked.X_EO,
+                           asked.tolerance);
 }
 
 void expectSinglesAgree(const FieldRequest& asked) {
@@ -110,15 +111,50 @@ TEST(FieldSampler, putsTheMountingBehindThePose) {
     expectSinglesAgree(asked);
 }
 
+/// A source off the base and turned about every axis.
+Pose movedSource() {
+    return poseFromCoordinates((Vector6d() << 0.01, 0.02, -0.015, -0.1, 0.15, 0.8).finished());
+}
+
+// Catches: coordinates of the source's frame where those of the robot's base are meant.
+TEST(FieldSampler, theCoordinatesAreOfTheBaseTheSourceLiesIn) {
+    FieldRequest asked = request({axisOf(kX), axisOf(kThetaY), axisOf(kThetaZ)});
+    asked.X_RS = movedSource();
+    expectSinglesAgree(asked);
+    asked.X_EO = poseFromCoordinates((Vector6d() << 0.02, -0.03, 0.01, 0.1, 0.2, 0.3).finished());
+    expectSinglesAgree(asked);
+}
+
+// Catches: a pose left out that the plates can take, or kept that they cannot; a height over the base's plane
+// instead of the source's.
+TEST(FieldSampler, leavesOutWhatIsTooLow) {
+    FieldRequest asked = request({{kZ, -0.06, 0.005, 40}, axisOf(kThetaX), axisOf(kThetaY)});
+    asked.X_RS = movedSource();
+    asked.withGradient = true;
+    asked.leastHeight_m = 0.01;
+    const auto field = sampled(asked);
+    std::size_t leftOut = 0;
+    for (std::size_t i = 0; i < field->values.size(); ++i) {
+        const Pose X_SO = asked.X_RS.inverse() * poseFromCoordinates(coordinatesOf(asked, i));
+        double lowest_m = 1.0;
+        for (const Eigen::Vector2d& p : shapeOutline(kObject.shape(), 1000))
+            lowest_m = std::min(lowest_m, (X_SO * Eigen::Vector3d(p.x(), p.y(), 0.0)).z());
+        if (std::abs(lowest_m - 0.01) < 1e-4)
+            continue; // within the outline's points
+        ASSERT_EQ(std::isnan(field->values[i]), lowest_m < 0.01) << "sample " << i;
+        ASSERT_EQ(std::isnan(field->gradient[6 * i]), lowest_m < 0.01) << "sample " << i;
+        leftOut += lowest_m < 0.01;
+    }
+    EXPECT_GT(leftOut, 50u);
+    EXPECT_LT(leftOut, field->values.size() - 50u);
+}
+
 // Catches: a chunk's edge that starts at the wrong sample, on a grid of many chunks with odd counts.
 TEST(FieldSampler, agreesAcrossChunks) {
     expectSinglesAgree(request({{kZ, 0.03, 0.002, 37}, {kThetaX, -1.2, 0.11, 23}, {kX, -0.1, 0.05, 5}}));
 }
 
-// Catches: a gradient about the wrong point or by the wrong angles: it must be what the field itself does
-// along its axes.
-TEST(FieldSampler, gradientIsTheSlopeByTheCoordinates) {
-    FieldRequest asked = request({axisOf(kY), axisOf(kThetaX), axisOf(kThetaZ)});
+void expectSlopes(FieldRequest asked) {
     asked.X_EO = poseFromCoordinates((Vector6d() << 0.02, -0.03, 0.01, 0.1, 0.2, 0.3).finished());
     asked.withGradient = true;
     asked.tolerance = 1e-13;
@@ -135,6 +171,15 @@ TEST(FieldSampler, gradientIsTheSlopeByTheCoordinates) {
             ASSERT_NEAR(field->gradient[6 * i + c], slope, 1e-6) << "sample " << i << ", coordinate " << c;
         }
     }
+}
+
+// Catches: a gradient about the wrong point, by the wrong angles or in the source's axes: it must be what the
+// field itself does along its axes.
+TEST(FieldSampler, gradientIsTheSlopeByTheCoordinates) {
+    FieldRequest asked = request({axisOf(kY), axisOf(kThetaX), axisOf(kThetaZ)});
+    expectSlopes(asked);
+    asked.X_RS = movedSource();
+    expectSlopes(asked);
 }
 
 // Catches: numbers that depend on who computed them.

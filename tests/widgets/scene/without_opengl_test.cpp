@@ -1,5 +1,6 @@
 #include "tests/widgets/scene/scene_fixture.h"
 #include "widgets/scene/scene_view.h"
+#include "widgets/scene/target_scene.h"
 
 #include <QApplication>
 #include <QLabel>
@@ -35,6 +36,29 @@ TEST(SceneWithoutOpenGL, SaysSoAndTakesEverySetter) {
     EXPECT_TRUE(notice->isVisible());
     EXPECT_TRUE(notice->text().contains(QStringLiteral("OpenGL")));
     testing::keepScreenshot(view.grab().toImage(), QStringLiteral("scene-without-opengl"));
+}
+
+TEST(SceneWithoutOpenGL, TheTargetsSceneDoesSoToo) {
+    TargetScene scene;
+    scene.resize(640, 480);
+    scene.setExperiment(testing::threeObjects());
+    scene.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&scene));
+    if (scene.hasPicture())
+        GTEST_SKIP() << "this platform has OpenGL";
+    scene.setSurfaces({Isosurface{}}, Vector6d::Zero());
+    scene.setVerdictPoint(SceneVerdict{});
+    scene.setCut(std::nullopt);
+    scene.setStale(true);
+    scene.setTemperatureUnit(TemperatureUnit::Kelvin);
+    scene.clearPick();
+    scene.viewAlongMinusZ();
+    EXPECT_FALSE(scene.saveImage(QStringLiteral("/nowhere/scene.png"), {640, 480}));
+    EXPECT_EQ(scene.findChild<QOpenGLWidget*>(), nullptr);
+    const auto* notice = scene.findChild<QLabel*>();
+    ASSERT_NE(notice, nullptr);
+    EXPECT_TRUE(notice->isVisible());
+    EXPECT_TRUE(notice->text().contains(QStringLiteral("OpenGL")));
 }
 
 } // namespace

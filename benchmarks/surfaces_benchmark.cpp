@@ -1,0 +1,70 @@
+// What a Targets page waits for: fields of the three example objects at the paper's 1 cm grid, and their
+// target surfaces.
+
+#include "engine/exchange/target_surfaces.h"
+#include "engine/session/experiment.h"
+
+#include <benchmark/benchmark.h>
+
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+Experiment example() {
+    auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
+    if (!experiment)
+        throw std::runtime_error(describe(experiment.error()));
+    return *experiment;
+}
+
+TargetGeometry geometry(const Experiment& experiment) {
+    TargetGeometry out{RadiatingContour(experiment.source.shape),
+                       poseFromCoordinates(experiment.source.pose),
+                       {},
+                       surfaceAxes(PoseSubset::Translation, experiment.robot, kSurfaceStep_m)};
+    for (const ObjectSpec& object : experiment.objects)
+        out.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
+    out.held = experiment.start;
+    out.clearance_m = experiment.robot.clearance_m;
+    return out;
+}
+
+void fields(benchmark::State& state) {
+    TargetGeometry of = geometry(example());
+    of.held[kThetaX] = static_cast<double>(state.range(0)) / 100.0;
+    for ([[maybe_unused]] auto _ : state)
+        benchmark::DoNotOptimize(targetFields(of));
+}
+BENCHMARK(fields)
+    ->Name("target_fields")
+    ->Arg(0)
+    ->Arg(30)
+    ->Arg(60)
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
+
+void surfaces(benchmark::State& state) {
+    const Experiment experiment = example();
+    const auto sampled = *targetFields(geometry(experiment));
+    const SourceSpec& source = experiment.source;
+    std::vector<double> values;
+    for (const ObjectSpec& object : experiment.objects)
+        values.push_back(heatRates(object.material,
+                                   netSourcePower_W_m2(source.model, source.temperature_K, source.emittance,
+                                                       experiment.environment_K),
+                                   experiment.environment_K)
+                             .steadyViewFactor(object.target_K));
+    std::size_t triangles = 0;
+    for ([[maybe_unused]] auto _ : state) {
+        const auto cut = targetSurfaces(sampled, values);
+        triangles = 0;
+        for (const Isosurface& surface : *cut)
+            triangles += surface.triangles.size();
+    }
+    state.counters["triangles"] = static_cast<double>(triangles);
+}
+BENCHMARK(surfaces)->Name("target_surfaces")->UseRealTime()->Unit(benchmark::kMillisecond);
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,76 @@
+#include "engine/exchange/target_surfaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+constexpr double kSlack = 1e-6; // of a step
+
+FieldAxis axisOver(Coordinate coordinate, double least, double most, double step) {
+    const double span = most - least;
+    if (span < step)
+        return {coordinate, 0.5 * (least + most) - step, step, 3};
+    const double steps = std::min(std::ceil(span / step - kSlack), static_cast<double>(kMostAxisSamples));
+    return {coordinate, least, span / steps, static_cast<int>(steps) + 1};
+}
+
+/// How far an object moves from sample to sample, about.
+double largestStep_m(const std::vector<FieldAxis>& axes) {
+    constexpr double kArm_m = 0.1;
+    double step_m = 0.0;
+    for (const FieldAxis& axis : axes)
+        step_m = std::max(step_m, axis.coordinate < kThetaX ? axis.step : kArm_m * axis.step);
+    return step_m;
+}
+
+} // namespace
+
+std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits, double step) {
+    if (!(step > 0.0))
+        throw std::invalid_argument("surfaceAxes: the step must be positive");
+    constexpr double kRightAngle = std::numbers::pi / 2.0;
+    std::vector<FieldAxis> axes;
+    for (const Coordinate k : {kX, kY, kZ})
+        if (subset == PoseSubset::Translation)
+            axes.push_back(axisOver(k, limits.lower[k], limits.upper[k], step));
+        else
+            axes.push_back(axisOver(static_cast<Coordinate>(kThetaX + k), -kRightAngle, kRightAngle, step));
+    return axes;
+}
+
+Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeometry& geometry,
+                                                               const std::stop_token& stop) {
+    std::vector<std::shared_ptr<const Field>> fields;
+    for (const MountedContour& object : geometry.objects) {
+        FieldRequest request{geometry.source, object.contour, geometry.axes,
+                             geometry.held,   object.X_EO,    geometry.X_RS};
+        request.tolerance = geometry.tolerance;
+        request.leastHeight_m = geometry.clearance_m - largestStep_m(geometry.axes);
+        auto field = sampleField(request, {.stop = stop});
+        if (!field)
+            return field.error();
+        fields.push_back(std::move(*field));
+    }
+    return fields;
+}
+
+std::optional<std::vector<Isosurface>> targetSurfaces(std::span<const std::shared_ptr<const Field>> fields,
+                                                      std::span<const double> viewFactors,
+                                                      const std::stop_token& stop) {
+    if (fields.size() != viewFactors.size())
+        throw std::invalid_argument("targetSurfaces: one view factor a field is needed");
+    std::vector<Isosurface> surfaces;
+    for (std::size_t i = 0; i < fields.size(); ++i) {
+        if (stop.stop_requested())
+            return std::nullopt;
+        surfaces.push_back(std::move(isosurfaces(*fields[i], {viewFactors[i]}).front()));
+    }
+    return surfaces;
+}
+
+} // namespace bask

@@ -1,0 +1,57 @@
+#pragma once
+// The VTK actors that a target scene has more than a scene: surfaces, bounds, cut, verdict, what was
+// picked; private to widgets/scene. Points are in the surfaces' coordinates: m, or rad.
+
+#include "engine/exchange/isosurface.h"
+#include "widgets/scene/cut_sheet.h"
+
+#include <QColor>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+class vtkRenderer;
+
+namespace bask {
+
+/// Arrows from one point.
+struct PickedArrows {
+    Eigen::Vector3d at = Eigen::Vector3d::Zero();
+    std::vector<Eigen::Vector3d> directions; ///< one an object, unit or zero
+    double length = 0.03;
+};
+
+/// Owns the actors and keeps them in the renderer. All calls on the GUI thread; none draws.
+class TargetProps {
+public:
+    explicit TargetProps(vtkRenderer& renderer);
+    ~TargetProps();
+
+    /// Puts the actors into the renderer again, after SceneProps::build took everything out.
+    void addActors();
+
+    void setSurfaces(const std::vector<Isosurface>& surfaces);
+    /// Surface i in colour i, translucent; paler when `stale`.
+    void setColours(const std::vector<QColor>& surfaces, const QColor& marks, const QColor& contours,
+                    bool stale);
+    void setLineScale(double scale);
+
+    /// What the robot may do: lines from each even point to the odd one after it, and a plane's polygon or
+    /// none.
+    void setBounds(const std::vector<Eigen::Vector3d>& lines, const std::vector<Eigen::Vector3d>& polygon);
+    void setCut(const CutSheet& sheet, const std::function<QColor(double)>& colour);
+    /// A sphere at each point; two points are joined by a line.
+    void setMarks(const std::vector<Eigen::Vector3d>& points, double radius);
+    /// A sphere and an arrow an object, in the surfaces' colours; null: none.
+    void setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours);
+    /// Moves lines on the cut, and marks and arrows, towards the viewer (R, m), as SceneProps::setPoses does:
+    /// the marks far enough to be seen before everything.
+    void setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& marks);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m;
+};
+
+} // namespace bask

@@ -1,0 +1,97 @@
+#pragma once
+// The 3-D view of targets: source, workspace and clearance, and for each object the surface of end-effector
+// positions that hold its target.
+
+#include "engine/base/result.h"
+#include "engine/base/units.h"
+#include "engine/exchange/target_surfaces.h"
+#include "engine/session/experiment.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace bask {
+
+enum class ViewPreset;
+
+/// Where all targets are met, or nearly.
+struct SceneVerdict {
+    Vector6d pose = Vector6d::Zero(); ///< end-effector in R: the objects' ghost stands there
+    bool feasible = false;            ///< marked as the surfaces' common point
+    /// Where two surfaces come closest, in their coordinates: joined by a line when not feasible.
+    std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> closest = {};
+};
+
+/// A plane through one object's field.
+struct SceneCut {
+    std::shared_ptr<const Field> field; ///< view factors over the surfaces' coordinates, as of targetFields
+    int object = 0;
+    Coordinate axis = kY;      ///< normal to the plane
+    double position = 0.0;     ///< m or rad
+    bool asTemperature = true; ///< steady temperature of the object, else its view factor
+};
+
+/// Setters in, a picture and picked poses out; R axes in cm. Setters only note what is new: frames are drawn
+/// later, and none while hidden. Without OpenGL 3.2 it says so in words. Colours follow the palette, words
+/// the language. A click on a surface or the cut picks a pose: it gets a mark and, for each object, an arrow
+/// along which its view factor grows.
+class TargetScene : public QWidget {
+    Q_OBJECT
+public:
+    explicit TargetScene(QWidget* parent = nullptr);
+    ~TargetScene() override;
+
+    /// Shows another experiment, its objects' ghost at the start pose; surfaces, verdict, cut and pick go.
+    void setExperiment(const Experiment& experiment);
+    /// One surface an object, over the subset's coordinates of the end-effector in R; `held` has the others.
+    /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
+    /// the robot's limits and marks, but neither source nor objects. Another subset drops the cut.
+    void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held,
+                     PoseSubset subset = PoseSubset::Translation);
+    void setVerdictPoint(const std::optional<SceneVerdict>& verdict);
+    /// After setSurfaces of its subset. Throws std::invalid_argument unless the field is over it.
+    void setCut(const std::optional<SceneCut>& cut);
+    /// Dims and hatches: what is shown belongs to older input.
+    void setStale(bool stale);
+    void setTemperatureUnit(TemperatureUnit unit);
+    void clearPick();
+
+    void viewAlongMinusZ(); ///< from above: x to the right, y up
+    void viewAlongX();      ///< from the side: y to the left, z up
+    void viewIsometric();
+
+    /// Whether there is a picture at all.
+    bool hasPicture() const;
+    /// The picture as a PNG of so many pixels; text and lines grow with it. Errors: FileUnwritable.
+    Result<void> saveImage(const QString& path, QSize size);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+signals:
+    /// A point was clicked: the end-effector's coordinates, with the held angles, and a sentence an object.
+    void posePicked(const bask::Vector6d& coordinates, const QStringList& words);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void makePicture();
+    void showNotice();
+    void prepareFrame();
+    void turnTo(ViewPreset preset);
+    void fit();
+    void pick(QPointF place);
+    void requestFrame();
+
+    struct Impl;
+    std::unique_ptr<Impl> m;
+};
+
+} // namespace bask
