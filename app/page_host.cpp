@@ -99,6 +99,13 @@ void PageHost::connectDocument() {
             m_targets->setVerdict(*m_document.verdict());
     });
     connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
+    connect(m_targets, &TargetsPage::problem, this, &PageHost::showProblem);
+    connect(m_targets, &TargetsPage::startWanted, this, [this](const Vector6d& pose) {
+        Experiment changed = m_document.experiment();
+        changed.start = pose;
+        if (const auto edited = m_document.edit(changed); !edited)
+            showProblem(sentence(edited.error()));
+    });
 }
 
 void PageHost::showDocument() {

@@ -2877,6 +2877,57 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
     </context>
     <context>
+        <name>bask::SurfacesView</name>
+        <message>
+            <source>&amp;Surfaces at %1</source>
+            <translation>&amp;Surfaces à %1</translation>
+        </message>
+        <message>
+            <source>Top</source>
+            <translation>Dessus</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Côté</translation>
+        </message>
+        <message>
+            <source>Isometric</source>
+            <translation>Isométrique</translation>
+        </message>
+        <message>
+            <source>View: %1</source>
+            <translation>Vue : %1</translation>
+        </message>
+        <message>
+            <source>Save picture…</source>
+            <translation>Enregistrer l’image…</translation>
+        </message>
+        <message>
+            <source>Save the picture</source>
+            <translation>Enregistrer l’image</translation>
+        </message>
+        <message>
+            <source>Angle at which the surfaces are drawn</source>
+            <translation>Angle auquel les surfaces sont tracées</translation>
+        </message>
+        <message>
+            <source>As at the pose</source>
+            <translation>Comme à la pose</translation>
+        </message>
+        <message>
+            <source>Draw the surfaces at the angle of the pose that was found.</source>
+            <translation>Tracer les surfaces à l’angle de la pose trouvée.</translation>
+        </message>
+        <message>
+            <source>Start runs here</source>
+            <translation>Départ des essais ici</translation>
+        </message>
+        <message>
+            <source>3-D scene: where the end-effector may be for each object to hold its target</source>
+            <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa cible</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::TargetScene</name>
         <message>
             <source>Picked</source>
@@ -2953,10 +3004,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Target</source>
             <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Can be held here, %1</source>
-            <translation>Tenable ici, %1</translation>
         </message>
         <message>
             <source>Verdict</source>

@@ -4,6 +4,7 @@
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/targets/reach_bar.h"
+#include "widgets/targets/surfaces_view.h"
 #include "widgets/targets/verdict_text.h"
 
 #include <QCheckBox>
@@ -13,6 +14,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSplitter>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -23,7 +25,9 @@
 namespace bask {
 namespace {
 
-constexpr int kRowHeight = 92;
+constexpr int kRowHeight = 44;
+constexpr int kLinesPerRow = 4; // of the grid: a rule, the target, its bar, words
+constexpr int kColumns = 6;
 constexpr double kSameTarget_K = 1e-6;
 
 QLabel* wrapped(QWidget* parent, const char* name = nullptr) {
@@ -114,7 +118,16 @@ TargetsPage::TargetsPage(QWidget* parent)
     scroll->setFocusPolicy(Qt::NoFocus);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scroll);
+    m_surfaces = new SurfacesView(this);
+    auto* splitter = new QSplitter(Qt::Horizontal, this);
+    splitter->addWidget(scroll);
+    splitter->addWidget(m_surfaces);
+    splitter->setChildrenCollapsible(false);
+    splitter->setStretchFactor(1, 1);
+    splitter->setSizes({620, 560});
+    outer->addWidget(splitter);
+    connect(m_surfaces, &SurfacesView::startWanted, this, &TargetsPage::startWanted);
+    connect(m_surfaces, &SurfacesView::problem, this, &TargetsPage::problem);
     buildRows();
 }
 
@@ -130,16 +143,16 @@ void TargetsPage::buildRows() {
     m_grid->setContentsMargins(0, 4, 0, 0);
     m_grid->setHorizontalSpacing(14);
     m_grid->setVerticalSpacing(0);
-    for (const int column : {1, 2, 3, 4}) {
+    for (const int column : {1, 2, 3}) {
         m_headers.push_back(new QLabel(m_table));
         m_grid->addWidget(m_headers.back(), 0, column);
     }
-    m_grid->setColumnStretch(3, 5);
-    m_grid->setColumnStretch(4, 4);
+    m_grid->setColumnStretch(3, 1);
     m_grid->setColumnMinimumWidth(1, 110);
     for (std::size_t i = 0; i < m_experiment.objects.size(); ++i)
         addRow(static_cast<int>(i));
-    m_grid->addWidget(horizontalLine(m_table), 2 * static_cast<int>(m_rows.size()) + 1, 0, 1, 6);
+    m_grid->addWidget(horizontalLine(m_table), kLinesPerRow * static_cast<int>(m_rows.size()) + 1, 0, 1,
+                      kColumns);
     m_table->setVisible(!m_rows.empty());
     showAll();
 }
@@ -176,25 +189,21 @@ void TargetsPage::addRow(int index) {
     });
     connect(made.nearest, &QPushButton::clicked, this, [this, row] { useNearest(row); });
 
-    auto* verdict = new QGridLayout;
-    verdict->setSpacing(2);
-    verdict->setHorizontalSpacing(8);
-    verdict->addWidget(made.icon, 1, 0);
-    verdict->addWidget(made.word, 1, 1);
-    verdict->addWidget(made.detail, 2, 1);
-    verdict->setColumnStretch(1, 1);
-    verdict->setRowStretch(0, 1);
-    verdict->setRowStretch(3, 1);
+    auto* verdict = new QHBoxLayout;
+    verdict->setSpacing(8);
+    verdict->addWidget(made.icon);
+    verdict->addWidget(made.word, 1);
 
-    const int line = 2 * index + 1;
-    m_grid->addWidget(horizontalLine(m_table), line, 0, 1, 6);
+    const int line = kLinesPerRow * index + 1;
+    m_grid->addWidget(horizontalLine(m_table), line, 0, 1, kColumns);
     m_grid->addWidget(made.swatch, line + 1, 0);
     m_grid->addWidget(made.name, line + 1, 1);
     m_grid->addWidget(made.target, line + 1, 2);
-    m_grid->addWidget(made.bar, line + 1, 3);
-    m_grid->addLayout(verdict, line + 1, 4);
-    m_grid->addWidget(made.nearest, line + 1, 5);
-    m_grid->addWidget(made.keep, line + 1, 6);
+    m_grid->addLayout(verdict, line + 1, 3);
+    m_grid->addWidget(made.nearest, line + 1, 4);
+    m_grid->addWidget(made.keep, line + 1, 5);
+    m_grid->addWidget(made.bar, line + 2, 1, 1, kColumns - 1);
+    m_grid->addWidget(made.detail, line + 3, 1, 1, kColumns - 1);
     m_grid->setRowMinimumHeight(line + 1, kRowHeight);
     m_rows.push_back(made);
 }
@@ -202,6 +211,7 @@ void TargetsPage::addRow(int index) {
 void TargetsPage::setExperiment(const Experiment& experiment) {
     const bool sameRows = experiment.objects.size() == m_rows.size();
     m_experiment = experiment;
+    m_surfaces->setExperiment(experiment);
     if (sameRows) {
         showAll();
         return;
@@ -214,23 +224,28 @@ void TargetsPage::setVerdict(const JointVerdict& verdict) {
     m_verdict.reset();
     if (verdict.conditions1.size() == m_rows.size())
         m_verdict = verdict;
+    if (m_verdict)
+        m_surfaces->setVerdict(verdict);
     m_stale = false;
     showAll();
 }
 
 void TargetsPage::setStale(bool stale) {
     m_stale = stale;
+    m_surfaces->setStale(stale);
     showAll();
 }
 
 void TargetsPage::setEditable(bool editable, const QString& why) {
     m_editable = editable;
     m_why = why;
+    m_surfaces->setEditable(editable);
     showAll();
 }
 
 void TargetsPage::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
+    m_surfaces->setTemperatureUnit(unit);
     showAll();
 }
 
@@ -398,9 +413,7 @@ void TargetsPage::refreshTexts() {
     m_title->setText(tr("Targets"));
     m_note->setText(m_why);
     m_note->setVisible(!m_editable && !m_why.isEmpty());
-    const std::array<QString, 4> headers{tr("Object"), tr("Target"),
-                                         tr("Can be held here, %1").arg(temperatureUnitSymbol(m_unit)),
-                                         tr("Verdict")};
+    const std::array<QString, 3> headers{tr("Object"), tr("Target"), tr("Verdict")};
     for (std::size_t i = 0; i < m_headers.size(); ++i) {
         m_headers[i]->setText(headers.at(i));
         m_headers[i]->setPalette(caption);

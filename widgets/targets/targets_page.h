@@ -19,13 +19,14 @@ namespace bask {
 
 class QuantitySpinBox;
 class ReachBar;
+class SurfacesView;
 
 /// Setters in, signals out. A verdict counts only for the target it was made for: a row edited since is shown
 /// as stale, as are all between setStale(true) and the next setVerdicts.
 ///
 /// Object names for tests, i being the row from 0: "target<i>" (spin box), "reach<i>" (bar), "verdict<i>"
 /// (word), "verdictDetail<i>", "nearest<i>" (button), "keep<i>"; "jointVerdict", "jointDetail", "useNearest",
-/// "infeasibleNote", "targetsNote".
+/// "infeasibleNote", "targetsNote" and those of SurfacesView.
 class TargetsPage : public QWidget {
     Q_OBJECT
 
@@ -48,6 +49,8 @@ public:
 signals:
     void targetsEdited(const std::vector<double>& targets_K);
     void keptChanged(const std::vector<bool>& kept);
+    void startWanted(const bask::Vector6d& pose);
+    void problem(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -89,6 +92,7 @@ private:
     QLabel* m_explanation;
     QLabel* m_infeasibleTitle;
     QLabel* m_infeasible;
+    SurfacesView* m_surfaces;
 };
 
 } // namespace bask

@@ -96,15 +96,18 @@ double nearestReachable_K(const TargetVerdict& v, TemperatureUnit unit) {
     return v.target_K;
 }
 
-QString poseText(const Vector6d& pose, const RobotLimits& robot) {
+QString coordinateText(int coordinate, double value) {
     constexpr double kCmPerM = 100.0;
+    return coordinate < kThetaX
+               ? QStringLiteral("%1 %2 cm").arg(axisName(coordinate), formatSigned(value * kCmPerM, 1))
+               : QStringLiteral("%1 %2\u00b0").arg(axisName(coordinate), formatSigned(degFromRad(value), 1));
+}
+
+QString poseText(const Vector6d& pose, const RobotLimits& robot) {
     QStringList parts;
     for (int k = 0; k < 6; ++k)
         if (robot.free[static_cast<std::size_t>(k)])
-            parts << (k < kThetaX
-                          ? QStringLiteral("%1 %2 cm").arg(axisName(k), formatSigned(pose[k] * kCmPerM, 1))
-                          : QStringLiteral("%1 %2\u00b0")
-                                .arg(axisName(k), formatSigned(degFromRad(pose[k]), 1)));
+            parts << coordinateText(k, pose[k]);
     return parts.join(QStringLiteral(", "));
 }
 

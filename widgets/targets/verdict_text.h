@@ -20,6 +20,8 @@ QString verdictDetail(const TargetVerdict& verdict, double environment_K, Temper
 /// the unit shown so that what is displayed is reachable too. K.
 double nearestReachable_K(const TargetVerdict& verdict, TemperatureUnit unit);
 
+/// "θx +10.0°", "z +6.0 cm".
+QString coordinateText(int coordinate, double value);
 /// "x 1.2 cm, y -3.4 cm, θx 10.0°": the coordinates that the robot moves.
 QString poseText(const Vector6d& pose, const RobotLimits& robot);
 /// "clearance", "workspace z".
