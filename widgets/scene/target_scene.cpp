@@ -98,7 +98,12 @@ struct TargetScene::Impl {
             .arg(tenthsText(inUnit(p.x())), tenthsText(inUnit(p.y())), tenthsText(inUnit(p.z())), unitWord());
     }
     QSizeF size() const { return QSizeF(view->size()) / scale; }
-    Vector6d ghost() const { return verdict ? verdict->pose : experiment.start; }
+    /// The verdict's pose; without one the start, turned as the surfaces are held.
+    Vector6d ghost() const {
+        Vector6d q = experiment.start;
+        q.tail<3>() = held.tail<3>();
+        return verdict ? verdict->pose : q;
+    }
     double markRadius() const { return kMarkShare * frame.diagonal().norm(); }
     std::vector<QColor> colours(bool dark) const {
         std::vector<QColor> result;
@@ -187,6 +192,13 @@ OverlayContent TargetScene::Impl::overlayContent(bool dark) const {
         add(TargetScene::tr("Closest"), tenthsText(inUnit((a - b).norm())) + QLatin1Char(' ') + unitWord(),
             {a, b});
     }
+    // Over the angles no object is there to carry its name: its surface does.
+    for (std::size_t i = 0; isOverAngles() && i < experiment.objects.size() && i < surfaces.size(); ++i)
+        if (const auto& points = surfaces[i].points; !points.empty()) {
+            add(QString::fromStdString(experiment.objects[i].name),
+                formatTemperature(experiment.objects[i].target_K, unit), {points[points.size() / 2]});
+            result.labels.back().colour = seriesColor(static_cast<int>(i), dark);
+        }
     const Pose X_RE = poseFromCoordinates(ghost());
     for (std::size_t i = 0; i < experiment.objects.size() && !isOverAngles(); ++i) {
         const ObjectSpec& object = experiment.objects[i];
@@ -489,22 +501,26 @@ void TargetScene::pick(QPointF place) {
     emit posePicked(picked.q, words);
 }
 
-Result<void> TargetScene::saveImage(const QString& path, QSize size) {
-    const Error noPicture(MessageCode::FileUnwritable, path.toStdString(), {"there is no picture"});
+QImage TargetScene::image(QSize size) {
     if (m->view == nullptr || !m->view->isValid() || size.isEmpty())
-        return noPicture;
+        return {};
     const QRect place = m->view->geometry();
     const double ratio = m->view->devicePixelRatioF();
-    m->scale = std::max(
-        1.0, std::min(size.width() / kPlainSize.width(), size.height() / kPlainSize.height()) / ratio);
+    const double growth = std::min(size.width() / kPlainSize.width(), size.height() / kPlainSize.height());
+    m->scale = std::max(1.0, growth / ratio);
     m->view->resize((QSizeF(size) / ratio).toSize());
-    const QImage image = m->view->grabFramebuffer().copy(QRect({}, size));
+    const QImage picture = m->view->grabFramebuffer().copy(QRect({}, size));
     m->scale = 1.0;
     m->view->setGeometry(place);
     requestFrame();
-    if (image.isNull())
-        return noPicture;
-    if (!image.save(path, "PNG"))
+    return picture;
+}
+
+Result<void> TargetScene::saveImage(const QString& path, QSize size) {
+    const QImage picture = image(size);
+    if (picture.isNull())
+        return Error(MessageCode::FileUnwritable, path.toStdString(), {"there is no picture"});
+    if (!picture.save(path, "PNG"))
         return Error(MessageCode::FileUnwritable, path.toStdString(), {"it cannot be written"});
     return {};
 }

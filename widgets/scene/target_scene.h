@@ -7,6 +7,7 @@
 #include "engine/exchange/target_surfaces.h"
 #include "engine/session/experiment.h"
 
+#include <QImage>
 #include <QStringList>
 #include <QWidget>
 
@@ -67,7 +68,10 @@ public:
 
     /// Whether there is a picture at all.
     bool hasPicture() const;
-    /// The picture as a PNG of so many pixels; text and lines grow with it. Errors: FileUnwritable.
+    /// The picture in so many pixels; text and lines grow with it. Null before the scene was shown and
+    /// without OpenGL.
+    QImage image(QSize size);
+    /// The same as a PNG. Errors: FileUnwritable.
     Result<void> saveImage(const QString& path, QSize size);
 
     QSize sizeHint() const override;
