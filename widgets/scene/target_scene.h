@@ -48,6 +48,7 @@ public:
     ~TargetScene() override;
 
     /// Shows another experiment, its objects' ghost at the start pose; surfaces, verdict, cut and pick go.
+    /// They stay when only targets are others.
     void setExperiment(const Experiment& experiment);
     /// One surface an object, over the subset's coordinates of the end-effector in R; `held` has the others.
     /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
@@ -88,9 +89,7 @@ protected:
 private:
     void makePicture();
     void showNotice();
-    void prepareFrame();
     void turnTo(ViewPreset preset);
-    void fit();
     void pick(QPointF place);
     void requestFrame();
 
