@@ -1,11 +1,13 @@
 // What a Targets page waits for: fields of the three example objects at the paper's 1 cm grid, and their
 // target surfaces.
 
+#include "engine/exchange/surface_gap.h"
 #include "engine/exchange/target_surfaces.h"
 #include "engine/session/experiment.h"
 
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <stdexcept>
 
 namespace bask {
@@ -65,6 +67,18 @@ void surfaces(benchmark::State& state) {
     state.counters["triangles"] = static_cast<double>(triangles);
 }
 BENCHMARK(surfaces)->Name("target_surfaces")->UseRealTime()->Unit(benchmark::kMillisecond);
+
+/// Surfaces of one object at three values: none meets another, which takes longest.
+void gap(benchmark::State& state) {
+    const auto sampled = *targetFields(geometry(example()));
+    const std::vector<std::shared_ptr<const Field>> same(3, sampled.front());
+    const std::vector<Isosurface> cut = isosurfaces(*same.front(), {0.6, 0.3, 0.1});
+    double distance_m = 0.0;
+    for ([[maybe_unused]] auto _ : state)
+        distance_m = widestGap(same, cut).value_or(SurfaceGap{}).distance();
+    state.counters["gap_cm"] = 100.0 * distance_m;
+}
+BENCHMARK(gap)->Name("widest_gap")->UseRealTime()->Unit(benchmark::kMillisecond);
 
 } // namespace
 } // namespace bask

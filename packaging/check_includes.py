@@ -35,6 +35,7 @@ VALUE_HEADERS = {
     "engine/control/feasibility.h",
     "engine/control/rig_geometry.h",
     "engine/exchange/isosurface.h",
+    "engine/exchange/surface_gap.h",
     "engine/exchange/target_surfaces.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",
