@@ -1,5 +1,7 @@
 #include "engine/exchange/target_surfaces.h"
 
+#include "engine/base/message_code.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -71,6 +73,27 @@ std::optional<std::vector<Isosurface>> targetSurfaces(std::span<const std::share
         surfaces.push_back(std::move(isosurfaces(*fields[i], {viewFactors[i]}).front()));
     }
     return surfaces;
+}
+
+Result<std::vector<SurfaceFrame>> targetSweep(const TargetGeometry& geometry, Coordinate coordinate,
+                                              std::span<const double> values,
+                                              std::span<const double> viewFactors,
+                                              const std::stop_token& stop) {
+    if (std::ranges::find(geometry.axes, coordinate, &FieldAxis::coordinate) != geometry.axes.end())
+        throw std::invalid_argument("targetSweep: an axis is not held");
+    TargetGeometry at = geometry;
+    std::vector<SurfaceFrame> frames;
+    for (const double value : values) {
+        at.held[coordinate] = value;
+        const auto fields = targetFields(at, stop);
+        if (!fields)
+            return fields.error();
+        auto surfaces = targetSurfaces(*fields, viewFactors, stop);
+        if (!surfaces)
+            return Error(MessageCode::FieldCancelled, "");
+        frames.push_back({at.held, *std::move(surfaces)});
+    }
+    return frames;
 }
 
 } // namespace bask

@@ -48,4 +48,17 @@ std::optional<std::vector<Isosurface>> targetSurfaces(std::span<const std::share
                                                       std::span<const double> viewFactors,
                                                       const std::stop_token& stop = {});
 
+/// Surfaces of all objects, with what was held.
+struct SurfaceFrame {
+    Vector6d held = Vector6d::Zero();
+    std::vector<Isosurface> surfaces; ///< one an object
+};
+
+/// The surfaces for each of several values of one held coordinate: a fourth variable as a sequence. Errors:
+/// those of targetFields. Throws as targetSurfaces does, and on a coordinate that is an axis.
+Result<std::vector<SurfaceFrame>> targetSweep(const TargetGeometry& geometry, Coordinate coordinate,
+                                              std::span<const double> values,
+                                              std::span<const double> viewFactors,
+                                              const std::stop_token& stop = {});
+
 } // namespace bask

@@ -7,6 +7,7 @@
 #include "engine/exchange/target_surfaces.h"
 #include "engine/session/experiment.h"
 
+#include <QImage>
 #include <QStringList>
 #include <QWidget>
 
@@ -47,6 +48,7 @@ public:
     ~TargetScene() override;
 
     /// Shows another experiment, its objects' ghost at the start pose; surfaces, verdict, cut and pick go.
+    /// They stay when only targets are others.
     void setExperiment(const Experiment& experiment);
     /// One surface an object, over the subset's coordinates of the end-effector in R; `held` has the others.
     /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
@@ -67,7 +69,10 @@ public:
 
     /// Whether there is a picture at all.
     bool hasPicture() const;
-    /// The picture as a PNG of so many pixels; text and lines grow with it. Errors: FileUnwritable.
+    /// The picture in so many pixels; text and lines grow with it. Null before the scene was shown and
+    /// without OpenGL.
+    QImage image(QSize size);
+    /// The same as a PNG. Errors: FileUnwritable.
     Result<void> saveImage(const QString& path, QSize size);
 
     QSize sizeHint() const override;
@@ -84,9 +89,7 @@ protected:
 private:
     void makePicture();
     void showNotice();
-    void prepareFrame();
     void turnTo(ViewPreset preset);
-    void fit();
     void pick(QPointF place);
     void requestFrame();
 

@@ -193,5 +193,31 @@ TEST(TargetSurfaces, aValueOutOfReachIsAnEmptySurface) {
     EXPECT_FALSE(targetFields(geometry(Vector6d::Zero(), 1e-5))) << "too many samples";
 }
 
+// Catches: frames that are all of one value, or of the wrong coordinate.
+TEST(TargetSurfaces, aSweepHasAFrameForEachValue) {
+    const TargetGeometry of = geometry(movedSource());
+    const auto frames = targetSweep(of, kThetaX, std::array{0.0, 0.4}, std::array{0.3, 0.2});
+    ASSERT_TRUE(frames);
+    ASSERT_EQ(frames->size(), 2U);
+    for (std::size_t k = 0; k < 2; ++k) {
+        const SurfaceFrame& frame = (*frames)[k];
+        EXPECT_EQ(frame.held[kThetaX], k == 0 ? 0.0 : 0.4);
+        EXPECT_EQ(frame.held[kThetaY], of.held[kThetaY]);
+        TargetGeometry held = of;
+        held.held = frame.held;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const Isosurface& surface = frame.surfaces[i];
+            ASSERT_FALSE(surface.empty());
+            const Eigen::Vector3d& point = surface.points[surface.points.size() / 2];
+            EXPECT_NEAR(viewFactorAt(i, held, movedSource(), point), surface.value, 4e-3);
+        }
+    }
+    EXPECT_THROW(static_cast<void>(targetSweep(of, kX, std::array{0.0}, std::array{0.3, 0.2})),
+                 std::invalid_argument);
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(targetSweep(of, kThetaX, std::array{0.0}, std::array{0.3, 0.2}, stop.get_token()));
+}
+
 } // namespace
 } // namespace bask::test

@@ -1,0 +1,86 @@
+// The targets' surfaces from a verdict to the picture, under OpenGL.
+
+#include "engine/runtime/rig_setup.h"
+#include "tests/support/wait_for.h"
+#include "widgets/scene/target_scene.h"
+#include "widgets/targets/surfaces_view.h"
+
+#include <QApplication>
+#include <QPushButton>
+#include <QSlider>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+int differentPixels(const QImage& a, const QImage& b) {
+    int different = 0;
+    for (int y = 0; y < std::min(a.height(), b.height()); ++y)
+        for (int x = 0; x < std::min(a.width(), b.width()); ++x)
+            different += a.pixel(x, y) != b.pixel(x, y);
+    return different;
+}
+
+struct SurfacesViewTest : testing::Test {
+    SurfacesView view;
+    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+
+    SurfacesViewTest() {
+        view.resize(700, 560);
+        view.setExperiment(experiment);
+        view.show();
+        QApplication::processEvents();
+    }
+    TargetScene* scene() { return view.findChild<TargetScene*>("targetScene"); }
+    QImage picture() { return scene()->image({600, 400}); }
+    /// Waits for a picture that differs from `before` in more than a fiftieth.
+    QImage changed(const QImage& before) {
+        QImage now;
+        EXPECT_TRUE(test::waitFor([&] {
+            now = picture();
+            return differentPixels(now, before) > before.width() * before.height() / 50;
+        }));
+        return now;
+    }
+};
+
+// Catches a verdict whose surfaces never come, a slider of the angle that draws nothing anew, and one that
+// stays where it was put when the pose is asked for again.
+TEST_F(SurfacesViewTest, SurfacesFollowVerdictAndAngle) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    const auto verdict = jointFeasibility(feasibilityRequest(experiment));
+    ASSERT_TRUE(verdict);
+    ASSERT_TRUE(verdict->feasible);
+    const QImage empty = picture();
+    view.setVerdict(*verdict);
+    const QImage atPose = changed(empty);
+    EXPECT_TRUE(view.grab().save("surfaces_at_pose.png"));
+    auto* slider = view.findChild<QSlider*>("heldAngle");
+    auto* back = view.findChild<QPushButton*>("heldAtPose");
+    EXPECT_FALSE(back->isEnabled());
+    const int before = slider->value();
+    slider->setValue(before > 0 ? slider->minimum() : slider->maximum());
+    changed(atPose);
+    EXPECT_TRUE(back->isEnabled());
+    QTest::mouseClick(back, Qt::LeftButton);
+    EXPECT_EQ(slider->value(), before);
+    EXPECT_TRUE(test::waitFor([&] { return differentPixels(picture(), atPose) < 600 * 400 / 100; }));
+}
+
+// Catches a picture of an older question that looks like the present answer.
+TEST_F(SurfacesViewTest, StaleIsVisible) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
+    const QImage fresh = changed(QImage(600, 400, QImage::Format_RGB32));
+    QTest::qWait(0);
+    view.setStale(true);
+    changed(fresh);
+    EXPECT_TRUE(view.grab().save("surfaces_stale.png"));
+}
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,344 @@
+#include "widgets/scene/target_picture.h"
+
+#include "engine/base/units.h"
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+#include "widgets/scene/cut_sheet.h"
+#include "widgets/scene/scene_frame.h"
+#include "widgets/scene/scene_rays.h"
+
+#include <QLocale>
+#include <QPainter>
+
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+namespace bask {
+
+namespace {
+
+constexpr int kBarSteps = 10; ///< of the colour bar, and so contour lines
+constexpr double kLift_px = 8.0;
+constexpr double kGhostOpacity = 0.55;
+constexpr double kMarkShare = 0.009; ///< radius of a mark, of the frame's diagonal
+constexpr double kArrowShare = 0.07;
+
+QString tenthsText(double value) {
+    const double tenths = std::round(10.0 * value) + 0.0; // no minus before zero
+    return QLocale()
+        .toString(tenths / 10.0, 'f', 1)
+        .replace(QLocale().negativeSign(), QStringLiteral("\u2212"));
+}
+
+Box angleBox() {
+    constexpr double kRightAngle = std::numbers::pi / 2.0; // as surfaceAxes has it
+    return {Eigen::Vector3d::Constant(-kRightAngle), Eigen::Vector3d::Constant(kRightAngle)};
+}
+
+/// But for the targets, which no part of the picture but its labels shows.
+bool haveOneGeometry(Experiment a, const Experiment& b) {
+    if (a.objects.size() != b.objects.size())
+        return false;
+    for (std::size_t i = 0; i < a.objects.size(); ++i)
+        a.objects[i].target_K = b.objects[i].target_K;
+    return a == b;
+}
+
+} // namespace
+
+void TargetPicture::setExperiment(const Experiment& next) {
+    const bool known = rig && haveOneGeometry(experiment, next);
+    experiment = next;
+    if (known)
+        return;
+    const SourceSpec& source = experiment.source;
+    const double power_W_m2 =
+        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, experiment.environment_K);
+    std::vector<Shape> shapes;
+    std::vector<Vector6d> mountings;
+    rates.clear();
+    for (const ObjectSpec& object : experiment.objects) {
+        shapes.push_back(object.shape);
+        mountings.push_back(object.mounting);
+        rates.push_back(heatRates(object.material, power_W_m2, experiment.environment_K));
+    }
+    rig = std::make_unique<RigGeometry>(source.shape, shapes, mountings, experiment.robot,
+                                        poseFromCoordinates(source.pose));
+    held = experiment.start;
+    surfaces.clear();
+    verdict.reset();
+    setSubset(PoseSubset::Translation);
+}
+
+void TargetPicture::setSubset(PoseSubset next) {
+    subset = next;
+    frame = isOverAngles() ? angleBox() : frameOf(experiment);
+    cut.reset();
+    picked.reset();
+    rebuild = true;
+}
+
+/// The drawn three of a pose's coordinates.
+Eigen::Vector3d TargetPicture::drawn(const Vector6d& q) const {
+    return q.segment<3>(isOverAngles() ? kThetaX : kX);
+}
+
+Box TargetPicture::limits() const {
+    return {drawn(experiment.robot.lower), drawn(experiment.robot.upper)};
+}
+
+/// cm or degrees.
+double TargetPicture::inUnit(double value) const {
+    return isOverAngles() ? degFromRad(value) : 100.0 * value;
+}
+
+QString TargetPicture::unitWord() const {
+    return isOverAngles() ? QStringLiteral("°") : QStringLiteral("cm");
+}
+
+QString TargetPicture::placeText(const Eigen::Vector3d& p) const {
+    return QStringLiteral("(%1, %2, %3) %4")
+        .arg(tenthsText(inUnit(p.x())), tenthsText(inUnit(p.y())), tenthsText(inUnit(p.z())), unitWord());
+}
+
+/// The verdict's pose; without one the start, turned as the surfaces are held.
+Vector6d TargetPicture::ghost() const {
+    Vector6d q = experiment.start;
+    q.tail<3>() = held.tail<3>();
+    return verdict ? verdict->pose : q;
+}
+
+double TargetPicture::markRadius() const {
+    return kMarkShare * frame.diagonal().norm();
+}
+
+std::vector<QColor> TargetPicture::colours(bool dark) const {
+    std::vector<QColor> result;
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i)
+        result.push_back(seriesColor(static_cast<int>(i), dark));
+    return result;
+}
+
+/// What the cut shows of a view factor, in the operator's unit.
+double TargetPicture::cutValue(double F) const {
+    if (!cut->asTemperature)
+        return F;
+    return displayTemperature(rates.at(static_cast<std::size_t>(cut->object)).steadyTemperature_K(F), unit);
+}
+
+/// Where the end-effector is at the held angles when the lowest object has just the clearance.
+std::vector<Eigen::Vector3d> TargetPicture::clearancePolygon() const {
+    Vector6d q = held;
+    q.head<3>() = rig->X_RS().translation();
+    const Eigen::Vector3d n = rig->away();
+    const double offset =
+        n.dot(rig->X_RS().translation()) + experiment.robot.clearance_m - rig->lowestPoint_m(q);
+    return planeInBox(limits(), n, offset);
+}
+
+void TargetPicture::showCut(bool dark) {
+    if (!cut) {
+        targets->setCut({}, [](double) { return QColor(); });
+        return;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const double F : cut->field->values) // comparisons with NaN are false
+        least = F < least ? F : least, most = F > most ? F : most;
+    cutRange = least <= most ? niceRange(cutValue(least), cutValue(most), kBarSteps) : NiceRange{};
+    CutSheet sheet = sheetOf(*cut->field, cut->axis % 3, cut->position);
+    for (double& value : sheet.values)
+        value = cutValue(value);
+    for (double line = cutRange.least + cutRange.step; line < cutRange.most; line += cutRange.step)
+        sheet.lines.push_back(line);
+    targets->setCut(sheet, [this, dark](double value) {
+        return mapColour((value - cutRange.least) / (cutRange.most - cutRange.least), dark);
+    });
+}
+
+void TargetPicture::showMarks(bool dark) {
+    std::vector<Eigen::Vector3d> points;
+    if (verdict && verdict->feasible)
+        points = {drawn(verdict->pose)};
+    else if (verdict && verdict->closest)
+        points = {verdict->closest->first, verdict->closest->second};
+    targets->setMarks(points, markRadius());
+    targets->setArrows(picked ? &picked->arrows : nullptr, 0.7 * markRadius(), colours(dark));
+}
+
+void TargetPicture::addObjectLabels(OverlayContent& result, bool dark) const {
+    const Pose X_RE = poseFromCoordinates(ghost());
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const ObjectSpec& object = experiment.objects[i];
+        SceneLabel label;
+        label.text = QString::fromStdString(object.name);
+        label.value = formatTemperature(object.target_K, unit);
+        label.colour = seriesColor(static_cast<int>(i), dark);
+        if (!isOverAngles()) {
+            const Pose X_RO = X_RE * poseFromCoordinates(object.mounting);
+            for (const Eigen::Vector3d& p_OQ : labelOutline(object.shape))
+                label.outline_R.push_back(X_RO * p_OQ);
+        } else if (i < surfaces.size() && !surfaces[i].empty()) {
+            // No object is there to carry its name: its surface does.
+            label.outline_R.push_back(surfaces[i].points[surfaces[i].points.size() / 2]);
+        } else {
+            continue;
+        }
+        result.labels.push_back(label);
+    }
+}
+
+OverlayContent TargetPicture::overlayContent(bool dark) const {
+    OverlayContent result;
+    if (!rig)
+        return result;
+    result.frame = frame;
+    result.angles = isOverAngles();
+    result.hasBar = cut.has_value();
+    result.bar = cutRange;
+    if (cut)
+        result.barUnit = cut->asTemperature ? temperatureUnitSymbol(unit) : QStringLiteral("F");
+    const auto add = [&result](const QString& text, const QString& value,
+                               const std::vector<Eigen::Vector3d>& outline) {
+        SceneLabel label;
+        label.text = text;
+        label.value = value;
+        label.outline_R = outline;
+        result.labels.push_back(label);
+    };
+    if (picked)
+        add(TargetScene::tr("Picked"), placeText(drawn(picked->q)), {drawn(picked->q)});
+    if (verdict && verdict->feasible)
+        add(TargetScene::tr("All targets"), placeText(drawn(verdict->pose)), {drawn(verdict->pose)});
+    else if (verdict && verdict->closest) {
+        const auto& [a, b] = *verdict->closest;
+        add(TargetScene::tr("Closest"), tenthsText(inUnit((a - b).norm())) + QLatin1Char(' ') + unitWord(),
+            {a, b});
+    }
+    addObjectLabels(result, dark);
+    return result;
+}
+
+void TargetPicture::pointArrows(PickedPose& pose) const {
+    pose.arrows.at = drawn(pose.q);
+    pose.arrows.length = kArrowShare * frame.diagonal().norm();
+    const ViewFactors factors = rig->viewFactors(pose.q);
+    for (Eigen::Index i = 0; i < factors.F.size(); ++i)
+        pose.arrows.directions.push_back(drawn(factors.dF.row(i).transpose()).stableNormalized());
+}
+
+QStringList TargetPicture::words(const PickedPose& pose) const {
+    QStringList sentences;
+    const ViewFactors factors = rig->viewFactors(pose.q);
+    for (Eigen::Index i = 0; i < factors.F.size(); ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        const double slope = drawn(factors.dF.row(i).transpose()).norm() / inUnit(1.0);
+        sentences << TargetScene::tr("%1: F %2, steady at %3, F grows by %4 per %5")
+                         .arg(QString::fromStdString(experiment.objects[k].name),
+                              QLocale().toString(factors.F[i], 'f', 3),
+                              formatTemperature(rates[k].steadyTemperature_K(factors.F[i]), unit),
+                              QLocale().toString(slope, 'f', 3), unitWord());
+    }
+    return sentences;
+}
+
+void TargetPicture::paint(QPainter& painter, const QPalette& palette, const QFont& font) {
+    painter.setFont(font);
+    painter.scale(scale, scale);
+    if (stale) {
+        QColor ground = palette.color(QPalette::Base);
+        ground.setAlphaF(0.35F);
+        QColor hatch = palette.color(QPalette::Text);
+        hatch.setAlphaF(0.22F);
+        painter.fillRect(QRectF({}, size()), ground);
+        painter.fillRect(QRectF({}, size()), QBrush(hatch, Qt::BDiagPattern));
+    }
+    overlay.paint(painter, size(), palette, Projection(*view->renderer().GetActiveCamera(), size()), content);
+}
+
+std::optional<PickedPose> TargetPicture::poseAt(QPointF place) const {
+    if (!rig)
+        return std::nullopt;
+    const Ray ray = rayThrough(*view->renderer().GetActiveCamera(), view->size(), place);
+    std::optional<double> nearest;
+    const auto take = [&nearest](const std::optional<double>& along) {
+        if (along && (!nearest || *along < *nearest))
+            nearest = along;
+    };
+    for (const Isosurface& surface : surfaces)
+        take(distanceTo(surface, ray));
+    if (cut)
+        take(distanceToCut(isOverAngles() ? angleBox() : limits(), cut->axis % 3, cut->position, ray));
+    if (!nearest)
+        return std::nullopt;
+    PickedPose pose;
+    pose.q = held;
+    pose.q.segment<3>(isOverAngles() ? kThetaX : kX) = ray.origin + *nearest * ray.direction;
+    try {
+        pointArrows(pose);
+    } catch (const std::invalid_argument&) {
+        return std::nullopt; // object and source in one plane
+    }
+    return pose;
+}
+
+void TargetPicture::prepare(const QPalette& palette, const QFont& font) {
+    const bool dark = isDark(palette);
+    if (rebuild)
+        props->setColours(sceneColours(palette));
+    if (rig) {
+        if (!cameraIsPersons)
+            fitCamera(*view->renderer().GetActiveCamera(), frame, size(),
+                      SceneOverlay::margins(font, size()));
+        if (rebuild)
+            rebuildActors(dark);
+        if (rebuild || resurface) {
+            const auto clearance = isOverAngles() ? std::vector<Eigen::Vector3d>() : clearancePolygon();
+            targets->setSurfaces(surfaces);
+            targets->setBounds(isOverAngles() ? edgesOf(limits()) : sidesOf(clearance), clearance);
+        }
+        if (rebuild || resurface || remark) {
+            showCut(dark);
+            showMarks(dark);
+            targets->setColours(colours(dark), palette.color(QPalette::Text), palette.color(QPalette::Base),
+                                stale);
+        }
+        placeActors();
+    }
+    content = overlayContent(dark);
+    rebuild = resurface = remark = false;
+}
+
+void TargetPicture::rebuildActors(bool dark) {
+    if (isOverAngles()) {
+        view->renderer().RemoveAllViewProps();
+    } else {
+        props->build(experiment, frame);
+        props->setObjectOpacity(kGhostOpacity);
+        for (std::size_t i = 0; i < experiment.objects.size(); ++i)
+            props->setObjectColour(i, seriesColor(static_cast<int>(i), dark));
+    }
+    targets->addActors();
+}
+
+void TargetPicture::placeActors() {
+    vtkCamera& camera = *view->renderer().GetActiveCamera();
+    const double lineScale = scale * view->devicePixelRatioF() *
+                             std::clamp(std::min(size().width() / 800.0, size().height() / 560.0), 0.5, 1.0);
+    props->setLineScale(lineScale);
+    targets->setLineScale(lineScale);
+    const Eigen::Vector3d direction(camera.GetDirectionOfProjection());
+    const double metresPerPixel = 2.0 * camera.GetParallelScale() / std::max(1.0, size().height());
+    const Eigen::Vector3d lift = -kLift_px * metresPerPixel * direction;
+    props->setViewDirection(direction);
+    props->setPoses(poseFromCoordinates(ghost()), rig->X_RS(), lift);
+    targets->setLift(0.25 * lift, -1.5 * frame.diagonal().norm() * direction);
+}
+
+} // namespace bask

@@ -1,0 +1,89 @@
+#pragma once
+// What a target scene shows, as values, and how its frames are made of them; private to widgets/scene.
+
+#include "engine/control/rig_geometry.h"
+#include "widgets/scene/scene_overlay.h"
+#include "widgets/scene/scene_props.h"
+#include "widgets/scene/target_props.h"
+#include "widgets/scene/target_scene.h"
+#include "widgets/scene/vtk_view.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bask {
+
+/// A pose that was clicked.
+struct PickedPose {
+    Vector6d q = Vector6d::Zero();
+    PickedArrows arrows;
+};
+
+/// All of the picture can be made from its values at any time; the flags say which are new. GUI thread.
+struct TargetPicture {
+    Experiment experiment;
+    std::unique_ptr<RigGeometry> rig; ///< null without an experiment
+    std::vector<HeatRates> rates;
+    Box frame;
+    Vector6d held = Vector6d::Zero();
+    PoseSubset subset = PoseSubset::Translation;
+    std::vector<Isosurface> surfaces;
+    std::optional<SceneVerdict> verdict;
+    std::optional<SceneCut> cut;
+    bool stale = false;
+    std::optional<PickedPose> picked;
+    TemperatureUnit unit = TemperatureUnit::Celsius;
+    ViewPreset preset = ViewPreset::Isometric;
+    bool cameraIsPersons = false;
+    double scale = 1.0; ///< of text and lines, while a large picture is saved
+
+    // What the picture does not show yet.
+    bool rebuild = true;
+    bool resurface = true;
+    bool remark = true;
+    NiceRange cutRange;
+    OverlayContent content;
+
+    VtkView* view = nullptr;
+    std::unique_ptr<SceneProps> props;
+    std::unique_ptr<TargetProps> targets;
+    SceneOverlay overlay;
+
+    bool isOverAngles() const { return subset == PoseSubset::Rotation; }
+    void setExperiment(const Experiment& next);
+    /// Drops what belongs to another subset.
+    void setSubset(PoseSubset next);
+    /// The end-effector where the line of sight meets a surface or the cut; nothing where it meets none, or
+    /// where there is no view factor.
+    std::optional<PickedPose> poseAt(QPointF place) const;
+    /// The figures at a pose, a sentence an object.
+    QStringList words(const PickedPose& pose) const;
+
+    /// Brings actors and camera up to date.
+    void prepare(const QPalette& palette, const QFont& font);
+    /// Draws over what VTK has drawn.
+    void paint(QPainter& painter, const QPalette& palette, const QFont& font);
+
+private:
+    void rebuildActors(bool dark);
+    void placeActors();
+    Eigen::Vector3d drawn(const Vector6d& q) const;
+    Box limits() const;
+    double inUnit(double value) const;
+    QString unitWord() const;
+    QString placeText(const Eigen::Vector3d& p) const;
+    QSizeF size() const { return QSizeF(view->size()) / scale; }
+    Vector6d ghost() const;
+    double markRadius() const;
+    std::vector<QColor> colours(bool dark) const;
+    double cutValue(double F) const;
+    std::vector<Eigen::Vector3d> clearancePolygon() const;
+    void pointArrows(PickedPose& pose) const;
+    void showCut(bool dark);
+    void showMarks(bool dark);
+    void addObjectLabels(OverlayContent& content, bool dark) const;
+    OverlayContent overlayContent(bool dark) const;
+};
+
+} // namespace bask
