@@ -264,7 +264,7 @@ Result<void> writeField(const Field& field, const std::string& path, const std::
 }
 
 Result<void> checkSurfaceFile(const std::string& path) {
-    return checkOwn(path, "PolyData", "surfaces written by Bask");
+    return checkOwn(path, "PolyData", "a surface file written by Bask");
 }
 
 Result<void> writeSurfaces(const Field& field, const SurfaceSet& set, const std::string& path) {

@@ -185,7 +185,7 @@ TEST_F(IsosurfaceCommand, replacesNothingButSurfaces) {
     mine.close();
     const test::Captured refused = run({kThreeObjects, "--object", "circle", "-o", path("mine.vtp")});
     EXPECT_EQ(refused.code, kExitBadInput);
-    EXPECT_NE(refused.err.find("is not surfaces written by Bask"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("is not a surface file written by Bask"), std::string::npos) << refused.err;
     EXPECT_EQ(mine.size(), 4);
 }
 
