@@ -1,6 +1,7 @@
 #pragma once
 // The targets' surfaces in 3-D with what steers the view: the angle held, the direction, the point picked.
 
+#include "engine/base/units.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/exchange/target_surfaces.h"
 #include "engine/session/experiment.h"
