@@ -319,12 +319,8 @@
             <translation>« %1 » doit être plus chaud que « %2 » de %3 K ; avec ce montage et cet espace de travail, l’écart est d’au moins %4 K</translation>
         </message>
         <message>
-            <source>each target can be held by itself, but not all together: where they come nearest, the target surfaces miss one another by %3 cm and "%1" is %2 K off</source>
-            <translation>chaque cible peut être tenue seule, mais pas toutes ensemble : là où elles sont le plus proches, les surfaces cibles se manquent de %3 cm et « %1 » est à %2 K de sa cible</translation>
-        </message>
-        <message>
-            <source>the target surfaces meet only outside the workspace; the best pose within it leaves "%1" %2 K off</source>
-            <translation>les surfaces cibles ne se rencontrent qu’en dehors de l’espace de travail ; la meilleure pose à l’intérieur laisse « %1 » à %2 K de sa cible</translation>
+            <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and "%1" is %2 K off</source>
+            <translation>chaque cible peut être tenue seule, mais pas toutes ensemble : là où elles sont le plus proches dans l’espace de travail, les surfaces cibles se manquent de %3 cm, et « %1 » est à %2 K de sa cible</translation>
         </message>
         <message>
             <source>each target can be held by itself, but not all together: the best pose leaves "%1" %2 K off</source>

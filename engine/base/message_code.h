@@ -59,7 +59,6 @@ enum class MessageCode : int {
     TargetsTooFarApart,   ///< %1 hotter, %2 colder object, %3 K wanted, %4 K most
     TargetsTooClose,      ///< %1 hotter, %2 colder object, %3 K wanted, %4 K least
     TargetsSurfacesApart, ///< %1 object with the largest error, %2 its K, %3 gap cm
-    TargetsMeetOutside,   ///< %1 object with the largest error, %2 its K
     TargetsNotTogether,   ///< %1 object with the largest error, %2 its K
     // Contours
     ContourTooFewPoints,  ///< %1 points, %2 least

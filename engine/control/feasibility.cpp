@@ -11,9 +11,10 @@ namespace {
 /// Least or largest value that `row` times the steady temperatures takes within the workspace; `bound_K` is
 /// one that it cannot pass.
 double extreme_K(const SteadySearch& search, const Eigen::RowVectorXd& row, double bound_K) {
-    constexpr int kStarts = 2;
+    const int starts =
+        row.cwiseAbs().sum() > 1.0 ? 8 : 2; // differences have more minima at the workspace's edge
     const SteadyAim aim{row, Eigen::VectorXd::Constant(1, bound_K)};
-    return (row * search.best(aim, kStarts, 0.0).T_K)[0];
+    return (row * search.best(aim, starts, 0.0).T_K)[0];
 }
 
 void checkCounts(const SteadySearch& search, const std::vector<double>& targets_K) {

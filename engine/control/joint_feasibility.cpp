@@ -136,9 +136,6 @@ Message reasonOf(const FeasibilityRequest& request, const JointVerdict& verdict)
     const std::string error_K = formatNumber(std::abs(*worst), 2);
     if (!verdict.surfaceGap_m)
         return {MessageCode::TargetsNotTogether, {name, error_K}};
-    constexpr double kMeeting_m = 1e-4;
-    if (*verdict.surfaceGap_m < kMeeting_m)
-        return {MessageCode::TargetsMeetOutside, {name, error_K}};
     return {MessageCode::TargetsSurfacesApart,
             {name, error_K, formatNumber(*verdict.surfaceGap_m * 100.0, 2)}};
 }

@@ -53,9 +53,9 @@ struct JointVerdict {
     std::vector<TargetVerdict> conditions1;
     std::vector<PairVerdict> conditions2;
     /// By how much the objects' target surfaces miss one another in end-effector space: around the best
-    /// compromise, at its angles, one point on each, the largest distance between two of them, m. The
-    /// surfaces are not cut off at the workspace. Empty where feasible, where a target has no surface near
-    /// the compromise, or where no free axis moves the end-effector along a line.
+    /// compromise, at its angles and within the workspace, one point on each, the largest distance between
+    /// two of them, m. Empty where feasible, where a target has no surface near the compromise, or where no
+    /// free axis moves the end-effector along a line.
     std::optional<double> surfaceGap_m;
     std::vector<Eigen::Vector3d> surfacePoints; ///< those points (E's origin in R), one an object
     Message reason;                             ///< the binding one; None where feasible

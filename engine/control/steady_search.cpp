@@ -67,12 +67,6 @@ SteadySearch::Gradient SteadySearch::at(const Vector6d& q) const {
     return out;
 }
 
-SteadyPose SteadySearch::evaluated(const SteadyAim& aim, const Vector6d& q) const {
-    Eigen::VectorXd T_K = at(q).T_K;
-    const double cost_K2 = (aim.rows * T_K - aim.wanted).squaredNorm();
-    return {q, std::move(T_K), cost_K2};
-}
-
 SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) const {
     constexpr int kIterations = 60;
     constexpr double kExact_K2 = 1e-12;
@@ -81,22 +75,31 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) con
     Vector6d q = start;
     Gradient now = at(q);
     Eigen::VectorXd residual = aim.rows * now.T_K - aim.wanted;
+    const Vector6d pull2 = aim.pull.cwiseAbs2();
+    const auto costOf = [&](const Vector6d& at, const Eigen::VectorXd& missed_K) {
+        return missed_K.squaredNorm() + pull2.dot((at - aim.towards).cwiseAbs2());
+    };
+    double cost_K2 = costOf(q, residual);
     double damping = 1e-3;
     int still = 0; // steps in a row that gained next to nothing
     for (int i = 0; i < kIterations && still < 3 && !stopped(); ++i) {
-        if (residual.squaredNorm() < kExact_K2)
+        if (cost_K2 < kExact_K2)
             break;
         Eigen::MatrixXd J(aim.rows.rows(), n);
         for (Eigen::Index k = 0; k < n; ++k)
             J.col(k) = aim.rows * now.dT.col(free[static_cast<std::size_t>(k)]);
         Eigen::MatrixXd H = J.transpose() * J;
         const double size = std::max(H.trace(), 1e-9);
-        for (Eigen::Index k = 0; k < n; ++k)
-            H(k, k) += damping * size * std::pow(lengthOf(free[static_cast<std::size_t>(k)]), 2);
+        Eigen::VectorXd f = -J.transpose() * residual;
+        for (Eigen::Index k = 0; k < n; ++k) {
+            const int c = free[static_cast<std::size_t>(k)];
+            H(k, k) += pull2[c] + damping * size * lengthOf(c) * lengthOf(c);
+            f[k] += pull2[c] * (aim.towards[c] - q[c]);
+        }
         Eigen::MatrixXd G;
         Eigen::VectorXd h;
         stepLimits(*m_geometry, q, G, h);
-        const Eigen::VectorXd y = solveBounded(H, -J.transpose() * residual, G, h).y;
+        const Eigen::VectorXd y = solveBounded(H, f, G, h).y;
         Vector6d next = q;
         for (Eigen::Index k = 0; k < n; ++k)
             next[free[static_cast<std::size_t>(k)]] += y[k];
@@ -107,10 +110,10 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) con
         if (m_geometry->allowed(next)) {
             Gradient there = at(next);
             Eigen::VectorXd left = aim.rows * there.T_K - aim.wanted;
-            const double before_K2 = residual.squaredNorm();
-            if (const double after_K2 = left.squaredNorm(); after_K2 < before_K2) {
+            if (const double after_K2 = costOf(next, left); after_K2 < cost_K2) {
                 better = true;
-                still = after_K2 > (1.0 - 1e-6) * before_K2 ? still + 1 : 0;
+                still = after_K2 > (1.0 - 1e-6) * cost_K2 ? still + 1 : 0;
+                cost_K2 = after_K2;
                 q = next;
                 now = std::move(there);
                 residual = std::move(left);
@@ -120,7 +123,7 @@ SteadyPose SteadySearch::refine(const SteadyAim& aim, const Vector6d& start) con
         if (damping > 1e6)
             break;
     }
-    return {q, now.T_K, residual.squaredNorm()};
+    return {q, now.T_K, cost_K2};
 }
 
 std::vector<Vector6d> SteadySearch::startsFor(const SteadyAim& aim, int count) const {

@@ -10,10 +10,13 @@
 
 namespace bask {
 
-/// What is wanted of linear combinations of the steady temperatures: the least |rows T - wanted|^2.
+/// What is wanted of linear combinations of the steady temperatures: the least |rows T - wanted|^2 +
+/// |pull (q - towards)|^2, products by coordinate.
 struct SteadyAim {
-    Eigen::MatrixXd rows;   ///< k x N
-    Eigen::VectorXd wanted; ///< k, K
+    Eigen::MatrixXd rows;             ///< k x N
+    Eigen::VectorXd wanted;           ///< k, K
+    Vector6d pull = Vector6d::Zero(); ///< K/m and K/rad; only refine() heeds it
+    Vector6d towards = Vector6d::Zero();
 };
 
 /// A pose and what the objects settle at there.
@@ -59,7 +62,6 @@ public:
 
 private:
     std::vector<Vector6d> startsFor(const SteadyAim& aim, int count) const;
-    SteadyPose evaluated(const SteadyAim& aim, const Vector6d& q) const;
 
     std::shared_ptr<const RigGeometry> m_geometry;
     std::shared_ptr<const PoseLookup> m_lookup;

@@ -1,49 +1,38 @@
 #include "engine/control/surface_gap.h"
 
+#include "engine/control/feasibility.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace bask {
 namespace {
 
-/// Nearest point to `centre` on one object's target surface: the tangent plane's nearest point, again and
-/// again. Empty when that does not settle.
+/// Nearest pose to `centre` at its angles, within workspace and clearance, at which the object settles at its
+/// target: least squares with so weak a pull that the temperature gives way by some 0.1 mK only.
 std::optional<Vector6d> nearestOnSurface(const SteadySearch& search, int object, double target_K,
                                          const Vector6d& centre, const Vector6d& start) {
-    constexpr int kSteps = 100;
-    constexpr double kOnSurface_K = 1e-4;
-    constexpr double kStill_m = 1e-6;
-    constexpr double kFarthest_m = 1.0;
-    Vector6d q = start;
-    for (int step = 0; step < kSteps; ++step) {
-        const SteadySearch::Gradient here = search.at(q);
-        Vector6d slope = Vector6d::Zero();
-        for (const int c : search.geometry().freeCoordinates())
-            if (c < 3)
-                slope[c] = here.dT(object, c);
-        const double square = slope.squaredNorm();
-        if (square < 1e-6)
-            return std::nullopt;
-        const double missing_K = target_K - here.T_K[object];
-        const Vector6d next = centre + (missing_K + slope.dot(q - centre)) / square * slope;
-        const double moved_m = (next - q).norm();
-        if (std::abs(missing_K) < kOnSurface_K && moved_m < kStill_m)
-            return q;
-        if ((next - centre).norm() > kFarthest_m)
-            return std::nullopt;
-        constexpr double kLongest_m = 0.02; // a tangent plane is not trusted farther
-        q += std::min(1.0, kLongest_m / std::max(moved_m, 1e-12)) * (next - q);
-    }
-    return std::nullopt;
+    constexpr double kPull_K_m = 1.0;
+    constexpr double kHeld_K_rad = 1e5;
+    SteadyAim aim{Eigen::RowVectorXd::Unit(search.geometry().objects(), object),
+                  Eigen::VectorXd::Constant(1, target_K)};
+    aim.pull << Eigen::Vector3d::Constant(kPull_K_m), Eigen::Vector3d::Constant(kHeld_K_rad);
+    aim.towards = centre;
+    const SteadyPose found = search.refine(aim, start);
+    if (std::abs(found.T_K[object] - target_K) > kHeldWithin_K)
+        return std::nullopt;
+    return found.q;
 }
 
 } // namespace
 
 std::optional<SurfaceGap> surfaceGap(const SteadySearch& search, const std::vector<double>& targets_K,
                                      const Vector6d& q) {
-    constexpr int kRounds = 200;
-    constexpr double kStill_m = 1e-5;
+    constexpr int kRounds = 60;
+    constexpr double kStill_m = 1e-4;
     const auto N = static_cast<int>(targets_K.size());
+    if (std::ranges::none_of(search.geometry().freeCoordinates(), [](int c) { return c < 3; }))
+        return std::nullopt;
     Vector6d centre = q;
     std::vector<Vector6d> points(targets_K.size(), q);
     for (int round = 0; round < kRounds && !search.stopped(); ++round) {

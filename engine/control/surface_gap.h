@@ -15,9 +15,9 @@ struct SurfaceGap {
     std::vector<Eigen::Vector3d> points; ///< one an object
 };
 
-/// Points of the surfaces nearest to one another around the pose q, found by going in turn from the common
-/// centre to each surface; free translations only. Empty when a surface is not met near q, and without a free
-/// translation.
+/// Points of the surfaces within workspace and clearance nearest to one another around the pose q, found by
+/// going in turn from the common centre to each surface. Empty when a surface is not met from q, and without
+/// a free translation.
 std::optional<SurfaceGap> surfaceGap(const SteadySearch& search, const std::vector<double>& targets_K,
                                      const Vector6d& q);
 

@@ -290,6 +290,44 @@ TEST(JointFeasibility, TheReasonIsTheBindingOne) {
     EXPECT_EQ(close.args[0], "object 1");
 }
 
+// Surfaces that are followed to where they meet, beyond the workspace's edge: two disks kept 5 cm aside of
+// the source's axis and 6 cm above it can be at a temperature each by itself, in the middle, but both at once
+// only nearer.
+TEST(JointFeasibility, SurfacesThatMeetOutsideTheWorkspaceAreApart) {
+    RobotLimits limits;
+    limits.free = {true, true, true, false, false, false};
+    limits.lower[kX] = 0.05;
+    limits.lower[kZ] = 0.06;
+    const auto geometry =
+        std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>(2, Disk{0.015}),
+                                      std::vector{mountedAt(0.0, -0.04), mountedAt(0.0, 0.04)}, limits);
+    FeasibilityRequest request = requestOf(geometry, SourceModel::Gray, {40.0, 40.0});
+    const SteadySearch search(geometry, feasibilityLookup(geometry, request.rest), request.rates);
+    const double both_K = search.at(Vector6d(0.05, 0.0, 0.06, 0.0, 0.0, 0.0)).T_K[0];
+    const double alone_K = search.at(Vector6d(0.05, 0.04, 0.06, 0.0, 0.0, 0.0)).T_K[0];
+    ASSERT_GT(alone_K, both_K + 1.0);
+    request.targets_K.assign(2, 0.5 * (both_K + alone_K));
+    const JointVerdict verdict = verdictOf(request);
+    EXPECT_FALSE(verdict.feasible);
+    EXPECT_EQ(verdict.reason.code, MessageCode::TargetsSurfacesApart) << describe(verdict.reason);
+    EXPECT_EQ(verdict.margin.distance_m, 0.0);
+    ASSERT_TRUE(verdict.surfaceGap_m);
+    EXPECT_GT(*verdict.surfaceGap_m, 0.005);
+    for (const Eigen::Vector3d& point : verdict.surfacePoints)
+        EXPECT_GE(std::min(point.x() - 0.05, point.z() - 0.06), -1e-9);
+    // Without any way along a line there are no surfaces to draw.
+    limits.free = {false, false, false, true, false, false};
+    const auto turning =
+        std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>(2, Disk{0.015}),
+                                      std::vector{mountedAt(0.0, -0.04), mountedAt(0.0, 0.04)}, limits);
+    request.geometry = turning;
+    const SteadySearch turned(turning, feasibilityLookup(turning, request.rest), request.rates);
+    request.targets_K.assign(2, turned.at(request.rest).T_K[0] + 0.5);
+    const JointVerdict still = verdictOf(request);
+    EXPECT_FALSE(still.surfaceGap_m);
+    EXPECT_EQ(still.reason.code, MessageCode::TargetsNotTogether) << describe(still.reason);
+}
+
 // A workspace without any allowed pose must be told, not searched.
 TEST(JointFeasibility, AWorkspaceBelowTheClearanceHasNoPose) {
     RobotLimits limits;
