@@ -26,6 +26,7 @@ namespace bask {
 namespace {
 
 constexpr int kRowHeight = 44;
+constexpr int kLeastTableWidth = 640;
 constexpr int kLinesPerRow = 4; // of the grid: a rule, the target, its bar, words
 constexpr int kColumns = 6;
 constexpr double kSameTarget_K = 1e-6;
@@ -116,6 +117,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setMinimumWidth(kLeastTableWidth);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     m_surfaces = new SurfacesView(this);
@@ -124,7 +126,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     splitter->addWidget(m_surfaces);
     splitter->setChildrenCollapsible(false);
     splitter->setStretchFactor(1, 1);
-    splitter->setSizes({620, 560});
+    splitter->setSizes({650, 530});
     outer->addWidget(splitter);
     connect(m_surfaces, &SurfacesView::startWanted, this, &TargetsPage::startWanted);
     connect(m_surfaces, &SurfacesView::problem, this, &TargetsPage::problem);
