@@ -19,7 +19,7 @@ InfeasibleDialog::InfeasibleDialog(const QString& reason, QWidget* parent) : QDi
     bold.setBold(true);
     title->setFont(bold);
     auto* text =
-        new QLabel(reason + (reason.isEmpty() ? "" : "\n") +
+        new QLabel((reason.isEmpty() ? QString() : reason + QStringLiteral(".\n")) +
                        tr("The run would end at the best compromise it finds.\n"
                           "The Targets page says more and offers the nearest targets that can be held."),
                    this);

@@ -320,11 +320,11 @@
         </message>
         <message>
             <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and "%1" is %2 K off</source>
-            <translation>chaque cible peut être tenue seule, mais pas toutes ensemble : là où elles sont le plus proches dans l’espace de travail, les surfaces cibles se manquent de %3 cm, et « %1 » est à %2 K de sa cible</translation>
+            <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble : là où elles sont le plus proches dans l’espace de travail, les surfaces de consigne se manquent de %3 cm, et « %1 » est à %2 K de sa consigne</translation>
         </message>
         <message>
             <source>each target can be held by itself, but not all together: the best pose leaves "%1" %2 K off</source>
-            <translation>chaque cible peut être tenue seule, mais pas toutes ensemble : la meilleure pose laisse « %1 » à %2 K de sa cible</translation>
+            <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble : la meilleure pose laisse « %1 » à %2 K de sa consigne</translation>
         </message>
         <message>
             <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
@@ -600,7 +600,7 @@
         </message>
         <message>
             <source>The targets cannot be held. See the Targets page.</source>
-            <translation>Les cibles ne peuvent pas être tenues. Voir la page Cibles.</translation>
+            <translation>Les consignes ne peuvent pas être tenues. Voir la page Consignes.</translation>
         </message>
         <message>
             <source>The sensor of "%1" has given nothing new for %2 s. Check its cable, then resume.</source>
@@ -1681,13 +1681,13 @@
         </message>
         <message>
             <source>Targets out of reach</source>
-            <translation>Cibles hors d’atteinte</translation>
+            <translation>Consignes hors d’atteinte</translation>
         </message>
         <message>
             <source>The run would end at the best compromise it finds.
 The Targets page says more and offers the nearest targets that can be held.</source>
             <translation>L’essai finirait au meilleur compromis trouvé.
-La page Cibles en dit plus et propose les cibles les plus proches qui peuvent être tenues.</translation>
+La page Consignes en dit plus et propose les consignes les plus proches qui peuvent être tenues.</translation>
         </message>
     </context>
     <context>
@@ -2920,7 +2920,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>3-D scene: where the end-effector may be for each object to hold its target</source>
-            <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa cible</translation>
+            <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa consigne</translation>
         </message>
     </context>
     <context>
@@ -2931,7 +2931,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>All targets</source>
-            <translation>Toutes les cibles</translation>
+            <translation>Toutes les consignes</translation>
         </message>
         <message>
             <source>Closest</source>
@@ -2943,11 +2943,11 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>3-D scene of the targets</source>
-            <translation>Scène 3D des cibles</translation>
+            <translation>Scène 3D des consignes</translation>
         </message>
         <message>
             <source>The 3-D scene of the targets needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
-            <translation>La scène 3D des cibles demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
+            <translation>La scène 3D des consignes demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
         </message>
     </context>
     <context>
@@ -3023,7 +3023,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>All targets can be held together.</source>
-            <translation>Toutes les cibles peuvent être tenues ensemble.</translation>
+            <translation>Toutes les consignes peuvent être tenues ensemble.</translation>
         </message>
         <message>
             <source>At %1; %2 cm from the nearest limit: %3.</source>
@@ -3043,19 +3043,19 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>Keep the target of %1</source>
-            <translation>Garder la cible de %1</translation>
+            <translation>Garder la consigne de %1</translation>
         </message>
         <message>
             <source>Leave this target as it is when the nearest ones are sought.</source>
-            <translation>Laisser cette cible telle quelle quand on cherche les plus proches.</translation>
+            <translation>Laisser cette consigne telle quelle quand on cherche les plus proches.</translation>
         </message>
         <message>
             <source>Nearest targets that can be held: %1.</source>
-            <translation>Cibles les plus proches qui peuvent être tenues : %1.</translation>
+            <translation>Consignes les plus proches qui peuvent être tenues : %1.</translation>
         </message>
         <message>
             <source>The target can be held.</source>
-            <translation>La cible peut être tenue.</translation>
+            <translation>La consigne peut être tenue.</translation>
         </message>
         <message>
             <source>Those to be kept cannot be held together.</source>
