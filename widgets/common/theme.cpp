@@ -3,8 +3,8 @@
 #include <QApplication>
 #include <QPainter>
 #include <QPainterPath>
-#include <QStyle>
-#include <QStyleFactory>
+#include <QProxyStyle>
+#include <QStyleOption>
 #include <QWidget>
 
 #include <array>
@@ -36,6 +36,24 @@ QPixmap blankPixmap(QSize size, double devicePixelRatio) {
     pixmap.fill(Qt::transparent);
     return pixmap;
 }
+
+/// Fusion draws the frames of boxes darker than the window, which on a dark one nobody sees.
+class FramedFusion : public QProxyStyle {
+public:
+    FramedFusion() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+    void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                       const QWidget* widget) const override {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        if (element != PE_IndicatorCheckBox || !isDark(option->palette))
+            return;
+        painter->save();
+        painter->setBrush(Qt::NoBrush);
+        painter->setPen(secondaryText(true));
+        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        painter->restore();
+    }
+};
 
 } // namespace
 
@@ -78,8 +96,8 @@ QPalette themePalette(bool dark) {
 void applyTheme(QApplication& application, Theme theme) {
     static const bool systemDark = isDark(QGuiApplication::palette());
     const bool dark = theme == Theme::System ? systemDark : theme == Theme::Dark;
-    if (QApplication::style() == nullptr || QApplication::style()->name() != "fusion")
-        QApplication::setStyle(QStyleFactory::create("Fusion"));
+    if (dynamic_cast<FramedFusion*>(QApplication::style()) == nullptr)
+        QApplication::setStyle(new FramedFusion);
     application.setPalette(themePalette(dark));
 }
 
