@@ -1,6 +1,7 @@
 #include "widgets/scene/scene_props.h"
 
 #include "widgets/common/theme.h"
+#include "widgets/scene/scene_part.h"
 #include "widgets/scene/source_glow.h"
 
 #include <vtkActor.h>
@@ -9,7 +10,6 @@
 #include <vtkFloatArray.h>
 #include <vtkIdList.h>
 #include <vtkImageData.h>
-#include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -35,33 +35,6 @@ constexpr QRgb kSourceMiddle = 0xffffb45c;
 constexpr QRgb kSourceRim = 0xffd9481c;
 
 using Points = std::vector<Eigen::Vector3d>;
-
-/// An actor with its own geometry, unlit: the colour given is the colour seen.
-struct Part {
-    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
-    vtkSmartPointer<vtkPolyDataMapper> mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();
-    float width_px = 1.0F;
-
-    Part() {
-        mapper->SetInputData(data);
-        mapper->ScalarVisibilityOff();
-        actor->SetMapper(mapper);
-        actor->PickableOff();
-        actor->GetProperty()->LightingOff();
-    }
-
-    void setColour(const QColor& colour) {
-        actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-    }
-    void setTransform(const Pose& X) {
-        vtkNew<vtkMatrix4x4> matrix;
-        for (int row = 0; row < 4; ++row)
-            for (int column = 0; column < 4; ++column)
-                matrix->SetElement(row, column, X.matrix()(row, column));
-        actor->SetUserMatrix(matrix);
-    }
-};
 
 vtkSmartPointer<vtkPoints> pointsOf(const Points& points) {
     auto result = vtkSmartPointer<vtkPoints>::New();
@@ -232,11 +205,11 @@ int nearestCorner(const Eigen::Vector3d& viewDirection) {
 }
 
 struct ObjectParts {
-    Part fill;
-    Part outline;
-    Part mount;
-    Part drop; ///< from the centroid along the source's normal to its plane
-    Part trail;
+    ScenePart fill;
+    ScenePart outline;
+    ScenePart mount;
+    ScenePart drop; ///< from the centroid along the source's normal to its plane
+    ScenePart trail;
     Pose X_EO = Pose::Identity();
 };
 
@@ -253,24 +226,25 @@ struct SceneProps::Impl {
     vtkRenderer& renderer;
     SceneColours colours;
     double lineScale = 1.0;
-    Part source;
+    ScenePart source;
     vtkNew<vtkTexture> glow;
     std::optional<Shape> glowing; ///< what source, glow and rim show
-    Part sourceRim;
-    Part grid;
+    ScenePart sourceRim;
+    ScenePart grid;
     Box frame;
     std::vector<Eigen::Vector2d> sourceOutline;
     std::optional<Pose> gridFor; ///< where the source is that the floor lines leave out
-    Part workspace;
+    ScenePart workspace;
     Box workspaceBox;
     int nearest = -1; ///< corner of the workspace whose edges are left out
     std::vector<ObjectParts> objects;
 
-    void forEach(const std::function<void(Part&)>& visit) {
-        for (Part* part : {&grid, &source, &sourceRim, &workspace})
+    void forEach(const std::function<void(ScenePart&)>& visit) {
+        for (ScenePart* part : {&grid, &source, &sourceRim, &workspace})
             visit(*part);
         for (ObjectParts& object : objects)
-            for (Part* part : {&object.trail, &object.drop, &object.mount, &object.fill, &object.outline})
+            for (ScenePart* part :
+                 {&object.trail, &object.drop, &object.mount, &object.fill, &object.outline})
                 visit(*part);
     }
     void applyColours();
@@ -328,7 +302,7 @@ void SceneProps::build(const Experiment& experiment, const Box& frame) {
         object.trail.mapper->ScalarVisibilityOn();
         m->objects.push_back(object);
     }
-    m->forEach([this](Part& part) {
+    m->forEach([this](ScenePart& part) {
         part.data->Modified();
         part.actor->GetProperty()->SetLineWidth(part.width_px * static_cast<float>(m->lineScale));
         m->renderer.AddActor(part.actor);
@@ -345,7 +319,7 @@ void SceneProps::setLineScale(double scale) {
     if (scale == m->lineScale)
         return;
     m->lineScale = scale;
-    m->forEach([scale](Part& part) {
+    m->forEach([scale](ScenePart& part) {
         part.actor->GetProperty()->SetLineWidth(part.width_px * static_cast<float>(scale));
     });
 }

@@ -1,5 +1,7 @@
 #include "widgets/scene/target_props.h"
 
+#include "widgets/scene/scene_part.h"
+
 #include <vtkActor.h>
 #include <vtkAppendPolyData.h>
 #include <vtkCellArray.h>
@@ -26,28 +28,9 @@ namespace {
 constexpr double kSurfaceOpacity = 0.42;
 constexpr double kStaleOpacity = 0.16;
 
-/// An actor with its own geometry.
-struct Part {
-    vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
-    vtkSmartPointer<vtkPolyDataMapper> mapper = vtkSmartPointer<vtkPolyDataMapper>::New();
-    vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkActor>::New();
-    float width_px = 1.0F;
-
-    Part() {
-        mapper->SetInputData(data);
-        mapper->ScalarVisibilityOff();
-        actor->SetMapper(mapper);
-        actor->PickableOff();
-        actor->GetProperty()->LightingOff();
-    }
-    void setColour(const QColor& colour) {
-        actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
-    }
-};
-
 /// Lit from the viewer, both sides alike, so that its form is seen.
-Part surfacePart() {
-    Part part;
+ScenePart surfacePart() {
+    ScenePart part;
     vtkProperty* look = part.actor->GetProperty();
     look->LightingOn();
     look->SetAmbient(0.45);
@@ -154,16 +137,16 @@ struct TargetProps::Impl {
     }
 
     vtkRenderer& renderer;
-    std::vector<Part> surfaces;
-    Part bounds, boundsFill;
-    Part sheet, lines;
-    Part marks, join;
-    Part picked, arrows;
+    std::vector<ScenePart> surfaces;
+    ScenePart bounds, boundsFill;
+    ScenePart sheet, lines;
+    ScenePart marks, join;
+    ScenePart picked, arrows;
     double lineScale = 1.0;
 
-    std::vector<Part*> parts() {
-        std::vector<Part*> all{&bounds, &boundsFill, &sheet, &lines, &marks, &join, &picked, &arrows};
-        for (Part& surface : surfaces)
+    std::vector<ScenePart*> parts() {
+        std::vector<ScenePart*> all{&bounds, &boundsFill, &sheet, &lines, &marks, &join, &picked, &arrows};
+        for (ScenePart& surface : surfaces)
             all.push_back(&surface);
         return all;
     }
@@ -174,14 +157,14 @@ TargetProps::TargetProps(vtkRenderer& renderer) : m(std::make_unique<Impl>(rende
 TargetProps::~TargetProps() = default;
 
 void TargetProps::addActors() {
-    for (Part* part : m->parts()) {
+    for (ScenePart* part : m->parts()) {
         part->actor->GetProperty()->SetLineWidth(part->width_px * static_cast<float>(m->lineScale));
         m->renderer.AddActor(part->actor);
     }
 }
 
 void TargetProps::setSurfaces(const std::vector<Isosurface>& surfaces) {
-    for (const Part& part : m->surfaces)
+    for (const ScenePart& part : m->surfaces)
         m->renderer.RemoveActor(part.actor);
     m->surfaces.clear();
     for (const Isosurface& surface : surfaces) {
@@ -197,14 +180,14 @@ void TargetProps::setColours(const std::vector<QColor>& surfaces, const QColor& 
         m->surfaces[i].setColour(surfaces[i]);
         m->surfaces[i].actor->GetProperty()->SetOpacity(stale ? kStaleOpacity : kSurfaceOpacity);
     }
-    for (Part* part : {&m->marks, &m->join, &m->picked, &m->bounds, &m->boundsFill})
+    for (ScenePart* part : {&m->marks, &m->join, &m->picked, &m->bounds, &m->boundsFill})
         part->setColour(marks);
     m->lines.setColour(contours);
 }
 
 void TargetProps::setLineScale(double scale) {
     m->lineScale = scale;
-    for (Part* part : m->parts())
+    for (ScenePart* part : m->parts())
         part->actor->GetProperty()->SetLineWidth(part->width_px * static_cast<float>(scale));
 }
 
@@ -254,7 +237,7 @@ void TargetProps::setMarks(const std::vector<Eigen::Vector3d>& points, double ra
 
 void TargetProps::setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& marks) {
     m->lines.actor->SetPosition(lines.x(), lines.y(), lines.z());
-    for (Part* part : {&m->marks, &m->join, &m->picked, &m->arrows})
+    for (ScenePart* part : {&m->marks, &m->join, &m->picked, &m->arrows})
         part->actor->SetPosition(marks.x(), marks.y(), marks.z());
 }
 
