@@ -2922,6 +2922,30 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>3-D scene: where the end-effector may be for each object to hold its target</source>
             <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa consigne</translation>
         </message>
+        <message>
+            <source>No cut</source>
+            <translation>Pas de coupe</translation>
+        </message>
+        <message>
+            <source>Cut: %1</source>
+            <translation>Coupe : %1</translation>
+        </message>
+        <message>
+            <source>Plane of steady temperatures of an object</source>
+            <translation>Plan des températures d’équilibre d’un objet</translation>
+        </message>
+        <message>
+            <source>A plane through the workspace in the colours of the temperature that the object settles at there.</source>
+            <translation>Un plan à travers l’espace de travail, aux couleurs de la température où l’objet s’y stabilise.</translation>
+        </message>
+        <message>
+            <source>Axis that the plane is square to</source>
+            <translation>Axe perpendiculaire au plan</translation>
+        </message>
+        <message>
+            <source>Place of the plane along its axis</source>
+            <translation>Place du plan le long de son axe</translation>
+        </message>
     </context>
     <context>
         <name>bask::TargetScene</name>

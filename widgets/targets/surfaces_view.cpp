@@ -5,6 +5,7 @@
 #include "widgets/scene/target_scene.h"
 #include "widgets/targets/verdict_text.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -14,6 +15,7 @@
 #include <QSlider>
 #include <QToolButton>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -63,7 +65,9 @@ SurfacesView::SurfacesView(QWidget* parent)
     : QWidget(parent), m_scene(new TargetScene(this)), m_heldLabel(new QLabel(this)),
       m_heldAngle(new QSlider(Qt::Horizontal, this)), m_heldAtPose(new QPushButton(this)),
       m_top(new QToolButton(this)), m_side(new QToolButton(this)), m_isometric(new QToolButton(this)),
-      m_save(new QPushButton(this)), m_pickedWords(new QLabel(this)), m_startHere(new QPushButton(this)) {
+      m_save(new QPushButton(this)), m_cutObject(new QComboBox(this)), m_cutAxis(new QComboBox(this)),
+      m_cutPlace(new QSlider(Qt::Horizontal, this)), m_pickedWords(new QLabel(this)),
+      m_startHere(new QPushButton(this)) {
     m_scene->setObjectName("targetScene");
     m_heldAngle->setObjectName("heldAngle");
     m_heldAtPose->setObjectName("heldAtPose");
@@ -71,6 +75,11 @@ SurfacesView::SurfacesView(QWidget* parent)
     m_side->setObjectName("viewSide");
     m_isometric->setObjectName("viewIsometric");
     m_save->setObjectName("savePicture");
+    m_cutObject->setObjectName("cutObject");
+    m_cutAxis->setObjectName("cutAxis");
+    m_cutPlace->setObjectName("cutPlace");
+    m_cutAxis->addItems({"x", "y", "z"});
+    m_cutAxis->setCurrentIndex(kY);
     m_pickedWords->setObjectName("picked");
     m_startHere->setObjectName("startHere");
     m_pickedWords->setWordWrap(true);
@@ -87,6 +96,10 @@ SurfacesView::SurfacesView(QWidget* parent)
     angle->addWidget(m_heldLabel);
     angle->addWidget(m_heldAngle, 1);
     angle->addWidget(m_heldAtPose);
+    auto* cut = new QHBoxLayout;
+    cut->addWidget(m_cutObject);
+    cut->addWidget(m_cutAxis);
+    cut->addWidget(m_cutPlace, 1);
     auto* picked = new QHBoxLayout;
     picked->addWidget(m_pickedWords, 1);
     picked->addWidget(m_startHere, 0, Qt::AlignTop);
@@ -95,6 +108,7 @@ SurfacesView::SurfacesView(QWidget* parent)
     layout->addLayout(views);
     layout->addWidget(m_scene, 1);
     layout->addLayout(angle);
+    layout->addLayout(cut);
     layout->addLayout(picked);
 
     connect(m_top, &QToolButton::clicked, m_scene, &TargetScene::viewAlongMinusZ);
@@ -103,6 +117,12 @@ SurfacesView::SurfacesView(QWidget* parent)
     connect(m_save, &QPushButton::clicked, this, &SurfacesView::savePicture);
     connect(m_heldAngle, &QSlider::valueChanged, this,
             [this](int value) { hold(radFromDeg(static_cast<double>(value) / kStepsPerDegree)); });
+    connect(m_cutObject, &QComboBox::currentIndexChanged, this, &SurfacesView::showCut);
+    connect(m_cutAxis, &QComboBox::currentIndexChanged, this, [this] {
+        placeCut();
+        showCut();
+    });
+    connect(m_cutPlace, &QSlider::valueChanged, this, &SurfacesView::showCut);
     connect(m_heldAtPose, &QPushButton::clicked, this, [this] {
         m_held_rad.reset();
         showControls();
@@ -140,7 +160,10 @@ void SurfacesView::setExperiment(const Experiment& experiment) {
         m_pickedWords->clear();
     }
     m_scene->setExperiment(experiment);
-    showControls();
+    if (other)
+        placeCut();
+    retranslate();
+    showCut();
 }
 
 void SurfacesView::setVerdict(const JointVerdict& verdict) {
@@ -213,6 +236,29 @@ void SurfacesView::take(Answer answer) {
     m_fields = std::move(answer.fields);
     m_fieldsHeld = answer.held;
     m_scene->setSurfaces(std::move(*answer.surfaces), answer.held);
+    showCut();
+}
+
+/// The slider over the workspace along the axis, the cut through its middle.
+void SurfacesView::placeCut() {
+    constexpr double kMmPerM = 1000.0;
+    const QSignalBlocker quiet(m_cutPlace);
+    const int axis = m_cutAxis->currentIndex();
+    const double low = m_experiment.robot.lower[axis], high = m_experiment.robot.upper[axis];
+    m_cutPlace->setRange(static_cast<int>(std::lround(low * kMmPerM)),
+                         static_cast<int>(std::lround(high * kMmPerM)));
+    m_cutPlace->setValue(static_cast<int>(std::lround(0.5 * (low + high) * kMmPerM)));
+}
+
+void SurfacesView::showCut() {
+    const int object = m_cutObject->currentIndex() - 1;
+    m_cutAxis->setVisible(object >= 0);
+    m_cutPlace->setVisible(object >= 0);
+    if (object < 0 || !m_fields || static_cast<std::size_t>(object) >= m_fields->size())
+        return m_scene->setCut(std::nullopt);
+    m_scene->setCut(SceneCut{(*m_fields)[static_cast<std::size_t>(object)], object,
+                             static_cast<Coordinate>(m_cutAxis->currentIndex()), m_cutPlace->value() * 1e-3,
+                             true});
 }
 
 void SurfacesView::savePicture() {
@@ -251,6 +297,18 @@ void SurfacesView::retranslate() {
     for (QToolButton* button : {m_top, m_side, m_isometric})
         button->setAccessibleName(tr("View: %1").arg(button->text()));
     m_save->setText(tr("Save picture\u2026"));
+    const int cut = std::max(0, m_cutObject->currentIndex());
+    const QSignalBlocker quiet(m_cutObject);
+    m_cutObject->clear();
+    m_cutObject->addItem(tr("No cut"));
+    for (const ObjectSpec& object : m_experiment.objects)
+        m_cutObject->addItem(tr("Cut: %1").arg(QString::fromStdString(object.name)));
+    m_cutObject->setCurrentIndex(cut < m_cutObject->count() ? cut : 0);
+    m_cutObject->setAccessibleName(tr("Plane of steady temperatures of an object"));
+    m_cutObject->setToolTip(tr(
+        "A plane through the workspace in the colours of the temperature that the object settles at there."));
+    m_cutAxis->setAccessibleName(tr("Axis that the plane is square to"));
+    m_cutPlace->setAccessibleName(tr("Place of the plane along its axis"));
     m_heldAngle->setAccessibleName(tr("Angle at which the surfaces are drawn"));
     m_heldAtPose->setText(tr("As at the pose"));
     m_heldAtPose->setToolTip(tr("Draw the surfaces at the angle of the pose that was found."));

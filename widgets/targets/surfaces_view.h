@@ -13,6 +13,7 @@
 #include <optional>
 #include <stop_token>
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QSlider;
@@ -24,7 +25,8 @@ class TargetScene;
 
 /// Values in; fields and surfaces are computed off the GUI thread, fields anew only when the geometry or the
 /// angle held changes. Object names: "targetScene", "heldAngle" (slider), "heldAtPose", "viewTop",
-/// "viewSide", "viewIsometric", "savePicture", "picked", "startHere".
+/// "viewSide", "viewIsometric", "savePicture", "cutObject", "cutAxis", "cutPlace" (slider), "picked",
+/// "startHere".
 class SurfacesView : public QWidget {
     Q_OBJECT
 
@@ -60,6 +62,8 @@ private:
     void hold(double angle_rad);
     void savePicture();
     void showControls();
+    void showCut();
+    void placeCut();
     void retranslate();
 
     Experiment m_experiment;
@@ -81,6 +85,9 @@ private:
     QToolButton* m_side;
     QToolButton* m_isometric;
     QPushButton* m_save;
+    QComboBox* m_cutObject; ///< first: no cut; then the objects
+    QComboBox* m_cutAxis;
+    QSlider* m_cutPlace; ///< mm along the axis
     QLabel* m_pickedWords;
     QPushButton* m_startHere;
 };

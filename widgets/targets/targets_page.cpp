@@ -226,8 +226,10 @@ void TargetsPage::setVerdict(const JointVerdict& verdict) {
     m_verdict.reset();
     if (verdict.conditions1.size() == m_rows.size())
         m_verdict = verdict;
-    if (m_verdict)
+    if (m_verdict) {
+        m_surfaces->setExperiment(m_experiment); // whose targets may have been typed here
         m_surfaces->setVerdict(verdict);
+    }
     m_stale = false;
     showAll();
 }

@@ -6,6 +6,7 @@
 #include "widgets/targets/surfaces_view.h"
 
 #include <QApplication>
+#include <QComboBox>
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
@@ -68,6 +69,26 @@ TEST_F(SurfacesViewTest, SurfacesFollowVerdictAndAngle) {
     QTest::mouseClick(back, Qt::LeftButton);
     EXPECT_EQ(slider->value(), before);
     EXPECT_TRUE(test::waitFor([&] { return differentPixels(picture(), atPose) < 600 * 400 / 100; }));
+}
+
+// Catches a cut that is not drawn, does not move, or stays.
+TEST_F(SurfacesViewTest, ACutIsDrawnAndMoved) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    const QImage empty = picture();
+    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
+    const QImage without = changed(empty, 0.1);
+    auto* object = view.findChild<QComboBox*>("cutObject");
+    ASSERT_EQ(object->count(), 4);
+    object->setCurrentIndex(2);
+    const QImage cut = changed(without, 0.05);
+    EXPECT_TRUE(cut.save("surfaces_cut.png"));
+    auto* place = view.findChild<QSlider*>("cutPlace");
+    EXPECT_EQ(place->value(), 0) << "the middle of the workspace";
+    place->setValue(place->maximum() / 2);
+    changed(cut);
+    object->setCurrentIndex(0);
+    EXPECT_TRUE(test::waitFor([&] { return differentPixels(picture(), without) < 600 * 400 / 100; }));
 }
 
 // Catches a picture of an older question that looks like the present answer.
