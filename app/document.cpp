@@ -8,10 +8,6 @@ namespace bask {
 
 Document::Document(QObject* parent) : QObject(parent) {}
 
-Document::~Document() {
-    m_stop.request_stop();
-}
-
 QString Document::displayName() const {
     if (!m_path.isEmpty())
         return QFileInfo(m_path).fileName();
@@ -91,10 +87,8 @@ void Document::setKept(const std::vector<bool>& kept) {
 void Document::judgeTargets() {
     m_stale = true;
     emit verdictChanged();
-    m_stop.request_stop();
-    m_stop = {};
-    const auto work = [experiment = m_experiment, lookup = m_lookup, kept = m_kept,
-                       stop = m_stop.get_token()] {
+    const auto work = [experiment = m_experiment, lookup = m_lookup,
+                       kept = m_kept](const std::stop_token& stop) {
         FeasibilityRequest request = feasibilityRequest(experiment);
         request.lookup = lookup ? lookup : feasibilityLookup(request.geometry, request.rest);
         if (kept.size() == experiment.objects.size())

@@ -10,7 +10,6 @@
 
 #include <memory>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
 namespace bask {
@@ -22,7 +21,6 @@ class Document : public QObject {
 
 public:
     explicit Document(QObject* parent = nullptr);
-    ~Document() override;
 
     const Experiment& experiment() const { return m_experiment; }
     QString path() const { return m_path; }
@@ -74,7 +72,6 @@ private:
     std::shared_ptr<const PoseLookup> m_lookup; ///< of the present objects, source and robot
     std::vector<bool> m_kept;
     bool m_stale = true;
-    std::stop_source m_stop;
     LatestJob<Judgement> m_judge;
 };
 

@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <memory>
+#include <stop_token>
+#include <type_traits>
 #include <utility>
 
 namespace bask {
@@ -16,15 +18,22 @@ namespace bask {
 /// the owner's end.
 template <class Value> class LatestJob {
 public:
-    using Work = std::function<Value()>;
+    using Work = std::function<Value(const std::stop_token&)>;
     using Done = std::function<void(Value)>;
 
     LatestJob() {
         QObject::connect(&m_watcher, &QFutureWatcherBase::finished, &m_watcher, [this] { finish(); });
     }
 
-    void run(Work work, Done done) {
-        m_next = {std::move(work), std::move(done)};
+    ~LatestJob() { m_stop.request_stop(); }
+
+    /// A work that takes a std::stop_token is asked to stop as soon as nobody will hear its answer.
+    template <class Task> void run(Task work, Done done) {
+        if constexpr (std::is_invocable_v<Task, std::stop_token>)
+            m_next = {std::move(work), std::move(done)};
+        else
+            m_next = {[work = std::move(work)](const std::stop_token&) { return work(); }, std::move(done)};
+        m_stop.request_stop();
         if (!busy())
             startNext();
     }
@@ -33,6 +42,7 @@ public:
     void forget() {
         m_next = {};
         m_running.done = nullptr;
+        m_stop.request_stop();
     }
 
     bool busy() const { return m_running.work != nullptr; }
@@ -45,8 +55,10 @@ private:
 
     void startNext() {
         m_running = std::exchange(m_next, {});
-        m_watcher.setFuture(
-            QtConcurrent::run([work = m_running.work] { return std::make_shared<Value>(work()); }));
+        m_stop = std::stop_source();
+        m_watcher.setFuture(QtConcurrent::run([work = m_running.work, stop = m_stop.get_token()] {
+            return std::make_shared<Value>(work(stop));
+        }));
     }
 
     void finish() {
@@ -60,6 +72,7 @@ private:
 
     Request m_running;
     Request m_next;
+    std::stop_source m_stop; ///< of the running one
     QFutureWatcher<std::shared_ptr<Value>> m_watcher;
 };
 

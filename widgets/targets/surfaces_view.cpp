@@ -141,10 +141,6 @@ SurfacesView::SurfacesView(QWidget* parent)
     retranslate();
 }
 
-SurfacesView::~SurfacesView() {
-    m_stop.request_stop();
-}
-
 void SurfacesView::setExperiment(const Experiment& experiment) {
     const bool other = isOtherGeometry(experiment, m_experiment);
     m_experiment = experiment;
@@ -153,6 +149,7 @@ void SurfacesView::setExperiment(const Experiment& experiment) {
         if (m_angle < 0 && experiment.robot.free[static_cast<std::size_t>(k)])
             m_angle = k;
     if (other) {
+        m_job.forget(); // its fields are of the geometry before
         m_fields.reset();
         m_held_rad.reset();
         m_verdict.reset();
@@ -206,17 +203,15 @@ void SurfacesView::hold(double angle_rad) {
 }
 
 void SurfacesView::compute() {
-    if (!m_verdict || m_experiment.objects.empty())
+    if (!m_verdict || m_experiment.objects.empty() || !isVisible())
         return;
-    m_stop.request_stop();
-    m_stop = {};
     std::vector<double> viewFactors;
     for (const TargetVerdict& own : m_verdict->conditions1)
         viewFactors.push_back(own.neededViewFactor);
     const Vector6d held = heldPose();
     const auto known = m_fields && m_fieldsHeld == held ? m_fields : nullptr;
     m_job.run(
-        [experiment = m_experiment, held, known, viewFactors, stop = m_stop.get_token()] {
+        [experiment = m_experiment, held, known, viewFactors](const std::stop_token& stop) {
             Answer answer{known, held, {}};
             if (!known) {
                 auto fields = targetFields(geometryOf(experiment, held), stop);
@@ -316,6 +311,11 @@ void SurfacesView::retranslate() {
     m_scene->setAccessibleName(
         tr("3-D scene: where the end-effector may be for each object to hold its target"));
     showControls();
+}
+
+void SurfacesView::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    compute();
 }
 
 void SurfacesView::changeEvent(QEvent* event) {

@@ -11,7 +11,6 @@
 
 #include <memory>
 #include <optional>
-#include <stop_token>
 
 class QComboBox;
 class QLabel;
@@ -23,16 +22,15 @@ namespace bask {
 
 class TargetScene;
 
-/// Values in; fields and surfaces are computed off the GUI thread, fields anew only when the geometry or the
-/// angle held changes. Object names: "targetScene", "heldAngle" (slider), "heldAtPose", "viewTop",
-/// "viewSide", "viewIsometric", "savePicture", "cutObject", "cutAxis", "cutPlace" (slider), "picked",
-/// "startHere".
+/// Values in; fields and surfaces are computed off the GUI thread and while the view is shown, fields anew
+/// only when the geometry or the angle held changes. Object names: "targetScene", "heldAngle" (slider),
+/// "heldAtPose", "viewTop", "viewSide", "viewIsometric", "savePicture", "cutObject", "cutAxis", "cutPlace"
+/// (slider), "picked", "startHere".
 class SurfacesView : public QWidget {
     Q_OBJECT
 
 public:
     explicit SurfacesView(QWidget* parent = nullptr);
-    ~SurfacesView() override;
 
     void setExperiment(const Experiment& experiment);
     /// Surfaces of the verdict's targets, at the angles of its pose unless the slider holds another.
@@ -48,6 +46,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     using Fields = std::vector<std::shared_ptr<const Field>>;
@@ -74,7 +73,6 @@ private:
     Vector6d m_fieldsHeld = Vector6d::Zero();
     std::optional<Vector6d> m_picked;
     bool m_editable = true;
-    std::stop_source m_stop;
     LatestJob<Answer> m_job;
 
     TargetScene* m_scene;

@@ -1,6 +1,8 @@
 #include "tests/support/wait_for.h"
 #include "widgets/common/latest_job.h"
 
+#include <QThreadPool>
+
 #include <gtest/gtest.h>
 
 #include <semaphore>
@@ -39,6 +41,31 @@ TEST(LatestJob, ForgottenOnesDoNotAnswer) {
     job.run([] { return 3; }, take);
     ASSERT_TRUE(waitFor([&] { return !job.busy(); }));
     EXPECT_EQ(answers, std::vector<int>{3});
+}
+
+// Catches: work that goes on although nobody will hear its answer.
+TEST(LatestJob, StopsWhatIsNotHeard) {
+    const auto untilStopped = [](const std::stop_token& stop) {
+        while (!stop.stop_requested())
+            std::this_thread::yield();
+        return 1;
+    };
+    std::vector<int> answers;
+    const auto take = [&](int value) { answers.push_back(value); };
+    LatestJob<int> job;
+    job.run(untilStopped, take);
+    job.run([] { return 2; }, take);
+    ASSERT_TRUE(waitFor([&] { return !job.busy(); }));
+    EXPECT_EQ(answers, std::vector<int>{2});
+    job.run(untilStopped, take);
+    job.forget();
+    ASSERT_TRUE(waitFor([&] { return !job.busy(); }));
+    {
+        LatestJob<int> gone;
+        gone.run(untilStopped, take);
+    }
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    EXPECT_EQ(answers, std::vector<int>{2});
 }
 
 // Catches: an answer delivered to an owner that is gone.

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QThreadPool>
 
 #include <gtest/gtest.h>
 
@@ -69,6 +70,21 @@ TEST_F(SurfacesViewTest, SurfacesFollowVerdictAndAngle) {
     QTest::mouseClick(back, Qt::LeftButton);
     EXPECT_EQ(slider->value(), before);
     EXPECT_TRUE(test::waitFor([&] { return differentPixels(picture(), atPose) < 600 * 400 / 100; }));
+}
+
+// Catches surfaces of the objects before that arrive after others were set, and are taken for theirs.
+TEST_F(SurfacesViewTest, SurfacesOfAnOlderGeometryAreNotHeard) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
+    view.findChild<QComboBox*>("cutObject")->setCurrentIndex(3);
+    Experiment fewer = experiment;
+    fewer.objects.pop_back();
+    view.setExperiment(fewer);
+    const QImage alone = picture();
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QApplication::processEvents();
+    EXPECT_LT(differentPixels(picture(), alone), 600 * 400 / 100);
 }
 
 // Catches a cut that is not drawn, does not move, or stays.
