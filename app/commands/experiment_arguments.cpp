@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 
+#include <QCommandLineParser>
 #include <QStringList>
 
 #include <cmath>
@@ -15,16 +16,29 @@ Error badValue(const QString& option, const QString& value, const char* expected
                  {expected, "\"" + value.toStdString() + "\""});
 }
 
-Result<std::vector<double>> parseTargets(const QString& text) {
-    std::vector<double> out;
+Result<void> replaceTargets(const QCommandLineParser& parser, Experiment& experiment) {
+    if (!parser.isSet("targets"))
+        return {};
+    const QString text = parser.value("targets");
+    std::vector<double> targets_K;
     for (const QString& part : text.split(u',')) {
         bool ok = false;
         const double t_degC = part.trimmed().toDouble(&ok);
         if (!ok || !std::isfinite(t_degC))
             return badValue("targets", text, "temperatures in degC with commas between");
-        out.push_back(kelvinFromCelsius(t_degC));
+        targets_K.push_back(kelvinFromCelsius(t_degC));
     }
-    return out;
+    return setTargets(experiment, targets_K);
+}
+
+Result<void> replaceSourceModel(const QCommandLineParser& parser, Experiment& experiment) {
+    if (!parser.isSet("source-model"))
+        return {};
+    const std::string model = parser.value("source-model").toStdString();
+    if (model != "gray" && model != "paper")
+        return Error(MessageCode::ValueUnknown, "--source-model", {model, "gray, paper"});
+    experiment.source.model = model == "paper" ? SourceModel::Paper : SourceModel::Gray;
+    return {};
 }
 
 std::vector<std::string> inputsOf(const std::string& path, const Experiment& experiment) {

@@ -51,19 +51,10 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     if (!experiment)
         return experiment.error();
     Request request{std::move(*experiment), {}, parser.value("summary").toStdString()};
-    if (parser.isSet("source-model")) {
-        const QString model = parser.value("source-model");
-        if (model != "gray" && model != "paper")
-            return Error(MessageCode::ValueUnknown, "--source-model", {model.toStdString(), "gray, paper"});
-        request.experiment.source.model = model == "paper" ? SourceModel::Paper : SourceModel::Gray;
-    }
-    if (parser.isSet("targets")) {
-        const auto targets = parseTargets(parser.value("targets"));
-        if (!targets)
-            return targets.error();
-        if (const auto set = setTargets(request.experiment, *targets); !set)
-            return set.error();
-    }
+    if (const auto model = replaceSourceModel(parser, request.experiment); !model)
+        return model.error();
+    if (const auto targets = replaceTargets(parser, request.experiment); !targets)
+        return targets.error();
     if (const auto valid = validate(request.experiment); !valid)
         return valid.error();
     const auto held = heldObjects(parser.values("hold"), request.experiment);

@@ -2,6 +2,7 @@
 // temperature, as surfaces for ParaView.
 
 #include "app/commands/command_line.h"
+#include "app/commands/experiment_arguments.h"
 #include "app/commands/field_axes.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
@@ -39,12 +40,10 @@ Error refused(const std::string& option, const std::string& expected, const std:
 
 Result<Experiment> experimentAsked(const QCommandLineParser& parser, const std::string& path) {
     auto experiment = readExperiment(path);
-    if (!experiment || !parser.isSet("source-model"))
+    if (!experiment)
         return experiment;
-    const std::string model = parser.value("source-model").toStdString();
-    if (model != "gray" && model != "paper")
-        return Error(MessageCode::ValueUnknown, "--source-model", {model, "gray, paper"});
-    experiment->source.model = model == "gray" ? SourceModel::Gray : SourceModel::Paper;
+    if (const auto replaced = replaceSourceModel(parser, *experiment); !replaced)
+        return replaced.error();
     if (auto valid = validate(*experiment); !valid)
         return valid.error();
     return experiment;

@@ -51,13 +51,8 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         if (!ok)
             return badValue("seed", parser.value("seed"), "a whole number from 0");
     }
-    if (parser.isSet("targets")) {
-        const auto targets = parseTargets(parser.value("targets"));
-        if (!targets)
-            return targets.error();
-        if (const auto set = setTargets(request.experiment, *targets); !set)
-            return set.error();
-    }
+    if (const auto targets = replaceTargets(parser, request.experiment); !targets)
+        return targets.error();
     if (parser.isSet("duration")) {
         const double duration_s = parser.value("duration").toDouble(&ok);
         if (!ok || !(duration_s >= request.experiment.sampling.period_s) || duration_s > 1e7)
