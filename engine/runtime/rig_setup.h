@@ -1,17 +1,14 @@
 #pragma once
-// From an experiment to what runs it: geometry, believed rates, the simulated rig, verdicts on the targets.
+// From an experiment to what runs it: believed rates, the simulated rig, verdicts on the targets.
 
 #include "engine/control/controller.h"
 #include "engine/control/joint_feasibility.h"
-#include "engine/session/experiment.h"
+#include "engine/session/experiment_rig.h"
 #include "engine/simulation/simulated_rig.h"
 
-#include <memory>
 #include <vector>
 
 namespace bask {
-
-std::shared_ptr<const RigGeometry> rigGeometry(const Experiment& experiment);
 
 /// Rates of the objects' materials, as believed, at the source's set temperature and the given environment.
 std::vector<HeatRates> nominalRates(const Experiment& experiment, double environment_K);

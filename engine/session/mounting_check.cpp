@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/control/dependent_objects.h"
+#include "engine/session/experiment_rig.h"
 #include "engine/shape/crossing.h"
 
 #include <algorithm>
@@ -50,22 +51,13 @@ MountingRemark dependenceRemark(const DependentObjects& set, const std::vector<O
     return {{MessageCode::MountingDependent, {names}}, set.objects};
 }
 
-/// What the free axes can do with this arrangement; `objects` are the experiment's, thinned.
-std::vector<MountingRemark> freedomRemarks(const Experiment& experiment,
-                                           const std::vector<ObjectSpec>& objects) {
-    std::vector<Shape> shapes;
-    std::vector<Vector6d> mountings;
-    for (const ObjectSpec& object : objects) {
-        shapes.push_back(object.shape);
-        mountings.push_back(object.mounting);
-    }
-    const RigGeometry rig(experiment.source.shape, shapes, mountings, experiment.robot,
-                          poseFromCoordinates(experiment.source.pose));
+/// What the free axes can do with this arrangement.
+std::vector<MountingRemark> freedomRemarks(const Experiment& experiment) {
     std::vector<MountingRemark> out;
-    for (const DependentObjects& set : dependentObjects(rig, experiment.start))
-        out.push_back(dependenceRemark(set, objects));
+    for (const DependentObjects& set : dependentObjects(*rigGeometry(experiment), experiment.start))
+        out.push_back(dependenceRemark(set, experiment.objects));
     const int freedom = experiment.robot.degreesOfFreedom();
-    if (out.empty() && std::cmp_equal(objects.size(), freedom))
+    if (out.empty() && std::cmp_equal(experiment.objects.size(), freedom))
         out.push_back({{MessageCode::MountingNoneLeft, {std::to_string(freedom)}}, {}});
     return out;
 }
@@ -99,8 +91,9 @@ std::vector<std::vector<Eigen::Vector2d>> mountedRings(const ObjectSpec& object,
 }
 
 std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
-    std::vector<ObjectSpec> objects = experiment.objects;
-    for (ObjectSpec& object : objects)
+    Experiment quick = experiment;
+    const std::vector<ObjectSpec>& objects = quick.objects;
+    for (ObjectSpec& object : quick.objects)
         object.shape = thinned(object.shape);
     const double most_m = experiment.robot.maxMountingRadius_m;
     const int count = static_cast<int>(objects.size());
@@ -131,7 +124,7 @@ std::vector<MountingRemark> mountingRemarks(const Experiment& experiment) {
                     out.push_back({{MessageCode::MountingInLine, {name(i), name(k), name(l)}}, {i, k, l}});
         }
     }
-    std::ranges::move(freedomRemarks(experiment, objects), std::back_inserter(out));
+    std::ranges::move(freedomRemarks(quick), std::back_inserter(out));
     return out;
 }
 
