@@ -61,13 +61,10 @@ bool canBeMended(MessageCode code, const QString& path) {
     return ImportQuestions::isImage(path) && std::ranges::find(lost, code) == lost.end();
 }
 
-/// Whether there is nothing to ask: one outline, with its holes, that can be used as it is.
-bool isPlain(const OutlineFile& file) {
-    const auto isPart = [](const FileOutline& outline) {
-        return outline.closed && outline.holeIn.value_or(0) == 0;
-    };
-    const auto picked = pickOutline(file, std::nullopt, {});
-    return picked && picked->warnings.empty() && std::ranges::all_of(file.outlines, isPart);
+/// Whether all outlines, of which there is one, but the first are holes in it.
+bool isOneFace(const OutlineFile& file) {
+    return std::all_of(file.outlines.begin() + 1, file.outlines.end(),
+                       [](const FileOutline& outline) { return outline.holeIn == std::size_t{0}; });
 }
 
 Eigen::AlignedBox2d boxOf(const FileOutline& outline) {
@@ -246,7 +243,8 @@ void ImportPanel::take(Result<OutlineFile> file) {
     choose(m_file.outlines.empty() ? -1 : wanted);
     if (m_asking)
         return;
-    if (isPlain(m_file)) {
+    const bool nothingToAsk = m_picked && *m_picked && (*m_picked)->warnings.empty() && isOneFace(m_file);
+    if (nothingToAsk) {
         accept();
     } else {
         m_asking = true;

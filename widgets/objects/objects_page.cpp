@@ -492,14 +492,12 @@ void ObjectsPage::showError(const QString& sentence) {
 void ObjectsPage::offerFile(const QString& path) {
     if (!m_editable || !m_import->isEnabled())
         return;
-    showPanel(false);
-    m_fitting.forget();
+    endImport();
     if (ImportPanel::isReadable(path)) {
         sayReading(path);
         m_importPanel->open(path);
         return;
     }
-    m_importPanel->cancel();
     showError(
         tr("%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points "
            "or a picture of a silhouette (PNG, JPEG, BMP, TIFF).")

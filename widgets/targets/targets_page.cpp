@@ -356,7 +356,7 @@ void TargetsPage::showJoint() {
     bool stale = false;
     for (std::size_t i = 0; i < m_rows.size(); ++i)
         stale = stale || rowStale(i);
-    const bool bad = !stale && !m_verdict->feasible && !m_rows.empty();
+    const bool bad = !m_rows.empty() && !stale && !m_verdict->feasible;
     m_jointIcon->setVisible(bad);
     m_jointIcon->setPixmap(alarmPixmap(3, isDark(this), 18, devicePixelRatioF()));
     if (m_rows.empty())
