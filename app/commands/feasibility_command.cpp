@@ -69,21 +69,6 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
     return request;
 }
 
-/// When the experiment's controller has settled all objects on the simulated rig, s; empty: not within the
-/// experiment's duration limit.
-Result<std::optional<double>> predictedTime_s(const Experiment& experiment) {
-    const auto outcome = runSimulated(experiment, {});
-    if (!outcome)
-        return outcome.error();
-    double last_s = 0.0;
-    for (const ObjectOutcome& object : outcome->objects) {
-        if (!object.settlingTime_s)
-            return std::optional<double>();
-        last_s = std::max(last_s, *object.settlingTime_s);
-    }
-    return std::optional(last_s);
-}
-
 std::string limitName(const PoseMargin& margin) {
     return margin.limit == Limit::Clearance
                ? "clearance"
@@ -293,7 +278,7 @@ int feasibilityCommand(const QStringList& arguments) {
     const JointVerdict verdict = jointFeasibility(question).value();
     std::optional<double> predicted_s;
     if (verdict.feasible) {
-        const auto predicted = predictedTime_s(request->experiment);
+        const auto predicted = predictedSettling_s(request->experiment);
         if (!predicted)
             return refuse(predicted.error());
         predicted_s = *predicted;

@@ -76,7 +76,7 @@ private:
         if (by == kByThePaper) { // the other job writes nothing but its own run
             result.paper = experiments[index];
             result.bound = settlingBound(experiment);
-            result.verdicts = targetVerdicts(experiment);
+            result.feasibility = jointVerdict(experiment);
         }
         auto outcome = runOnce(experiment, by);
         if (outcome)
@@ -186,21 +186,6 @@ Result<std::vector<ReproducedExperiment>> reproduce(const std::vector<PaperExper
 Eigen::Vector3d objectCentre_m(const Experiment& experiment, const TraceSample& sample, std::size_t object) {
     const Pose X_SE = poseFromCoordinates(sample.source).inverse() * poseFromCoordinates(sample.coordinates);
     return (X_SE * poseFromCoordinates(experiment.objects[object].mounting)).translation();
-}
-
-std::string unreachableWords(const ReproducedExperiment& experiment) {
-    std::string words;
-    for (std::size_t i = 0; i < experiment.verdicts.size(); ++i) {
-        const TargetVerdict& verdict = experiment.verdicts[i];
-        if (verdict.verdict == FeasibilityVerdict::Reachable)
-            continue;
-        const bool isHot = verdict.verdict == FeasibilityVerdict::TooHot;
-        words += (words.empty() ? "" : "; ") + experiment.paper.experiment.objects[i].name +
-                 (isHot ? " at most " : " at least ") +
-                 formatNumber(celsiusFromKelvin(isHot ? verdict.reachableMax_K : verdict.reachableMin_K), 3) +
-                 " \u00b0C";
-    }
-    return words;
 }
 
 bool ReproducedExperiment::asExpected(std::size_t by) const {

@@ -2,7 +2,7 @@
 // Runs the paper's experiments by the paper's controller and by the level servo, and says what came of it.
 
 #include "app/commands/paper_experiments.h"
-#include "engine/control/feasibility.h"
+#include "engine/control/joint_feasibility.h"
 #include "engine/runtime/closed_loop_study.h"
 #include "engine/runtime/simulated_run.h"
 
@@ -25,7 +25,7 @@ struct ReproducedRun {
 struct ReproducedExperiment {
     PaperExperiment paper;
     SettlingBound bound;
-    std::vector<TargetVerdict> verdicts;
+    JointVerdict feasibility;
     std::array<ReproducedRun, 2> runs; ///< kByThePaper, kByTheLevelServo
 
     bool asExpected(std::size_t by) const;
@@ -38,10 +38,6 @@ struct ReproducedExperiment {
 Result<std::vector<ReproducedExperiment>> reproduce(const std::vector<PaperExperiment>& experiments,
                                                     int threads,
                                                     const std::function<void(int done, int all)>& progress);
-
-/// Objects that no pose of the workspace holds at their targets by themselves (condition 1), in words; empty
-/// when there are none.
-std::string unreachableWords(const ReproducedExperiment& experiment);
 
 /// "+0.12, -1.40": true temperatures less targets at the end, K.
 std::string finalErrorWords(const ReproducedRun& run);

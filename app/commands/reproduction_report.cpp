@@ -59,13 +59,8 @@ std::string targetWords(const Experiment& experiment) {
     return words;
 }
 
-/// Condition 1 and what the level servo found out on the way.
-std::string feasibilityWords(const ReproducedExperiment& experiment) {
-    if (const std::string words = unreachableWords(experiment); !words.empty())
-        return "no: " + words;
-    if (const std::string& words = experiment.runs[kByTheLevelServo].compromise; !words.empty())
-        return "each alone yes, together no: best " + words;
-    return "yes";
+std::string feasibilityWords(const JointVerdict& verdict) {
+    return verdict.feasible ? "yes" : "no: " + describe(verdict.reason);
 }
 
 /// The controller's cells of the table.
@@ -90,9 +85,9 @@ std::string tableRows(const ReproducedExperiment& experiment) {
     };
     return "<tbody class=\"pair\"><tr>" + tall(escaped(experiment.paper.name), "name") +
            tall(targetWords(experiment.paper.experiment), "") +
-           tall(escaped(feasibilityWords(experiment)), "") + tall(whole(experiment.bound.bound_s), "number") +
-           runCells(experiment, kByThePaper) + "</tr><tr>" + runCells(experiment, kByTheLevelServo) +
-           "</tr></tbody>\n";
+           tall(escaped(feasibilityWords(experiment.feasibility)), "") +
+           tall(whole(experiment.bound.bound_s), "number") + runCells(experiment, kByThePaper) + "</tr><tr>" +
+           runCells(experiment, kByTheLevelServo) + "</tr></tbody>\n";
 }
 
 std::string table(const std::vector<ReportFigure>& figures) {
@@ -180,9 +175,7 @@ std::string reproductionHtml(const std::vector<ReportFigure>& figures) {
             "last one does. \u201cBound\u201d: before this time no controller can have the slowest object "
             "there, "
             "since the robot has to travel and the object to warm up. \u201cFeasible\u201d: whether a pose "
-            "of the "
-            "workspace holds each target by itself; and all together, as far as the level servo came to "
-            "tell. "
+            "of the workspace holds all targets, by search beforehand; if not, the reason. "
             "Final errors are true temperatures less targets.</p>\n" +
             table(figures);
     for (const ReportFigure& figure : figures)

@@ -102,18 +102,15 @@ void printOutcome(const RunOutcome& outcome, double wall_s) {
 }
 
 void warnOfTargets(const Experiment& experiment) {
-    const std::vector<TargetVerdict> verdicts = targetVerdicts(experiment);
-    for (std::size_t i = 0; i < verdicts.size(); ++i) {
-        const TargetVerdict& v = verdicts[i];
-        if (v.verdict != FeasibilityVerdict::Reachable)
-            std::fprintf(stderr,
-                         "bask run: \"%s\" cannot be held at %.1f degC: it needs F = %.3f, within the "
-                         "workspace it has "
-                         "%.3f to %.3f (%.1f to %.1f degC)\n",
-                         experiment.objects[i].name.c_str(), celsiusFromKelvin(v.target_K),
-                         v.neededViewFactor, v.reachableMin_F, v.reachableMax_F,
-                         celsiusFromKelvin(v.reachableMin_K), celsiusFromKelvin(v.reachableMax_K));
-    }
+    const JointVerdict verdict = jointVerdict(experiment);
+    if (verdict.feasible)
+        return;
+    std::string nearest;
+    for (const double target_K : verdict.nearest_K)
+        nearest += (nearest.empty() ? "; nearest targets that can be held: " : ", ") +
+                   formatNumber(celsiusFromKelvin(target_K), 4);
+    std::fprintf(stderr, "bask run: the targets cannot be held: %s%s\n", describe(verdict.reason).c_str(),
+                 nearest.empty() ? "" : (nearest + " degC").c_str());
 }
 
 void printProgress(double time_s, const TraceSample& sample) {

@@ -63,12 +63,8 @@ FeasibilityRequest feasibilityRequest(const Experiment& experiment) {
     return request;
 }
 
-std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment) {
-    std::vector<double> targets_K;
-    for (const ObjectSpec& object : experiment.objects)
-        targets_K.push_back(object.target_K);
-    return targetVerdicts(rigGeometry(experiment), experiment.start,
-                          nominalRates(experiment, experiment.environment_K), targets_K);
+JointVerdict jointVerdict(const Experiment& experiment) {
+    return jointFeasibility(feasibilityRequest(experiment)).value();
 }
 
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {

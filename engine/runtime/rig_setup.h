@@ -25,11 +25,10 @@ double trueSourcePower_W_m2(const Experiment& experiment, double source_K);
 /// random factors (seeded).
 std::vector<HeatRates> believedRates(const Experiment& experiment, double environment_K);
 
-/// First feasibility condition for the experiment's targets. Takes some 0.1 s: run it as a job.
-std::vector<TargetVerdict> targetVerdicts(const Experiment& experiment);
-
 /// The joint question for the experiment's targets, without a look-up.
 FeasibilityRequest feasibilityRequest(const Experiment& experiment);
+/// Its answer: some 50 to 100 ms.
+JointVerdict jointVerdict(const Experiment& experiment);
 
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment);
 

@@ -127,11 +127,8 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
         return refusal("Start");
     if (const auto fresh = requireFreshSensors(); !fresh)
         return fresh;
-    if (!acceptInfeasible) {
-        const auto verdict = jointFeasibility(feasibilityRequest(m_experiment));
-        if (!verdict || !verdict->feasible)
-            return Error(MessageCode::ReasonTargetInfeasible, {});
-    }
+    if (!acceptInfeasible && !jointVerdict(m_experiment).feasible)
+        return Error(MessageCode::ReasonTargetInfeasible, {});
     m_startTime_s = m_clock.now_s();
     m_withinBandSince_s = m_startTime_s;
     m_compromise.clear();

@@ -103,7 +103,8 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         }
         std::ranges::move(rows.events, std::back_inserter(outcome.events));
         const bool settledLongEnough = !options.duration_s && watch.allFor(kSettledFor_s, last.time_s);
-        const bool over = loop.state() == RunState::Fault || loop.state() == RunState::Stopped;
+        const bool over = loop.state() == RunState::Fault || loop.state() == RunState::Stopped ||
+                          options.stop.stop_requested();
         if (over || last.time_s >= end_s || settledLongEnough)
             break;
         drive.period();
@@ -125,6 +126,21 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
             return finished.error();
     }
     return outcome;
+}
+
+Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop) {
+    SimulatedRunOptions options;
+    options.stop = stop;
+    const auto outcome = runSimulated(experiment, options);
+    if (!outcome)
+        return outcome.error();
+    double last_s = 0.0;
+    for (const ObjectOutcome& object : outcome->objects) {
+        if (!outcome->settled || !object.settlingTime_s || stop.stop_requested())
+            return std::optional<double>();
+        last_s = std::max(last_s, *object.settlingTime_s);
+    }
+    return std::optional(last_s);
 }
 
 } // namespace bask

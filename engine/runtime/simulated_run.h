@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,7 @@ struct SimulatedRunOptions {
         duration_s; ///< empty: until all have been settled for kSettledFor_s, at most the experiment's limit
     std::string sessionPath;                                         ///< empty: not recorded
     std::function<void(double time_s, const TraceSample&)> progress; ///< called every sample; may be empty
+    std::stop_token stop = {}; ///< ends the run where it is
 };
 
 /// Outcome for one object, judged on the plant's true temperature.
@@ -41,5 +43,10 @@ inline constexpr double kHeldFor_s = 30.0;     ///< passing through the band at 
 /// Zeroes the sensors, fills the estimators, starts and runs to the end. Errors: an experiment that does not
 /// validate, a session that cannot be written.
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options);
+
+/// When the experiment's controller has all objects within kSettledBand_K of their targets for good, by a
+/// whole run on the simulated rig, s; empty: not within the experiment's duration limit, or stopped. A
+/// second or a few of work for a thousand simulated seconds. Errors: those of runSimulated.
+Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, std::stop_token stop = {});
 
 } // namespace bask

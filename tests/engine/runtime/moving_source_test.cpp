@@ -210,9 +210,9 @@ TEST(MovingSource, ThatComesNearerIsBackedOffFrom) {
 // Catches a verdict over the robot's origin instead of over the source.
 TEST(MovingSource, VerdictsAreForWhereItLies) {
     Experiment experiment = modelBased();
-    EXPECT_EQ(targetVerdicts(experiment)[0].verdict, FeasibilityVerdict::Reachable);
+    EXPECT_EQ(jointVerdict(experiment).conditions1[0].verdict, FeasibilityVerdict::Reachable);
     experiment.source.pose[kX] = 1.0;
-    EXPECT_EQ(targetVerdicts(experiment)[0].verdict, FeasibilityVerdict::TooHot);
+    EXPECT_EQ(jointVerdict(experiment).conditions1[0].verdict, FeasibilityVerdict::TooHot);
 }
 
 // The paper's ramp. Catches a profile that is not asked for, or by another clock: the simulated plate follows
@@ -243,7 +243,7 @@ TEST(TrueMaterials, AreThePlantsAndNobodyElses) {
     truly.objects[0].simulatedMaterial->absorptance = 0.3;
     truly.objects[0].simulatedMaterial->emittance = 0.3;
     truly.simulation.sourceEmittance = 0.5;
-    const auto a = targetVerdicts(believed), b = targetVerdicts(truly);
+    const auto a = jointVerdict(believed).conditions1, b = jointVerdict(truly).conditions1;
     for (std::size_t i = 0; i < a.size(); ++i) {
         EXPECT_EQ(a[i].neededViewFactor, b[i].neededViewFactor);
         EXPECT_EQ(a[i].reachableMax_K, b[i].reachableMax_K);
