@@ -3,11 +3,14 @@
 
 #include "app/gui_watchdog.h"
 #include "app/main_window.h"
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/scene/target_scene.h"
 #include "widgets/scene/vtk_view.h"
 
 #include <QDeadlineTimer>
 #include <QLocale>
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <benchmark/benchmark.h>
 
@@ -110,6 +113,40 @@ BENCHMARK(guiDuringRun)
     ->Unit(benchmark::kMillisecond)
     ->UseRealTime()
     ->Iterations(1);
+
+/// From a key that changes a target to the first picture with the surfaces of the new verdict, and the
+/// longest block of the GUI thread outside painting meanwhile. Time is for twenty such keys, one after
+/// another.
+void keyToPicture(benchmark::State& state) {
+    const auto window = openWindow();
+    if (!window)
+        return state.SkipWithError("no readings came");
+    window->pages().show(Page::Targets);
+    auto* target = window->findChild<QuantitySpinBox*>(QStringLiteral("target0"));
+    auto* scene = window->findChild<TargetScene*>();
+    bool drawn = false;
+    QObject::connect(scene, &TargetScene::surfacesDrawn, scene, [&] { drawn = true; });
+    if (!scene->hasPicture() || !waitFor([&] { return drawn; }, 30000))
+        return state.SkipWithError("no surfaces were drawn");
+    std::vector<double> times_ms, blocks_ms;
+    for (auto _ : state)
+        for (int key = 0; key < 20; ++key) {
+            drawn = false;
+            GuiWatchdog watchdog;
+            QElapsedTimer timer;
+            timer.start();
+            QTest::keyClick(target, key % 2 == 0 ? Qt::Key_Up : Qt::Key_Down);
+            waitFor([&] { return drawn; }, 5000);
+            times_ms.push_back(static_cast<double>(timer.nsecsElapsed()) * 1e-6);
+            blocks_ms.push_back(watchdog.longestBlock_s() * 1e3);
+        }
+    state.counters["median_ms"] = percentile(times_ms, 0.5);
+    state.counters["largest_ms"] = percentile(times_ms, 1.0);
+    state.counters["longest_block_ms"] = percentile(blocks_ms, 1.0);
+    window->document().markSaved({}); // or closing asks
+    closeWindow(*window);
+}
+BENCHMARK(keyToPicture)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 } // namespace
 } // namespace bask

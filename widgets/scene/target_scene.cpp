@@ -23,6 +23,7 @@ constexpr QSizeF kPlainSize{1000.0, 700.0}; ///< of a saved picture whose text i
 
 struct TargetScene::Impl : TargetPicture {
     QLabel* notice = nullptr;
+    bool surfacesAreNew = false; ///< in the frame that is made
 };
 
 TargetScene::TargetScene(QWidget* parent) : QWidget(parent), m(std::make_unique<Impl>()) {
@@ -51,8 +52,15 @@ void TargetScene::makePicture() {
     setFocusProxy(m->view);
     m->props = std::make_unique<SceneProps>(m->view->renderer());
     m->targets = std::make_unique<TargetProps>(m->view->renderer());
-    m->view->setPrepare([this] { m->prepare(palette(), font()); });
-    m->view->setOverlay([this](QPainter& painter) { m->paint(painter, palette(), font()); });
+    m->view->setPrepare([this] {
+        m->surfacesAreNew = m->resurface;
+        m->prepare(palette(), font());
+    });
+    m->view->setOverlay([this](QPainter& painter) {
+        m->paint(painter, palette(), font());
+        if (m->surfacesAreNew)
+            emit surfacesDrawn();
+    });
     connect(m->view, &VtkView::cameraMoved, this, [this] { m->cameraIsPersons = true; });
     connect(m->view, &VtkView::cameraResetRequested, this, [this] { turnTo(m->preset); });
     connect(m->view, &VtkView::clicked, this, &TargetScene::pick);

@@ -81,6 +81,7 @@ public:
 signals:
     /// A point was clicked: the end-effector's coordinates, with the held angles, and a sentence an object.
     void posePicked(const bask::Vector6d& coordinates, const QStringList& words);
+    void surfacesDrawn(); ///< the first frame with new surfaces was made
 
 protected:
     void changeEvent(QEvent* event) override;
