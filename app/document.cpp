@@ -1,6 +1,7 @@
 #include "app/document.h"
 
 #include "engine/runtime/rig_setup.h"
+#include "engine/runtime/simulated_run.h"
 
 #include <QFileInfo>
 
@@ -32,7 +33,7 @@ void Document::open(const Experiment& experiment, const QString& path) {
     m_kept.clear();
     emit opened();
     emit modifiedChanged();
-    judgeTargets();
+    judge(m_experiment);
 }
 
 void Document::markSaved(const QString& path) {
@@ -55,7 +56,7 @@ Result<void> Document::edit(const Experiment& experiment) {
         return adopted;
     m_lookup.reset();
     emit edited();
-    judgeTargets();
+    judge(m_experiment);
     return {};
 }
 
@@ -66,7 +67,7 @@ Result<void> Document::setTargets(const std::vector<double>& targets_K) {
     if (const auto adopted = adopt(changed); !adopted)
         return adopted;
     emit targetsChanged();
-    judgeTargets();
+    judge(m_experiment);
     return {};
 }
 
@@ -75,19 +76,27 @@ Result<void> Document::setController(const ControllerSettings& settings) {
     changed.controller = settings;
     if (const auto adopted = adopt(changed); !adopted)
         return adopted;
+    dropPrediction();
     emit controllerChanged();
     return {};
 }
 
 void Document::setKept(const std::vector<bool>& kept) {
     m_kept = kept;
-    judgeTargets();
+    judge(m_experiment);
 }
 
-void Document::judgeTargets() {
+void Document::tryTargets(const std::vector<double>& targets_K) {
+    Experiment tried = m_experiment;
+    if (bask::setTargets(tried, targets_K))
+        judge(std::move(tried));
+}
+
+void Document::judge(Experiment experiment) {
+    dropPrediction();
     m_stale = true;
     emit verdictChanged();
-    const auto work = [experiment = m_experiment, lookup = m_lookup,
+    const auto work = [experiment = std::move(experiment), lookup = m_lookup,
                        kept = m_kept](const std::stop_token& stop) {
         FeasibilityRequest request = feasibilityRequest(experiment);
         request.lookup = lookup ? lookup : feasibilityLookup(request.geometry, request.rest);
@@ -100,6 +109,30 @@ void Document::judgeTargets() {
         m_lookup = std::move(judgement.lookup);
         m_stale = false;
         emit verdictChanged();
+    });
+}
+
+void Document::dropPrediction() {
+    m_predict.forget();
+    m_predicting = m_predicted = false;
+    emit predictionChanged();
+}
+
+void Document::predict() {
+    if (m_stale || !m_verdict || !m_verdict->feasible || m_predicted || m_predicting)
+        return;
+    for (std::size_t i = 0; i < m_experiment.objects.size(); ++i)
+        if (m_verdict->conditions1[i].target_K != m_experiment.objects[i].target_K)
+            return; // the verdict is on targets that were only tried
+    m_predicting = true;
+    const auto work = [experiment = m_experiment](const std::stop_token& stop) {
+        const auto settling_s = bask::predictedSettling_s(experiment, stop);
+        return settling_s ? *settling_s : std::nullopt; // one that cannot run does not settle
+    };
+    m_predict.run(work, [this](std::optional<double> settling_s) {
+        m_predicted = true;
+        m_predictedSettling_s = settling_s;
+        emit predictionChanged();
     });
 }
 

@@ -44,6 +44,16 @@ public:
     const std::optional<JointVerdict>& verdict() const { return m_verdict; }
     bool verdictStale() const { return m_stale; }
 
+    /// Judges targets that are only being considered; the experiment keeps its own.
+    void tryTargets(const std::vector<double>& targets_K);
+
+    /// Simulates a run with the experiment's targets and controller, if they can be held: a second or a few
+    /// of work off the thread. Any edit drops it.
+    void predict();
+    bool predicted() const { return m_predicted; }
+    /// Once predicted: when all objects have settled; empty: not within the experiment's duration limit.
+    const std::optional<double>& predictedSettling_s() const { return m_predictedSettling_s; }
+
     /// What File > New makes: one painted disk over the default source.
     static Experiment blank();
 
@@ -55,10 +65,12 @@ signals:
     void controllerChanged();
     void modifiedChanged();
     void verdictChanged();
+    void predictionChanged();
 
 private:
     Result<void> adopt(const Experiment& experiment);
-    void judgeTargets();
+    void judge(Experiment experiment);
+    void dropPrediction();
 
     Experiment m_experiment;
     QString m_path;
@@ -73,6 +85,10 @@ private:
     std::vector<bool> m_kept;
     bool m_stale = true;
     LatestJob<Judgement> m_judge;
+    bool m_predicting = false;
+    bool m_predicted = false;
+    std::optional<double> m_predictedSettling_s;
+    LatestJob<std::optional<double>> m_predict;
 };
 
 } // namespace bask

@@ -98,7 +98,13 @@ void PageHost::connectDocument() {
         else
             m_targets->setVerdict(*m_document.verdict());
     });
+    connect(&m_document, &Document::predictionChanged, this, [this] {
+        if (m_document.predicted())
+            m_targets->setPrediction(m_document.predictedSettling_s());
+    });
     connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
+    connect(m_targets, &TargetsPage::targetsTried, &m_document, &Document::tryTargets);
+    connect(m_targets, &TargetsPage::predictionWanted, &m_document, &Document::predict);
     connect(m_targets, &TargetsPage::problem, this, &PageHost::showProblem);
     connect(m_targets, &TargetsPage::startWanted, this, [this](const Vector6d& pose) {
         Experiment changed = m_document.experiment();

@@ -735,6 +735,21 @@
         </message>
     </context>
     <context>
+        <name>TargetsPage</name>
+        <message>
+            <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
+            <translation>Prévision : partant de la pose de départ, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
+        </message>
+        <message>
+            <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
+            <translation>Prévision : partant de la pose de départ, un essai est stabilisé au bout de %1 (simulé).</translation>
+        </message>
+        <message>
+            <source>Predicting how long a run takes…</source>
+            <translation>Prévision de la durée d'un essai…</translation>
+        </message>
+    </context>
+    <context>
         <name>Verb</name>
         <message>
             <source>Arm</source>

@@ -5,18 +5,23 @@
 #include "widgets/targets/verdict_text.h"
 
 #include <QEvent>
+#include <QMouseEvent>
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bask {
 namespace {
 constexpr double kSide = 26.0;
 constexpr double kTrackHeight = 14.0;
+constexpr double kGrab = 9.0;     // px to each side of the mark
+constexpr double kDragStep = 0.5; // degrees of the unit shown
 } // namespace
 
 ReachBar::ReachBar(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setMouseTracking(true);
     describe();
 }
 
@@ -69,6 +74,42 @@ void ReachBar::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
         describe();
     QWidget::changeEvent(event);
+}
+
+void ReachBar::setEditable(bool editable) {
+    m_editable = editable;
+    if (!editable)
+        unsetCursor();
+}
+
+bool ReachBar::isOnMark(QPointF place) const {
+    return m_editable && std::abs(place.x() - x(m_target_K)) <= kGrab;
+}
+
+void ReachBar::mousePressEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || !isOnMark(event->position()))
+        return QWidget::mousePressEvent(event);
+    m_grip = event->position().x() - x(m_target_K);
+    m_moved = false;
+    event->accept();
+}
+
+void ReachBar::mouseMoveEvent(QMouseEvent* event) {
+    if (!m_grip)
+        return isOnMark(event->position()) ? setCursor(Qt::SizeHorCursor) : unsetCursor();
+    const double share = (event->position().x() - *m_grip - kSide) / (width() - 2.0 * kSide);
+    const double t_K = m_low_K + std::clamp(share, 0.0, 1.0) * (m_high_K - m_low_K);
+    const double step = std::round(displayTemperature(t_K, m_unit) / kDragStep) * kDragStep;
+    m_moved = true;
+    emit targetDragged(kelvinFromDisplay(step, m_unit));
+}
+
+void ReachBar::mouseReleaseEvent(QMouseEvent* event) {
+    if (!m_grip || event->button() != Qt::LeftButton)
+        return QWidget::mouseReleaseEvent(event);
+    m_grip.reset();
+    if (m_moved)
+        emit targetDropped();
 }
 
 QSize ReachBar::sizeHint() const {

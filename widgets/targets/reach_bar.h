@@ -11,7 +11,7 @@
 namespace bask {
 
 /// All bars of a page share one axis. Solid: reachable in the workspace; outlined: what the source could hold
-/// at F = 1.
+/// at F = 1. The mark can be dragged, only by itself: a click elsewhere on the bar does nothing.
 class ReachBar : public QWidget {
     Q_OBJECT
 
@@ -24,16 +24,26 @@ public:
     void setStale(bool stale);
     void setSeries(int index);
     void setTemperatureUnit(TemperatureUnit unit);
+    void setEditable(bool editable);
 
     QSize minimumSizeHint() const override { return {180, sizeHint().height()}; }
     QSize sizeHint() const override; ///< two lines of text and the bar
 
+signals:
+    /// In steps of half a degree of the unit shown, within the bar's axis.
+    void targetDragged(double target_K);
+    void targetDropped();
+
 protected:
     void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     double x(double t_K) const;
+    bool isOnMark(QPointF place) const;
     void paintBands(QPainter& painter, const QRectF& track) const;
     void paintTarget(QPainter& painter, const QRectF& track) const;
     void describe();
@@ -43,6 +53,9 @@ private:
     double m_target_K = 298.15;
     std::optional<TargetVerdict> m_verdict;
     bool m_stale = true;
+    bool m_editable = false;
+    std::optional<double> m_grip; ///< while dragged: from the mark to the pointer, px
+    bool m_moved = false;
     int m_series = 0;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };

@@ -184,6 +184,9 @@ void TargetsPage::addRow(int index) {
     made.name->setBuddy(made.target);
     connect(made.target, &QuantitySpinBox::valueEdited_K, this,
             [this, row](double target_K) { editTarget(row, target_K); });
+    connect(made.bar, &ReachBar::targetDragged, this,
+            [this, row](double target_K) { dragTarget(row, target_K); });
+    connect(made.bar, &ReachBar::targetDropped, this, [this] { emit targetsEdited(targets_K()); });
     connect(made.keep, &QCheckBox::toggled, this, [this] {
         m_stale = true;
         showAll();
@@ -231,7 +234,24 @@ void TargetsPage::setVerdict(const JointVerdict& verdict) {
         m_surfaces->setVerdict(verdict);
     }
     m_stale = false;
+    m_prediction_s.reset();
     showAll();
+    askPrediction();
+}
+
+void TargetsPage::setPrediction(const std::optional<double>& settling_s) {
+    m_prediction_s = settling_s;
+    showJoint();
+}
+
+void TargetsPage::askPrediction() {
+    if (isVisible() && m_verdict && m_verdict->feasible && !m_stale && !m_prediction_s)
+        emit predictionWanted();
+}
+
+void TargetsPage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    askPrediction();
 }
 
 void TargetsPage::setStale(bool stale) {
@@ -275,6 +295,15 @@ void TargetsPage::editTarget(std::size_t row, double target_K) {
     emit targetsEdited(targets_K());
 }
 
+/// Bars tell of every step; the experiment is edited when the mark is let go.
+void TargetsPage::dragTarget(std::size_t row, double target_K) {
+    if (row >= m_experiment.objects.size() || m_experiment.objects[row].target_K == target_K)
+        return;
+    m_experiment.objects[row].target_K = target_K;
+    showAll();
+    emit targetsTried(targets_K());
+}
+
 void TargetsPage::useNearest(std::size_t row) {
     if (m_verdict && row < m_verdict->conditions1.size())
         editTarget(row, nearestReachable_K(m_verdict->conditions1[row], m_unit));
@@ -314,6 +343,7 @@ void TargetsPage::showRow(std::size_t i) {
     row.bar->setTarget_K(object.target_K);
     row.bar->setVerdict(known ? std::optional(own) : std::nullopt);
     row.bar->setStale(stale);
+    row.bar->setEditable(m_editable);
 
     const FeasibilityVerdict verdict = known ? verdictHere(own) : FeasibilityVerdict::Reachable;
     const bool bad = !stale && verdict != FeasibilityVerdict::Reachable;
@@ -382,8 +412,10 @@ QString TargetsPage::jointDetail() const {
         return {};
     if (verdict.feasible)
         return tr("At %1; %2 cm from the nearest limit: %3.")
-            .arg(poseText(verdict.pose, m_experiment.robot),
-                 QLocale().toString(verdict.margin.distance_m * 100.0, 'f', 1), limitWord(verdict.margin));
+                   .arg(poseText(verdict.pose, m_experiment.robot),
+                        QLocale().toString(verdict.margin.distance_m * 100.0, 'f', 1),
+                        limitWord(verdict.margin)) +
+               QLatin1Char('\n') + predictionText();
     QStringList residuals, nearest;
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         residuals << QStringLiteral("%1 %2").arg(objectName(i),
@@ -398,6 +430,16 @@ QString TargetsPage::jointDetail() const {
     if (!verdict.heldKept)
         text += QLatin1Char(' ') + tr("Those to be kept cannot be held together.");
     return text;
+}
+
+QString TargetsPage::predictionText() const {
+    if (!m_prediction_s)
+        return tr("Predicting how long a run takes\u2026");
+    if (!*m_prediction_s)
+        return tr("Predicted: a run from the start pose does not settle within %1 (simulated).")
+            .arg(formatDuration(m_experiment.simulation.durationLimit_s));
+    return tr("Predicted: a run from the start pose has settled after %1 (simulated).")
+        .arg(formatDuration(**m_prediction_s));
 }
 
 void TargetsPage::showAll() {

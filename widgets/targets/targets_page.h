@@ -38,6 +38,9 @@ public:
     /// Of the experiment's objects, in their order; of another number of them it is taken as none.
     void setVerdict(const JointVerdict& verdict);
     void setStale(bool stale);
+    /// Of the verdict shown, once predictionWanted() is answered: when all have settled on the simulated rig;
+    /// empty: not within the experiment's duration limit.
+    void setPrediction(const std::optional<double>& settling_s);
     /// Targets may be edited during a run too; `why` is shown when they may not.
     void setEditable(bool editable, const QString& why = {});
     void setTemperatureUnit(TemperatureUnit unit);
@@ -48,18 +51,25 @@ public:
 
 signals:
     void targetsEdited(const std::vector<double>& targets_K);
+    /// Targets while one is dragged: their verdict is wanted, no more. targetsEdited follows at the end.
+    void targetsTried(const std::vector<double>& targets_K);
+    /// The targets can be held and the page is looked at.
+    void predictionWanted();
     void keptChanged(const std::vector<bool>& kept);
     void startWanted(const bask::Vector6d& pose);
     void problem(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
 
 private:
     struct Row;
     void buildRows();
     void addRow(int index);
     void editTarget(std::size_t row, double target_K);
+    void dragTarget(std::size_t row, double target_K);
+    void askPrediction();
     void useNearest(std::size_t row);
     void useNearestTogether();
     bool rowStale(std::size_t row) const;
@@ -68,12 +78,14 @@ private:
     void showJoint();
     QString objectName(std::size_t row) const;
     QString jointDetail() const;
+    QString predictionText() const;
     void showAll();
     void refreshTexts();
 
     Experiment m_experiment;
     std::optional<JointVerdict> m_verdict;
     bool m_stale = true;
+    std::optional<std::optional<double>> m_prediction_s; ///< of the verdict; empty: not known yet
     bool m_editable = true;
     QString m_why;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;

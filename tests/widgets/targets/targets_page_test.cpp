@@ -4,6 +4,7 @@
 #include "tests/support/longer_translator.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
+#include "widgets/targets/reach_bar.h"
 #include "widgets/targets/verdict_text.h"
 
 #include <QApplication>
@@ -16,6 +17,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bask {
 namespace {
@@ -114,6 +116,61 @@ TEST_F(TargetsPageTest, HeldTogether) {
     EXPECT_TRUE(text("jointDetail").contains("z +6.0 cm")) << text("jointDetail").toStdString();
     EXPECT_TRUE(text("jointDetail").contains("2.1 cm from the nearest limit: clearance"));
     EXPECT_FALSE(child<QPushButton>("useNearest")->isVisible());
+}
+
+// Catches a predicted time of another verdict, and one that is asked for though nothing can be held.
+TEST_F(TargetsPageTest, TheTimeIsPredictedForWhatCanBeHeld) {
+    QSignalSpy wanted{&page, &TargetsPage::predictionWanted};
+    page.setVerdict(joint({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)}));
+    EXPECT_EQ(wanted.count(), 0);
+    const auto feasible = joint({verdict(40.0, 0.16), verdict(40.0, 0.16), verdict(40.0, 0.16)});
+    page.setExperiment(experimentWith({40.0, 40.0, 40.0}));
+    page.setVerdict(feasible);
+    EXPECT_EQ(wanted.count(), 1);
+    EXPECT_TRUE(text("jointDetail").contains("Predicting"));
+    page.setPrediction(77.0);
+    EXPECT_TRUE(text("jointDetail").contains("has settled after 1:17")) << text("jointDetail").toStdString();
+    page.setPrediction(std::nullopt);
+    EXPECT_TRUE(text("jointDetail").contains("does not settle within"));
+    page.setVerdict(feasible);
+    EXPECT_TRUE(text("jointDetail").contains("Predicting"));
+    page.hide();
+    page.setVerdict(feasible);
+    EXPECT_EQ(wanted.count(), 2);
+    page.show();
+    EXPECT_EQ(wanted.count(), 3);
+}
+
+// Catches a mark that cannot be dragged, a drag that edits the experiment at each step or not at its end, and
+// a bar that a click beside the mark changes.
+TEST_F(TargetsPageTest, ATargetIsDraggedInItsBar) {
+    QSignalSpy tried{&page, &TargetsPage::targetsTried};
+    auto* bar = child<ReachBar>("reach0");
+    // The axis: 25.0 to 95.4 degC with 12 % to each side, between 26 px of margin.
+    const double low = 25.0 - 0.12 * 70.4, width = 1.24 * 70.4;
+    const auto at = [&](double t_degC) {
+        return QPoint(static_cast<int>(std::lround(26.0 + (t_degC - low) / width * (bar->width() - 52.0))),
+                      bar->height() / 2);
+    };
+    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.0));
+    QTest::mouseMove(bar, at(70.0));
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, at(70.0));
+    EXPECT_EQ(tried.count() + edited.count(), 0);
+    QTest::mousePress(bar, Qt::LeftButton, {}, at(40.0));
+    QTest::mouseMove(bar, at(50.0));
+    QTest::mouseMove(bar, at(60.0));
+    EXPECT_EQ(tried.count(), 2);
+    EXPECT_EQ(edited.count(), 0);
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, at(60.0));
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_NEAR(lastTargets()[0], kelvinFromCelsius(60.0), 0.51);
+    EXPECT_NEAR(std::remainder(celsiusFromKelvin(lastTargets()[0]), 0.5), 0.0, 1e-9);
+    EXPECT_NEAR(lastTargets()[1], kelvinFromCelsius(120.0), 1e-9);
+    page.setEditable(false);
+    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.0));
+    QTest::mouseMove(bar, at(50.0));
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, at(50.0));
+    EXPECT_EQ(edited.count(), 1);
 }
 
 // Catches nearest targets that are rounded, or sent one by one.
