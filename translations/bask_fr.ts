@@ -572,7 +572,7 @@
         </message>
         <message>
             <source>the view factor hardly varied (by %1), so heating and cooling cannot be told apart; record a run that moves</source>
-            <translation>le facteur de vue n’a guère varié (de %1), donc l’échauffement et le refroidissement ne se distinguent pas ; enregistrez un essai avec des mouvements</translation>
+            <translation>le facteur de forme n’a guère varié (de %1), donc l’échauffement et le refroidissement ne se distinguent pas ; enregistrez un essai avec des mouvements</translation>
         </message>
         <message>
             <source>the record tells %1 within %2 % only; at most 25 % can be used; record a run that heats and cools more</source>

@@ -18,7 +18,7 @@ struct SimulatedRunOptions {
         duration_s; ///< empty: until all have been settled for kSettledFor_s, at most the experiment's limit
     std::string sessionPath;                                         ///< empty: not recorded
     std::function<void(double time_s, const TraceSample&)> progress; ///< called every sample; may be empty
-    std::stop_token stop = {}; ///< ends the run where it is
+    std::stop_token stop = {};                                       ///< ends the run where it is
 };
 
 /// Outcome for one object, judged on the plant's true temperature.
