@@ -3049,8 +3049,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Ce qui est vérifié</translation>
         </message>
         <message>
-            <source>To stay at its target an object must take up as much heat as it gives off. That fixes its view factor F, the share of its sight that the source fills: near 0 far away, near 1 close to the source and facing it. A target is reachable if its F occurs somewhere in the robot's workspace with the clearance kept. In the bars, solid is what can be held here, outlined what the source could hold at F = 1.</source>
-            <translation>Pour rester à sa consigne, un objet doit recevoir autant de chaleur qu’il en cède. Cela fixe son facteur de forme F, la part de son champ de vue que la source remplit : proche de 0 au loin, proche de 1 tout près et face à elle. Une consigne est atteignable si son F existe quelque part dans l’espace de travail du robot, la garde étant respectée. Dans les barres, le plein est ce qui peut être tenu ici, le contour ce que la source pourrait tenir à F = 1.</translation>
+            <source>To stay at its target an object must take up as much heat as it gives off. That fixes its view factor F, the share of its sight that the source fills: near 0 far away, near 1 close to the source and facing it. A target is reachable if its F occurs somewhere in the robot's workspace with the clearance kept; all can be held together if one pose has the F of each. In the bars, solid is what can be held here, outlined what the source could hold at F = 1.</source>
+            <translation>Pour rester à sa consigne, un objet doit recevoir autant de chaleur qu’il en cède. Cela fixe son facteur de forme F, la part de son champ de vue que la source remplit : proche de 0 au loin, proche de 1 tout près et face à elle. Une consigne est atteignable si son F existe quelque part dans l’espace de travail du robot, la garde étant respectée ; toutes peuvent être tenues ensemble si une pose offre à chaque objet son F. Dans les barres, le plein est ce qui peut être tenu ici, le contour ce que la source pourrait tenir à F = 1.</translation>
         </message>
         <message>
             <source>Starting out of reach</source>
@@ -3065,8 +3065,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Toutes les consignes peuvent être tenues ensemble.</translation>
         </message>
         <message>
-            <source>At %1; %2 cm from the nearest limit: %3.</source>
-            <translation>En %1 ; à %2 cm de la limite la plus proche : %3.</translation>
+            <source>At %1; %2 from the nearest limit: %3.</source>
+            <translation>En %1 ; à %2 de la limite la plus proche : %3.</translation>
         </message>
         <message>
             <source>Best compromise, at %1: %2.</source>

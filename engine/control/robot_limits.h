@@ -9,6 +9,9 @@
 
 namespace bask {
 
+/// Length that a radian counts as beside metres, where poses' distances are one number.
+inline constexpr double kRadianLength_m = 0.1;
+
 /// Limits in the end-effector's coordinates (x, y, z, theta_x, theta_y, theta_z; m, rad) in the robot's base
 /// R.
 struct RobotLimits {

@@ -70,9 +70,6 @@ private:
     Eigen::ArrayXXd m_T_K;
 };
 
-/// Length that a radian counts as beside metres.
-inline constexpr double kRadianLength_m = 0.1;
-
 /// The limit that a pose is nearest to.
 struct LimitDistance {
     double distance_m = 0.0; ///< a radian counts as kRadianLength_m

@@ -411,9 +411,8 @@ QString TargetsPage::jointDetail() const {
     if (!verdict.anyPose)
         return {};
     if (verdict.feasible)
-        return tr("At %1; %2 cm from the nearest limit: %3.")
-                   .arg(poseText(verdict.pose, m_experiment.robot),
-                        QLocale().toString(verdict.margin.distance_m * 100.0, 'f', 1),
+        return tr("At %1; %2 from the nearest limit: %3.")
+                   .arg(poseText(verdict.pose, m_experiment.robot), marginText(verdict.margin),
                         limitWord(verdict.margin)) +
                QLatin1Char('\n') + predictionText();
     QStringList residuals, nearest;
@@ -468,12 +467,10 @@ void TargetsPage::refreshTexts() {
     m_explanationTitle->setText(tr("What is checked"));
     m_explanation->setText(
         tr("To stay at its target an object must take up as much heat as it gives off. That fixes its view "
-           "factor F, "
-           "the share of its sight that the source fills: near 0 far away, near 1 close to the source and "
-           "facing it. "
-           "A target is reachable if its F occurs somewhere in the robot's workspace with the clearance "
-           "kept. In the "
-           "bars, solid is what can be held here, outlined what the source could hold at F = 1."));
+           "factor F, the share of its sight that the source fills: near 0 far away, near 1 close to the "
+           "source and facing it. A target is reachable if its F occurs somewhere in the robot's workspace "
+           "with the clearance kept; all can be held together if one pose has the F of each. In the bars, "
+           "solid is what can be held here, outlined what the source could hold at F = 1."));
     m_infeasibleTitle->setText(tr("Starting out of reach"));
     m_infeasible->setText(tr("A run with a target out of reach needs your explicit agreement at Start. It "
                              "holds the best compromise it "

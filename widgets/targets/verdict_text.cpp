@@ -111,6 +111,12 @@ QString poseText(const Vector6d& pose, const RobotLimits& robot) {
     return parts.join(QStringLiteral(", "));
 }
 
+QString marginText(const PoseMargin& margin) {
+    if (margin.limit == Limit::Workspace && margin.coordinate >= kThetaX)
+        return QLocale().toString(degFromRad(margin.distance_m / kRadianLength_m), 'f', 1) + u'\u00b0';
+    return QLocale().toString(margin.distance_m * 100.0, 'f', 1) + QStringLiteral("\u00a0cm");
+}
+
 QString limitWord(const PoseMargin& margin) {
     return margin.limit == Limit::Clearance ? Words::tr("clearance")
                                             : Words::tr("workspace %1").arg(axisName(margin.coordinate));

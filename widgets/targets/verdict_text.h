@@ -24,6 +24,8 @@ double nearestReachable_K(const TargetVerdict& verdict, TemperatureUnit unit);
 QString coordinateText(int coordinate, double value);
 /// "x 1.2 cm, y -3.4 cm, θx 10.0°": the coordinates that the robot moves.
 QString poseText(const Vector6d& pose, const RobotLimits& robot);
+/// "2.1 cm", of an angle "12.0°".
+QString marginText(const PoseMargin& margin);
 /// "clearance", "workspace z".
 QString limitWord(const PoseMargin& margin);
 

@@ -115,6 +115,10 @@ TEST_F(TargetsPageTest, HeldTogether) {
     EXPECT_EQ(text("jointVerdict"), "All targets can be held together.");
     EXPECT_TRUE(text("jointDetail").contains("z +6.0 cm")) << text("jointDetail").toStdString();
     EXPECT_TRUE(text("jointDetail").contains("2.1 cm from the nearest limit: clearance"));
+    PoseMargin angle;
+    angle.distance_m = 0.05;
+    angle.coordinate = kThetaX;
+    EXPECT_EQ(marginText(angle), QStringLiteral("28.6\u00b0")); // half a radian
     EXPECT_FALSE(child<QPushButton>("useNearest")->isVisible());
 }
 
