@@ -29,6 +29,7 @@ void Document::open(const Experiment& experiment, const QString& path) {
     m_modified = false;
     m_verdict.reset();
     m_lookup.reset();
+    m_pairs.reset();
     m_kept.clear();
     emit opened();
     emit modifiedChanged();
@@ -54,6 +55,7 @@ Result<void> Document::edit(const Experiment& experiment) {
     if (const auto adopted = adopt(experiment); !adopted)
         return adopted;
     m_lookup.reset();
+    m_pairs.reset();
     emit edited();
     judgeTargets();
     return {};
@@ -86,6 +88,8 @@ void Document::setKept(const std::vector<bool>& kept) {
 
 void Document::judgeTargets() {
     m_stale = true;
+    m_pairsPlaced = false;
+    m_map.forget();
     emit verdictChanged();
     const auto work = [experiment = m_experiment, lookup = m_lookup,
                        kept = m_kept](const std::stop_token& stop) {
@@ -100,6 +104,31 @@ void Document::judgeTargets() {
         m_lookup = std::move(judgement.lookup);
         m_stale = false;
         emit verdictChanged();
+        mapPairs();
+    });
+}
+
+void Document::wantPairs(bool wanted) {
+    m_pairsWanted = wanted;
+    if (wanted)
+        mapPairs();
+    else
+        m_map.forget();
+}
+
+void Document::mapPairs() {
+    if (!m_pairsWanted || m_pairsPlaced || m_stale)
+        return;
+    const auto work = [experiment = m_experiment, lookup = m_lookup,
+                       known = m_pairs](const std::stop_token& stop) {
+        FeasibilityRequest request = feasibilityRequest(experiment);
+        request.lookup = lookup;
+        return known ? placeTargets(*known, request, stop) : reachablePairs(request, stop);
+    };
+    m_map.run(work, [this](std::optional<std::vector<ReachableMap>> pairs) {
+        m_pairs = std::move(pairs);
+        m_pairsPlaced = true;
+        emit pairsChanged();
     });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The experiment that is open: its value, its file, whether it was changed, and the verdict on its targets.
 
-#include "engine/control/joint_feasibility.h"
+#include "engine/control/reachable_pairs.h"
 #include "engine/session/experiment.h"
 #include "widgets/common/latest_job.h"
 
@@ -15,7 +15,8 @@
 namespace bask {
 
 /// GUI thread. Only valid experiments get in; the verdict is computed off the thread and is stale until it is
-/// there; a newer edit stops the work on an older one.
+/// there; a newer edit stops the work on an older one. So are the maps of reachable pairs, after the verdict
+/// and while somebody wants them.
 class Document : public QObject {
     Q_OBJECT
 
@@ -44,6 +45,11 @@ public:
     const std::optional<JointVerdict>& verdict() const { return m_verdict; }
     bool verdictStale() const { return m_stale; }
 
+    /// Maps of all pairs of objects are made, and follow edits, only while they are wanted.
+    void wantPairs(bool wanted);
+    /// Of the present objects, source and robot; each says for which targets. Empty: not made yet.
+    const std::optional<std::vector<ReachableMap>>& pairs() const { return m_pairs; }
+
     /// What File > New makes: one painted disk over the default source.
     static Experiment blank();
 
@@ -55,10 +61,13 @@ signals:
     void controllerChanged();
     void modifiedChanged();
     void verdictChanged();
+    /// There are new ones.
+    void pairsChanged();
 
 private:
     Result<void> adopt(const Experiment& experiment);
     void judgeTargets();
+    void mapPairs();
 
     Experiment m_experiment;
     QString m_path;
@@ -73,6 +82,10 @@ private:
     std::vector<bool> m_kept;
     bool m_stale = true;
     LatestJob<Judgement> m_judge;
+    std::optional<std::vector<ReachableMap>> m_pairs; ///< of the present objects, source and robot
+    bool m_pairsWanted = false;
+    bool m_pairsPlaced = false; ///< and of the present targets
+    LatestJob<std::optional<std::vector<ReachableMap>>> m_map;
 };
 
 } // namespace bask

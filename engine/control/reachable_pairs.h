@@ -37,7 +37,7 @@ inline constexpr int kReachableCells = 48;
 std::optional<std::vector<ReachableMap>> reachablePairs(const FeasibilityRequest& request,
                                                         std::stop_token stop = {});
 
-/// The same maps seen from the request's targets, where nothing else of it changed: some 10 ms a pair.
+/// The same maps seen from the request's targets, where nothing else of it changed: 0.4 to 2.5 ms a pair.
 /// Empty when stopped.
 std::optional<std::vector<ReachableMap>>
 placeTargets(std::vector<ReachableMap> maps, const FeasibilityRequest& request, std::stop_token stop = {});
