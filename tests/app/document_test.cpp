@@ -86,8 +86,17 @@ TEST(Document, MapsOfPairsAreMadeWhileWanted) {
     EXPECT_NE(document.pairs()->at(0).density, density);
 
     document.wantPairs(false);
+    document.wantPairs(true); // has them
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(made, 3);
+    document.wantPairs(false);
     ASSERT_TRUE(document.setTargets({kelvinFromCelsius(40.0), kelvinFromCelsius(40.0)}).ok());
     ASSERT_TRUE(waitFor(settled));
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    document.wantPairs(true);
+    document.wantPairs(false); // looked away again
     EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
     QCoreApplication::processEvents();
     EXPECT_EQ(made, 3);
@@ -105,11 +114,11 @@ TEST(Document, MapsOfAnOlderExperimentAreNotHeard) {
     QObject::connect(&document, &Document::verdictChanged, [&] {
         if (document.verdictStale() || document.experiment().objects.size() != 2)
             return;
-        QTimer::singleShot(0, &document, [&document] { // while the maps are being made
+        QTimer::singleShot(0, &document, [&document] {
+            EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000)); // made, but not heard of
             Experiment fewer = document.experiment();
             fewer.objects.pop_back();
             EXPECT_TRUE(document.edit(fewer).ok());
-            EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000)); // theirs would come first
         });
     });
     document.open(twoCircles(40.0, 40.0), {});
