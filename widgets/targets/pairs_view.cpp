@@ -10,7 +10,6 @@
 #include <QDir>
 #include <QEvent>
 #include <QFileDialog>
-#include <QFileInfo>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QImageReader>
@@ -33,39 +32,46 @@ constexpr QSize kPicture(480, 480);
 constexpr double kPictureScale = 2.0;
 const QString kMarkKey = QStringLiteral("Description"); // of a PNG
 
-/// A table or a picture and where it goes.
-struct ExportFile {
-    QString path;
-    QByteArray table; ///< empty: the picture
+/// A map, its picture, and the path of both but for the ending.
+struct ExportedMap {
+    QString stem;
+    ReachableMap map;
     QImage picture;
 };
 
-bool mayReplace(const ExportFile& file) {
-    if (QFileInfo(file.path).size() == 0) // or not there
+/// Nothing is there, or an earlier export.
+bool mayReplace(const QString& path) {
+    constexpr qint64 kLongest = 200;
+    QFile there(path);
+    if (there.size() == 0 || QImageReader(path).text(kMarkKey) == QLatin1String(kReachableMark))
         return true;
-    if (file.table.isEmpty())
-        return QImageReader(file.path).text(kMarkKey) == QLatin1String(kReachableMark);
-    QFile there(file.path);
-    return there.open(QIODevice::ReadOnly) && there.readLine().startsWith(kReachableMark);
+    return there.open(QIODevice::ReadOnly) && there.readLine(kLongest).startsWith(kReachableMark);
 }
 
-bool write(const ExportFile& file, QSaveFile& to) {
-    if (!to.open(QIODevice::WriteOnly))
-        return false;
-    const bool written =
-        file.table.isEmpty() ? file.picture.save(&to, "PNG") : to.write(file.table) == file.table.size();
-    return written && to.commit();
+template <class Write> Result<void> writeWhole(const QString& path, Write write) {
+    QSaveFile file(path);
+    if (file.open(QIODevice::WriteOnly) && write(file) && file.commit())
+        return {};
+    return Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()});
 }
 
-Result<void> writeFiles(const std::vector<ExportFile>& files) {
-    for (const ExportFile& file : files)
-        if (!mayReplace(file))
-            return Error(MessageCode::ExportForeign, file.path.toStdString());
-    for (const ExportFile& file : files) {
-        QSaveFile to(file.path);
-        if (!write(file, to))
-            return Error(MessageCode::FileUnwritable, file.path.toStdString(),
-                         {to.errorString().toStdString()});
+Result<void> writeMaps(const std::vector<ExportedMap>& maps, const std::vector<std::string>& names) {
+    const auto table = [](const ExportedMap& map) { return map.stem + QStringLiteral(".csv"); };
+    const auto picture = [](const ExportedMap& map) { return map.stem + QStringLiteral(".png"); };
+    for (const ExportedMap& map : maps)
+        for (const QString& path : {table(map), picture(map)})
+            if (!mayReplace(path))
+                return Error(MessageCode::ExportForeign, path.toStdString());
+    for (const ExportedMap& map : maps) {
+        const QByteArray text = QByteArray::fromStdString(reachableCsv(names, map.map));
+        const auto written =
+            writeWhole(table(map), [&](QIODevice& to) { return to.write(text) == text.size(); });
+        if (!written)
+            return written;
+        const auto drawn =
+            writeWhole(picture(map), [&](QIODevice& to) { return map.picture.save(&to, "PNG"); });
+        if (!drawn)
+            return drawn;
     }
     return {};
 }
@@ -209,18 +215,15 @@ void PairsView::exportTo(const QString& folder) {
     std::vector<std::string> names;
     for (const ObjectSpec& object : m_experiment.objects)
         names.push_back(object.name);
-    std::vector<ExportFile> files;
+    std::vector<ExportedMap> maps;
     for (std::size_t i = 0; i < m_made.size(); ++i) {
         const ReachableMap& map = m_made[i];
-        const QString stem =
-            QDir(folder).filePath(QString::fromStdString(reachableFileStem(map.first, map.second)));
+        const QString stem = QString::fromStdString(reachableFileStem(map.first, map.second));
         QImage picture = m_maps[i]->picture(kPicture, kPictureScale);
         picture.setText(kMarkKey, QLatin1String(kReachableMark));
-        files.push_back(
-            {stem + QStringLiteral(".csv"), QByteArray::fromStdString(reachableCsv(names, map)), {}});
-        files.push_back({stem + QStringLiteral(".png"), {}, std::move(picture)});
+        maps.push_back({QDir(folder).filePath(stem), map, std::move(picture)});
     }
-    m_export.run([files = std::move(files)] { return writeFiles(files); },
+    m_export.run([maps = std::move(maps), names = std::move(names)] { return writeMaps(maps, names); },
                  [this, folder](Result<void> written) {
                      if (!written)
                          emit problem(

@@ -292,9 +292,11 @@ void ReachMap::paintCells(QPainter& painter, const Axes& axes) const {
     painter.setOpacity(1.0);
     painter.setPen(
         QPen(palette().color(m_stale ? QPalette::Disabled : QPalette::Active, QPalette::WindowText), 1.5,
-             Qt::SolidLine, Qt::RoundCap));
+             Qt::SolidLine, Qt::SquareCap));
+    painter.setRenderHint(QPainter::Antialiasing, false); // all lie along the axes
     for (const auto& [a_K, b_K] : m_map->boundary)
         painter.drawLine(axes.place(a_K), axes.place(b_K));
+    painter.setRenderHint(QPainter::Antialiasing);
     if (m_stale)
         painter.fillRect(axes.frame, QBrush(palette().color(QPalette::Window), Qt::BDiagPattern));
 }
