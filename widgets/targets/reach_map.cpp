@@ -177,16 +177,17 @@ void ReachMap::mousePressEvent(QMouseEvent* event) {
     if (!m_editable || !m_map || event->button() != Qt::LeftButton ||
         !axes(size()).frame.contains(event->position()))
         return;
-    m_proposed_K.reset();
+    m_dragging = true;
     pick(event->position());
 }
 
 void ReachMap::mouseMoveEvent(QMouseEvent* event) {
-    if (m_editable && m_map && event->buttons().testFlag(Qt::LeftButton))
+    if (m_dragging && m_editable)
         pick(event->position());
 }
 
 void ReachMap::mouseReleaseEvent(QMouseEvent*) {
+    m_dragging = false;
     if (m_waiting_K)
         propose(*std::exchange(m_waiting_K, std::nullopt));
     m_proposed_K.reset();

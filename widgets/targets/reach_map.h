@@ -71,6 +71,7 @@ private:
     bool m_stale = true;
     bool m_editable = true;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    bool m_dragging = false;
     std::optional<Eigen::Vector2d> m_proposed_K; ///< by a drag, not answered yet
     std::optional<Eigen::Vector2d> m_waiting_K;  ///< comes after it
 };
