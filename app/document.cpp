@@ -30,10 +30,11 @@ void Document::open(const Experiment& experiment, const QString& path) {
     m_modified = false;
     m_verdict.reset();
     m_lookup.reset();
+    m_pairs.reset();
     m_kept.clear();
     emit opened();
     emit modifiedChanged();
-    judge(m_experiment);
+    judgeTargets();
 }
 
 void Document::markSaved(const QString& path) {
@@ -55,8 +56,9 @@ Result<void> Document::edit(const Experiment& experiment) {
     if (const auto adopted = adopt(experiment); !adopted)
         return adopted;
     m_lookup.reset();
+    m_pairs.reset();
     emit edited();
-    judge(m_experiment);
+    judgeTargets();
     return {};
 }
 
@@ -67,7 +69,7 @@ Result<void> Document::setTargets(const std::vector<double>& targets_K) {
     if (const auto adopted = adopt(changed); !adopted)
         return adopted;
     emit targetsChanged();
-    judge(m_experiment);
+    judgeTargets();
     return {};
 }
 
@@ -83,21 +85,35 @@ Result<void> Document::setController(const ControllerSettings& settings) {
 
 void Document::setKept(const std::vector<bool>& kept) {
     m_kept = kept;
-    judge(m_experiment);
+    judgeTargets();
 }
 
 void Document::tryTargets(const std::vector<double>& targets_K) {
+    if (m_trying) {
+        m_nextTry_K = targets_K;
+        return;
+    }
     Experiment tried = m_experiment;
-    if (bask::setTargets(tried, targets_K))
-        judge(std::move(tried));
+    if (!bask::setTargets(tried, targets_K))
+        return;
+    m_trying = true;
+    judge(std::move(tried));
+}
+
+void Document::judgeTargets() {
+    m_trying = false;
+    m_nextTry_K.reset();
+    judge(m_experiment);
 }
 
 void Document::judge(Experiment experiment) {
     dropPrediction();
+    m_judged = std::move(experiment);
     m_stale = true;
+    m_pairsPlaced = false;
+    m_map.forget();
     emit verdictChanged();
-    const auto work = [experiment = std::move(experiment), lookup = m_lookup,
-                       kept = m_kept](const std::stop_token& stop) {
+    const auto work = [experiment = m_judged, lookup = m_lookup, kept = m_kept](const std::stop_token& stop) {
         FeasibilityRequest request = feasibilityRequest(experiment);
         request.lookup = lookup ? lookup : feasibilityLookup(request.geometry, request.rest);
         if (kept.size() == experiment.objects.size())
@@ -109,6 +125,41 @@ void Document::judge(Experiment experiment) {
         m_lookup = std::move(judgement.lookup);
         m_stale = false;
         emit verdictChanged();
+        if (m_pairsWanted)
+            mapPairs();
+        else
+            tryNext();
+    });
+}
+
+void Document::tryNext() {
+    m_trying = false;
+    if (m_nextTry_K)
+        tryTargets(*std::exchange(m_nextTry_K, std::nullopt));
+}
+
+void Document::wantPairs(bool wanted) {
+    m_pairsWanted = wanted;
+    if (wanted)
+        mapPairs();
+    else
+        m_map.forget();
+}
+
+void Document::mapPairs() {
+    if (m_pairsPlaced || m_stale)
+        return;
+    const auto work = [experiment = m_judged, lookup = m_lookup,
+                       known = m_pairs](const std::stop_token& stop) {
+        FeasibilityRequest request = feasibilityRequest(experiment);
+        request.lookup = lookup;
+        return known ? placeTargets(*known, request, stop) : reachablePairs(request, stop);
+    };
+    m_map.run(work, [this](std::optional<std::vector<ReachableMap>> pairs) {
+        m_pairs = std::move(pairs);
+        m_pairsPlaced = true;
+        emit pairsChanged();
+        tryNext();
     });
 }
 
@@ -121,9 +172,8 @@ void Document::dropPrediction() {
 void Document::predict() {
     if (m_stale || !m_verdict || !m_verdict->feasible || m_predicted || m_predicting)
         return;
-    for (std::size_t i = 0; i < m_experiment.objects.size(); ++i)
-        if (m_verdict->conditions1[i].target_K != m_experiment.objects[i].target_K)
-            return; // the verdict is on targets that were only tried
+    if (m_judged != m_experiment)
+        return; // the verdict is on targets that were only tried
     m_predicting = true;
     const auto work = [experiment = m_experiment](const std::stop_token& stop) {
         const auto settling_s = bask::predictedSettling_s(experiment, stop);

@@ -1,7 +1,7 @@
 #pragma once
 // The experiment that is open: its value, its file, whether it was changed, and the verdict on its targets.
 
-#include "engine/control/joint_feasibility.h"
+#include "engine/control/reachable_pairs.h"
 #include "engine/session/experiment.h"
 #include "widgets/common/latest_job.h"
 
@@ -15,7 +15,8 @@
 namespace bask {
 
 /// GUI thread. Only valid experiments get in; the verdict is computed off the thread and is stale until it is
-/// there; a newer edit stops the work on an older one.
+/// there; a newer edit stops the work on an older one. So are the maps of reachable pairs, after the verdict
+/// and while somebody wants them.
 class Document : public QObject {
     Q_OBJECT
 
@@ -44,7 +45,8 @@ public:
     const std::optional<JointVerdict>& verdict() const { return m_verdict; }
     bool verdictStale() const { return m_stale; }
 
-    /// Judges targets that are only being considered; the experiment keeps its own.
+    /// Judges targets that are only being considered; the experiment keeps its own. While one try is judged
+    /// the newest of those that follow waits.
     void tryTargets(const std::vector<double>& targets_K);
 
     /// Simulates a run with the experiment's targets and controller, if they can be held: a second or a few
@@ -53,6 +55,11 @@ public:
     bool predicted() const { return m_predicted; }
     /// Once predicted: when all objects have settled; empty: not within the experiment's duration limit.
     const std::optional<double>& predictedSettling_s() const { return m_predictedSettling_s; }
+
+    /// Maps of all pairs of objects are made, and follow edits, only while they are wanted.
+    void wantPairs(bool wanted);
+    /// Of the present objects, source and robot; each says for which targets. Empty: not made yet.
+    const std::optional<std::vector<ReachableMap>>& pairs() const { return m_pairs; }
 
     /// What File > New makes: one painted disk over the default source.
     static Experiment blank();
@@ -66,11 +73,15 @@ signals:
     void modifiedChanged();
     void verdictChanged();
     void predictionChanged();
+    void pairsChanged();
 
 private:
     Result<void> adopt(const Experiment& experiment);
+    void judgeTargets();
     void judge(Experiment experiment);
+    void tryNext();
     void dropPrediction();
+    void mapPairs();
 
     Experiment m_experiment;
     QString m_path;
@@ -85,10 +96,17 @@ private:
     std::vector<bool> m_kept;
     bool m_stale = true;
     LatestJob<Judgement> m_judge;
+    Experiment m_judged; ///< m_experiment, or with targets that are tried
+    bool m_trying = false;
+    std::optional<std::vector<double>> m_nextTry_K;
     bool m_predicting = false;
     bool m_predicted = false;
     std::optional<double> m_predictedSettling_s;
     LatestJob<std::optional<double>> m_predict;
+    std::optional<std::vector<ReachableMap>> m_pairs; ///< of the present objects, source and robot
+    bool m_pairsWanted = false;
+    bool m_pairsPlaced = false; ///< and of the present targets
+    LatestJob<std::optional<std::vector<ReachableMap>>> m_map;
 };
 
 } // namespace bask

@@ -102,10 +102,16 @@ void PageHost::connectDocument() {
         if (m_document.predicted())
             m_targets->setPrediction(m_document.predictedSettling_s());
     });
+    connect(m_targets, &TargetsPage::pairsWanted, &m_document, &Document::wantPairs);
+    connect(&m_document, &Document::pairsChanged, this, [this] {
+        if (m_document.pairs())
+            m_targets->setPairs(*m_document.pairs());
+    });
     connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
     connect(m_targets, &TargetsPage::targetsTried, &m_document, &Document::tryTargets);
     connect(m_targets, &TargetsPage::predictionWanted, &m_document, &Document::predict);
     connect(m_targets, &TargetsPage::problem, this, &PageHost::showProblem);
+    connect(m_targets, &TargetsPage::told, this, &PageHost::showNote);
     connect(m_targets, &TargetsPage::startWanted, this, [this](const Vector6d& pose) {
         Experiment changed = m_document.experiment();
         changed.start = pose;

@@ -37,6 +37,7 @@ VALUE_HEADERS = {
     "engine/control/reachable_pairs.h",
     "engine/control/rig_geometry.h",
     "engine/exchange/isosurface.h",
+    "engine/exchange/reachable_file.h",
     "engine/exchange/target_surfaces.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",

@@ -2282,6 +2282,49 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::PairsView</name>
+        <message>
+            <source>Folder for the tables and pictures</source>
+            <translation>Dossier pour les tables et les images</translation>
+        </message>
+        <message>
+            <source>Tables and pictures of the pairs written to %1</source>
+            <translation>Tables et images des paires écrites dans %1</translation>
+        </message>
+        <message>
+            <source>Maps need two objects or more.</source>
+            <translation>Les cartes demandent au moins deux objets.</translation>
+        </message>
+        <message>
+            <source>No pose of the workspace keeps the clearance: there is nothing to map.</source>
+            <translation>Aucune pose de l’espace de travail ne respecte la garde : il n’y a rien à représenter.</translation>
+        </message>
+        <message>
+            <source>Which temperatures two objects can have together, whatever the others do. Drag a point, or double-click, to set their targets.</source>
+            <translation>Températures que deux objets peuvent avoir ensemble, quoi que fassent les autres. Glisser un point, ou double-cliquer, pour fixer leurs consignes.</translation>
+        </message>
+        <message>
+            <source>few poses</source>
+            <translation>peu de poses</translation>
+        </message>
+        <message>
+            <source>many poses, logarithmic</source>
+            <translation>beaucoup de poses, logarithmique</translation>
+        </message>
+        <message>
+            <source>Share of the workspace&apos;s poses at which the pair settles there. Where it is small, the pair asks for a pose that is hard to keep.</source>
+            <translation>Part des poses de l’espace de travail où la paire se stabilise là. Là où elle est faible, la paire demande une pose difficile à tenir.</translation>
+        </message>
+        <message>
+            <source>Export…</source>
+            <translation>Exporter…</translation>
+        </message>
+        <message>
+            <source>Write each map as a table (CSV) and as a picture (PNG).</source>
+            <translation>Écrire chaque carte en table (CSV) et en image (PNG).</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::ReachBar</name>
         <message>
             <source>Reachable temperatures</source>
@@ -2294,6 +2337,37 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Target %1. Here it can be held between %2 and %3; with nothing but the source in view, up to %4.</source>
             <translation>Consigne %1. Ici, elle peut être tenue entre %2 et %3 ; avec la source seule en vue, jusqu’à %4.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ReachMap</name>
+        <message>
+            <source>Checking…</source>
+            <translation>Vérification…</translation>
+        </message>
+        <message>
+            <source>%1 inside</source>
+            <translation>%1 à l’intérieur</translation>
+        </message>
+        <message>
+            <source>%1 outside</source>
+            <translation>%1 à l’extérieur</translation>
+        </message>
+        <message>
+            <source>Temperatures that %1 and %2 can have together</source>
+            <translation>Températures que %1 et %2 peuvent avoir ensemble</translation>
+        </message>
+        <message>
+            <source>Targets %1 and %2: %3</source>
+            <translation>Consignes %1 et %2 : %3</translation>
+        </message>
+        <message>
+            <source>%1 %2 and %3 %4: some pose has both</source>
+            <translation>%1 à %2 et %3 à %4 : une pose a les deux</translation>
+        </message>
+        <message>
+            <source>%1 %2 and %3 %4: no pose has both</source>
+            <translation>%1 à %2 et %3 à %4 : aucune pose n’a les deux</translation>
         </message>
     </context>
     <context>
@@ -3103,6 +3177,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Use nearest feasible</source>
             <translation>Prendre les plus proches</translation>
+        </message>
+        <message>
+            <source>Surfaces</source>
+            <translation>Surfaces</translation>
+        </message>
+        <message>
+            <source>Pairs</source>
+            <translation>Paires</translation>
         </message>
     </context>
     <context>

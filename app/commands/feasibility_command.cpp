@@ -8,7 +8,7 @@
 #include "app/commands/study_output.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/control/reachable_pairs.h"
+#include "engine/exchange/reachable_file.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
 
@@ -191,48 +191,20 @@ void printVerdict(const Experiment& experiment, const JointVerdict& verdict,
         std::printf("the held targets cannot be held together either\n");
 }
 
-constexpr const char* kMapMark = "# Pairs of steady temperatures within the workspace";
-
-/// One map as a table, a row a cell, with its definitions in comment lines.
-std::string mapCsv(const Experiment& experiment, const ReachableMap& map) {
-    const std::string& first = experiment.objects[static_cast<std::size_t>(map.first)].name;
-    const std::string& second = experiment.objects[static_cast<std::size_t>(map.second)].name;
-    std::string text = std::string(kMapMark) + "\n# first: " + first + "\n# second: " + second +
-                       "\n# target_C: " + formatNumber(celsiusFromKelvin(map.target_K.x()), 6) + " " +
-                       formatNumber(celsiusFromKelvin(map.target_K.y()), 6) +
-                       (map.targetReachable ? "; a pose holds it, K to the boundary: "
-                                            : "; no pose holds it, K to the nearest pair that one holds: ") +
-                       formatNumber(map.distance_K) +
-                       "\n# first_C, second_C: centre of a cell. share: of the sampled poses, in the cell. "
-                       "reachable: 1 where some pose comes into the cell\n"
-                       "first_C,second_C,share,reachable\n";
-    for (int y = 0; y < map.cells; ++y)
-        for (int x = 0; x < map.cells; ++x) {
-            const Eigen::Vector2d centre_K =
-                map.lower_K + map.cell_K().cwiseProduct(Eigen::Vector2d(x + 0.5, y + 0.5));
-            const auto k = static_cast<std::size_t>(y * map.cells + x);
-            text += formatNumber(celsiusFromKelvin(centre_K.x()), 6) + "," +
-                    formatNumber(celsiusFromKelvin(centre_K.y()), 6) + "," + formatNumber(map.density[k]) +
-                    (map.reachable[k] ? ",1\n" : ",0\n");
-        }
-    return text;
-}
-
 /// reachable-1-2.csv and so on in the folder; nothing, and words on standard error, when that cannot be.
-std::optional<std::vector<OutputFile>> mapFiles(const QString& folder, std::size_t objects) {
+std::optional<std::vector<OutputFile>> mapFiles(const QString& folder, int objects) {
     QStringList names;
-    for (std::size_t i = 1; i <= objects; ++i)
-        for (std::size_t j = i + 1; j <= objects; ++j)
-            names << QStringLiteral("reachable-%1-%2.csv").arg(i).arg(j);
-    return filesIn(folder, "feasibility", kMapMark, names);
+    for (int i = 0; i < objects; ++i)
+        for (int j = i + 1; j < objects; ++j)
+            names << QString::fromStdString(reachableFileStem(i, j) + ".csv");
+    return filesIn(folder, "feasibility", kReachableMark, names);
 }
 
-Result<void> writeMaps(const Experiment& experiment, const FeasibilityRequest& question,
-                       const std::vector<OutputFile>& files) {
+Result<void> writeMaps(const FeasibilityRequest& question, const std::vector<OutputFile>& files) {
     std::vector<std::string> contents;
     const std::vector<ReachableMap> maps = reachablePairs(question).value();
     for (const ReachableMap& map : maps)
-        contents.push_back(mapCsv(experiment, map));
+        contents.push_back(reachableCsv(question.names, map));
     if (contents.empty()) // no pose of the workspace is allowed
         return {};
     return writeStudyFiles(files, contents);
@@ -268,7 +240,8 @@ int feasibilityCommand(const QStringList& arguments) {
         return refuse(request.error());
     std::vector<OutputFile> maps;
     if (parser.isSet("reachable")) {
-        const auto files = mapFiles(parser.value("reachable"), request->experiment.objects.size());
+        const auto files =
+            mapFiles(parser.value("reachable"), static_cast<int>(request->experiment.objects.size()));
         if (!files)
             return kExitBadInput;
         maps = *files;
@@ -290,7 +263,7 @@ int feasibilityCommand(const QStringList& arguments) {
             !written)
             return refuse(written.error());
     if (!maps.empty())
-        if (const auto written = writeMaps(request->experiment, question, maps); !written)
+        if (const auto written = writeMaps(question, maps); !written)
             return refuse(written.error());
     return verdict.feasible ? kExitDone : kExitNegative;
 }

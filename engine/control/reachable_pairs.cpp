@@ -10,16 +10,45 @@
 namespace bask {
 namespace {
 
+SteadySearch searchFor(const FeasibilityRequest& request, std::stop_token stop) {
+    const auto lookup = request.lookup ? request.lookup : feasibilityLookup(request.geometry, request.rest);
+    return SteadySearch(request.geometry, lookup, request.rates, std::move(stop));
+}
+
+/// That the two objects of the map have these temperatures.
+SteadyAim aimAt(const SteadySearch& search, const ReachableMap& map, const Eigen::Vector2d& pair_K) {
+    SteadyAim aim{Eigen::MatrixXd::Zero(2, search.geometry().objects()), pair_K};
+    aim.rows(0, map.first) = 1.0;
+    aim.rows(1, map.second) = 1.0;
+    return aim;
+}
+
+double toBoundary_K(const ReachableMap& map) {
+    double least_K = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b] : map.boundary) {
+        const Eigen::Vector2d onEdge_K = map.target_K.cwiseMax(a).cwiseMin(b); // edges lie along axes
+        least_K = std::min(least_K, (onEdge_K - map.target_K).norm());
+    }
+    return least_K;
+}
+
+void placeTarget(ReachableMap& map, const SteadySearch& search, const std::vector<double>& targets_K) {
+    constexpr int kStarts = 48;
+    map.target_K = {targets_K[static_cast<std::size_t>(map.first)],
+                    targets_K[static_cast<std::size_t>(map.second)]};
+    const SteadyPose found = search.best(aimAt(search, map, map.target_K), kStarts, 1e-6);
+    map.nearest_K = {found.T_K[map.first], found.T_K[map.second]};
+    map.targetReachable = found.cost_K2 <= 2.0 * kHeldWithin_K * kHeldWithin_K;
+    map.distance_K = map.targetReachable ? toBoundary_K(map) : std::sqrt(found.cost_K2);
+}
+
 /// One map in the making.
 class Mapping {
 public:
-    Mapping(const SteadySearch& search, const std::vector<double>& targets_K, int first, int second)
-        : m_search(search) {
+    Mapping(const SteadySearch& search, int first, int second) : m_search(search) {
         m_map.first = first;
         m_map.second = second;
         m_map.cells = kReachableCells;
-        m_map.target_K = {targets_K[static_cast<std::size_t>(first)],
-                          targets_K[static_cast<std::size_t>(second)]};
     }
 
     ReachableMap made() {
@@ -27,7 +56,6 @@ public:
         count();
         grow();
         outline();
-        judgeTarget();
         return std::move(m_map);
     }
 
@@ -69,18 +97,11 @@ private:
             m_map.reachable.push_back(share > 0.0);
     }
 
-    SteadyAim aimAt(const Eigen::Vector2d& pair_K) const {
-        SteadyAim aim{Eigen::MatrixXd::Zero(2, m_search.geometry().objects()), pair_K};
-        aim.rows(0, m_map.first) = 1.0;
-        aim.rows(1, m_map.second) = 1.0;
-        return aim;
-    }
-
     /// From a pose in a cell beside it: does one come into this cell, as near to its centre as can be?
     bool reach(int x, int y, const Vector6d& from) {
         const Eigen::Vector2d half_K = 0.5 * m_map.cell_K();
         const Eigen::Vector2d centre_K = corner_K(x, y) + half_K;
-        const SteadyPose found = m_search.refine(aimAt(centre_K), from);
+        const SteadyPose found = m_search.refine(aimAt(m_search, m_map, centre_K), from);
         const Eigen::Vector2d missed_K =
             Eigen::Vector2d(found.T_K[m_map.first], found.T_K[m_map.second]) - centre_K;
         if ((missed_K.cwiseAbs() - half_K).maxCoeff() > 0.0)
@@ -125,21 +146,6 @@ private:
             }
     }
 
-    void judgeTarget() {
-        constexpr int kStarts = 48;
-        const SteadyPose found = m_search.best(aimAt(m_map.target_K), kStarts, 1e-6);
-        m_map.targetReachable = found.cost_K2 <= 2.0 * kHeldWithin_K * kHeldWithin_K;
-        m_map.distance_K = std::sqrt(found.cost_K2);
-        if (!m_map.targetReachable)
-            return;
-        m_map.distance_K = std::numeric_limits<double>::infinity();
-        for (const auto& [a, b] : m_map.boundary) {
-            const Eigen::Vector2d nearestOnEdge =
-                m_map.target_K.cwiseMax(a).cwiseMin(b); // edges lie along axes
-            m_map.distance_K = std::min(m_map.distance_K, (nearestOnEdge - m_map.target_K).norm());
-        }
-    }
-
     const SteadySearch& m_search;
     ReachableMap m_map;
     std::vector<Vector6d> m_poses; ///< one in each reachable cell
@@ -149,16 +155,28 @@ private:
 
 std::optional<std::vector<ReachableMap>> reachablePairs(const FeasibilityRequest& request,
                                                         std::stop_token stop) {
-    const auto lookup = request.lookup ? request.lookup : feasibilityLookup(request.geometry, request.rest);
-    const SteadySearch search(request.geometry, lookup, request.rates, std::move(stop));
-    std::vector<ReachableMap> out;
+    const SteadySearch search = searchFor(request, std::move(stop));
+    std::vector<ReachableMap> maps;
     const int N = search.empty() ? 0 : request.geometry->objects();
     for (int i = 0; i < N; ++i)
-        for (int j = i + 1; j < N && !search.stopped(); ++j)
-            out.push_back(Mapping(search, request.targets_K, i, j).made());
+        for (int j = i + 1; j < N && !search.stopped(); ++j) {
+            maps.push_back(Mapping(search, i, j).made());
+            placeTarget(maps.back(), search, request.targets_K);
+        }
     if (search.stopped())
         return std::nullopt;
-    return out;
+    return maps;
+}
+
+std::optional<std::vector<ReachableMap>>
+placeTargets(std::vector<ReachableMap> maps, const FeasibilityRequest& request, std::stop_token stop) {
+    const SteadySearch search = searchFor(request, std::move(stop));
+    for (ReachableMap& map : maps)
+        if (!search.stopped())
+            placeTarget(map, search, request.targets_K);
+    if (search.stopped())
+        return std::nullopt;
+    return maps;
 }
 
 } // namespace bask

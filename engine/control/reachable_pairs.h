@@ -21,8 +21,9 @@ struct ReachableMap {
     /// Edges between reachable and other cells, their ends in K: the boundary to the size of a cell.
     std::vector<std::array<Eigen::Vector2d, 2>> boundary;
     Eigen::Vector2d target_K{0.0, 0.0};
-    bool targetReachable = false; ///< for these two, whatever becomes of the other objects
-    /// Outside: to the nearest pair that some pose holds, K. Inside: to the boundary of the cells.
+    bool targetReachable = false;        ///< for these two, whatever becomes of the other objects
+    Eigen::Vector2d nearest_K{0.0, 0.0}; ///< the pair that some pose holds nearest to the target
+    /// Outside: to that nearest pair, K. Inside: to the boundary of the cells.
     double distance_K = 0.0;
 
     Eigen::Vector2d cell_K() const { return (upper_K - lower_K) / cells; }
@@ -35,5 +36,10 @@ inline constexpr int kReachableCells = 48;
 /// pair: a job. Empty when stopped. No maps where no pose is allowed.
 std::optional<std::vector<ReachableMap>> reachablePairs(const FeasibilityRequest& request,
                                                         std::stop_token stop = {});
+
+/// The same maps seen from the request's targets, where nothing else of it changed: 0.4 to 2.5 ms a pair.
+/// Empty when stopped.
+std::optional<std::vector<ReachableMap>>
+placeTargets(std::vector<ReachableMap> maps, const FeasibilityRequest& request, std::stop_token stop = {});
 
 } // namespace bask

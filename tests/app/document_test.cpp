@@ -4,6 +4,9 @@
 #include "engine/runtime/simulated_run.h"
 #include "tests/support/wait_for.h"
 
+#include <QThreadPool>
+#include <QTimer>
+
 #include <gtest/gtest.h>
 
 namespace bask::test {
@@ -56,6 +59,16 @@ TEST(Document, TriedTargetsAreJudgedAndNoMore) {
     EXPECT_NEAR(document.verdict()->conditions1.at(0).target_K, kelvinFromCelsius(41.0), 1e-9);
     EXPECT_EQ(document.experiment().objects[0].target_K, before_K);
     EXPECT_FALSE(document.modified());
+    document.tryTargets({kelvinFromCelsius(42.0)});
+    document.tryTargets({kelvinFromCelsius(43.0)}); // each after the other, but for those in between
+    document.tryTargets({kelvinFromCelsius(44.0)});
+    std::vector<double> judged;
+    QObject::connect(&document, &Document::verdictChanged, [&] {
+        if (!document.verdictStale())
+            judged.push_back(std::round(celsiusFromKelvin(document.verdict()->conditions1.at(0).target_K)));
+    });
+    ASSERT_TRUE(waitFor([&] { return judged.size() == 2; }));
+    EXPECT_EQ(judged, (std::vector<double>{42.0, 44.0}));
     int changes = 0;
     QObject::connect(&document, &Document::predictionChanged, [&] { ++changes; });
     document.predict();
@@ -83,6 +96,86 @@ TEST(Document, PredictsHowLongARunTakes) {
     EXPECT_FALSE(document.predicted());
     ASSERT_TRUE(waitFor([&] { return !document.verdictStale(); }));
     EXPECT_FALSE(document.predicted());
+}
+
+Experiment twoCircles(double first_degC, double second_degC) {
+    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/two-circles.json").value();
+    experiment.objects[0].target_K = kelvinFromCelsius(first_degC);
+    experiment.objects[1].target_K = kelvinFromCelsius(second_degC);
+    return experiment;
+}
+
+// Catches: maps that are made although nobody sees them, that do not come when somebody does, or that follow
+// targets and objects of before.
+TEST(Document, MapsOfPairsAreMadeWhileWanted) {
+    Document document;
+    int made = 0;
+    QObject::connect(&document, &Document::pairsChanged, [&] { ++made; });
+    const auto settled = [&] { return !document.verdictStale(); };
+    document.open(twoCircles(40.0, 40.0), {});
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(made, 0);
+
+    document.wantPairs(true);
+    ASSERT_TRUE(waitFor([&] { return made == 1; }));
+    ASSERT_EQ(document.pairs()->size(), 1U);
+    const std::vector<double> density = document.pairs()->at(0).density;
+    ASSERT_TRUE(document.setTargets({kelvinFromCelsius(150.0), kelvinFromCelsius(30.0)}).ok());
+    EXPECT_TRUE(document.pairs()) << "the maps stay, but for where the targets lie";
+    ASSERT_TRUE(waitFor([&] { return made == 2; }));
+    EXPECT_NEAR(document.pairs()->at(0).target_K.x(), kelvinFromCelsius(150.0), 1e-9);
+    EXPECT_FALSE(document.pairs()->at(0).targetReachable);
+    EXPECT_EQ(document.pairs()->at(0).density, density);
+    Experiment warmer = document.experiment();
+    warmer.source.temperature_K += 20.0;
+    ASSERT_TRUE(document.edit(warmer).ok());
+    EXPECT_FALSE(document.pairs());
+    ASSERT_TRUE(waitFor([&] { return made == 3; }));
+    EXPECT_NE(document.pairs()->at(0).density, density);
+
+    document.wantPairs(false);
+    document.wantPairs(true); // has them
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(made, 3);
+    document.wantPairs(false);
+    ASSERT_TRUE(document.setTargets({kelvinFromCelsius(40.0), kelvinFromCelsius(40.0)}).ok());
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    document.wantPairs(true);
+    document.wantPairs(false); // looked away again
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(made, 3);
+    document.wantPairs(true);
+    ASSERT_TRUE(waitFor([&] { return made == 4; }));
+    EXPECT_NEAR(document.pairs()->at(0).target_K.x(), kelvinFromCelsius(40.0), 1e-9);
+}
+
+// Catches: maps of objects before that arrive after an edit and are taken for those of the present ones.
+TEST(Document, MapsOfAnOlderExperimentAreNotHeard) {
+    Document document;
+    document.wantPairs(true);
+    std::vector<std::size_t> maps;
+    QObject::connect(&document, &Document::pairsChanged, [&] { maps.push_back(document.pairs()->size()); });
+    QObject::connect(&document, &Document::verdictChanged, [&] {
+        if (document.verdictStale() || document.experiment().objects.size() != 2)
+            return;
+        QTimer::singleShot(0, &document, [&document] {
+            EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000)); // made, but not heard of
+            Experiment fewer = document.experiment();
+            fewer.objects.pop_back();
+            EXPECT_TRUE(document.edit(fewer).ok());
+        });
+    });
+    document.open(twoCircles(40.0, 40.0), {});
+    ASSERT_TRUE(waitFor([&] { return !maps.empty(); }));
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    EXPECT_EQ(maps, std::vector<std::size_t>{0});
 }
 
 TEST(Document, IsNamedAfterFileOrTitle) {

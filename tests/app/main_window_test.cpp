@@ -2,8 +2,10 @@
 // need the tick.
 
 #include "tests/app/window_fixture.h"
+#include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/objects/message_bar.h"
+#include "widgets/targets/reach_map.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -11,6 +13,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QTabWidget>
 #include <QTemporaryDir>
 
 namespace bask::test {
@@ -103,6 +106,39 @@ TEST_F(MainWindowTest, AnUnreachableTargetNeedsTheTick) {
     QTest::keyClick(tick, Qt::Key_Space);
     QTest::mouseClick(start, Qt::LeftButton);
     EXPECT_TRUE(waitForState(RunState::Running));
+}
+
+// Catches: maps of pairs that never come to the page, ones that do not follow its fields, and a pick that
+// does not become the experiment's targets. Keeps pictures.
+TEST_F(MainWindowTest, PairsAreMappedOnTheTargetsPage) {
+    openWindow();
+    window->pages().show(Page::Targets);
+    find<QTabWidget>("targetViews")->setCurrentIndex(1);
+    auto* map = find<ReachMap>("map0");
+    ASSERT_TRUE(waitFor([map] { return map->words().endsWith(QStringLiteral("inside")); }));
+    const std::vector<ObjectSpec> before = window->document().experiment().objects;
+    const QPoint place = map->rect().center();
+    QTest::mouseDClick(map, Qt::LeftButton, {}, place);
+    const std::vector<ObjectSpec> after = window->document().experiment().objects;
+    EXPECT_NE(after[0].target_K, before[0].target_K);
+    EXPECT_NE(after[1].target_K, before[1].target_K);
+    EXPECT_EQ(after[2].target_K, before[2].target_K);
+    EXPECT_TRUE(map->words().startsWith(QStringLiteral("Checking")));
+    auto* field = find<QuantitySpinBox>("target0");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("99"));
+    QTest::keyClick(field, Qt::Key_Return);
+    const auto placed = [map] { return map->words().endsWith(QStringLiteral("outside")); };
+    ASSERT_TRUE(waitFor(placed)) << map->words().toStdString();
+    keepPicture(QStringLiteral("pairs-light"));
+    window->setTheme(Theme::Dark);
+    keepPicture(QStringLiteral("pairs-dark"));
+    window->setLanguage(QStringLiteral("fr"));
+    window->setTheme(Theme::Light);
+    window->resize(1600, 1000);
+    keepPicture(QStringLiteral("pairs-french"));
+    EXPECT_TRUE(map->words().contains(QStringLiteral("extérieur")));
 }
 
 // Catches: a window that closes over a run without asking, or whose safe answer is not to stay.

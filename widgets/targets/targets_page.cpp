@@ -3,6 +3,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
+#include "widgets/targets/pairs_view.h"
 #include "widgets/targets/reach_bar.h"
 #include "widgets/targets/surfaces_view.h"
 #include "widgets/targets/verdict_text.h"
@@ -15,6 +16,7 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -121,15 +123,30 @@ TargetsPage::TargetsPage(QWidget* parent)
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     m_surfaces = new SurfacesView(this);
+    m_pairs = new PairsView(this);
+    m_views = new QTabWidget(this);
+    m_views->setObjectName("targetViews");
+    m_views->setDocumentMode(true);
+    m_views->addTab(m_surfaces, QString());
+    m_views->addTab(m_pairs, QString());
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->addWidget(scroll);
-    splitter->addWidget(m_surfaces);
+    splitter->addWidget(m_views);
     splitter->setChildrenCollapsible(false);
     splitter->setStretchFactor(1, 1);
     splitter->setSizes({650, 530});
     outer->addWidget(splitter);
     connect(m_surfaces, &SurfacesView::startWanted, this, &TargetsPage::startWanted);
     connect(m_surfaces, &SurfacesView::problem, this, &TargetsPage::problem);
+    connect(m_pairs, &PairsView::targetsDragged, this, &TargetsPage::dragPair);
+    connect(m_pairs, &PairsView::targetsPicked, this,
+            [this](int first, int second, double first_K, double second_K) {
+                dragPair(first, second, first_K, second_K);
+                emit targetsEdited(targets_K());
+            });
+    connect(m_pairs, &PairsView::wanted, this, &TargetsPage::pairsWanted);
+    connect(m_pairs, &PairsView::problem, this, &TargetsPage::problem);
+    connect(m_pairs, &PairsView::told, this, &TargetsPage::told);
     buildRows();
 }
 
@@ -260,16 +277,22 @@ void TargetsPage::setStale(bool stale) {
     showAll();
 }
 
+void TargetsPage::setPairs(const std::vector<ReachableMap>& maps) {
+    m_pairs->setMaps(maps);
+}
+
 void TargetsPage::setEditable(bool editable, const QString& why) {
     m_editable = editable;
     m_why = why;
     m_surfaces->setEditable(editable);
+    m_pairs->setEditable(editable);
     showAll();
 }
 
 void TargetsPage::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
     m_surfaces->setTemperatureUnit(unit);
+    m_pairs->setTemperatureUnit(unit);
     showAll();
 }
 
@@ -316,6 +339,13 @@ void TargetsPage::useNearestTogether() {
         m_experiment.objects[i].target_K = m_verdict->nearest_K[i];
     showAll();
     emit targetsEdited(targets_K());
+}
+
+void TargetsPage::dragPair(int first, int second, double first_K, double second_K) {
+    m_experiment.objects[static_cast<std::size_t>(first)].target_K = first_K;
+    m_experiment.objects[static_cast<std::size_t>(second)].target_K = second_K;
+    showAll();
+    emit targetsTried(targets_K());
 }
 
 bool TargetsPage::rowStale(std::size_t row) const {
@@ -444,6 +474,7 @@ QString TargetsPage::predictionText() const {
 void TargetsPage::showAll() {
     for (std::size_t i = 0; i < m_rows.size(); ++i)
         showRow(i);
+    m_pairs->setExperiment(m_experiment);
     showAxis();
     showJoint();
     refreshTexts();
@@ -455,6 +486,8 @@ void TargetsPage::refreshTexts() {
     lines.setColor(QPalette::WindowText, hairline(isDark(this)));
     for (QFrame* line : m_table->findChildren<QFrame*>(QStringLiteral("rowLine")))
         line->setPalette(lines);
+    m_views->setTabText(0, tr("Surfaces"));
+    m_views->setTabText(1, tr("Pairs"));
     m_title->setText(tr("Targets"));
     m_note->setText(m_why);
     m_note->setVisible(!m_editable && !m_why.isEmpty());

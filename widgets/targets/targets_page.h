@@ -3,7 +3,7 @@
 // whether all can be held together, why not, and the nearest targets that can.
 
 #include "engine/base/units.h"
-#include "engine/control/joint_feasibility.h"
+#include "engine/control/reachable_pairs.h"
 #include "engine/session/experiment.h"
 
 #include <QWidget>
@@ -14,9 +14,11 @@ class QCheckBox;
 class QGridLayout;
 class QLabel;
 class QPushButton;
+class QTabWidget;
 
 namespace bask {
 
+class PairsView;
 class QuantitySpinBox;
 class ReachBar;
 class SurfacesView;
@@ -26,7 +28,7 @@ class SurfacesView;
 ///
 /// Object names for tests, i being the row from 0: "target<i>" (spin box), "reach<i>" (bar), "verdict<i>"
 /// (word), "verdictDetail<i>", "nearest<i>" (button), "keep<i>"; "jointVerdict", "jointDetail", "useNearest",
-/// "infeasibleNote", "targetsNote" and those of SurfacesView.
+/// "infeasibleNote", "targetsNote", "targetViews" (tabs) and those of SurfacesView and PairsView.
 class TargetsPage : public QWidget {
     Q_OBJECT
 
@@ -41,6 +43,8 @@ public:
     /// Of the verdict shown, once predictionWanted() is answered: when all have settled on the simulated rig;
     /// empty: not within the experiment's duration limit.
     void setPrediction(const std::optional<double>& settling_s);
+    /// Maps of all pairs of the experiment's objects.
+    void setPairs(const std::vector<ReachableMap>& maps);
     /// Targets may be edited during a run too; `why` is shown when they may not.
     void setEditable(bool editable, const QString& why = {});
     void setTemperatureUnit(TemperatureUnit unit);
@@ -57,7 +61,9 @@ signals:
     void predictionWanted();
     void keptChanged(const std::vector<bool>& kept);
     void startWanted(const bask::Vector6d& pose);
+    void pairsWanted(bool shown);
     void problem(const QString& sentence);
+    void told(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -72,6 +78,7 @@ private:
     void askPrediction();
     void useNearest(std::size_t row);
     void useNearestTogether();
+    void dragPair(int first, int second, double first_K, double second_K);
     bool rowStale(std::size_t row) const;
     void showRow(std::size_t row);
     void showAxis();
@@ -105,6 +112,8 @@ private:
     QLabel* m_infeasibleTitle;
     QLabel* m_infeasible;
     SurfacesView* m_surfaces;
+    PairsView* m_pairs;
+    QTabWidget* m_views;
 };
 
 } // namespace bask

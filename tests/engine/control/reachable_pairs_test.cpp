@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -74,6 +75,26 @@ TEST(ReachablePairs, TellHowFarATargetIsFromTheBoundary) {
     EXPECT_TRUE(edge.targetReachable);
     EXPECT_LT(edge.distance_K, middle.distance_K);
     EXPECT_GT(middle.distance_K, 3.0);
+}
+
+// Catches: a target that was moved and is told about as before, or otherwise than by maps made anew.
+TEST(ReachablePairs, PlacedTargetsAreAsInMapsMadeForThem) {
+    const auto maps = reachablePairs(twoDisksAt(45.0, 45.0)).value();
+    for (const auto& [first_degC, second_degC] : {std::pair(94.9, 94.9), std::pair(75.0, 50.0)}) {
+        const FeasibilityRequest moved = twoDisksAt(first_degC, second_degC);
+        const ReachableMap placed = placeTargets(maps, moved).value().at(0);
+        const ReachableMap made = mapOf(moved);
+        EXPECT_EQ(placed.target_K, made.target_K);
+        EXPECT_EQ(placed.nearest_K, made.nearest_K);
+        EXPECT_EQ(placed.targetReachable, made.targetReachable);
+        EXPECT_EQ(placed.distance_K, made.distance_K);
+        EXPECT_EQ(placed.density, made.density);
+        EXPECT_NEAR((placed.nearest_K - placed.target_K).norm(),
+                    placed.targetReachable ? 0.0 : placed.distance_K, kHeldWithin_K);
+    }
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_FALSE(placeTargets(maps, twoDisksAt(45.0, 45.0), stop.get_token()));
 }
 
 // Catches: a boundary with ends in the air: each corner of it belongs to an even number of edges.

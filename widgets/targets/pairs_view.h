@@ -1,0 +1,80 @@
+#pragma once
+// Maps of all pairs of objects: which of their temperatures go together, and where the targets lie.
+
+#include "engine/base/result.h"
+#include "engine/base/units.h"
+#include "engine/control/reachable_pairs.h"
+#include "engine/session/experiment.h"
+#include "widgets/common/latest_job.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QScrollArea;
+
+namespace bask {
+
+class ReachMap;
+
+/// Values in, signals out: whoever has the maps made hears `wanted` when the view is shown or hidden. Object
+/// names, i being the map from 0: "map<i>", "mapsNote", "exportMaps".
+class PairsView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PairsView(QWidget* parent = nullptr);
+
+    /// Maps of an experiment that differs by more than its targets are shown as stale.
+    void setExperiment(const Experiment& experiment);
+    /// Of the experiment: one a pair, first < second, in lexical order; none where no pose is allowed.
+    void setMaps(const std::vector<ReachableMap>& maps);
+    void setTemperatureUnit(TemperatureUnit unit);
+    void setEditable(bool editable);
+
+    /// Of each map its table (as `bask feasibility --reachable` writes it) and its picture, off the GUI
+    /// thread; tells when they are there. Refuses to replace other files, and writes none then.
+    void exportTo(const QString& folder);
+
+signals:
+    /// Temperatures that two objects shall have as targets; while dragged, perhaps.
+    void targetsDragged(int first, int second, double first_K, double second_K);
+    void targetsPicked(int first, int second, double first_K, double second_K);
+    void wanted(bool shown);
+    void problem(const QString& sentence);
+    void told(const QString& sentence);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+private:
+    void buildMaps();
+    void arrange();
+    void askAndExport();
+    void showAll();
+
+    Experiment m_experiment;
+    std::vector<ReachableMap> m_made;
+    bool m_stale = true; ///< m_made is of other objects, source or robot
+    bool m_editable = true;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    LatestJob<Result<void>> m_export;
+
+    std::vector<ReachMap*> m_maps;
+    QLabel* m_caption;
+    QLabel* m_few;
+    QLabel* m_colours;
+    QLabel* m_many;
+    QPushButton* m_exportButton;
+    QLabel* m_note;
+    QScrollArea* m_scroll;
+    QGridLayout* m_grid;
+};
+
+} // namespace bask
