@@ -100,6 +100,7 @@ void PageHost::connectDocument() {
     });
     connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
     connect(m_targets, &TargetsPage::problem, this, &PageHost::showProblem);
+    connect(m_targets, &TargetsPage::told, this, &PageHost::showNote);
     connect(m_targets, &TargetsPage::startWanted, this, [this](const Vector6d& pose) {
         Experiment changed = m_document.experiment();
         changed.start = pose;

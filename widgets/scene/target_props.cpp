@@ -247,11 +247,11 @@ void TargetProps::setArrows(const PickedArrows* arrows, double radius, const std
         m->arrows.data->Initialize();
         return;
     }
-    const Eigen::Vector3d& from = arrows->at;
-    setSpheres(*m->picked.data, {from}, radius);
+    setSpheres(*m->picked.data, arrows->from, radius);
     std::vector<Eigen::Vector3d> ends;
     std::vector<QColor> lineColours;
     for (std::size_t i = 0; i < arrows->directions.size(); ++i) {
+        const Eigen::Vector3d& from = arrows->from[i];
         const Eigen::Vector3d& d = arrows->directions[i];
         const Eigen::Vector3d tip = from + arrows->length * d;
         const Eigen::Vector3d aside = 0.2 * arrows->length * d.unitOrthogonal();

@@ -130,6 +130,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     outer->addWidget(splitter);
     connect(m_surfaces, &SurfacesView::startWanted, this, &TargetsPage::startWanted);
     connect(m_surfaces, &SurfacesView::problem, this, &TargetsPage::problem);
+    connect(m_surfaces, &SurfacesView::told, this, &TargetsPage::told);
     buildRows();
 }
 

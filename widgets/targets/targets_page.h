@@ -51,6 +51,7 @@ signals:
     void keptChanged(const std::vector<bool>& kept);
     void startWanted(const bask::Vector6d& pose);
     void problem(const QString& sentence);
+    void told(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;
