@@ -27,7 +27,7 @@ constexpr int kBarSteps = 10; ///< of the colour bar, and so contour lines
 constexpr double kLift_px = 8.0;
 constexpr double kGhostOpacity = 0.55;
 constexpr double kMarkShare = 0.009; ///< radius of a mark, of the frame's diagonal
-constexpr double kArrowShare = 0.07;
+constexpr double kArrowShare = 0.1;
 
 QString tenthsText(double value) {
     const double tenths = std::round(10.0 * value) + 0.0; // no minus before zero

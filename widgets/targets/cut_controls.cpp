@@ -31,13 +31,17 @@ CutControls::CutControls(QWidget* parent)
     m_quantity->addItems({QStringLiteral("T"), QStringLiteral("F")});
     m_axis->addItems({"x", "y", "z"});
     m_axis->setCurrentIndex(kY);
+    m_place->setMinimumWidth(40);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(m_object);
-    row->addWidget(m_quantity);
-    row->addWidget(m_axis);
+    for (QComboBox* box : {m_object, m_quantity, m_axis}) {
+        box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+        box->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+        row->addWidget(box);
+    }
     row->addWidget(m_place, 1);
     row->addWidget(m_word);
+    row->addStretch(0);
     connect(m_object, &QComboBox::currentIndexChanged, this, [this] {
         showRow();
         emit changed();
@@ -109,8 +113,9 @@ void CutControls::retranslate() {
     const QSignalBlocker quiet(m_object);
     m_object->clear();
     m_object->addItem(tr("No cut"));
+    const QFontMetrics metrics(m_object->font());
     for (const QString& name : m_names)
-        m_object->addItem(tr("Cut: %1").arg(name));
+        m_object->addItem(tr("Cut: %1").arg(metrics.elidedText(name, Qt::ElideRight, 7 * metrics.height())));
     m_object->setCurrentIndex(chosen > 0 && chosen < m_object->count() ? chosen : 0);
     m_object->setAccessibleName(tr("Object whose field is cut"));
     m_object->setToolTip(tr("A plane in the colours of what one object would have there."));

@@ -34,7 +34,7 @@ HeldControls::HeldControls(QWidget* parent)
         cell.layout->setSpacing(4);
         cell.layout->addWidget(cell.word);
         cell.layout->addWidget(cell.slider, 1);
-        row->addLayout(cell.layout, 1);
+        row->addLayout(cell.layout);
         connect(cell.slider, &QSlider::valueChanged, this, [this, k, slider = cell.slider] {
             showWord(k, slider->place());
             emit heldByHand(k, slider->place());
@@ -52,6 +52,7 @@ void HeldControls::setCoordinates(const std::vector<Coordinate>& coordinates, co
     for (int k = 0; k < 6; ++k) {
         const Cell& cell = m_cells.at(static_cast<std::size_t>(k));
         const bool is = std::ranges::find(coordinates, k) != coordinates.end();
+        static_cast<QBoxLayout*>(layout())->setStretchFactor(cell.layout, is ? 1 : 0);
         cell.word->setVisible(is);
         cell.slider->setVisible(is);
         // Of several, each has its word above it.

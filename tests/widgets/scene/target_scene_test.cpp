@@ -376,6 +376,10 @@ TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
     const QImage picked = grab(scene);
     keepScreenshot(picked, QStringLiteral("targets-picked"));
     EXPECT_GT(testing::differentPixels(before, picked), 100) << "neither mark nor arrows";
+    for (int i = 0; i < 3; ++i)
+        EXPECT_GT(testing::pixelsOf(picked, seriesColor(i, false), 8),
+                  testing::pixelsOf(before, seriesColor(i, false), 8) + 40)
+            << "no arrow of object " << i;
     scene.clearPick();
     EXPECT_LT(testing::differentPixels(before, grab(scene)), 20);
 
