@@ -2352,6 +2352,21 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::PickedPanel</name>
+        <message>
+            <source>For each object at this point: its view factor, the temperature that it settles at, and how fast that rises along its arrow.</source>
+            <translation>Pour chaque objet en ce point : son facteur de forme, la température où il se stabilise, et de combien elle monte le long de sa flèche.</translation>
+        </message>
+        <message>
+            <source>Start here</source>
+            <translation>Partir d’ici</translation>
+        </message>
+        <message>
+            <source>Runs start at this point.</source>
+            <translation>Les essais partent de ce point.</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::PictureDialog</name>
         <message>
             <source> px</source>
@@ -3031,22 +3046,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <context>
         <name>bask::SurfacesView</name>
         <message>
-            <source>Top</source>
-            <translation>Dessus</translation>
-        </message>
-        <message>
-            <source>Side</source>
-            <translation>Côté</translation>
-        </message>
-        <message>
-            <source>Isometric</source>
-            <translation>Isométrique</translation>
-        </message>
-        <message>
-            <source>View: %1</source>
-            <translation>Vue : %1</translation>
-        </message>
-        <message>
             <source>3-D scene: where the end-effector may be for each object to hold its target</source>
             <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa consigne</translation>
         </message>
@@ -3069,30 +3068,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>What the surfaces are drawn over. On its surface an object holds its target.</source>
             <translation>Ce sur quoi les surfaces sont tracées. Sur sa surface, un objet tient sa consigne.</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>Exporter</translation>
-        </message>
-        <message>
-            <source>&amp;Picture…</source>
-            <translation>&amp;Image…</translation>
-        </message>
-        <message>
-            <source>&amp;Animation…</source>
-            <translation>&amp;Animation…</translation>
-        </message>
-        <message>
-            <source>For each object at this point: its view factor, the temperature that it settles at, and how fast that rises along its arrow.</source>
-            <translation>Pour chaque objet en ce point : son facteur de forme, la température où il se stabilise, et de combien elle monte le long de sa flèche.</translation>
-        </message>
-        <message>
-            <source>Start here</source>
-            <translation>Partir d’ici</translation>
-        </message>
-        <message>
-            <source>Runs start at this point.</source>
-            <translation>Les essais partent de ce point.</translation>
         </message>
         <message>
             <source>Picture saved: %1</source>
@@ -3317,6 +3292,37 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>This controller does not estimate λ₁.</source>
             <translation>Ce régulateur n’estime pas λ₁.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ViewBar</name>
+        <message>
+            <source>Top</source>
+            <translation>Dessus</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Côté</translation>
+        </message>
+        <message>
+            <source>Isometric</source>
+            <translation>Isométrique</translation>
+        </message>
+        <message>
+            <source>View: %1</source>
+            <translation>Vue : %1</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Exporter</translation>
+        </message>
+        <message>
+            <source>&amp;Picture…</source>
+            <translation>&amp;Image…</translation>
+        </message>
+        <message>
+            <source>&amp;Animation…</source>
+            <translation>&amp;Animation…</translation>
         </message>
     </context>
     <context>

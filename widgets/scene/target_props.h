@@ -32,7 +32,7 @@ public:
     void addActors();
 
     void setSurfaces(const std::vector<Isosurface>& surfaces);
-    /// Surface i in colour i, translucent; paler when `stale`.
+    /// Surface i in colour i, translucent; paler when `stale`. `contours`: lines on the cut, arrows' edges.
     void setColours(const std::vector<QColor>& surfaces, const QColor& marks, const QColor& contours,
                     bool stale);
     void setLineScale(double scale);

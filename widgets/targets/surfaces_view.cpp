@@ -6,81 +6,51 @@
 #include "widgets/targets/cut_controls.h"
 #include "widgets/targets/export_bar.h"
 #include "widgets/targets/held_controls.h"
+#include "widgets/targets/picked_panel.h"
 #include "widgets/targets/picture_dialog.h"
 #include "widgets/targets/surface_geometry.h"
 #include "widgets/targets/verdict_text.h"
+#include "widgets/targets/view_bar.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QDir>
 #include <QEvent>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QMenu>
-#include <QPushButton>
-#include <QSignalBlocker>
-#include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace bask {
 SurfacesView::SurfacesView(QWidget* parent)
     : QWidget(parent), m_scene(new TargetScene(this)), m_player(new SweepPlayer(*m_scene, this)),
-      m_space(new QComboBox(this)), m_top(new QToolButton(this)), m_side(new QToolButton(this)),
-      m_isometric(new QToolButton(this)), m_export(new QPushButton(this)), m_exportPicture(new QAction(this)),
-      m_exportAnimation(new QAction(this)), m_heldControls(new HeldControls(this)),
-      m_exportBar(new ExportBar(this)), m_cut(new CutControls(this)), m_pickedWords(new QLabel(this)),
-      m_startHere(new QPushButton(this)) {
+      m_space(new QComboBox(this)), m_views(new ViewBar(this)), m_heldControls(new HeldControls(this)),
+      m_exportBar(new ExportBar(this)), m_cut(new CutControls(this)), m_picked(new PickedPanel(this)) {
     m_scene->setObjectName("targetScene");
     m_space->setObjectName("surfaceSpace");
-    m_top->setObjectName("viewTop");
-    m_side->setObjectName("viewSide");
-    m_isometric->setObjectName("viewIsometric");
-    m_export->setObjectName("exportMenu");
-    m_exportPicture->setObjectName("exportPicture");
-    m_exportAnimation->setObjectName("exportAnimation");
-    m_pickedWords->setObjectName("picked");
-    m_startHere->setObjectName("startHere");
-    m_pickedWords->setWordWrap(true);
     m_space->addItems({{}, {}, {}}); // named by retranslate()
-    auto* menu = new QMenu(m_export);
-    menu->addActions({m_exportPicture, m_exportAnimation});
-    m_export->setMenu(menu);
-    layOut();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_space);
+    layout->addWidget(m_views);
+    layout->addWidget(m_scene, 1);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_heldControls, m_exportBar, m_cut, m_picked})
+        layout->addWidget(row);
     connectControls();
     retranslate();
 }
 
-void SurfacesView::layOut() {
-    auto* views = new QHBoxLayout;
-    for (QToolButton* button : {m_top, m_side, m_isometric}) {
-        button->setAutoRaise(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        views->addWidget(button);
-    }
-    views->addStretch(1);
-    views->addWidget(m_export);
-    auto* picked = new QHBoxLayout;
-    picked->addWidget(m_pickedWords, 1);
-    picked->addWidget(m_startHere, 0, Qt::AlignTop);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_space);
-    layout->addLayout(views);
-    layout->addWidget(m_scene, 1);
-    layout->addWidget(m_heldControls);
-    layout->addWidget(m_exportBar);
-    layout->addWidget(m_cut);
-    layout->addLayout(picked);
-}
-
 void SurfacesView::connectControls() {
     connect(m_space, &QComboBox::currentIndexChanged, this, &SurfacesView::changeSpace);
-    connect(m_top, &QToolButton::clicked, m_scene, &TargetScene::viewAlongMinusZ);
-    connect(m_side, &QToolButton::clicked, m_scene, &TargetScene::viewAlongX);
-    connect(m_isometric, &QToolButton::clicked, m_scene, &TargetScene::viewIsometric);
-    connect(m_exportPicture, &QAction::triggered, this, &SurfacesView::askPicture);
-    connect(m_exportAnimation, &QAction::triggered, this, &SurfacesView::askAnimation);
+    connect(m_views, &ViewBar::topWanted, m_scene, &TargetScene::viewAlongMinusZ);
+    connect(m_views, &ViewBar::sideWanted, m_scene, &TargetScene::viewAlongX);
+    connect(m_views, &ViewBar::isometricWanted, m_scene, &TargetScene::viewIsometric);
+    connect(m_views, &ViewBar::pictureWanted, this, [this] {
+        if (const auto order = PictureDialog::askPicture(2 * m_scene->size(), this))
+            savePicture(order->path, order->size_px);
+    });
+    connect(m_views, &ViewBar::animationWanted, this, [this] {
+        if (const auto order = PictureDialog::askAnimation(m_scene->size(), this))
+            saveAnimation(order->path, order->size_px);
+    });
     connect(m_heldControls, &HeldControls::heldByHand, this, &SurfacesView::hold);
     connect(m_heldControls, &HeldControls::playWanted, this, &SurfacesView::play);
     connect(m_heldControls, &HeldControls::poseWanted, this, [this] {
@@ -105,19 +75,13 @@ void SurfacesView::connectControls() {
     });
     connect(m_player, &SweepPlayer::saved, this, &SurfacesView::tellAnimation);
     connect(m_player, &SweepPlayer::failed, this, [this](const Error& error) {
-        endPlay();
         emit problem(messageText(error.message));
+        compute();
     });
     connect(m_scene, &TargetScene::posePicked, this, [this](const Vector6d& pose, const QStringList& words) {
-        m_picked = pose;
-        m_pickedWords->setText(poseText(pose, m_experiment.robot) + QLatin1Char('\n') +
-                               words.join(QLatin1Char('\n')));
-        showControls();
+        m_picked->setPicked(pose, QStringList(poseText(pose, m_experiment.robot)) + words);
     });
-    connect(m_startHere, &QPushButton::clicked, this, [this] {
-        if (m_picked)
-            emit startWanted(*m_picked);
-    });
+    connect(m_picked, &PickedPanel::startWanted, this, &SurfacesView::startWanted);
 }
 
 void SurfacesView::setExperiment(const Experiment& experiment) {
@@ -180,8 +144,7 @@ void SurfacesView::setTemperatureUnit(TemperatureUnit unit) {
 }
 
 void SurfacesView::setEditable(bool editable) {
-    m_editable = editable;
-    showControls();
+    m_picked->setStartEnabled(editable);
 }
 
 PoseSubset SurfacesView::subset() const {
@@ -291,10 +254,8 @@ void SurfacesView::endExport() {
 }
 
 void SurfacesView::clearPick() {
-    m_picked.reset();
-    m_pickedWords->clear();
+    m_picked->clear();
     m_scene->clearPick();
-    showControls();
 }
 
 void SurfacesView::showCut() {
@@ -311,21 +272,11 @@ void SurfacesView::showCut() {
                              choice->axis, choice->position, choice->asTemperature});
 }
 
-void SurfacesView::askPicture() {
-    if (const auto order = PictureDialog::askPicture(2 * m_scene->size(), this))
-        savePicture(order->path, order->size_px);
-}
-
 void SurfacesView::savePicture(const QString& path, QSize size) {
     if (const auto saved = m_scene->saveImage(path, size); !saved)
         emit problem(QStringLiteral("%1: %2").arg(path, messageText(saved.error().message)));
     else
         emit told(tr("Picture saved: %1").arg(QDir::toNativeSeparators(path)));
-}
-
-void SurfacesView::askAnimation() {
-    if (const auto order = PictureDialog::askAnimation(m_scene->size(), this))
-        saveAnimation(order->path, order->size_px);
 }
 
 void SurfacesView::saveAnimation(const QString& folder, QSize size) {
@@ -362,11 +313,8 @@ void SurfacesView::showControls() {
     m_heldControls->setPlaying(m_player->isPlaying());
     m_space->setEnabled(!saving);
     m_cut->setEnabled(!saving && !m_player->isPlaying());
-    m_export->setEnabled(!saving && m_scene->hasPicture());
-    m_exportAnimation->setEnabled(ready() && !held.empty() && !m_stale);
-    m_pickedWords->setVisible(m_picked.has_value());
-    m_startHere->setVisible(m_picked.has_value());
-    m_startHere->setEnabled(m_editable);
+    m_views->setExports(!saving && m_scene->hasPicture(),
+                        !saving && m_scene->hasPicture() && ready() && !held.empty() && !m_stale);
 }
 
 void SurfacesView::retranslate() {
@@ -377,18 +325,6 @@ void SurfacesView::retranslate() {
         m_space->setItemText(i, spaces.at(static_cast<std::size_t>(i)));
     m_space->setAccessibleName(tr("What the surfaces are drawn over"));
     m_space->setToolTip(tr("What the surfaces are drawn over. On its surface an object holds its target."));
-    m_top->setText(tr("Top"));
-    m_side->setText(tr("Side"));
-    m_isometric->setText(tr("Isometric"));
-    for (QToolButton* button : {m_top, m_side, m_isometric})
-        button->setAccessibleName(tr("View: %1").arg(button->text()));
-    m_export->setText(tr("Export"));
-    m_exportPicture->setText(tr("&Picture\u2026"));
-    m_exportAnimation->setText(tr("&Animation\u2026"));
-    m_pickedWords->setToolTip(tr("For each object at this point: its view factor, the temperature that it "
-                                 "settles at, and how fast that rises along its arrow."));
-    m_startHere->setText(tr("Start here"));
-    m_startHere->setToolTip(tr("Runs start at this point."));
     m_scene->setAccessibleName(
         tr("3-D scene: where the end-effector may be for each object to hold its target"));
     clearPick(); // its words are in the language before

@@ -15,24 +15,21 @@
 #include <memory>
 #include <optional>
 
-class QAction;
 class QComboBox;
-class QLabel;
-class QPushButton;
-class QToolButton;
 
 namespace bask {
 
 class CutControls;
 class ExportBar;
 class HeldControls;
+class PickedPanel;
 class TargetScene;
+class ViewBar;
 
 /// Values in; fields and surfaces are computed off the GUI thread and while the view is shown, fields anew
 /// only when the geometry or what is held changes. Playing ends when the view is hidden. Object names:
-/// "surfaceSpace" (what the surfaces are drawn over, in PoseSubset's order), "targetScene", "viewTop",
-/// "viewSide", "viewIsometric", "exportMenu" with "exportPicture" and "exportAnimation", "picked",
-/// "startHere", and those of HeldControls, CutControls and ExportBar.
+/// "surfaceSpace" (what the surfaces are drawn over, in PoseSubset's order), "targetScene" and those of the
+/// rows: ViewBar, HeldControls, ExportBar, CutControls, PickedPanel.
 class SurfacesView : public QWidget {
     Q_OBJECT
 
@@ -70,7 +67,6 @@ private:
         std::vector<Isosurface> surfaces;
         Error problem; ///< without a code: none
     };
-    void layOut();
     void connectControls();
     PoseSubset subset() const;
     bool ready() const;
@@ -87,8 +83,6 @@ private:
     void endExport();
     void tellAnimation(const Error& error);
     void clearPick();
-    void askPicture();
-    void askAnimation();
     void showControls();
     void showCut();
     void retranslate();
@@ -99,8 +93,6 @@ private:
     std::shared_ptr<const Fields> m_fields;            ///< of the experiment, m_fieldsHeld and m_fieldsSubset
     Vector6d m_fieldsHeld = Vector6d::Zero();
     PoseSubset m_fieldsSubset = PoseSubset::Translation;
-    std::optional<Vector6d> m_picked;
-    bool m_editable = true;
     bool m_stale = false;  ///< the verdict
     bool m_behind = false; ///< the surfaces, behind the verdict
     QString m_exportFolder;
@@ -109,17 +101,11 @@ private:
     TargetScene* m_scene;
     SweepPlayer* m_player;
     QComboBox* m_space;
-    QToolButton* m_top;
-    QToolButton* m_side;
-    QToolButton* m_isometric;
-    QPushButton* m_export;
-    QAction* m_exportPicture;
-    QAction* m_exportAnimation;
+    ViewBar* m_views;
     HeldControls* m_heldControls;
     ExportBar* m_exportBar;
     CutControls* m_cut;
-    QLabel* m_pickedWords;
-    QPushButton* m_startHere;
+    PickedPanel* m_picked;
 };
 
 } // namespace bask

@@ -185,6 +185,22 @@ TEST_F(SurfacesSweepTest, AVerdictDuringAnExportComesAfterIt) {
     changed(before);
 }
 
+// Catches a workspace too large to be sampled that is not told of, leaves the surfaces before, or a button
+// that goes on waiting for it.
+TEST_F(SurfacesSweepTest, WhatCannotBeSampledIsTold) {
+    JointVerdict verdict = *jointFeasibility(feasibilityRequest(experiment));
+    experiment.robot.lower.head<3>().setConstant(-50.0);
+    experiment.robot.upper.head<3>().setConstant(50.0);
+    QSignalSpy problem(&view, &SurfacesView::problem);
+    view.setExperiment(experiment);
+    view.setVerdict(verdict);
+    ASSERT_TRUE(waitFor([&] { return problem.count() == 1; }));
+    EXPECT_FALSE(problem[0][0].toString().isEmpty());
+    QTest::mouseClick(playButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return problem.count() >= 2; }));
+    EXPECT_FALSE(playButton()->isChecked());
+}
+
 // Catches a picture that is not told of, of another size, or a folder that is not there taken for a success.
 TEST_F(SurfacesSweepTest, APictureIsSavedInItsSize) {
     if (!scene()->hasPicture())
