@@ -98,6 +98,7 @@ TEST_F(MainWindowTest, TheSurfacesControlsFitASmallWindow) {
                 continue;
             for (int y = 30; y < 60 && !find<QWidget>("startHere")->isVisible(); y += 5)
                 QTest::mouseClick(scene, Qt::LeftButton, {}, {scene->width() / 2, scene->height() * y / 100});
+            ASSERT_TRUE(find<QWidget>("startHere")->isVisible()) << qPrintable(name);
             look(name + QStringLiteral("-picked"));
         }
     }

@@ -251,8 +251,13 @@ OverlayContent TargetPicture::overlayContent(bool dark) const {
         label.outline_R = outline;
         result.labels.push_back(label);
     };
-    if (picked)
-        add(TargetScene::tr("Picked"), placeText(picked->place), {picked->place});
+    if (picked) {
+        std::vector<Eigen::Vector3d> outline{picked->place}; // with its arrows: no label hides them
+        for (std::size_t i = 0; i < picked->arrows.from.size(); ++i)
+            if (picked->arrows.from[i].isApprox(picked->place))
+                outline.push_back(picked->place + picked->arrows.length * picked->arrows.directions[i]);
+        add(TargetScene::tr("Picked"), placeText(picked->place), outline);
+    }
     if (isAtVerdict() && verdict->feasible)
         add(TargetScene::tr("All targets"), placeText(drawn(verdict->pose)), {drawn(verdict->pose)});
     else if (isAtVerdict() && verdict->closest) {

@@ -392,6 +392,30 @@ TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
     EXPECT_EQ(spy.count(), 1) << "a drag";
 }
 
+// Catches: a picked point's arrows under a label, in a view so small that labels are close.
+TEST_F(TargetSceneTest, NoLabelHidesAPickedPointsArrows) {
+    const Experiment experiment = testing::threeObjects();
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    scene.setSurfaces(surfacesOf(experiment), experiment.start);
+    show(scene);
+    scene.resize(374, 360);
+    QCoreApplication::processEvents();
+    QSignalSpy spy(&scene, &TargetScene::posePicked);
+    for (const double y : {0.4, 0.45, 0.5, 0.55, 0.6}) {
+        scene.clearPick();
+        const QImage before = grab(scene);
+        QTest::mouseClick(pictureOf(scene), Qt::LeftButton, {}, QPoint(150, static_cast<int>(360 * y)));
+        const QImage picked = grab(scene);
+        int more = 0;
+        for (int i = 0; i < 3; ++i)
+            more += testing::pixelsOf(picked, seriesColor(i, false), 8) -
+                    testing::pixelsOf(before, seriesColor(i, false), 8);
+        EXPECT_GT(more, 60) << y;
+    }
+    EXPECT_EQ(spy.count(), 5);
+}
+
 // Catches: a clearance plane that is not where an object would be too near: here a palm's width under E.
 TEST_F(TargetSceneTest, TheClearancePlaneIsTheEndEffectorsLowest) {
     Experiment experiment = testing::threeObjects();
