@@ -1164,6 +1164,41 @@
         </message>
     </context>
     <context>
+        <name>bask::CutControls</name>
+        <message>
+            <source>No cut</source>
+            <translation>Pas de coupe</translation>
+        </message>
+        <message>
+            <source>Cut: %1</source>
+            <translation>Coupe : %1</translation>
+        </message>
+        <message>
+            <source>Object whose field is cut</source>
+            <translation>Objet dont le champ est coupé</translation>
+        </message>
+        <message>
+            <source>A plane in the colours of what one object would have there.</source>
+            <translation>Un plan aux couleurs de ce qu’un objet y aurait.</translation>
+        </message>
+        <message>
+            <source>What the cut shows: T, the steady temperature, or F, the view factor</source>
+            <translation>Ce que montre la coupe : T, la température d’équilibre, ou F, le facteur de forme</translation>
+        </message>
+        <message>
+            <source>T: the temperature that the object settles at there. F: its view factor.</source>
+            <translation>T : la température où l’objet s’y stabilise. F : son facteur de forme.</translation>
+        </message>
+        <message>
+            <source>Axis that the plane is square to</source>
+            <translation>Axe perpendiculaire au plan</translation>
+        </message>
+        <message>
+            <source>Place of the plane along its axis</source>
+            <translation>Place du plan le long de son axe</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::Display</name>
         <message>
             <source>%1/min</source>
@@ -1302,6 +1337,29 @@
         </message>
     </context>
     <context>
+        <name>bask::ExportBar</name>
+        <message>
+            <source>Computing…</source>
+            <translation>Calcul…</translation>
+        </message>
+        <message>
+            <source>Picture %1 of %2</source>
+            <translation>Image %1 sur %2</translation>
+        </message>
+        <message>
+            <source>Progress of the export</source>
+            <translation>Avancement de l’exportation</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Cancel the export</source>
+            <translation>Annuler l’exportation</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::FinalValuesTable</name>
         <message>
             <source>Final values</source>
@@ -1350,6 +1408,33 @@
         <message>
             <source>not settled</source>
             <translation>non stabilisé</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::HeldControls</name>
+        <message>
+            <source>Play</source>
+            <translation>Animer</translation>
+        </message>
+        <message>
+            <source>Play the surfaces through the robot's range of the value held, in nine steps.</source>
+            <translation>Animer les surfaces sur la plage du robot de la valeur fixée, en neuf pas.</translation>
+        </message>
+        <message>
+            <source>As at the pose</source>
+            <translation>Comme à la pose</translation>
+        </message>
+        <message>
+            <source>Draw the surfaces at the values of the pose that was found.</source>
+            <translation>Tracer les surfaces aux valeurs de la pose trouvée.</translation>
+        </message>
+        <message>
+            <source>Position at which the surfaces are drawn: %1</source>
+            <translation>Position à laquelle les surfaces sont tracées : %1</translation>
+        </message>
+        <message>
+            <source>Angle at which the surfaces are drawn: %1</source>
+            <translation>Angle auquel les surfaces sont tracées : %1</translation>
         </message>
     </context>
     <context>
@@ -2325,6 +2410,80 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::PickedPanel</name>
+        <message>
+            <source>For each object at this point: its view factor, the temperature that it settles at, and how fast that rises along its arrow.</source>
+            <translation>Pour chaque objet en ce point : son facteur de forme, la température où il se stabilise, et de combien elle monte le long de sa flèche.</translation>
+        </message>
+        <message>
+            <source>Start here</source>
+            <translation>Partir d’ici</translation>
+        </message>
+        <message>
+            <source>Runs start at this point.</source>
+            <translation>Les essais partent de ce point.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::PictureDialog</name>
+        <message>
+            <source> px</source>
+            <translation> px</translation>
+        </message>
+        <message>
+            <source>As the view: %1 × %2</source>
+            <translation>Comme la vue : %1 × %2</translation>
+        </message>
+        <message>
+            <source>Screen: %1 × %2</source>
+            <translation>Écran : %1 × %2</translation>
+        </message>
+        <message>
+            <source>A4 across at 300 dpi: %1 × %2</source>
+            <translation>A4 en largeur à 300 ppp : %1 × %2</translation>
+        </message>
+        <message>
+            <source>A4 upright at 300 dpi: %1 × %2</source>
+            <translation>A4 en hauteur à 300 ppp : %1 × %2</translation>
+        </message>
+        <message>
+            <source>Another</source>
+            <translation>Autre</translation>
+        </message>
+        <message>
+            <source>Choose the place…</source>
+            <translation>Choisir l’emplacement…</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>&amp;Size</source>
+            <translation>&amp;Taille</translation>
+        </message>
+        <message>
+            <source>&amp;Width</source>
+            <translation>&amp;Largeur</translation>
+        </message>
+        <message>
+            <source>&amp;Height</source>
+            <translation>&amp;Hauteur</translation>
+        </message>
+        <message>
+            <source>Save the picture</source>
+            <translation>Enregistrer l’image</translation>
+        </message>
+        <message>
+            <source>Save the animation</source>
+            <translation>Enregistrer l’animation</translation>
+        </message>
+        <message>
+            <source>Folder for the pictures</source>
+            <translation>Dossier des images</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::ReachBar</name>
         <message>
             <source>Reachable temperatures</source>
@@ -2764,6 +2923,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>θz (°)</source>
             <translation>θz (°)</translation>
         </message>
+        <message>
+            <source>object's x (cm)</source>
+            <translation>x de l’objet (cm)</translation>
+        </message>
+        <message>
+            <source>object's y (cm)</source>
+            <translation>y de l’objet (cm)</translation>
+        </message>
+        <message>
+            <source>object's z (cm)</source>
+            <translation>z de l’objet (cm)</translation>
+        </message>
     </context>
     <context>
         <name>bask::SceneView</name>
@@ -2964,76 +3135,36 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <context>
         <name>bask::SurfacesView</name>
         <message>
-            <source>&amp;Surfaces at %1</source>
-            <translation>&amp;Surfaces à %1</translation>
-        </message>
-        <message>
-            <source>Top</source>
-            <translation>Dessus</translation>
-        </message>
-        <message>
-            <source>Side</source>
-            <translation>Côté</translation>
-        </message>
-        <message>
-            <source>Isometric</source>
-            <translation>Isométrique</translation>
-        </message>
-        <message>
-            <source>View: %1</source>
-            <translation>Vue : %1</translation>
-        </message>
-        <message>
-            <source>Save picture…</source>
-            <translation>Enregistrer l’image…</translation>
-        </message>
-        <message>
-            <source>Save the picture</source>
-            <translation>Enregistrer l’image</translation>
-        </message>
-        <message>
-            <source>Angle at which the surfaces are drawn</source>
-            <translation>Angle auquel les surfaces sont tracées</translation>
-        </message>
-        <message>
-            <source>As at the pose</source>
-            <translation>Comme à la pose</translation>
-        </message>
-        <message>
-            <source>Draw the surfaces at the angle of the pose that was found.</source>
-            <translation>Tracer les surfaces à l’angle de la pose trouvée.</translation>
-        </message>
-        <message>
-            <source>Start runs here</source>
-            <translation>Départ des essais ici</translation>
-        </message>
-        <message>
             <source>3-D scene: where the end-effector may be for each object to hold its target</source>
             <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa consigne</translation>
         </message>
         <message>
-            <source>No cut</source>
-            <translation>Pas de coupe</translation>
+            <source>End-effector positions</source>
+            <translation>Positions de l’effecteur</translation>
         </message>
         <message>
-            <source>Cut: %1</source>
-            <translation>Coupe : %1</translation>
+            <source>Each object's own positions (as in the paper)</source>
+            <translation>Positions de chaque objet (comme dans l’article)</translation>
         </message>
         <message>
-            <source>Plane of steady temperatures of an object</source>
-            <translation>Plan des températures d’équilibre d’un objet</translation>
+            <source>End-effector angles</source>
+            <translation>Angles de l’effecteur</translation>
         </message>
         <message>
-            <source>A plane through the workspace in the colours of the temperature that the object settles at there.</source>
-            <translation>Un plan à travers l’espace de travail, aux couleurs de la température où l’objet s’y stabilise.</translation>
+            <source>What the surfaces are drawn over</source>
+            <translation>Ce sur quoi les surfaces sont tracées</translation>
         </message>
         <message>
-            <source>Axis that the plane is square to</source>
-            <translation>Axe perpendiculaire au plan</translation>
+            <source>What the surfaces are drawn over. On its surface an object holds its target.</source>
+            <translation>Ce sur quoi les surfaces sont tracées. Sur sa surface, un objet tient sa consigne.</translation>
         </message>
         <message>
-            <source>Place of the plane along its axis</source>
-            <translation>Place du plan le long de son axe</translation>
+            <source>Picture saved: %1</source>
+            <translation>Image enregistrée : %1</translation>
+        </message>
+        <message>
+            <source>Animation saved in %1: frame-1.png to frame-9.png, and all in panels.png</source>
+            <translation>Animation enregistrée dans %1 : frame-1.png à frame-9.png, et toutes dans panels.png</translation>
         </message>
     </context>
     <context>
@@ -3051,16 +3182,17 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Au plus près</translation>
         </message>
         <message>
-            <source>%1: F %2, steady at %3, F grows by %4 per %5</source>
-            <translation>%1 : F %2, équilibre à %3, F croît de %4 par %5</translation>
-        </message>
-        <message>
             <source>3-D scene of the targets</source>
             <translation>Scène 3D des consignes</translation>
         </message>
         <message>
             <source>The 3-D scene of the targets needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
             <translation>La scène 3D des consignes demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
+        </message>
+        <message>
+            <source>%1: F %2, steady %3, %4/%5</source>
+            <comment>name, view factor, temperature, slope</comment>
+            <translation>%1 : F %2, équilibre %3, %4/%5</translation>
         </message>
     </context>
     <context>
@@ -3257,6 +3389,37 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>This controller does not estimate λ₁.</source>
             <translation>Ce régulateur n’estime pas λ₁.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ViewBar</name>
+        <message>
+            <source>Top</source>
+            <translation>Dessus</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Côté</translation>
+        </message>
+        <message>
+            <source>Isometric</source>
+            <translation>Isométrique</translation>
+        </message>
+        <message>
+            <source>View: %1</source>
+            <translation>Vue : %1</translation>
+        </message>
+        <message>
+            <source>Export</source>
+            <translation>Exporter</translation>
+        </message>
+        <message>
+            <source>&amp;Picture…</source>
+            <translation>&amp;Image…</translation>
+        </message>
+        <message>
+            <source>&amp;Animation…</source>
+            <translation>&amp;Animation…</translation>
         </message>
     </context>
     <context>

@@ -30,7 +30,21 @@ double largestStep_m(const std::vector<FieldAxis>& axes) {
     return step_m;
 }
 
+/// The same numbers over other positions.
+std::shared_ptr<const Field> moved(Field field, const Eigen::Vector3d& by_m) {
+    for (FieldAxis& axis : field.axes) {
+        if (axis.coordinate >= kThetaX)
+            throw std::invalid_argument("targetFields: an object's own centre has no angles");
+        axis.first += by_m[axis.coordinate];
+    }
+    return std::make_shared<const Field>(std::move(field));
+}
+
 } // namespace
+
+Eigen::Vector3d centreOffset(const Pose& X_EO, const Vector6d& held) {
+    return poseFromCoordinates(held).linear() * X_EO.translation();
+}
 
 std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits, double step) {
     if (!(step > 0.0))
@@ -38,10 +52,10 @@ std::vector<FieldAxis> surfaceAxes(PoseSubset subset, const RobotLimits& limits,
     constexpr double kRightAngle = std::numbers::pi / 2.0;
     std::vector<FieldAxis> axes;
     for (const Coordinate k : {kX, kY, kZ})
-        if (subset == PoseSubset::Translation)
-            axes.push_back(axisOver(k, limits.lower[k], limits.upper[k], step));
-        else
+        if (subset == PoseSubset::Rotation)
             axes.push_back(axisOver(static_cast<Coordinate>(kThetaX + k), -kRightAngle, kRightAngle, step));
+        else
+            axes.push_back(axisOver(k, limits.lower[k], limits.upper[k], step));
     return axes;
 }
 
@@ -56,7 +70,8 @@ Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeome
         auto field = sampleField(request, {.stop = stop});
         if (!field)
             return field.error();
-        fields.push_back(std::move(*field));
+        fields.push_back(geometry.ofOwnCentres ? moved(**field, centreOffset(object.X_EO, geometry.held))
+                                               : std::move(*field));
     }
     return fields;
 }

@@ -12,8 +12,9 @@
 
 namespace bask {
 
-/// Three coordinates of the end-effector that surfaces are drawn over; the other three are held.
-enum class PoseSubset { Translation, Rotation };
+/// What surfaces are drawn over; the other three of the end-effector's coordinates are held. OwnTranslation:
+/// each object's over the positions of its own centre, as the paper has them.
+enum class PoseSubset { Translation, OwnTranslation, Rotation };
 
 inline constexpr double kSurfaceStep_m = 0.01;
 inline constexpr double kSurfaceStep_rad = 0.08726646259971647; ///< 5 degrees
@@ -31,13 +32,17 @@ struct TargetGeometry {
     std::vector<MountedContour> objects;
     std::vector<FieldAxis> axes;      ///< three of the end-effector's coordinates in R; see surfaceAxes
     Vector6d held = Vector6d::Zero(); ///< the others
+    /// Over the positions of each object's own centre, those where the axes' end-effector carries it: the
+    /// mounting's translation is left out of the coordinates, its rotation is not. Of positions only.
+    bool ofOwnCentres = false;
     /// Poses that are a grid step too near for this clearance are left out, and so are the surfaces there.
     double clearance_m = 0.0;
     double tolerance = 1e-6; ///< of F; between samples a surface is off by more than that
 };
 
 /// View factors of every object over the grid, one field an object. They stay valid until the geometry
-/// changes: another target only needs other surfaces. Errors: those of sampleField.
+/// changes: another target only needs other surfaces. Errors: those of sampleField. Throws
+/// std::invalid_argument on ofOwnCentres over an angle.
 Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeometry& geometry,
                                                                const std::stop_token& stop = {});
 
@@ -47,6 +52,9 @@ Result<std::vector<std::shared_ptr<const Field>>> targetFields(const TargetGeome
 std::optional<std::vector<Isosurface>> targetSurfaces(std::span<const std::shared_ptr<const Field>> fields,
                                                       std::span<const double> viewFactors,
                                                       const std::stop_token& stop = {});
+
+/// How far an object's own centre is from the end-effector (R, m) at the held angles.
+Eigen::Vector3d centreOffset(const Pose& X_EO, const Vector6d& held);
 
 /// Surfaces of all objects, with what was held.
 struct SurfaceFrame {

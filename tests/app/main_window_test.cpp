@@ -9,10 +9,12 @@
 
 #include <QAbstractButton>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialog>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QOpenGLWidget>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
@@ -54,6 +56,57 @@ TEST_F(MainWindowTest, HoldBecomesResume) {
     EXPECT_EQ(find<QAbstractButton>("holdButton")->text().remove(u'&'), QStringLiteral("Resume"));
     click("holdButton");
     EXPECT_TRUE(waitForState(RunState::Running));
+}
+
+// Catches: controls of the surfaces that a small window cuts off, in any of their states and in the longer
+// language.
+TEST_F(MainWindowTest, TheSurfacesControlsFitASmallWindow) {
+    openWindow({1100, 700});
+    window->pages().show(Page::Targets);
+    auto* view = find<QWidget>("targetScene")->parentWidget();
+    const auto look = [&](const QString& name) {
+        keepPicture(QStringLiteral("surfaces-") + name);
+        EXPECT_EQ(window->width(), 1100) << "it grew";
+        for (QWidget* part : view->findChildren<QWidget*>()) {
+            if (!part->isVisible() || part->parentWidget()->inherits("QComboBox"))
+                continue;
+            const QRect place(part->mapTo(view, QPoint()), part->size());
+            EXPECT_TRUE(view->rect().contains(place)) << qPrintable(part->objectName() + name);
+            const auto* box = qobject_cast<QComboBox*>(part);
+            const auto* label = qobject_cast<QLabel*>(part);
+            if (box != nullptr || qobject_cast<QAbstractButton*>(part) != nullptr) {
+                EXPECT_GE(part->width(), part->sizeHint().width()) << qPrintable(part->objectName() + name);
+            }
+            if (label != nullptr) {
+                EXPECT_GE(part->width(), label->wordWrap() ? 0 : part->sizeHint().width())
+                    << qPrintable(part->objectName() + name);
+                EXPECT_GE(part->height(), part->heightForWidth(part->width()))
+                    << qPrintable(part->objectName() + name);
+            }
+        }
+        EXPECT_GE(find<QWidget>("targetScene")->height(), 220) << qPrintable(name);
+    };
+    auto* space = find<QComboBox>("surfaceSpace");
+    auto* object = find<QComboBox>("cutObject");
+    for (const char* language : {"en", "fr"}) {
+        window->setLanguage(QLatin1String(language));
+        for (int i = 0; i < space->count(); ++i) {
+            space->setCurrentIndex(i);
+            object->setCurrentIndex(2);
+            const QString name = QLatin1String(language) + QString::number(i);
+            look(name + QStringLiteral("-cut"));
+            object->setCurrentIndex(0);
+            QWidget* scene = find<QWidget>("targetScene")->findChild<QOpenGLWidget*>();
+            if (scene == nullptr)
+                continue;
+            for (int y = 30; y < 60 && !find<QWidget>("startHere")->isVisible(); y += 5)
+                QTest::mouseClick(scene, Qt::LeftButton, {}, {scene->width() / 2, scene->height() * y / 100});
+            ASSERT_TRUE(find<QWidget>("startHere")->isVisible()) << qPrintable(name);
+            look(name + QStringLiteral("-picked"));
+        }
+    }
+    window->setTheme(Theme::Dark);
+    look(QStringLiteral("dark"));
 }
 
 // Catches: another experiment slipped in under a run.

@@ -172,7 +172,7 @@ void SceneOverlay::paintAxis(Frame& frame, int axis) {
     QPainter& painter = frame.painter;
     painter.setPen(QPen(frame.line, 1.0));
     painter.drawLine(line.from, line.to);
-    const double unit = frame.content.angles ? degFromRad(1.0) : 100.0; // degrees or cm
+    const double unit = frame.content.axes == PoseSubset::Rotation ? degFromRad(1.0) : 100.0; // degrees or cm
     const double from = frame.content.frame.min()[axis] * unit;
     const double to = frame.content.frame.max()[axis] * unit;
     const NiceRange range = niceRange(from, to, std::max(1, static_cast<int>(length / 44.0)));
@@ -201,16 +201,19 @@ void SceneOverlay::paintAxis(Frame& frame, int axis) {
                           .normalized()
                           .adjusted(-1.0, -1.0, 1.0, 1.0));
 
-    static constexpr std::array<const char*, 6> kTitles{QT_TR_NOOP("x (cm)"), QT_TR_NOOP("y (cm)"),
-                                                        QT_TR_NOOP("z (cm)"), QT_TR_NOOP("θx (°)"),
-                                                        QT_TR_NOOP("θy (°)"), QT_TR_NOOP("θz (°)")};
-    const QString title = tr(kTitles[static_cast<std::size_t>(axis + (frame.content.angles ? 3 : 0))]);
+    static constexpr std::array<const char*, 9> kTitles{
+        QT_TR_NOOP("x (cm)"),          QT_TR_NOOP("y (cm)"),          QT_TR_NOOP("z (cm)"),
+        QT_TR_NOOP("object's x (cm)"), QT_TR_NOOP("object's y (cm)"), QT_TR_NOOP("object's z (cm)"),
+        QT_TR_NOOP("θx (°)"),          QT_TR_NOOP("θy (°)"),          QT_TR_NOOP("θz (°)")};
+    const QString title =
+        tr(kTitles[static_cast<std::size_t>(axis + 3 * static_cast<int>(frame.content.axes))]);
     const QSizeF size(frame.metrics.horizontalAdvance(title), frame.metrics.ascent());
     QRectF place = beside(0.5 * (line.from + line.to), line.outward, kTick + 4.0 + widest + 6.0, size);
     // Beside an upright axis there is little room: its title stands at its upper end.
     if (std::abs(line.outward.x()) > std::abs(line.outward.y()) + 0.2 || !m_layout.isFree(place)) {
         const bool up = line.from.y() < line.to.y();
         place = beside(up ? line.from : line.to, QPointF(0.0, -1.0), 8.0, size);
+        place.moveLeft(std::max(place.left(), 6.0));
     }
     painter.setPen(frame.text);
     painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, title);

@@ -2,6 +2,7 @@
 // What Qt draws over the scene: axes with ticks in cm, the colour bar, and the labels of source and objects.
 
 #include "engine/base/units.h"
+#include "engine/exchange/target_surfaces.h"
 #include "widgets/common/colour_map.h"
 #include "widgets/scene/camera_fit.h"
 #include "widgets/scene/label_layout.h"
@@ -29,8 +30,8 @@ struct SceneLabel {
 
 /// Everything the overlay shows, as values.
 struct OverlayContent {
-    Box frame;                      ///< whose edges carry the axes, R, m; or angles, rad
-    bool angles = false;            ///< axes are theta_x, theta_y, theta_z
+    Box frame; ///< whose edges carry the axes, R, m; or angles, rad
+    PoseSubset axes = PoseSubset::Translation;
     std::vector<SceneLabel> labels; ///< in order of importance
     bool hasBar = false;
     NiceRange bar; ///< in the shown unit

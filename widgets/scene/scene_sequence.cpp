@@ -97,10 +97,14 @@ void SceneSequence::saveNext() {
     emit progressed(index + 1, count());
 }
 
-void SceneSequence::finish(const Error& problem) {
+void SceneSequence::cancel() {
     m_saver.stop();
     m_pictures.clear();
     show(m_shown);
+}
+
+void SceneSequence::finish(const Error& problem) {
+    cancel();
     emit saved(problem);
 }
 

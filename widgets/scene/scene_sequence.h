@@ -35,6 +35,9 @@ public:
     /// Writes frame-1.png ... and panels.png, three to a row with their captions, into the folder, which must
     /// be there. Ends with saved(); frames of that name are replaced.
     void save(const QString& folder, QSize size);
+    /// Ends a save() half-way, without saved(); pictures written so far stay.
+    void cancel();
+    bool isSaving() const { return m_saver.isActive(); }
 
 signals:
     void shown(int index);

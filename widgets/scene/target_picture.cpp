@@ -27,7 +27,7 @@ constexpr int kBarSteps = 10; ///< of the colour bar, and so contour lines
 constexpr double kLift_px = 8.0;
 constexpr double kGhostOpacity = 0.55;
 constexpr double kMarkShare = 0.009; ///< radius of a mark, of the frame's diagonal
-constexpr double kArrowShare = 0.07;
+constexpr double kArrowShare = 0.1;
 
 QString tenthsText(double value) {
     const double tenths = std::round(10.0 * value) + 0.0; // no minus before zero
@@ -39,6 +39,30 @@ QString tenthsText(double value) {
 Box angleBox() {
     constexpr double kRightAngle = std::numbers::pi / 2.0; // as surfaceAxes has it
     return {Eigen::Vector3d::Constant(-kRightAngle), Eigen::Vector3d::Constant(kRightAngle)};
+}
+
+/// The end-effector's frame and as far as it carries an object to a side or up.
+Box ownFrameOf(const Experiment& experiment) {
+    Box box = frameOf(experiment);
+    double reach_m = 0.0;
+    for (const ObjectSpec& object : experiment.objects)
+        reach_m = std::max(reach_m, object.mounting.head<3>().norm());
+    box.extend(Eigen::Vector3d(box.min() - Eigen::Vector3d(reach_m, reach_m, 0.0)));
+    box.extend(Eigen::Vector3d(box.max() + Eigen::Vector3d::Constant(reach_m)));
+    return box;
+}
+
+Box boxOf(const Field& field) {
+    Box box;
+    for (const int end : {0, 1}) {
+        Eigen::Vector3d corner;
+        for (int a = 0; a < 3; ++a) {
+            const FieldAxis& axis = field.axes[static_cast<std::size_t>(a)];
+            corner[a] = axis.at(end * (axis.count - 1));
+        }
+        box.extend(corner);
+    }
+    return box;
 }
 
 /// But for the targets, which no part of the picture but its labels shows.
@@ -73,12 +97,12 @@ void TargetPicture::setExperiment(const Experiment& next) {
     held = experiment.start;
     surfaces.clear();
     verdict.reset();
-    setSubset(PoseSubset::Translation);
+    setSubset(subset);
 }
 
 void TargetPicture::setSubset(PoseSubset next) {
     subset = next;
-    frame = isOverAngles() ? angleBox() : frameOf(experiment);
+    frame = isOverAngles() ? angleBox() : isOverOwn() ? ownFrameOf(experiment) : frameOf(experiment);
     cut.reset();
     picked.reset();
     rebuild = true;
@@ -105,6 +129,21 @@ QString TargetPicture::unitWord() const {
 QString TargetPicture::placeText(const Eigen::Vector3d& p) const {
     return QStringLiteral("(%1, %2, %3) %4")
         .arg(tenthsText(inUnit(p.x())), tenthsText(inUnit(p.y())), tenthsText(inUnit(p.z())), unitWord());
+}
+
+/// From the end-effector to where an object is drawn over.
+Eigen::Vector3d TargetPicture::offsetOf(std::size_t object) const {
+    if (!isOverOwn())
+        return Eigen::Vector3d::Zero();
+    return centreOffset(poseFromCoordinates(experiment.objects[object].mounting), held);
+}
+
+/// Whether the surfaces are those through the verdict's pose: others meet elsewhere, if at all.
+bool TargetPicture::isAtVerdict() const {
+    constexpr double kSame = 1e-6;
+    const int other = isOverAngles() ? kX : kThetaX;
+    return verdict && !isOverOwn() &&
+           (held.segment<3>(other) - verdict->pose.segment<3>(other)).norm() < kSame;
 }
 
 /// The verdict's pose; without one the start, turned as the surfaces are held.
@@ -164,9 +203,9 @@ void TargetPicture::showCut(bool dark) {
 
 void TargetPicture::showMarks(bool dark) {
     std::vector<Eigen::Vector3d> points;
-    if (verdict && verdict->feasible)
+    if (isAtVerdict() && verdict->feasible)
         points = {drawn(verdict->pose)};
-    else if (verdict && verdict->closest)
+    else if (isAtVerdict() && verdict->closest)
         points = {verdict->closest->first, verdict->closest->second};
     targets->setMarks(points, markRadius());
     targets->setArrows(picked ? &picked->arrows : nullptr, 0.7 * markRadius(), colours(dark));
@@ -199,7 +238,7 @@ OverlayContent TargetPicture::overlayContent(bool dark) const {
     if (!rig)
         return result;
     result.frame = frame;
-    result.angles = isOverAngles();
+    result.axes = subset;
     result.hasBar = cut.has_value();
     result.bar = cutRange;
     if (cut)
@@ -212,11 +251,16 @@ OverlayContent TargetPicture::overlayContent(bool dark) const {
         label.outline_R = outline;
         result.labels.push_back(label);
     };
-    if (picked)
-        add(TargetScene::tr("Picked"), placeText(drawn(picked->q)), {drawn(picked->q)});
-    if (verdict && verdict->feasible)
+    if (picked) {
+        std::vector<Eigen::Vector3d> outline{picked->place}; // with its arrows: no label hides them
+        for (std::size_t i = 0; i < picked->arrows.from.size(); ++i)
+            if (picked->arrows.from[i].isApprox(picked->place))
+                outline.push_back(picked->place + picked->arrows.length * picked->arrows.directions[i]);
+        add(TargetScene::tr("Picked"), placeText(picked->place), outline);
+    }
+    if (isAtVerdict() && verdict->feasible)
         add(TargetScene::tr("All targets"), placeText(drawn(verdict->pose)), {drawn(verdict->pose)});
-    else if (verdict && verdict->closest) {
+    else if (isAtVerdict() && verdict->closest) {
         const auto& [a, b] = *verdict->closest;
         add(TargetScene::tr("Closest"), tenthsText(inUnit((a - b).norm())) + QLatin1Char(' ') + unitWord(),
             {a, b});
@@ -226,11 +270,12 @@ OverlayContent TargetPicture::overlayContent(bool dark) const {
 }
 
 void TargetPicture::pointArrows(PickedPose& pose) const {
-    pose.arrows.at = drawn(pose.q);
     pose.arrows.length = kArrowShare * frame.diagonal().norm();
     const ViewFactors factors = rig->viewFactors(pose.q);
-    for (Eigen::Index i = 0; i < factors.F.size(); ++i)
+    for (Eigen::Index i = 0; i < factors.F.size(); ++i) {
+        pose.arrows.from.push_back(drawn(pose.q) + offsetOf(static_cast<std::size_t>(i)));
         pose.arrows.directions.push_back(drawn(factors.dF.row(i).transpose()).stableNormalized());
+    }
 }
 
 QStringList TargetPicture::words(const PickedPose& pose) const {
@@ -238,12 +283,13 @@ QStringList TargetPicture::words(const PickedPose& pose) const {
     const ViewFactors factors = rig->viewFactors(pose.q);
     for (Eigen::Index i = 0; i < factors.F.size(); ++i) {
         const auto k = static_cast<std::size_t>(i);
-        const double slope = drawn(factors.dF.row(i).transpose()).norm() / inUnit(1.0);
-        sentences << TargetScene::tr("%1: F %2, steady at %3, F grows by %4 per %5")
+        const double steady_K = rates[k].steadyTemperature_K(factors.F[i]);
+        const double perF_K = rates[k].lambda1 / (4.0 * rates[k].lambda2 * std::pow(steady_K, 3));
+        const double slope_K = perF_K * drawn(factors.dF.row(i).transpose()).norm() / inUnit(1.0);
+        sentences << TargetScene::tr("%1: F %2, steady %3, %4/%5", "name, view factor, temperature, slope")
                          .arg(QString::fromStdString(experiment.objects[k].name),
-                              QLocale().toString(factors.F[i], 'f', 3),
-                              formatTemperature(rates[k].steadyTemperature_K(factors.F[i]), unit),
-                              QLocale().toString(slope, 'f', 3), unitWord());
+                              QLocale().toString(factors.F[i], 'f', 3), formatTemperature(steady_K, unit),
+                              formatDifference(slope_K, unit), unitWord());
     }
     return sentences;
 }
@@ -267,19 +313,22 @@ std::optional<PickedPose> TargetPicture::poseAt(QPointF place) const {
         return std::nullopt;
     const Ray ray = rayThrough(*view->renderer().GetActiveCamera(), view->size(), place);
     std::optional<double> nearest;
-    const auto take = [&nearest](const std::optional<double>& along) {
+    std::size_t object = 0;
+    const auto take = [&](std::size_t of, const std::optional<double>& along) {
         if (along && (!nearest || *along < *nearest))
-            nearest = along;
+            nearest = along, object = of;
     };
-    for (const Isosurface& surface : surfaces)
-        take(distanceTo(surface, ray));
+    for (std::size_t i = 0; i < surfaces.size(); ++i)
+        take(i, distanceTo(surfaces[i], ray));
     if (cut)
-        take(distanceToCut(isOverAngles() ? angleBox() : limits(), cut->axis % 3, cut->position, ray));
+        take(static_cast<std::size_t>(cut->object),
+             distanceToCut(boxOf(*cut->field), cut->axis % 3, cut->position, ray));
     if (!nearest)
         return std::nullopt;
     PickedPose pose;
+    pose.place = ray.origin + *nearest * ray.direction;
     pose.q = held;
-    pose.q.segment<3>(isOverAngles() ? kThetaX : kX) = ray.origin + *nearest * ray.direction;
+    pose.q.segment<3>(isOverAngles() ? kThetaX : kX) = pose.place - offsetOf(object);
     try {
         pointArrows(pose);
     } catch (const std::invalid_argument&) {
@@ -299,9 +348,8 @@ void TargetPicture::prepare(const QPalette& palette, const QFont& font) {
         if (rebuild)
             rebuildActors(dark);
         if (rebuild || resurface) {
-            const auto clearance = isOverAngles() ? std::vector<Eigen::Vector3d>() : clearancePolygon();
             targets->setSurfaces(surfaces);
-            targets->setBounds(isOverAngles() ? edgesOf(limits()) : sidesOf(clearance), clearance);
+            showBounds();
         }
         if (rebuild || resurface || remark) {
             showCut(dark);
@@ -313,6 +361,14 @@ void TargetPicture::prepare(const QPalette& palette, const QFont& font) {
     }
     content = overlayContent(dark);
     rebuild = resurface = remark = false;
+}
+
+/// Of the objects' own centres each has another clearance: none is drawn.
+void TargetPicture::showBounds() {
+    if (isOverAngles())
+        return targets->setBounds(edgesOf(limits()), {});
+    const auto clearance = isOverOwn() ? std::vector<Eigen::Vector3d>() : clearancePolygon();
+    targets->setBounds(sidesOf(clearance), clearance);
 }
 
 void TargetPicture::rebuildActors(bool dark) {

@@ -17,6 +17,7 @@ namespace bask {
 /// A pose that was clicked.
 struct PickedPose {
     Vector6d q = Vector6d::Zero();
+    Eigen::Vector3d place = Eigen::Vector3d::Zero(); ///< what was clicked, in the surfaces' coordinates
     PickedArrows arrows;
 };
 
@@ -51,6 +52,7 @@ struct TargetPicture {
     SceneOverlay overlay;
 
     bool isOverAngles() const { return subset == PoseSubset::Rotation; }
+    bool isOverOwn() const { return subset == PoseSubset::OwnTranslation; }
     void setExperiment(const Experiment& next);
     /// Drops what belongs to another subset.
     void setSubset(PoseSubset next);
@@ -79,6 +81,9 @@ private:
     std::vector<QColor> colours(bool dark) const;
     double cutValue(double F) const;
     std::vector<Eigen::Vector3d> clearancePolygon() const;
+    Eigen::Vector3d offsetOf(std::size_t object) const;
+    bool isAtVerdict() const;
+    void showBounds();
     void pointArrows(PickedPose& pose) const;
     void showCut(bool dark);
     void showMarks(bool dark);

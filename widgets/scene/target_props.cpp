@@ -130,6 +130,7 @@ struct TargetProps::Impl {
         boundsFill.actor->GetProperty()->SetOpacity(0.07);
         sheet.mapper->ScalarVisibilityOn();
         arrows.mapper->ScalarVisibilityOn();
+        arrowEdges.width_px = 7.0F;
         arrows.width_px = 3.0F;
         join.width_px = 3.0F;
         lines.width_px = 1.5F;
@@ -141,11 +142,12 @@ struct TargetProps::Impl {
     ScenePart bounds, boundsFill;
     ScenePart sheet, lines;
     ScenePart marks, join;
-    ScenePart picked, arrows;
+    ScenePart picked, arrowEdges, arrows;
     double lineScale = 1.0;
 
     std::vector<ScenePart*> parts() {
-        std::vector<ScenePart*> all{&bounds, &boundsFill, &sheet, &lines, &marks, &join, &picked, &arrows};
+        std::vector<ScenePart*> all{&bounds, &boundsFill, &sheet,      &lines, &marks,
+                                    &join,   &picked,     &arrowEdges, &arrows};
         for (ScenePart& surface : surfaces)
             all.push_back(&surface);
         return all;
@@ -182,7 +184,8 @@ void TargetProps::setColours(const std::vector<QColor>& surfaces, const QColor& 
     }
     for (ScenePart* part : {&m->marks, &m->join, &m->picked, &m->bounds, &m->boundsFill})
         part->setColour(marks);
-    m->lines.setColour(contours);
+    for (ScenePart* part : {&m->lines, &m->arrowEdges})
+        part->setColour(contours);
 }
 
 void TargetProps::setLineScale(double scale) {
@@ -239,28 +242,35 @@ void TargetProps::setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& m
     m->lines.actor->SetPosition(lines.x(), lines.y(), lines.z());
     for (ScenePart* part : {&m->marks, &m->join, &m->picked, &m->arrows})
         part->actor->SetPosition(marks.x(), marks.y(), marks.z());
+    const Eigen::Vector3d behind = 0.95 * marks;
+    m->arrowEdges.actor->SetPosition(behind.x(), behind.y(), behind.z());
 }
 
 void TargetProps::setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours) {
     if (arrows == nullptr) {
         m->picked.data->Initialize();
         m->arrows.data->Initialize();
+        m->arrowEdges.data->Initialize();
         return;
     }
-    const Eigen::Vector3d& from = arrows->at;
-    setSpheres(*m->picked.data, {from}, radius);
+    setSpheres(*m->picked.data, arrows->from, radius);
     std::vector<Eigen::Vector3d> ends;
     std::vector<QColor> lineColours;
     for (std::size_t i = 0; i < arrows->directions.size(); ++i) {
+        const Eigen::Vector3d& from = arrows->from[i];
         const Eigen::Vector3d& d = arrows->directions[i];
         const Eigen::Vector3d tip = from + arrows->length * d;
-        const Eigen::Vector3d aside = 0.2 * arrows->length * d.unitOrthogonal();
-        const Eigen::Vector3d back = tip - 0.3 * arrows->length * d;
-        ends.insert(ends.end(), {from, tip, tip, back + aside, tip, back - aside});
-        for (int k = 0; k < 3; ++k)
-            lineColours.push_back(colours[i % colours.size()]);
+        const Eigen::Vector3d back = tip - 0.28 * arrows->length * d;
+        // Two pairs of barbs: one alone may be seen edge on.
+        const Eigen::Vector3d aside = 0.14 * arrows->length * d.unitOrthogonal();
+        const Eigen::Vector3d across = d.cross(aside);
+        ends.insert(ends.end(), {from, tip});
+        for (const Eigen::Vector3d& barb : {aside, Eigen::Vector3d(-aside), across, Eigen::Vector3d(-across)})
+            ends.insert(ends.end(), {tip, back + barb});
+        lineColours.insert(lineColours.end(), 5, colours[i % colours.size()]);
     }
     setLines(*m->arrows.data, ends, lineColours);
+    setLines(*m->arrowEdges.data, ends, {});
 }
 
 } // namespace bask

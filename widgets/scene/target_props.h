@@ -15,10 +15,10 @@ class vtkRenderer;
 
 namespace bask {
 
-/// Arrows from one point.
+/// Arrows, one an object.
 struct PickedArrows {
-    Eigen::Vector3d at = Eigen::Vector3d::Zero();
-    std::vector<Eigen::Vector3d> directions; ///< one an object, unit or zero
+    std::vector<Eigen::Vector3d> from;
+    std::vector<Eigen::Vector3d> directions; ///< unit or zero
     double length = 0.03;
 };
 
@@ -32,7 +32,7 @@ public:
     void addActors();
 
     void setSurfaces(const std::vector<Isosurface>& surfaces);
-    /// Surface i in colour i, translucent; paler when `stale`.
+    /// Surface i in colour i, translucent; paler when `stale`. `contours`: lines on the cut, arrows' edges.
     void setColours(const std::vector<QColor>& surfaces, const QColor& marks, const QColor& contours,
                     bool stale);
     void setLineScale(double scale);
@@ -43,7 +43,7 @@ public:
     void setCut(const CutSheet& sheet, const std::function<QColor(double)>& colour);
     /// A sphere at each point; two points are joined by a line.
     void setMarks(const std::vector<Eigen::Vector3d>& points, double radius);
-    /// A sphere and an arrow an object, in the surfaces' colours; null: none.
+    /// Arrows in the surfaces' colours, a sphere where they start; null: none.
     void setArrows(const PickedArrows* arrows, double radius, const std::vector<QColor>& colours);
     /// Moves lines on the cut, and marks and arrows, towards the viewer (R, m), as SceneProps::setPoses does:
     /// the marks far enough to be seen before everything.

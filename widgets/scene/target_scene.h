@@ -40,7 +40,7 @@ struct SceneCut {
 /// Setters in, a picture and picked poses out; R axes in cm. Setters only note what is new: frames are drawn
 /// later, and none while hidden. Without OpenGL 3.2 it says so in words. Colours follow the palette, words
 /// the language. A click on a surface or the cut picks a pose: it gets a mark and, for each object, an arrow
-/// along which its view factor grows.
+/// along which it gets hotter.
 class TargetScene : public QWidget {
     Q_OBJECT
 public:
@@ -52,7 +52,9 @@ public:
     void setExperiment(const Experiment& experiment);
     /// One surface an object, over the subset's coordinates of the end-effector in R; `held` has the others.
     /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
-    /// the robot's limits and marks, but neither source nor objects. Another subset drops the cut.
+    /// the robot's limits and marks, but neither source nor objects. Over the objects' own positions nothing
+    /// is marked: each object of the ghost stands on its surface. The verdict's point is marked only where
+    /// `held` is that of its pose. Another subset drops cut and pick.
     void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held,
                      PoseSubset subset = PoseSubset::Translation);
     void setVerdictPoint(const std::optional<SceneVerdict>& verdict);
@@ -79,7 +81,8 @@ public:
     QSize minimumSizeHint() const override;
 
 signals:
-    /// A point was clicked: the end-effector's coordinates, with the held angles, and a sentence an object.
+    /// A point was clicked: the end-effector's coordinates (that put the object there whose own position it
+    /// is), and a line an object: F, steady temperature, and how fast that rises along its arrow.
     void posePicked(const bask::Vector6d& coordinates, const QStringList& words);
     void surfacesDrawn(); ///< the first frame with new surfaces was made
 

@@ -1,321 +1,344 @@
 #include "widgets/targets/surfaces_view.h"
 
-#include "engine/base/units.h"
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/scene/target_scene.h"
+#include "widgets/targets/cut_controls.h"
+#include "widgets/targets/export_bar.h"
+#include "widgets/targets/held_controls.h"
+#include "widgets/targets/picked_panel.h"
+#include "widgets/targets/picture_dialog.h"
+#include "widgets/targets/surface_geometry.h"
 #include "widgets/targets/verdict_text.h"
+#include "widgets/targets/view_bar.h"
 
 #include <QComboBox>
+#include <QDir>
 #include <QEvent>
-#include <QFileDialog>
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QPushButton>
-#include <QSignalBlocker>
-#include <QSlider>
-#include <QToolButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 namespace bask {
-namespace {
-
-constexpr int kStepsPerDegree = 2; // of the slider
-
-TargetGeometry geometryOf(const Experiment& experiment, const Vector6d& held) {
-    TargetGeometry geometry{.source = RadiatingContour(experiment.source.shape),
-                            .X_RS = poseFromCoordinates(experiment.source.pose),
-                            .objects = {},
-                            .axes = surfaceAxes(PoseSubset::Translation, experiment.robot, kSurfaceStep_m),
-                            .held = held,
-                            .clearance_m = experiment.robot.clearance_m};
-    for (const ObjectSpec& object : experiment.objects)
-        geometry.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
-    return geometry;
-}
-
-/// The two of the surfaces' points that are farthest apart.
-std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> gapOf(const JointVerdict& verdict) {
-    std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> widest;
-    for (const Eigen::Vector3d& a : verdict.surfacePoints)
-        for (const Eigen::Vector3d& b : verdict.surfacePoints)
-            if (!widest || (a - b).norm() > (widest->first - widest->second).norm())
-                widest.emplace(a, b);
-    return widest;
-}
-
-/// Whether the surfaces of two experiments differ by more than their values.
-bool isOtherGeometry(const Experiment& a, const Experiment& b) {
-    const auto differ = [](const ObjectSpec& x, const ObjectSpec& y) {
-        return x.shape != y.shape || x.mounting != y.mounting;
-    };
-    if (a.source.shape != b.source.shape || a.source.pose != b.source.pose || a.robot != b.robot ||
-        a.objects.size() != b.objects.size())
-        return true;
-    for (std::size_t i = 0; i < a.objects.size(); ++i)
-        if (differ(a.objects[i], b.objects[i]))
-            return true;
-    return false;
-}
-
-} // namespace
-
 SurfacesView::SurfacesView(QWidget* parent)
-    : QWidget(parent), m_scene(new TargetScene(this)), m_heldLabel(new QLabel(this)),
-      m_heldAngle(new QSlider(Qt::Horizontal, this)), m_heldAtPose(new QPushButton(this)),
-      m_top(new QToolButton(this)), m_side(new QToolButton(this)), m_isometric(new QToolButton(this)),
-      m_save(new QPushButton(this)), m_cutObject(new QComboBox(this)), m_cutAxis(new QComboBox(this)),
-      m_cutPlace(new QSlider(Qt::Horizontal, this)), m_pickedWords(new QLabel(this)),
-      m_startHere(new QPushButton(this)) {
+    : QWidget(parent), m_scene(new TargetScene(this)), m_player(new SweepPlayer(*m_scene, this)),
+      m_space(new QComboBox(this)), m_views(new ViewBar(this)), m_heldControls(new HeldControls(this)),
+      m_exportBar(new ExportBar(this)), m_cut(new CutControls(this)), m_picked(new PickedPanel(this)) {
     m_scene->setObjectName("targetScene");
-    m_heldAngle->setObjectName("heldAngle");
-    m_heldAtPose->setObjectName("heldAtPose");
-    m_top->setObjectName("viewTop");
-    m_side->setObjectName("viewSide");
-    m_isometric->setObjectName("viewIsometric");
-    m_save->setObjectName("savePicture");
-    m_cutObject->setObjectName("cutObject");
-    m_cutAxis->setObjectName("cutAxis");
-    m_cutPlace->setObjectName("cutPlace");
-    m_cutAxis->addItems({"x", "y", "z"});
-    m_cutAxis->setCurrentIndex(kY);
-    m_pickedWords->setObjectName("picked");
-    m_startHere->setObjectName("startHere");
-    m_pickedWords->setWordWrap(true);
-    m_heldLabel->setBuddy(m_heldAngle);
-
-    auto* views = new QHBoxLayout;
-    for (QToolButton* button : {m_top, m_side, m_isometric}) {
-        button->setAutoRaise(true);
-        views->addWidget(button);
-    }
-    views->addStretch(1);
-    views->addWidget(m_save);
-    auto* angle = new QHBoxLayout;
-    angle->addWidget(m_heldLabel);
-    angle->addWidget(m_heldAngle, 1);
-    angle->addWidget(m_heldAtPose);
-    auto* cut = new QHBoxLayout;
-    cut->addWidget(m_cutObject);
-    cut->addWidget(m_cutAxis);
-    cut->addWidget(m_cutPlace, 1);
-    auto* picked = new QHBoxLayout;
-    picked->addWidget(m_pickedWords, 1);
-    picked->addWidget(m_startHere, 0, Qt::AlignTop);
+    m_space->setObjectName("surfaceSpace");
+    m_space->addItems({{}, {}, {}}); // named by retranslate()
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addLayout(views);
+    layout->addWidget(m_space);
+    layout->addWidget(m_views);
     layout->addWidget(m_scene, 1);
-    layout->addLayout(angle);
-    layout->addLayout(cut);
-    layout->addLayout(picked);
+    for (QWidget* row : std::initializer_list<QWidget*>{m_heldControls, m_exportBar, m_cut, m_picked})
+        layout->addWidget(row);
+    connectControls();
+    retranslate();
+}
 
-    connect(m_top, &QToolButton::clicked, m_scene, &TargetScene::viewAlongMinusZ);
-    connect(m_side, &QToolButton::clicked, m_scene, &TargetScene::viewAlongX);
-    connect(m_isometric, &QToolButton::clicked, m_scene, &TargetScene::viewIsometric);
-    connect(m_save, &QPushButton::clicked, this, &SurfacesView::savePicture);
-    connect(m_heldAngle, &QSlider::valueChanged, this,
-            [this](int value) { hold(radFromDeg(static_cast<double>(value) / kStepsPerDegree)); });
-    connect(m_cutObject, &QComboBox::currentIndexChanged, this, &SurfacesView::showCut);
-    connect(m_cutAxis, &QComboBox::currentIndexChanged, this, [this] {
-        placeCut();
-        showCut();
+void SurfacesView::connectControls() {
+    connect(m_space, &QComboBox::currentIndexChanged, this, &SurfacesView::changeSpace);
+    connect(m_views, &ViewBar::topWanted, m_scene, &TargetScene::viewAlongMinusZ);
+    connect(m_views, &ViewBar::sideWanted, m_scene, &TargetScene::viewAlongX);
+    connect(m_views, &ViewBar::isometricWanted, m_scene, &TargetScene::viewIsometric);
+    connect(m_views, &ViewBar::pictureWanted, this, [this] {
+        if (const auto order = PictureDialog::askPicture(2 * m_scene->size(), this))
+            savePicture(order->path, order->size_px);
     });
-    connect(m_cutPlace, &QSlider::valueChanged, this, &SurfacesView::showCut);
-    connect(m_heldAtPose, &QPushButton::clicked, this, [this] {
-        m_held_rad.reset();
-        showControls();
+    connect(m_views, &ViewBar::animationWanted, this, [this] {
+        if (const auto order = PictureDialog::askAnimation(m_scene->size(), this))
+            saveAnimation(order->path, order->size_px);
+    });
+    connect(m_heldControls, &HeldControls::heldByHand, this, &SurfacesView::hold);
+    connect(m_heldControls, &HeldControls::playWanted, this, &SurfacesView::play);
+    connect(m_heldControls, &HeldControls::poseWanted, this, [this] {
+        endPlay();
+        for (const Coordinate k : heldCoordinates(subset(), m_experiment.robot))
+            m_heldByHand.at(k).reset();
+        clearPick();
+        compute();
+    });
+    connect(m_cut, &CutControls::changed, this, &SurfacesView::showCut);
+    connect(m_exportBar, &ExportBar::cancelled, this, [this] {
+        m_player->stop();
+        endExport();
+    });
+    connect(m_player, &SweepPlayer::progressed, m_exportBar, &ExportBar::showProgress);
+    connect(m_player, &SweepPlayer::shown, this, [this](const Vector6d& held) {
+        m_behind = false;
+        showStale();
+        m_heldControls->setHeld(held, true);
+        const Coordinate varied = *sweptCoordinate(subset(), m_experiment.robot);
+        m_heldByHand.at(varied) = held[varied];
+    });
+    connect(m_player, &SweepPlayer::saved, this, &SurfacesView::tellAnimation);
+    connect(m_player, &SweepPlayer::failed, this, [this](const Error& error) {
+        emit problem(messageText(error.message));
         compute();
     });
     connect(m_scene, &TargetScene::posePicked, this, [this](const Vector6d& pose, const QStringList& words) {
-        m_picked = pose;
-        m_pickedWords->setText(poseText(pose, m_experiment.robot) + QLatin1Char('\n') +
-                               words.join(QLatin1Char('\n')));
-        showControls();
+        m_picked->setPicked(pose, QStringList(poseText(pose, m_experiment.robot)) + words);
     });
-    connect(m_startHere, &QPushButton::clicked, this, [this] {
-        if (m_picked)
-            emit startWanted(*m_picked);
-    });
-    retranslate();
+    connect(m_picked, &PickedPanel::startWanted, this, &SurfacesView::startWanted);
 }
 
 void SurfacesView::setExperiment(const Experiment& experiment) {
     const bool other = isOtherGeometry(experiment, m_experiment);
     m_experiment = experiment;
-    m_angle = -1;
-    for (const int k : {kThetaX, kThetaY, kThetaZ})
-        if (m_angle < 0 && experiment.robot.free[static_cast<std::size_t>(k)])
-            m_angle = k;
     if (other) {
-        m_job.forget(); // its fields are of the geometry before
+        m_player->stop(); // its frames are of the geometry before
+        m_exportBar->hide();
+        m_job.forget(); // and so are its fields
         m_fields.reset();
-        m_held_rad.reset();
+        m_heldByHand.fill({});
         m_verdict.reset();
-        m_picked.reset();
-        m_pickedWords->clear();
+        clearPick();
     }
-    m_scene->setExperiment(experiment);
-    if (other)
-        placeCut();
-    retranslate();
+    if (!m_player->isSaving()) // else once it is done
+        m_scene->setExperiment(experiment);
+    QStringList names;
+    for (const ObjectSpec& object : experiment.objects)
+        names << QString::fromStdString(object.name);
+    m_cut->setObjects(names);
+    showControls();
     showCut();
 }
 
 void SurfacesView::setVerdict(const JointVerdict& verdict) {
     m_verdict = verdict;
-    m_scene->setStale(false);
-    if (verdict.anyPose)
-        m_scene->setVerdictPoint(
-            SceneVerdict{verdict.pose, verdict.feasible, verdict.feasible ? std::nullopt : gapOf(verdict)});
+    m_stale = false;
+    m_behind = true;
+    if (!m_player->isSaving())
+        showVerdict();
+}
+
+void SurfacesView::showVerdict() {
+    m_scene->setExperiment(m_experiment);
+    showStale();
+    if (m_verdict && m_verdict->anyPose)
+        m_scene->setVerdictPoint(SceneVerdict{m_verdict->pose, m_verdict->feasible,
+                                              m_verdict->feasible ? std::nullopt : surfaceGap(*m_verdict)});
     else
         m_scene->setVerdictPoint(std::nullopt);
-    showControls();
-    compute();
+    if (m_player->isPlaying())
+        play(true);
+    else
+        compute();
 }
 
 void SurfacesView::setStale(bool stale) {
-    m_scene->setStale(stale);
+    m_stale = stale;
+    showStale();
+    showControls();
+}
+
+void SurfacesView::showStale() {
+    m_scene->setStale((m_stale || m_behind) && !m_player->isSaving());
 }
 
 void SurfacesView::setTemperatureUnit(TemperatureUnit unit) {
     m_scene->setTemperatureUnit(unit);
+    clearPick(); // its words are in the other one
 }
 
 void SurfacesView::setEditable(bool editable) {
-    m_editable = editable;
-    showControls();
+    m_picked->setStartEnabled(editable);
 }
 
+PoseSubset SurfacesView::subset() const {
+    return static_cast<PoseSubset>(m_space->currentIndex());
+}
+
+bool SurfacesView::ready() const {
+    return m_verdict && !m_experiment.objects.empty();
+}
+
+/// The held three; the others are 0.
 Vector6d SurfacesView::heldPose() const {
     Vector6d held = m_verdict && m_verdict->anyPose ? m_verdict->pose : m_experiment.start;
-    if (m_angle >= 0 && m_held_rad)
-        held[m_angle] = *m_held_rad;
-    held.head<3>().setZero();
+    for (const Coordinate k : heldCoordinates(subset(), m_experiment.robot))
+        held[k] = m_heldByHand.at(k).value_or(held[k]);
+    held.segment<3>(subset() == PoseSubset::Rotation ? kThetaX : kX).setZero();
     return held;
 }
 
-void SurfacesView::hold(double angle_rad) {
-    m_held_rad = angle_rad;
-    showControls();
+void SurfacesView::hold(int coordinate, double value) {
+    endPlay();
+    m_heldByHand.at(static_cast<std::size_t>(coordinate)) = value;
+    clearPick();
+    compute();
+}
+
+void SurfacesView::changeSpace() {
+    endPlay();
+    m_job.forget();
+    m_fields.reset();
+    m_behind = true;
+    showStale();
+    clearPick();
+    showCut();
     compute();
 }
 
 void SurfacesView::compute() {
-    if (!m_verdict || m_experiment.objects.empty() || !isVisible())
+    showControls();
+    if (!ready() || !isVisible() || m_player->isSaving())
         return;
-    std::vector<double> viewFactors;
-    for (const TargetVerdict& own : m_verdict->conditions1)
-        viewFactors.push_back(own.neededViewFactor);
     const Vector6d held = heldPose();
-    const auto known = m_fields && m_fieldsHeld == held ? m_fields : nullptr;
+    const bool same = m_fields && m_fieldsHeld == held && m_fieldsSubset == subset();
     m_job.run(
-        [experiment = m_experiment, held, known, viewFactors](const std::stop_token& stop) {
-            Answer answer{known, held, {}};
+        [experiment = m_experiment, held, subset = subset(), known = same ? m_fields : nullptr,
+         viewFactors = neededViewFactors(*m_verdict)](const std::stop_token& stop) {
+            Answer answer{known, held, subset, {}, {}};
             if (!known) {
-                auto fields = targetFields(geometryOf(experiment, held), stop);
-                if (!fields)
+                auto fields = targetFields(surfaceGeometry(experiment, subset, held), stop);
+                if (!fields) {
+                    answer.problem = fields.error();
                     return answer;
+                }
                 answer.fields = std::make_shared<const Fields>(std::move(*fields));
             }
-            answer.surfaces = targetSurfaces(*answer.fields, viewFactors, stop);
+            if (auto surfaces = targetSurfaces(*answer.fields, viewFactors, stop))
+                answer.surfaces = *std::move(surfaces);
             return answer;
         },
         [this](Answer answer) { take(std::move(answer)); });
 }
 
 void SurfacesView::take(Answer answer) {
-    if (!answer.surfaces)
-        return;
+    if (answer.problem.code() != MessageCode::None)
+        emit problem(messageText(answer.problem.message));
     m_fields = std::move(answer.fields);
     m_fieldsHeld = answer.held;
-    m_scene->setSurfaces(std::move(*answer.surfaces), answer.held);
+    m_fieldsSubset = answer.subset;
+    m_scene->setSurfaces(std::move(answer.surfaces), answer.held, answer.subset);
+    m_behind = false;
+    showStale();
     showCut();
 }
 
-/// The slider over the workspace along the axis, the cut through its middle.
-void SurfacesView::placeCut() {
-    constexpr double kMmPerM = 1000.0;
-    const QSignalBlocker quiet(m_cutPlace);
-    const int axis = m_cutAxis->currentIndex();
-    const double low = m_experiment.robot.lower[axis], high = m_experiment.robot.upper[axis];
-    m_cutPlace->setRange(static_cast<int>(std::lround(low * kMmPerM)),
-                         static_cast<int>(std::lround(high * kMmPerM)));
-    m_cutPlace->setValue(static_cast<int>(std::lround(0.5 * (low + high) * kMmPerM)));
+std::optional<Sweep> SurfacesView::sweep() const {
+    const auto varied = sweptCoordinate(subset(), m_experiment.robot);
+    if (!ready() || !varied)
+        return std::nullopt;
+    return Sweep{surfaceGeometry(m_experiment, subset(), heldPose()), subset(), *varied,
+                 sweptValues(m_experiment.robot, *varied, Sweep::kFrames), neededViewFactors(*m_verdict)};
+}
+
+void SurfacesView::play(bool on) {
+    if (!on)
+        return endPlay();
+    auto frames = sweep();
+    if (frames && isVisible() && !m_player->isSaving()) {
+        m_job.forget();
+        clearPick();
+        m_player->play(*std::move(frames));
+    }
+    showCut();
+    showControls();
+}
+
+/// Surfaces, fields and so the cut of the last frame that was shown.
+void SurfacesView::endPlay() {
+    if (!m_player->isPlaying())
+        return;
+    m_player->stop();
+    compute();
+}
+
+void SurfacesView::endExport() {
+    m_exportBar->hide();
+    showVerdict();
+}
+
+void SurfacesView::clearPick() {
+    m_picked->clear();
+    m_scene->clearPick();
 }
 
 void SurfacesView::showCut() {
-    const int object = m_cutObject->currentIndex() - 1;
-    m_cutAxis->setVisible(object >= 0);
-    m_cutPlace->setVisible(object >= 0);
-    if (object < 0 || !m_fields || static_cast<std::size_t>(object) >= m_fields->size())
+    const auto object = m_cut->object();
+    const bool known = m_fields && m_fieldsSubset == subset() && object &&
+                       static_cast<std::size_t>(*object) < m_fields->size();
+    m_cut->setAxes(known ? m_fields->at(static_cast<std::size_t>(*object))->axes
+                         : surfaceAxes(subset(), m_experiment.robot,
+                                       subset() == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m));
+    const auto choice = m_cut->choice();
+    if (!choice || !known || m_player->isPlaying())
         return m_scene->setCut(std::nullopt);
-    m_scene->setCut(SceneCut{(*m_fields)[static_cast<std::size_t>(object)], object,
-                             static_cast<Coordinate>(m_cutAxis->currentIndex()), m_cutPlace->value() * 1e-3,
-                             true});
+    m_scene->setCut(SceneCut{m_fields->at(static_cast<std::size_t>(choice->object)), choice->object,
+                             choice->axis, choice->position, choice->asTemperature});
 }
 
-void SurfacesView::savePicture() {
-    const QString path =
-        QFileDialog::getSaveFileName(this, tr("Save the picture"), QStringLiteral("targets.png"), "*.png");
-    if (path.isEmpty())
-        return;
-    if (const auto saved = m_scene->saveImage(path, 2 * m_scene->size()); !saved)
+void SurfacesView::savePicture(const QString& path, QSize size) {
+    if (const auto saved = m_scene->saveImage(path, size); !saved)
         emit problem(QStringLiteral("%1: %2").arg(path, messageText(saved.error().message)));
+    else
+        emit told(tr("Picture saved: %1").arg(QDir::toNativeSeparators(path)));
+}
+
+void SurfacesView::saveAnimation(const QString& folder, QSize size) {
+    auto frames = sweep();
+    if (!frames)
+        return;
+    endPlay();
+    m_job.forget();
+    clearPick();
+    m_scene->setCut(std::nullopt);
+    m_exportFolder = folder;
+    m_player->save(*std::move(frames), folder, size);
+    showControls();
+}
+
+void SurfacesView::tellAnimation(const Error& error) {
+    endExport();
+    if (error.code() == MessageCode::None)
+        emit told(tr("Animation saved in %1: frame-1.png to frame-9.png, and all in panels.png")
+                      .arg(QDir::toNativeSeparators(m_exportFolder)));
+    else
+        emit problem(
+            QStringLiteral("%1: %2").arg(QString::fromStdString(error.where), messageText(error.message)));
 }
 
 void SurfacesView::showControls() {
-    const bool turns = m_angle >= 0;
-    for (QWidget* widget : std::initializer_list<QWidget*>{m_heldLabel, m_heldAngle, m_heldAtPose})
-        widget->setVisible(turns);
-    if (turns) {
-        const QSignalBlocker quiet(m_heldAngle);
-        const auto steps = [](double angle_rad) {
-            return static_cast<int>(std::lround(degFromRad(angle_rad) * kStepsPerDegree));
-        };
-        const double angle_rad = heldPose()[m_angle];
-        m_heldAngle->setRange(steps(m_experiment.robot.lower[m_angle]),
-                              steps(m_experiment.robot.upper[m_angle]));
-        m_heldAngle->setValue(steps(angle_rad));
-        m_heldLabel->setText(tr("&Surfaces at %1").arg(coordinateText(m_angle, angle_rad)));
-    }
-    m_heldAtPose->setEnabled(m_held_rad.has_value());
-    m_startHere->setVisible(m_picked.has_value());
-    m_startHere->setEnabled(m_editable);
+    const bool saving = m_player->isSaving();
+    const std::vector<Coordinate> held = heldCoordinates(subset(), m_experiment.robot);
+    m_heldControls->setCoordinates(saving ? std::vector<Coordinate>() : held, m_experiment.robot);
+    if (!m_player->isPlaying())
+        m_heldControls->setHeld(heldPose(), std::ranges::any_of(held, [this](Coordinate k) {
+                                    return m_heldByHand.at(k).has_value();
+                                }));
+    m_heldControls->setPlaying(m_player->isPlaying());
+    m_space->setEnabled(!saving);
+    m_cut->setEnabled(!saving && !m_player->isPlaying());
+    m_views->setExports(!saving && m_scene->hasPicture(),
+                        !saving && m_scene->hasPicture() && ready() && !held.empty() && !m_stale);
 }
 
 void SurfacesView::retranslate() {
-    m_top->setText(tr("Top"));
-    m_side->setText(tr("Side"));
-    m_isometric->setText(tr("Isometric"));
-    for (QToolButton* button : {m_top, m_side, m_isometric})
-        button->setAccessibleName(tr("View: %1").arg(button->text()));
-    m_save->setText(tr("Save picture\u2026"));
-    const int cut = std::max(0, m_cutObject->currentIndex());
-    const QSignalBlocker quiet(m_cutObject);
-    m_cutObject->clear();
-    m_cutObject->addItem(tr("No cut"));
-    for (const ObjectSpec& object : m_experiment.objects)
-        m_cutObject->addItem(tr("Cut: %1").arg(QString::fromStdString(object.name)));
-    m_cutObject->setCurrentIndex(cut < m_cutObject->count() ? cut : 0);
-    m_cutObject->setAccessibleName(tr("Plane of steady temperatures of an object"));
-    m_cutObject->setToolTip(tr(
-        "A plane through the workspace in the colours of the temperature that the object settles at there."));
-    m_cutAxis->setAccessibleName(tr("Axis that the plane is square to"));
-    m_cutPlace->setAccessibleName(tr("Place of the plane along its axis"));
-    m_heldAngle->setAccessibleName(tr("Angle at which the surfaces are drawn"));
-    m_heldAtPose->setText(tr("As at the pose"));
-    m_heldAtPose->setToolTip(tr("Draw the surfaces at the angle of the pose that was found."));
-    m_startHere->setText(tr("Start runs here"));
+    const std::array<QString, 3> spaces{tr("End-effector positions"),
+                                        tr("Each object's own positions (as in the paper)"),
+                                        tr("End-effector angles")};
+    for (int i = 0; i < 3; ++i)
+        m_space->setItemText(i, spaces.at(static_cast<std::size_t>(i)));
+    m_space->setAccessibleName(tr("What the surfaces are drawn over"));
+    m_space->setToolTip(tr("What the surfaces are drawn over. On its surface an object holds its target."));
     m_scene->setAccessibleName(
         tr("3-D scene: where the end-effector may be for each object to hold its target"));
-    showControls();
+    clearPick(); // its words are in the language before
 }
 
 void SurfacesView::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     compute();
+}
+
+void SurfacesView::hideEvent(QHideEvent* event) {
+    endPlay();
+    showControls();
+    QWidget::hideEvent(event);
 }
 
 void SurfacesView::changeEvent(QEvent* event) {

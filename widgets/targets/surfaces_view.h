@@ -1,31 +1,35 @@
 #pragma once
-// The targets' surfaces in 3-D with what steers the view: the angle held, the direction, the point picked.
+// The targets' surfaces in 3-D with what steers the view: what they are drawn over, what is held, the
+// direction, the cut, the point picked, and what is exported.
 
 #include "engine/base/units.h"
 #include "engine/control/joint_feasibility.h"
 #include "engine/exchange/target_surfaces.h"
 #include "engine/session/experiment.h"
 #include "widgets/common/latest_job.h"
+#include "widgets/targets/sweep_player.h"
 
 #include <QWidget>
 
+#include <array>
 #include <memory>
 #include <optional>
 
 class QComboBox;
-class QLabel;
-class QPushButton;
-class QSlider;
-class QToolButton;
 
 namespace bask {
 
+class CutControls;
+class ExportBar;
+class HeldControls;
+class PickedPanel;
 class TargetScene;
+class ViewBar;
 
 /// Values in; fields and surfaces are computed off the GUI thread and while the view is shown, fields anew
-/// only when the geometry or the angle held changes. Object names: "targetScene", "heldAngle" (slider),
-/// "heldAtPose", "viewTop", "viewSide", "viewIsometric", "savePicture", "cutObject", "cutAxis", "cutPlace"
-/// (slider), "picked", "startHere".
+/// only when the geometry or what is held changes. Playing ends when the view is hidden. Object names:
+/// "surfaceSpace" (what the surfaces are drawn over, in PoseSubset's order), "targetScene" and those of the
+/// rows: ViewBar, HeldControls, ExportBar, CutControls, PickedPanel.
 class SurfacesView : public QWidget {
     Q_OBJECT
 
@@ -33,61 +37,75 @@ public:
     explicit SurfacesView(QWidget* parent = nullptr);
 
     void setExperiment(const Experiment& experiment);
-    /// Surfaces of the verdict's targets, at the angles of its pose unless the slider holds another.
+    /// Surfaces of the verdict's targets, held as its pose is unless a slider holds another value.
     void setVerdict(const JointVerdict& verdict);
     void setStale(bool stale);
     void setTemperatureUnit(TemperatureUnit unit);
     void setEditable(bool editable);
 
+    /// What the export's dialogs end in.
+    void savePicture(const QString& path, QSize size);
+    void saveAnimation(const QString& folder, QSize size);
+
 signals:
     /// The point picked shall be where runs start.
     void startWanted(const bask::Vector6d& pose);
     void problem(const QString& sentence);
+    void told(const QString& sentence);
 
 protected:
     void changeEvent(QEvent* event) override;
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     using Fields = std::vector<std::shared_ptr<const Field>>;
     struct Answer {
         std::shared_ptr<const Fields> fields;
         Vector6d held = Vector6d::Zero();
-        std::optional<std::vector<Isosurface>> surfaces; ///< empty: stopped or refused
+        PoseSubset subset = PoseSubset::Translation;
+        std::vector<Isosurface> surfaces;
+        Error problem; ///< without a code: none
     };
+    void connectControls();
+    PoseSubset subset() const;
+    bool ready() const;
     Vector6d heldPose() const;
+    std::optional<Sweep> sweep() const;
     void compute();
     void take(Answer answer);
-    void hold(double angle_rad);
-    void savePicture();
+    void showVerdict();
+    void showStale();
+    void hold(int coordinate, double value);
+    void changeSpace();
+    void play(bool on);
+    void endPlay();
+    void endExport();
+    void tellAnimation(const Error& error);
+    void clearPick();
     void showControls();
     void showCut();
-    void placeCut();
     void retranslate();
 
     Experiment m_experiment;
     std::optional<JointVerdict> m_verdict;
-    int m_angle = -1;                       ///< coordinate that the slider holds; -1: none is free
-    std::optional<double> m_held_rad;       ///< set by hand; empty: as the verdict's pose
-    std::shared_ptr<const Fields> m_fields; ///< of the experiment and m_fieldsHeld
+    std::array<std::optional<double>, 6> m_heldByHand; ///< others are as the verdict's pose
+    std::shared_ptr<const Fields> m_fields;            ///< of the experiment, m_fieldsHeld and m_fieldsSubset
     Vector6d m_fieldsHeld = Vector6d::Zero();
-    std::optional<Vector6d> m_picked;
-    bool m_editable = true;
+    PoseSubset m_fieldsSubset = PoseSubset::Translation;
+    bool m_stale = false;  ///< the verdict
+    bool m_behind = false; ///< the surfaces, behind the verdict
+    QString m_exportFolder;
     LatestJob<Answer> m_job;
 
     TargetScene* m_scene;
-    QLabel* m_heldLabel;
-    QSlider* m_heldAngle;
-    QPushButton* m_heldAtPose;
-    QToolButton* m_top;
-    QToolButton* m_side;
-    QToolButton* m_isometric;
-    QPushButton* m_save;
-    QComboBox* m_cutObject; ///< first: no cut; then the objects
-    QComboBox* m_cutAxis;
-    QSlider* m_cutPlace; ///< mm along the axis
-    QLabel* m_pickedWords;
-    QPushButton* m_startHere;
+    SweepPlayer* m_player;
+    QComboBox* m_space;
+    ViewBar* m_views;
+    HeldControls* m_heldControls;
+    ExportBar* m_exportBar;
+    CutControls* m_cut;
+    PickedPanel* m_picked;
 };
 
 } // namespace bask

@@ -147,6 +147,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     connect(m_pairs, &PairsView::wanted, this, &TargetsPage::pairsWanted);
     connect(m_pairs, &PairsView::problem, this, &TargetsPage::problem);
     connect(m_pairs, &PairsView::told, this, &TargetsPage::told);
+    connect(m_surfaces, &SurfacesView::told, this, &TargetsPage::told);
     buildRows();
 }
 

@@ -29,11 +29,6 @@ Pair viewFactors(double needed, double bound) {
     return {QLocale().toString(needed, 'f', decimals), QLocale().toString(bound, 'f', decimals)};
 }
 
-QString axisName(int coordinate) {
-    static const QStringList kNames{"x", "y", "z", "\u03b8x", "\u03b8y", "\u03b8z"};
-    return kNames[coordinate];
-}
-
 } // namespace
 
 FeasibilityVerdict verdictHere(const TargetVerdict& v) {
@@ -94,6 +89,11 @@ double nearestReachable_K(const TargetVerdict& v, TemperatureUnit unit) {
         break;
     }
     return v.target_K;
+}
+
+QString axisName(int coordinate) {
+    static const QStringList kNames{"x", "y", "z", "\u03b8x", "\u03b8y", "\u03b8z"};
+    return kNames[coordinate];
 }
 
 QString coordinateText(int coordinate, double value) {

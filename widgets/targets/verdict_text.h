@@ -20,6 +20,7 @@ QString verdictDetail(const TargetVerdict& verdict, double environment_K, Temper
 /// the unit shown so that what is displayed is reachable too. K.
 double nearestReachable_K(const TargetVerdict& verdict, TemperatureUnit unit);
 
+QString axisName(int coordinate); ///< "z", "θx"
 /// "θx +10.0°", "z +6.0 cm".
 QString coordinateText(int coordinate, double value);
 /// "x 1.2 cm, y -3.4 cm, θx 10.0°": the coordinates that the robot moves.

@@ -90,6 +90,34 @@ TEST(TargetSurfaces, overTheAnglesAreSurfacesToo) {
     EXPECT_LT(worstOver(of, movedSource(), {0.2, 0.2}), 1e-2);
 }
 
+// Catches: an object's own surface that is not where its centre is: the mounting's translation left in, not
+// turned with the end-effector, or its rotation lost.
+TEST(TargetSurfaces, overOwnPositionsAreWhereTheObjectsCentresAre) {
+    TargetGeometry of = geometry(movedSource());
+    of.ofOwnCentres = true;
+    const auto fields = targetFields(of);
+    ASSERT_TRUE(fields);
+    const auto surfaces = targetSurfaces(*fields, std::array{0.3, 0.2});
+    for (std::size_t i = 0; i < 2; ++i) {
+        const Pose X_EO = poseFromCoordinates(mountings()[i]);
+        Pose X_SO = poseFromCoordinates(of.held) * X_EO;
+        double worst = 0.0;
+        for (const Eigen::Vector3d& centre : (*surfaces)[i].points) {
+            X_SO.translation() = centre;
+            worst = std::max(worst, std::abs(viewFactor(of.source, of.objects[i].contour,
+                                                        poseFromCoordinates(movedSource()).inverse() * X_SO)
+                                                 .value -
+                                             (*surfaces)[i].value));
+        }
+        EXPECT_LT(worst, 4e-3) << "object " << i;
+        // As far as the end-effector's workspace carries it, and no farther.
+        const double reach_m = of.axes[0].at(0) + centreOffset(X_EO, of.held).x();
+        EXPECT_NEAR((*fields)[i]->axes[0].at(0), reach_m, 1e-12);
+    }
+    of.axes = surfaceAxes(PoseSubset::Rotation, {}, kSurfaceStep_rad);
+    EXPECT_THROW((void)targetFields(of), std::invalid_argument);
+}
+
 // Catches: other values than MODEL's for 30, 40 and 50 C at 25 C of the room (the paper's 0.12, 0.37, 0.65),
 // and surfaces that cross the axis elsewhere than coaxial disks have those values.
 TEST(TargetSurfaces, ofThePapersTargetsCrossTheAxisWhereTheClosedFormSays) {

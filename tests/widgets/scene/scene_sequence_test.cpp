@@ -82,6 +82,29 @@ TEST_F(SceneSequenceTest, WritesEveryFrameAndTheSheet) {
     EXPECT_LT(testing::differentPixels(before, const_cast<VtkView*>(picture)->grabFramebuffer()), 20);
 }
 
+// Catches: an export that cannot be ended, tells of an end that it had not, or leaves the scene half-way.
+TEST_F(SceneSequenceTest, SavingIsCancelled) {
+    TargetScene scene;
+    scene.setExperiment(oneDisk());
+    scene.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&scene));
+    SceneSequence sequence(scene);
+    sequence.setFrames(std::vector<SurfaceFrame>(5), PoseSubset::Translation, kThetaX);
+    QTemporaryDir folder;
+    QSignalSpy saved(&sequence, &SceneSequence::saved), shown(&sequence, &SceneSequence::shown);
+    QObject::connect(&sequence, &SceneSequence::progressed, &sequence, [&](int done) {
+        if (done == 2)
+            sequence.cancel();
+    });
+    sequence.save(folder.path(), {200, 150});
+    EXPECT_TRUE(sequence.isSaving());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !sequence.isSaving(); }, 10000));
+    EXPECT_EQ(shown.count(), 1);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(saved.count(), 0);
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 2);
+}
+
 // Catches: a folder that is not there taken for a success.
 TEST_F(SceneSequenceTest, AFolderThatIsNotThereIsSaid) {
     TargetScene scene;

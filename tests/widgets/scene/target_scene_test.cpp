@@ -371,11 +371,15 @@ TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
     const double F = viewFactor(RadiatingContour(experiment.source.shape),
                                 RadiatingContour(experiment.objects[0].shape), X_SO)
                          .value;
-    EXPECT_TRUE(words[0].startsWith(QStringLiteral("circle: F %1, steady at ").arg(F, 0, 'f', 3)))
+    EXPECT_TRUE(words[0].startsWith(QStringLiteral("circle: F %1, steady ").arg(F, 0, 'f', 3)))
         << words[0].toStdString();
     const QImage picked = grab(scene);
     keepScreenshot(picked, QStringLiteral("targets-picked"));
     EXPECT_GT(testing::differentPixels(before, picked), 100) << "neither mark nor arrows";
+    for (int i = 0; i < 3; ++i)
+        EXPECT_GT(testing::pixelsOf(picked, seriesColor(i, false), 8),
+                  testing::pixelsOf(before, seriesColor(i, false), 8) + 40)
+            << "no arrow of object " << i;
     scene.clearPick();
     EXPECT_LT(testing::differentPixels(before, grab(scene)), 20);
 
@@ -386,6 +390,30 @@ TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
     QTest::mouseMove(pictureOf(scene), place(0.15, 0.13));
     QTest::mouseRelease(pictureOf(scene), Qt::LeftButton, {}, place(0.15, 0.13));
     EXPECT_EQ(spy.count(), 1) << "a drag";
+}
+
+// Catches: a picked point's arrows under a label, in a view so small that labels are close.
+TEST_F(TargetSceneTest, NoLabelHidesAPickedPointsArrows) {
+    const Experiment experiment = testing::threeObjects();
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    scene.setSurfaces(surfacesOf(experiment), experiment.start);
+    show(scene);
+    scene.resize(374, 360);
+    QCoreApplication::processEvents();
+    QSignalSpy spy(&scene, &TargetScene::posePicked);
+    for (const double y : {0.4, 0.45, 0.5, 0.55, 0.6}) {
+        scene.clearPick();
+        const QImage before = grab(scene);
+        QTest::mouseClick(pictureOf(scene), Qt::LeftButton, {}, QPoint(150, static_cast<int>(360 * y)));
+        const QImage picked = grab(scene);
+        int more = 0;
+        for (int i = 0; i < 3; ++i)
+            more += testing::pixelsOf(picked, seriesColor(i, false), 8) -
+                    testing::pixelsOf(before, seriesColor(i, false), 8);
+        EXPECT_GT(more, 60) << y;
+    }
+    EXPECT_EQ(spy.count(), 5);
 }
 
 // Catches: a clearance plane that is not where an object would be too near: here a palm's width under E.
@@ -463,7 +491,89 @@ TEST_F(TargetSceneTest, OverTheAnglesTheAxesAreAngles) {
     EXPECT_NEAR(q[kThetaY], 0.5, 0.1);
     EXPECT_NEAR(q[kThetaZ], 0.3, 1e-9);
     EXPECT_EQ(q[kX], 0.02) << "the held position";
-    EXPECT_TRUE(spy[0][1].toStringList()[0].endsWith(QStringLiteral("per °")));
+    EXPECT_TRUE(spy[0][1].toStringList()[0].endsWith(QStringLiteral("K/°")));
+}
+
+// Catches: objects that do not stand on their own surfaces, axes that say nothing of whose positions they
+// are, a mark where nothing meets, and a pick there that puts the end-effector where the object is.
+TEST_F(TargetSceneTest, OverTheirOwnPositionsObjectsStandOnTheirSurfaces) {
+    Experiment experiment = testing::threeObjects();
+    experiment.objects[0].mounting.head<3>() << 0.05, 0.0, 0.0;
+    experiment.start[kThetaZ] = 1.5707963267948966; // the circle stands towards +y
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    scene.viewAlongMinusZ();
+    show(scene);
+    SceneVerdict verdict;
+    verdict.pose = experiment.start;
+    verdict.pose.head<3>() << 0.1, 0.05, 0.1;
+    verdict.feasible = true;
+    scene.setVerdictPoint(verdict);
+    scene.setSurfaces({}, experiment.start);
+    const QColor mark = QApplication::palette().color(QPalette::Text);
+    const int marked = testing::pixelsOf(grab(scene), mark, 20);
+    scene.setSurfaces({square(0.1, 0.1, 0.1, 0.03)}, experiment.start, PoseSubset::OwnTranslation);
+    const QImage own = grab(scene);
+    keepScreenshot(own, QStringLiteral("targets-own-square"));
+    EXPECT_LT(testing::pixelsOf(own, mark, 20), marked - 100) << "the common point is still marked";
+
+    // The square's middle is where the circle's is: a click there picks the verdict's pose.
+    const QColor ground = QApplication::palette().color(QPalette::Base);
+    int left = own.width(), right = 0, top = own.height(), bottom = 0;
+    for (int y = 0; y < own.height(); ++y)
+        for (int x = 0; x < own.width(); ++x)
+            if (likeness(QColor(own.pixel(x, y)), ground, seriesColor(0, false)) > 0.99 &&
+                apart(QColor(own.pixel(x, y)), ground) > 40 && apart(QColor(own.pixel(x, y)), ground) < 120) {
+                left = std::min(left, x), right = std::max(right, x);
+                top = std::min(top, y), bottom = std::max(bottom, y);
+            }
+    QSignalSpy spy(&scene, &TargetScene::posePicked);
+    QTest::mouseClick(pictureOf(scene), Qt::LeftButton, {}, {(left + right) / 2, (top + bottom) / 2});
+    ASSERT_EQ(spy.count(), 1);
+    const auto q = spy[0][0].value<Vector6d>();
+    EXPECT_NEAR(q[kX], 0.1, 0.004);
+    EXPECT_NEAR(q[kY], 0.05, 0.004);
+    EXPECT_NEAR(q[kZ], 0.1, 1e-9);
+    keepScreenshot(grab(scene), QStringLiteral("targets-own-picked"));
+}
+
+// Catches: a point marked as common to surfaces that are held elsewhere and do not meet there.
+TEST_F(TargetSceneTest, MarksNothingOnSurfacesHeldElsewhere) {
+    Experiment experiment = testing::threeObjects();
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    show(scene);
+    SceneVerdict verdict;
+    verdict.pose = experiment.start;
+    verdict.pose[kThetaX] = 0.2;
+    verdict.feasible = true;
+    scene.setVerdictPoint(verdict);
+    scene.setSurfaces({}, verdict.pose);
+    const QColor mark = QApplication::palette().color(QPalette::Text);
+    const int marked = testing::pixelsOf(grab(scene), mark, 20);
+    Vector6d tilted = verdict.pose;
+    tilted[kThetaX] = -0.2;
+    scene.setSurfaces({}, tilted);
+    EXPECT_LT(testing::pixelsOf(grab(scene), mark, 20), marked - 100);
+}
+
+// Catches: a large picture whose text and lines stay as small as on the screen.
+TEST_F(TargetSceneTest, ALargePictureLooksAsASmallOne) {
+    const Experiment experiment = testing::threeObjects();
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    scene.setSurfaces(surfacesOf(experiment), experiment.start);
+    show(scene);
+    const QImage small = scene.image({1000, 750});
+    const QImage large = scene.image({4000, 3000});
+    EXPECT_EQ(large.size(), QSize(4000, 3000));
+    keepScreenshot(large, QStringLiteral("targets-saved-4000"));
+    const QImage shrunk = large.scaled(small.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    int off = 0;
+    for (int y = 0; y < small.height(); ++y)
+        for (int x = 0; x < small.width(); ++x)
+            off += apart(QColor(small.pixel(x, y)), QColor(shrunk.pixel(x, y))) > 100 ? 1 : 0;
+    EXPECT_LT(off, 1000);
 }
 
 // Catches: a setter that needs the picture to be there, or the experiment.

@@ -213,8 +213,8 @@ TEST_F(ReachMapTest, ArrowKeysMoveByHalfADegree) {
 // beside the point that changes targets.
 TEST_F(ReachMapTest, ThePointIsDragged) {
     QSignalSpy dragged{&map, &ReachMap::targetsDragged};
-    show(oneCell());
     const QPoint point = cell().center();
+    show(oneCell());
     QTest::mouseClick(&map, Qt::LeftButton, {}, point + QPoint(40, 0));
     QTest::mouseClick(&map, Qt::LeftButton, {}, point);
     EXPECT_EQ(dragged.count() + picked.count(), 0);

@@ -1,52 +1,18 @@
 // The targets' surfaces from a verdict to the picture, under OpenGL.
 
-#include "engine/runtime/rig_setup.h"
-#include "tests/support/wait_for.h"
-#include "widgets/scene/target_scene.h"
-#include "widgets/targets/surfaces_view.h"
+#include "tests/widgets/targets/surfaces_fixture.h"
+#include "widgets/scene/vtk_view.h"
 
-#include <QApplication>
-#include <QComboBox>
-#include <QPushButton>
-#include <QSlider>
-#include <QTest>
+#include <QDir>
+#include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QThreadPool>
+#include <QToolButton>
 
-#include <gtest/gtest.h>
-
-namespace bask {
+namespace bask::test {
 namespace {
 
-int differentPixels(const QImage& a, const QImage& b) {
-    int different = 0;
-    for (int y = 0; y < std::min(a.height(), b.height()); ++y)
-        for (int x = 0; x < std::min(a.width(), b.width()); ++x)
-            different += a.pixel(x, y) != b.pixel(x, y);
-    return different;
-}
-
-struct SurfacesViewTest : testing::Test {
-    SurfacesView view;
-    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
-
-    SurfacesViewTest() {
-        view.resize(700, 560);
-        view.setExperiment(experiment);
-        view.show();
-        QApplication::processEvents();
-    }
-    TargetScene* scene() { return view.findChild<TargetScene*>("targetScene"); }
-    QImage picture() { return scene()->image({600, 400}); }
-    /// Waits for a picture that differs from `before` in more than a share of it.
-    QImage changed(const QImage& before, double share = 0.02) {
-        QImage now;
-        EXPECT_TRUE(test::waitFor([&] {
-            now = picture();
-            return differentPixels(now, before) > share * before.width() * before.height();
-        }));
-        return now;
-    }
-};
+struct SurfacesViewTest : SurfacesTest {};
 
 // Catches a verdict whose surfaces never come, a slider of the angle that draws nothing anew, and one that
 // stays where it was put when the pose is asked for again.
@@ -58,9 +24,10 @@ TEST_F(SurfacesViewTest, SurfacesFollowVerdictAndAngle) {
     ASSERT_TRUE(verdict->feasible);
     const QImage empty = picture();
     view.setVerdict(*verdict);
+    settle();
     const QImage atPose = changed(empty, 0.1); // more than objects that move
     EXPECT_TRUE(atPose.save("surfaces_at_pose.png"));
-    auto* slider = view.findChild<QSlider*>("heldAngle");
+    auto* slider = view.findChild<QSlider*>("heldThetaX");
     auto* back = view.findChild<QPushButton*>("heldAtPose");
     EXPECT_FALSE(back->isEnabled());
     const int before = slider->value();
@@ -69,7 +36,7 @@ TEST_F(SurfacesViewTest, SurfacesFollowVerdictAndAngle) {
     EXPECT_TRUE(back->isEnabled());
     QTest::mouseClick(back, Qt::LeftButton);
     EXPECT_EQ(slider->value(), before);
-    EXPECT_TRUE(test::waitFor([&] { return differentPixels(picture(), atPose) < 600 * 400 / 100; }));
+    EXPECT_TRUE(becomes(atPose));
 }
 
 // Catches surfaces of the objects before that arrive after others were set, and are taken for theirs.
@@ -91,9 +58,7 @@ TEST_F(SurfacesViewTest, SurfacesOfAnOlderGeometryAreNotHeard) {
 TEST_F(SurfacesViewTest, ACutIsDrawnAndMoved) {
     if (!scene()->hasPicture())
         GTEST_SKIP() << "no OpenGL";
-    const QImage empty = picture();
-    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
-    const QImage without = changed(empty, 0.1);
+    const QImage without = withSurfaces();
     auto* object = view.findChild<QComboBox*>("cutObject");
     ASSERT_EQ(object->count(), 4);
     object->setCurrentIndex(2);
@@ -101,22 +66,112 @@ TEST_F(SurfacesViewTest, ACutIsDrawnAndMoved) {
     EXPECT_TRUE(cut.save("surfaces_cut.png"));
     auto* place = view.findChild<QSlider*>("cutPlace");
     EXPECT_EQ(place->value(), 0) << "the middle of the workspace";
+    EXPECT_EQ(find<QLabel>("cutWord")->text(), QStringLiteral("y = 0.0 cm"));
     place->setValue(place->maximum() / 2);
-    changed(cut);
+    const QImage moved = changed(cut);
+    EXPECT_EQ(find<QLabel>("cutWord")->text(), QStringLiteral("y = +10.0 cm"));
+    keep("surfaces_cut_view.png");
+    find<QComboBox>("cutQuantity")->setCurrentIndex(1);
+    EXPECT_TRUE(changed(moved, 0.01).save("surfaces_cut_F.png")); // the bar and its colours
     object->setCurrentIndex(0);
-    EXPECT_TRUE(test::waitFor([&] { return differentPixels(picture(), without) < 600 * 400 / 100; }));
+    EXPECT_TRUE(becomes(without));
 }
 
 // Catches a picture of an older question that looks like the present answer.
 TEST_F(SurfacesViewTest, StaleIsVisible) {
     if (!scene()->hasPicture())
         GTEST_SKIP() << "no OpenGL";
-    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
-    const QImage fresh = changed(QImage(600, 400, QImage::Format_RGB32));
-    QTest::qWait(0);
+    const QImage fresh = withSurfaces();
     view.setStale(true);
     EXPECT_TRUE(changed(fresh).save("surfaces_stale.png"));
 }
 
+// Catches a view that goes on showing the end-effector's positions, a ghost that is not where the objects'
+// surfaces are, and a cut of the other space.
+TEST_F(SurfacesViewTest, OwnPositionsAreShown) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    const QImage positions = withSurfaces();
+    auto* space = find<QComboBox>("surfaceSpace");
+    ASSERT_EQ(space->count(), 3);
+    space->setCurrentIndex(1);
+    settle();
+    const QImage own = changed(positions, 0.1);
+    keep("surfaces_own.png");
+    find<QComboBox>("cutObject")->setCurrentIndex(1);
+    changed(own, 0.05);
+    // The circle hangs 5 cm towards +y of the end-effector, and so does its slider's range.
+    const auto turned_mm = [this] {
+        return find<QSlider>("cutPlace")->maximum() - 1000.0 * experiment.robot.upper[kY];
+    };
+    EXPECT_NEAR(turned_mm(), 50.0, 10.0);
+    find<QComboBox>("cutObject")->setCurrentIndex(0);
+    space->setCurrentIndex(0);
+    EXPECT_TRUE(becomes(positions));
+}
+
+// Catches angles with the sliders of angles, a position that is not held, and a cut across positions.
+TEST_F(SurfacesViewTest, AnglesAreShownAtTheHeldPosition) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    const QImage positions = withSurfaces();
+    find<QComboBox>("surfaceSpace")->setCurrentIndex(2);
+    settle();
+    const QImage angles = changed(positions, 0.1);
+    keep("surfaces_angles.png");
+    EXPECT_FALSE(find<QSlider>("heldThetaX")->isVisible());
+    for (const char* name : {"heldX", "heldY", "heldZ"})
+        EXPECT_TRUE(find<QSlider>(name)->isVisible()) << name;
+    auto* back = find<QPushButton>("heldAtPose");
+    EXPECT_FALSE(back->isEnabled());
+    find<QSlider>("heldZ")->setValue(120);
+    EXPECT_EQ(find<QLabel>("heldWordZ")->text(), QStringLiteral("z +12.0 cm"));
+    changed(angles);
+    auto* object = find<QComboBox>("cutObject");
+    object->setCurrentIndex(2);
+    EXPECT_EQ(find<QComboBox>("cutAxis")->currentText(), QStringLiteral("\u03b8y"));
+    EXPECT_EQ(find<QSlider>("cutPlace")->maximum(), 180) << "half degrees";
+    keep("surfaces_angles_cut.png");
+    object->setCurrentIndex(0);
+    QTest::mouseClick(back, Qt::LeftButton);
+    EXPECT_TRUE(becomes(angles));
+}
+
+// Catches a pick that the page does not tell of, or whose words lack a figure, and one that stays when what
+// it tells of has gone.
+TEST_F(SurfacesViewTest, APickIsSeenAndTold) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    const QImage before = withSurfaces();
+    auto* words = find<QLabel>("picked");
+    auto* start = find<QPushButton>("startHere");
+    EXPECT_FALSE(start->isVisible());
+    auto* vtk = view.findChild<VtkView*>();
+    QTest::mouseClick(vtk, Qt::LeftButton, {}, vtk->rect().center());
+    ASSERT_TRUE(start->isVisible()) << "there is no surface in the middle";
+    keep("surfaces_picked.png");
+    EXPECT_EQ(words->text().count(u'\n'), 3);
+    EXPECT_EQ(words->text().count(QStringLiteral("K/cm")), 3);
+    changed(before, 0.001);
+    QSignalSpy wanted(&view, &SurfacesView::startWanted);
+    QTest::mouseClick(start, Qt::LeftButton);
+    EXPECT_EQ(wanted.count(), 1);
+    find<QSlider>("heldThetaX")->setValue(20);
+    EXPECT_FALSE(words->isVisible()) << "it was of another angle";
+}
+
+// Catches controls that need more width than a window of 1100 has left for them, in any state.
+TEST_F(SurfacesViewTest, TheControlsFitANarrowWindow) {
+    constexpr int kLeft_px = 374;
+    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
+    for (int space = 0; space < 3; ++space)
+        for (const int object : {0, 1}) {
+            find<QComboBox>("surfaceSpace")->setCurrentIndex(space);
+            find<QComboBox>("cutObject")->setCurrentIndex(object);
+            QApplication::processEvents();
+            EXPECT_LE(view.minimumSizeHint().width(), kLeft_px) << space << ' ' << object;
+        }
+}
+
 } // namespace
-} // namespace bask
+} // namespace bask::test

@@ -1,0 +1,64 @@
+#pragma once
+// What plane through which object's field is shown.
+
+#include "engine/radiation/field_sampler.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <optional>
+#include <vector>
+
+class QComboBox;
+class QLabel;
+
+namespace bask {
+
+class CoordinateSlider;
+
+/// A plane through an object's field.
+struct CutChoice {
+    int object = 0;
+    Coordinate axis = kY;  ///< normal to it
+    double position = 0.0; ///< m or rad
+    bool asTemperature = true;
+};
+
+/// One row: object, quantity, axis, and a slider with the place in words. Object names: "cutObject",
+/// "cutQuantity", "cutAxis", "cutPlace" (slider: mm, or half degrees), "cutWord".
+class CutControls : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CutControls(QWidget* parent = nullptr);
+
+    void setObjects(const QStringList& names);
+    /// Three axes of the field to be cut. A plane across another axis than before starts in the middle.
+    void setAxes(const std::vector<FieldAxis>& axes);
+    std::optional<int> object() const;
+    /// Nothing when no cut is wanted.
+    std::optional<CutChoice> choice() const;
+
+signals:
+    void changed();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    int coordinate() const;
+    void place();
+    void showRow();
+    void retranslate();
+
+    std::vector<FieldAxis> m_axes;
+    int m_placed = -1; ///< coordinate that the slider's place is of
+    QStringList m_names;
+    QComboBox* m_object; ///< first: no cut; then the objects
+    QComboBox* m_quantity;
+    QComboBox* m_axis;
+    CoordinateSlider* m_place;
+    QLabel* m_word;
+};
+
+} // namespace bask

@@ -1,0 +1,51 @@
+#include "widgets/targets/picked_panel.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace bask {
+
+PickedPanel::PickedPanel(QWidget* parent)
+    : QWidget(parent), m_words(new QLabel(this)), m_startHere(new QPushButton(this)) {
+    m_words->setObjectName("picked");
+    m_words->setWordWrap(true);
+    m_startHere->setObjectName("startHere");
+    auto* row = new QHBoxLayout(this);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->addWidget(m_words, 1);
+    row->addWidget(m_startHere, 0, Qt::AlignTop);
+    connect(m_startHere, &QPushButton::clicked, this, [this] { emit startWanted(m_pose); });
+    retranslate();
+    hide();
+}
+
+void PickedPanel::setPicked(const Vector6d& pose, const QStringList& lines) {
+    m_pose = pose;
+    m_words->setText(lines.join(QLatin1Char('\n')));
+    show();
+}
+
+void PickedPanel::clear() {
+    hide();
+}
+
+void PickedPanel::setStartEnabled(bool enabled) {
+    m_startHere->setEnabled(enabled);
+}
+
+void PickedPanel::retranslate() {
+    m_words->setToolTip(tr("For each object at this point: its view factor, the temperature that it "
+                           "settles at, and how fast that rises along its arrow."));
+    m_startHere->setText(tr("Start here"));
+    m_startHere->setToolTip(tr("Runs start at this point."));
+}
+
+void PickedPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace bask

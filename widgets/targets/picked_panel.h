@@ -1,0 +1,42 @@
+#pragma once
+// What was picked in the scene, in words.
+
+#include "engine/base/pose.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QPushButton;
+
+namespace bask {
+
+/// Hidden while nothing is picked. Object names: "picked" (words), "startHere".
+class PickedPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PickedPanel(QWidget* parent = nullptr);
+
+    void setPicked(const Vector6d& pose, const QStringList& lines);
+    void clear();
+    void setStartEnabled(bool enabled);
+
+signals:
+    /// The point shall be where runs start.
+    void startWanted(const bask::Vector6d& pose);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+
+    Vector6d m_pose = Vector6d::Zero();
+    QLabel* m_words;
+    QPushButton* m_startHere;
+};
+
+} // namespace bask

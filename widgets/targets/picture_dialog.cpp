@@ -1,0 +1,95 @@
+#include "widgets/targets/picture_dialog.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr int kMostFrame_px = 2000; // nine of them are in memory, and make one sheet
+
+} // namespace
+
+PictureDialog::PictureDialog(const QString& title, QSize size, int most, QWidget* parent)
+    : QDialog(parent), m_sizes(new QComboBox(this)), m_width(new QSpinBox(this)),
+      m_height(new QSpinBox(this)) {
+    setWindowTitle(title);
+    m_sizes->setObjectName("pictureSize");
+    m_width->setObjectName("pictureWidth");
+    m_height->setObjectName("pictureHeight");
+    for (QSpinBox* side : {m_width, m_height}) {
+        side->setRange(kLeast_px, most);
+        side->setSingleStep(10);
+        side->setSuffix(tr(" px"));
+        connect(side, &QSpinBox::valueChanged, this, &PictureDialog::findSize);
+    }
+    const QSize least(kLeast_px, kLeast_px);
+    const QSize view = size.boundedTo({most, most}).expandedTo(least);
+    const auto add = [this, most](const QString& name, QSize offered) {
+        if (std::max(offered.width(), offered.height()) <= most)
+            m_sizes->addItem(name.arg(offered.width()).arg(offered.height()), offered);
+    };
+    add(tr("As the view: %1 × %2"), view);
+    add(tr("Screen: %1 × %2"), {1920, 1080});
+    add(tr("A4 across at 300 dpi: %1 × %2"), {3508, 2480});
+    add(tr("A4 upright at 300 dpi: %1 × %2"), {2480, 3508});
+    m_sizes->addItem(tr("Another"), QSize());
+    connect(m_sizes, &QComboBox::activated, this, &PictureDialog::choose);
+    choose();
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    buttons->button(QDialogButtonBox::Ok)->setText(tr("Choose the place\u2026"));
+    buttons->button(QDialogButtonBox::Cancel)->setText(tr("Cancel"));
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto* form = new QFormLayout(this);
+    form->addRow(tr("&Size"), m_sizes);
+    form->addRow(tr("&Width"), m_width);
+    form->addRow(tr("&Height"), m_height);
+    form->addRow(buttons);
+}
+
+QSize PictureDialog::size_px() const {
+    return {m_width->value(), m_height->value()};
+}
+
+std::optional<PictureDialog::Order> PictureDialog::askPicture(QSize size, QWidget* parent) {
+    PictureDialog dialog(tr("Save the picture"), size, kMost_px, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    const QString path =
+        QFileDialog::getSaveFileName(parent, tr("Save the picture"), QStringLiteral("targets.png"), "*.png");
+    return path.isEmpty() ? std::nullopt : std::optional(Order{path, dialog.size_px()});
+}
+
+std::optional<PictureDialog::Order> PictureDialog::askAnimation(QSize size, QWidget* parent) {
+    PictureDialog dialog(tr("Save the animation"), size, kMostFrame_px, parent);
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    const QString path = QFileDialog::getExistingDirectory(parent, tr("Folder for the pictures"));
+    return path.isEmpty() ? std::nullopt : std::optional(Order{path, dialog.size_px()});
+}
+
+void PictureDialog::choose() {
+    const QSize chosen = m_sizes->currentData().toSize();
+    if (chosen.isEmpty())
+        return m_width->setFocus();
+    const QSignalBlocker quietWidth(m_width), quietHeight(m_height);
+    m_width->setValue(chosen.width());
+    m_height->setValue(chosen.height());
+}
+
+/// Shows in the list what is typed.
+void PictureDialog::findSize() {
+    const int known = m_sizes->findData(size_px());
+    m_sizes->setCurrentIndex(known < 0 ? m_sizes->count() - 1 : known);
+}
+
+} // namespace bask

@@ -1,0 +1,72 @@
+#include "widgets/targets/surface_geometry.h"
+
+namespace bask {
+
+TargetGeometry surfaceGeometry(const Experiment& experiment, PoseSubset subset, const Vector6d& held) {
+    const double step = subset == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m;
+    TargetGeometry geometry{.source = RadiatingContour(experiment.source.shape),
+                            .X_RS = poseFromCoordinates(experiment.source.pose),
+                            .objects = {},
+                            .axes = surfaceAxes(subset, experiment.robot, step),
+                            .held = held,
+                            .ofOwnCentres = subset == PoseSubset::OwnTranslation,
+                            .clearance_m = experiment.robot.clearance_m};
+    for (const ObjectSpec& object : experiment.objects)
+        geometry.objects.push_back({RadiatingContour(object.shape), poseFromCoordinates(object.mounting)});
+    return geometry;
+}
+
+std::vector<double> neededViewFactors(const JointVerdict& verdict) {
+    std::vector<double> viewFactors;
+    for (const TargetVerdict& own : verdict.conditions1)
+        viewFactors.push_back(own.neededViewFactor);
+    return viewFactors;
+}
+
+std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> surfaceGap(const JointVerdict& verdict) {
+    std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> widest;
+    for (const Eigen::Vector3d& a : verdict.surfacePoints)
+        for (const Eigen::Vector3d& b : verdict.surfacePoints)
+            if (!widest || (a - b).norm() > (widest->first - widest->second).norm())
+                widest.emplace(a, b);
+    return widest;
+}
+
+bool isOtherGeometry(const Experiment& a, const Experiment& b) {
+    const auto differ = [](const ObjectSpec& x, const ObjectSpec& y) {
+        return x.shape != y.shape || x.mounting != y.mounting;
+    };
+    if (a.source.shape != b.source.shape || a.source.pose != b.source.pose || a.robot != b.robot ||
+        a.objects.size() != b.objects.size())
+        return true;
+    for (std::size_t i = 0; i < a.objects.size(); ++i)
+        if (differ(a.objects[i], b.objects[i]))
+            return true;
+    return false;
+}
+
+std::vector<Coordinate> heldCoordinates(PoseSubset subset, const RobotLimits& robot) {
+    std::vector<Coordinate> held;
+    const int first = subset == PoseSubset::Rotation ? kX : kThetaX;
+    for (int k = first; k < first + 3; ++k)
+        if (robot.free[static_cast<std::size_t>(k)] && robot.lower[k] < robot.upper[k])
+            held.push_back(static_cast<Coordinate>(k));
+    return held;
+}
+
+std::optional<Coordinate> sweptCoordinate(PoseSubset subset, const RobotLimits& robot) {
+    const std::vector<Coordinate> held = heldCoordinates(subset, robot);
+    if (held.empty())
+        return std::nullopt;
+    return subset == PoseSubset::Rotation ? held.back() : held.front();
+}
+
+std::vector<double> sweptValues(const RobotLimits& robot, Coordinate coordinate, int count) {
+    std::vector<double> values;
+    const double span = robot.upper[coordinate] - robot.lower[coordinate];
+    for (int i = 0; i < count; ++i)
+        values.push_back(robot.lower[coordinate] + span * i / (count - 1));
+    return values;
+}
+
+} // namespace bask
