@@ -1,22 +1,16 @@
 #pragma once
-// The experiment that is open: its value, its file, whether it was changed, and the verdict on its targets.
+// The experiment that is open: its value, its file, whether it was changed.
 
-#include "engine/control/reachable_pairs.h"
 #include "engine/session/experiment.h"
-#include "widgets/common/latest_job.h"
 
 #include <QObject>
 #include <QString>
 
-#include <memory>
-#include <optional>
 #include <vector>
 
 namespace bask {
 
-/// GUI thread. Only valid experiments get in; the verdict is computed off the thread and is stale until it is
-/// there; a newer edit stops the work on an older one. So are the maps of reachable pairs, after the verdict
-/// and while somebody wants them.
+/// GUI thread. Only valid experiments get in.
 class Document : public QObject {
     Q_OBJECT
 
@@ -38,29 +32,6 @@ public:
     Result<void> setTargets(const std::vector<double>& targets_K);
     Result<void> setController(const ControllerSettings& settings);
 
-    /// Targets that the nearest feasible ones shall keep.
-    void setKept(const std::vector<bool>& kept);
-
-    /// Empty before the first.
-    const std::optional<JointVerdict>& verdict() const { return m_verdict; }
-    bool verdictStale() const { return m_stale; }
-
-    /// Judges targets that are only being considered; the experiment keeps its own. While one try is judged
-    /// the newest of those that follow waits.
-    void tryTargets(const std::vector<double>& targets_K);
-
-    /// Simulates a run with the experiment's targets and controller, if they can be held: a second or a few
-    /// of work off the thread. Any edit drops it.
-    void predict();
-    bool predicted() const { return m_predicted; }
-    /// Once predicted: when all objects have settled; empty: not within the experiment's duration limit.
-    const std::optional<double>& predictedSettling_s() const { return m_predictedSettling_s; }
-
-    /// Maps of all pairs of objects are made, and follow edits, only while they are wanted.
-    void wantPairs(bool wanted);
-    /// Of the present objects, source and robot; each says for which targets. Empty: not made yet.
-    const std::optional<std::vector<ReachableMap>>& pairs() const { return m_pairs; }
-
     /// What File > New makes: one painted disk over the default source.
     static Experiment blank();
 
@@ -71,42 +42,13 @@ signals:
     void targetsChanged();
     void controllerChanged();
     void modifiedChanged();
-    void verdictChanged();
-    void predictionChanged();
-    void pairsChanged();
 
 private:
     Result<void> adopt(const Experiment& experiment);
-    void judgeTargets();
-    void judge(Experiment experiment);
-    void tryNext();
-    void dropPrediction();
-    void mapPairs();
 
     Experiment m_experiment;
     QString m_path;
     bool m_modified = false;
-    /// The sampled workspace outlives edits of targets.
-    struct Judgement {
-        std::optional<JointVerdict> verdict; ///< empty: stopped
-        std::shared_ptr<const PoseLookup> lookup;
-    };
-    std::optional<JointVerdict> m_verdict;
-    std::shared_ptr<const PoseLookup> m_lookup; ///< of the present objects, source and robot
-    std::vector<bool> m_kept;
-    bool m_stale = true;
-    LatestJob<Judgement> m_judge;
-    Experiment m_judged; ///< m_experiment, or with targets that are tried
-    bool m_trying = false;
-    std::optional<std::vector<double>> m_nextTry_K;
-    bool m_predicting = false;
-    bool m_predicted = false;
-    std::optional<double> m_predictedSettling_s;
-    LatestJob<std::optional<double>> m_predict;
-    std::optional<std::vector<ReachableMap>> m_pairs; ///< of the present objects, source and robot
-    bool m_pairsWanted = false;
-    bool m_pairsPlaced = false; ///< and of the present targets
-    LatestJob<std::optional<std::vector<ReachableMap>>> m_map;
 };
 
 } // namespace bask

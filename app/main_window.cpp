@@ -150,8 +150,8 @@ void MainWindow::refuse(const Message& refusal) {
 }
 
 void MainWindow::askInfeasible() {
-    const auto& verdict = m_document.verdict();
-    const bool known = verdict && !m_document.verdictStale() && !verdict->feasible;
+    const auto& verdict = m_pages->judge().verdict();
+    const bool known = verdict && !m_pages->judge().isStale() && !verdict->feasible;
     auto* dialog = new InfeasibleDialog(known ? sentence(verdict->reason) : QString(), this);
     connect(dialog, &QDialog::accepted, this, [this] { m_engine.send(Start{true}); });
     dialog->open();

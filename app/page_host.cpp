@@ -31,6 +31,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
 
     connectObjects();
     connectDocument();
+    connectJudge();
     connect(m_targets, &TargetsPage::targetsEdited, this, [this](const std::vector<double>& targets_K) {
         if (const auto set = m_document.setTargets(targets_K); !set) {
             showProblem(sentence(set.error()));
@@ -83,6 +84,7 @@ void PageHost::connectDocument() {
     });
     connect(&m_document, &Document::targetsChanged, this, [this] {
         m_objects->setExperiment(m_document.experiment());
+        m_targets->setExperiment(m_document.experiment());
         std::vector<double> targets_K;
         for (const ObjectSpec& object : m_document.experiment().objects)
             targets_K.push_back(object.target_K);
@@ -92,24 +94,6 @@ void PageHost::connectDocument() {
         m_objects->setExperiment(m_document.experiment());
         emit commandIssued(SetController{m_document.experiment().controller});
     });
-    connect(&m_document, &Document::verdictChanged, this, [this] {
-        if (m_document.verdictStale() || !m_document.verdict())
-            m_targets->setStale(true);
-        else
-            m_targets->setVerdict(*m_document.verdict());
-    });
-    connect(&m_document, &Document::predictionChanged, this, [this] {
-        if (m_document.predicted())
-            m_targets->setPrediction(m_document.predictedSettling_s());
-    });
-    connect(m_targets, &TargetsPage::pairsWanted, &m_document, &Document::wantPairs);
-    connect(&m_document, &Document::pairsChanged, this, [this] {
-        if (m_document.pairs())
-            m_targets->setPairs(*m_document.pairs());
-    });
-    connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
-    connect(m_targets, &TargetsPage::targetsTried, &m_document, &Document::tryTargets);
-    connect(m_targets, &TargetsPage::predictionWanted, &m_document, &Document::predict);
     connect(m_targets, &TargetsPage::problem, this, &PageHost::showProblem);
     connect(m_targets, &TargetsPage::told, this, &PageHost::showNote);
     connect(m_targets, &TargetsPage::startWanted, this, [this](const Vector6d& pose) {
@@ -118,6 +102,37 @@ void PageHost::connectDocument() {
         if (const auto edited = m_document.edit(changed); !edited)
             showProblem(sentence(edited.error()));
     });
+}
+
+void PageHost::connectJudge() {
+    using Change = TargetJudge::Change;
+    const auto tell = [this](Change change) {
+        return [this, change] { m_judge.setExperiment(m_document.experiment(), change); };
+    };
+    connect(&m_document, &Document::opened, this, tell(Change::All));
+    connect(&m_document, &Document::edited, this, tell(Change::All));
+    connect(&m_document, &Document::targetsChanged, this, tell(Change::Targets));
+    connect(&m_document, &Document::controllerChanged, this, tell(Change::Controller));
+    connect(&m_judge, &TargetJudge::verdictChanged, this, [this] {
+        if (m_judge.isStale() || !m_judge.verdict())
+            m_targets->setStale(true);
+        else
+            m_targets->setVerdict(*m_judge.verdict());
+    });
+    connect(&m_judge, &TargetJudge::predictionChanged, this, [this] {
+        if (m_judge.predicted())
+            m_targets->setPrediction(m_judge.predictedSettling_s());
+        else
+            m_targets->dropPrediction();
+    });
+    connect(m_targets, &TargetsPage::pairsWanted, &m_judge, &TargetJudge::wantPairs);
+    connect(&m_judge, &TargetJudge::pairsChanged, this, [this] {
+        if (m_judge.pairs())
+            m_targets->setPairs(*m_judge.pairs());
+    });
+    connect(m_targets, &TargetsPage::keptChanged, &m_judge, &TargetJudge::setKept);
+    connect(m_targets, &TargetsPage::targetsTried, &m_judge, &TargetJudge::tryTargets);
+    connect(m_targets, &TargetsPage::predictionWanted, &m_judge, &TargetJudge::predict);
 }
 
 void PageHost::showDocument() {

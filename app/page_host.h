@@ -4,6 +4,7 @@
 #include "app/document.h"
 #include "app/session_actions.h"
 #include "app/session_rates.h"
+#include "app/target_judge.h"
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
@@ -43,6 +44,7 @@ public:
     void showProblem(const QString& sentence);
     void showNote(const QString& sentence);
 
+    const TargetJudge& judge() const { return m_judge; }
     ObjectsPage* objects() const { return m_objects; }
     RunPage* run() const { return m_run; }
     ReviewPage* review() const { return m_review; }
@@ -57,6 +59,7 @@ protected:
 private:
     void connectObjects();
     void connectDocument();
+    void connectJudge();
     void showDocument();
     void showSession();
     void identify();
@@ -65,6 +68,7 @@ private:
     void showEditable();
 
     Document& m_document;
+    TargetJudge m_judge;
     SessionActions& m_files;
     MessageBar* m_bar;
     QStackedWidget* m_pages;

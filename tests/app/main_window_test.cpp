@@ -143,7 +143,7 @@ TEST_F(MainWindowTest, ABadFileIsRefusedAndNothingChanges) {
 TEST_F(MainWindowTest, AnUnreachableTargetNeedsTheTick) {
     openWindow();
     ASSERT_TRUE(window->document().setTargets({kelvinFromCelsius(150.0), 313.15, 313.15}).ok());
-    ASSERT_TRUE(waitFor([this] { return !window->document().verdictStale(); }));
+    ASSERT_TRUE(waitFor([this] { return !window->pages().judge().isStale(); }));
     ASSERT_NO_FATAL_FAILURE(arm());
     click("startButton");
     QDialog* dialog = nullptr;

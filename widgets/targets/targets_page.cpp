@@ -241,6 +241,7 @@ void TargetsPage::setExperiment(const Experiment& experiment) {
     }
     m_verdict.reset();
     buildRows();
+    emit keptChanged(kept());
 }
 
 void TargetsPage::setVerdict(const JointVerdict& verdict) {
@@ -260,6 +261,12 @@ void TargetsPage::setVerdict(const JointVerdict& verdict) {
 void TargetsPage::setPrediction(const std::optional<double>& settling_s) {
     m_prediction_s = settling_s;
     showJoint();
+}
+
+void TargetsPage::dropPrediction() {
+    m_prediction_s.reset();
+    showJoint();
+    askPrediction();
 }
 
 void TargetsPage::askPrediction() {

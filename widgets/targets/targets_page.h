@@ -43,6 +43,8 @@ public:
     /// Of the verdict shown, once predictionWanted() is answered: when all have settled on the simulated rig;
     /// empty: not within the experiment's duration limit.
     void setPrediction(const std::optional<double>& settling_s);
+    /// It holds no longer; another is asked for while the page is looked at.
+    void dropPrediction();
     /// Maps of all pairs of the experiment's objects.
     void setPairs(const std::vector<ReachableMap>& maps);
     /// Targets may be edited during a run too; `why` is shown when they may not.

@@ -138,11 +138,15 @@ TEST_F(TargetsPageTest, TheTimeIsPredictedForWhatCanBeHeld) {
     EXPECT_TRUE(text("jointDetail").contains("does not settle within"));
     page.setVerdict(feasible);
     EXPECT_TRUE(text("jointDetail").contains("Predicting"));
+    page.setPrediction(77.0);
+    page.dropPrediction(); // another controller
+    EXPECT_EQ(wanted.count(), 3);
+    EXPECT_TRUE(text("jointDetail").contains("Predicting"));
     page.hide();
     page.setVerdict(feasible);
-    EXPECT_EQ(wanted.count(), 2);
-    page.show();
     EXPECT_EQ(wanted.count(), 3);
+    page.show();
+    EXPECT_EQ(wanted.count(), 4);
 }
 
 // Catches a mark that cannot be dragged, a drag that edits the experiment at each step or not at its end, and
@@ -193,6 +197,17 @@ TEST_F(TargetsPageTest, KeptTargetsAreAskedFor) {
     ASSERT_EQ(keptChanged.count(), 1);
     EXPECT_EQ(page.kept(), (std::vector<bool>{false, false, true}));
     EXPECT_TRUE(text("jointVerdict").startsWith("Checking"));
+}
+
+// Catches boxes of other objects that go on being obeyed.
+TEST_F(TargetsPageTest, OtherObjectsAreNotKept) {
+    QSignalSpy keptChanged{&page, &TargetsPage::keptChanged};
+    child<QCheckBox>("keep2")->click();
+    Experiment two = experimentWith({40.0, 40.0, 40.0});
+    two.objects.pop_back();
+    page.setExperiment(two);
+    ASSERT_EQ(keptChanged.count(), 2);
+    EXPECT_EQ(keptChanged.last()[0].value<std::vector<bool>>(), (std::vector<bool>{false, false}));
 }
 
 // Catches a target inside the source's range but outside the workspace's called reachable, and figures that
