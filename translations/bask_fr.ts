@@ -735,21 +735,6 @@
         </message>
     </context>
     <context>
-        <name>TargetsPage</name>
-        <message>
-            <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
-            <translation>Prévision : partant de la pose de départ, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
-        </message>
-        <message>
-            <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
-            <translation>Prévision : partant de la pose de départ, un essai est stabilisé au bout de %1 (simulé).</translation>
-        </message>
-        <message>
-            <source>Predicting how long a run takes…</source>
-            <translation>Prévision de la durée d'un essai…</translation>
-        </message>
-    </context>
-    <context>
         <name>Verb</name>
         <message>
             <source>Arm</source>
@@ -3317,6 +3302,18 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Pairs</source>
             <translation>Paires</translation>
+        </message>
+        <message>
+            <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
+            <translation>Prévision : partant de la pose de départ, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
+        </message>
+        <message>
+            <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
+            <translation>Prévision : partant de la pose de départ, un essai est stabilisé au bout de %1 (simulé).</translation>
+        </message>
+        <message>
+            <source>Predicting how long a run takes…</source>
+            <translation>Prévision de la durée d'un essai…</translation>
         </message>
     </context>
     <context>

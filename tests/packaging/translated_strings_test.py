@@ -15,7 +15,7 @@ ROOT = Path(__file__).resolve().parents[2]
 
 def strings(path):
     contexts = ElementTree.parse(path).getroot().findall("context")
-    return {(context.findtext("name").removeprefix("bask::"), message.findtext("source"))
+    return {(context.findtext("name"), message.findtext("source"))
             for context in contexts for message in context.findall("message")}
 
 
