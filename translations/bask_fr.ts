@@ -159,6 +159,10 @@
             <translation>« %1 » n’est pas une mire ; écrivez chessboard:9x6:0.025 (coins intérieurs, case en m) ou charuco:5x7:0.04:0.02:6X6_250 (cases, case et marqueur en m, dictionnaire)</translation>
         </message>
         <message>
+            <source>&quot;%1&quot; is no marker; write marker:6X6_250:23:0.05 (dictionary, id, side in m)</source>
+            <translation>« %1 » n’est pas un marqueur ; écrivez marker:6X6_250:23:0.05 (dictionnaire, numéro, côté en m)</translation>
+        </message>
+        <message>
             <source>a marker of %1 m does not fit into a square of %2 m</source>
             <translation>un marqueur de %1 m ne tient pas dans une case de %2 m</translation>
         </message>

@@ -133,6 +133,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(CameraSizeOther, QT_TRANSLATE_NOOP("Message", "the camera was calibrated with pictures of %1 pixels, this one has %2; calibrate it at this size")),
     Entry BASK_MESSAGE(MarkerBitsUnusable, QT_TRANSLATE_NOOP("Message", "\"%1\" is not %2 digits 0 or 1")),
     Entry BASK_MESSAGE(BoardUnreadable, QT_TRANSLATE_NOOP("Message", "\"%1\" is no board; write chessboard:9x6:0.025 (inner corners, square in m) or charuco:5x7:0.04:0.02:6X6_250 (squares, square and marker in m, dictionary)")),
+    Entry BASK_MESSAGE(MarkerUnreadable, QT_TRANSLATE_NOOP("Message", "\"%1\" is no marker; write marker:6X6_250:23:0.05 (dictionary, id, side in m)")),
     Entry BASK_MESSAGE(MarkerNotSmaller, QT_TRANSLATE_NOOP("Message", "a marker of %1 m does not fit into a square of %2 m")),
     Entry BASK_MESSAGE(DictionaryTooSmall, QT_TRANSLATE_NOOP("Message", "dictionary %1 has %2 markers; %3 are needed")),
     Entry BASK_MESSAGE(BoardNotSeen, QT_TRANSLATE_NOOP("Message", "no chessboard of %1 inner corners is seen; it needs to be whole in the picture, flat, with a light margin")),

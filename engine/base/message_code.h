@@ -119,6 +119,7 @@ enum class MessageCode : int {
     CameraSizeOther,        ///< %1 calibrated, %2 picture
     MarkerBitsUnusable,     ///< %1 key, %2 bits
     BoardUnreadable,        ///< %1 text
+    MarkerUnreadable,       ///< %1 text
     MarkerNotSmaller,       ///< %1 marker m, %2 square m
     DictionaryTooSmall,     ///< %1 dictionary, %2 markers, %3 needed
     BoardNotSeen,           ///< %1 inner corners

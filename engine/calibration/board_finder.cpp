@@ -309,11 +309,14 @@ std::optional<Board> boardSeen(const GreyPicture& picture, const Board& board) {
     }
 }
 
-std::optional<Board> mostSeen(std::span<const Board> seen) {
-    std::optional<Board> most;
-    for (const Board& board : seen)
-        if (!most || std::ranges::count(seen, board) > std::ranges::count(seen, *most))
-            most = board;
+Board mostSeen(std::span<const Board> seen, const Board& board) {
+    Board most = board;
+    std::ptrdiff_t count = std::max<std::ptrdiff_t>(std::ranges::count(seen, board), 1);
+    for (const Board& other : seen)
+        if (const auto more = std::ranges::count(seen, other); more > count) {
+            most = other;
+            count = more;
+        }
     return most;
 }
 

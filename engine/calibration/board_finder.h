@@ -27,7 +27,7 @@ Result<BoardView> findBoard(const GreyPicture& picture, const Board& board, cons
 /// picture may be misread: mostSeen asks several. No picture tells how large a square is.
 std::optional<Board> boardSeen(const GreyPicture& picture, const Board& board);
 
-/// The board that most pictures show; nothing when none tells.
-std::optional<Board> mostSeen(std::span<const Board> seen);
+/// The board that most pictures show: `board` unless at least two show another, and more than show this.
+Board mostSeen(std::span<const Board> seen, const Board& board);
 
 } // namespace bask
