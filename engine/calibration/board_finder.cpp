@@ -65,9 +65,13 @@ double leastSpacing(const Points& corners, int columns) {
 
 std::optional<Points> chessboardCorners(const cv::Mat1b& image, const Board& board) {
     const Reduced reduced(image);
+    const cv::Size size(board.columns, board.rows);
     Points corners;
-    if (!cv::findChessboardCorners(reduced.image, cv::Size(board.columns, board.rows), corners,
-                                   cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE))
+    // Without the fast check noise takes minutes; what it wrongly rejects is left to the second way.
+    if (!cv::findChessboardCorners(reduced.image, size, corners,
+                                   cv::CALIB_CB_ADAPTIVE_THRESH | cv::CALIB_CB_NORMALIZE_IMAGE |
+                                       cv::CALIB_CB_FAST_CHECK) &&
+        !cv::findChessboardCornersSB(reduced.image, size, corners, cv::CALIB_CB_NORMALIZE_IMAGE))
         return std::nullopt;
     for (cv::Point2f& corner : corners)
         corner = reduced.inWhole(corner);
@@ -192,6 +196,8 @@ std::optional<Board> chessboardSeen(const cv::Mat1b& image, Board board) {
     const auto [less, more] = std::minmax(meta.cols, meta.rows);
     if (less == std::min(board.columns, board.rows) && more == std::max(board.columns, board.rows))
         return board;
+    if (less == 3) // what was asked for at least: a few corners of a board, or of noise
+        return std::nullopt;
     board.columns = more;
     board.rows = less;
     return board;

@@ -189,14 +189,18 @@ cv::Mat1b imageOf(const GreyPicture& picture) {
     return {picture.height, picture.width, const_cast<std::uint8_t*>(picture.values.data())};
 }
 
-// The markers in the picture at so many times its size, in its own pixels.
-std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictionary& dictionary, int times) {
+// The markers in the picture at so many times its size, in its own pixels. OpenCV's memory goes with what
+// looks like a quadrangle: pictures are made smaller rather than take gigabytes.
+std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictionary& dictionary,
+                               double times) {
+    constexpr double kMostPixels = 16e6;
     std::vector<FoundMarker> markers;
     if (std::min(image.cols, image.rows) < dictionary.markerSize + 4) // OpenCV throws on such
         return markers;
+    times = std::min(times, std::sqrt(kMostPixels / static_cast<double>(image.total())));
     cv::Mat1b looked = image;
-    if (times > 1)
-        cv::resize(image, looked, {}, times, times, cv::INTER_CUBIC);
+    if (times != 1.0)
+        cv::resize(image, looked, {}, times, times, times > 1.0 ? cv::INTER_CUBIC : cv::INTER_AREA);
     Quads quads;
     std::vector<int> ids;
     detect(looked, dictionary, quads, ids);

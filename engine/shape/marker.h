@@ -45,7 +45,8 @@ int markerCount(const MarkerDictionary& dictionary);
 std::vector<std::string> markerCells(const MarkerDictionary& dictionary, int id);
 
 /// All markers of a dictionary, the largest in the picture first. They need a light margin. A dictionary
-/// without bits must be one that is known by name. Nothing in a picture that is too small for any.
+/// without bits must be one that is known by name. Nothing in a picture that is too small for any; one above
+/// 16 megapixels is looked at that size, and the corners are refined in the whole.
 std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDictionary& dictionary);
 
 /// The same, and those that are found only in the picture at twice its size, which takes five times as long:

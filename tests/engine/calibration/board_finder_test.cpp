@@ -113,12 +113,12 @@ TEST(BoardFinder, TellsThePatternOfTheBoard) {
     }
 }
 
-// Catches: boards where there is none, and a crash on pictures smaller than a filter.
+// Catches: boards where there is none, a crash on pictures smaller than a filter, and minutes spent on noise.
 TEST(BoardFinder, SeesNothingInNothing) {
     const auto chess = board("chessboard:9x6:0.025"), charuco = board("charuco:5x7:0.04:0.02:6X6_250");
     for (const GreyPicture& picture :
          {test::flat(1, 1, 0), test::flat(1, 2000, 255), test::flat(3, 3, 9), test::flat(12, 12, 128),
-          test::flat(640, 480, 255), test::noise(320, 240)}) {
+          test::flat(640, 480, 255), test::noise(1200, 900)}) {
         EXPECT_EQ(findBoard(picture, chess, "").error().code(), MessageCode::BoardNotSeen);
         EXPECT_EQ(findBoard(picture, charuco, "").error().code(), MessageCode::BoardCornersFew);
         EXPECT_FALSE(boardSeen(picture, chess));
