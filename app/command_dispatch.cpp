@@ -20,7 +20,7 @@ std::string subcommandList() {
     std::string text = "Subcommands (bask SUBCOMMAND --help tells more):\n";
     for (const Subcommand& each : subcommands()) {
         std::string name = each.name;
-        name.resize(14, ' ');
+        name.resize(18, ' ');
         text += "  " + name + each.summary + "\n";
     }
     return text;

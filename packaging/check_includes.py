@@ -17,6 +17,7 @@ HEADER_SUFFIXES = {".h", ".hpp"}
 ENGINE = {
     "base": set(),
     "shape": {"base"},
+    "calibration": {"shape", "base"},
     "radiation": {"shape", "base"},
     "exchange": {"radiation", "control", "base"},
     "thermal": {"shape", "base"},
@@ -104,7 +105,7 @@ def qt_in_engine(path):
     return False
 
 
-OPENCV_FOLDERS = {("engine", "shape")}
+OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
 SYSTEM_HEADER = re.compile(r"(unistd|fcntl|signal|pthread|immintrin|sched|errno|termios|poll)\.h|sys/[a-z_]+\.h")
@@ -245,7 +246,8 @@ class Checker:
             self.report(path, line, "root", f"{name}: project includes are written in quotes")
         elif target.startswith("opencv2/") or target == "opencv.hpp":
             if home not in OPENCV_FOLDERS or header:
-                self.report(path, line, "opencv", f"{name}: OpenCV only in the .cpp files of engine/shape")
+                self.report(path, line, "opencv", f"{name}: OpenCV only in the .cpp files of "
+                                                  "engine/shape and engine/calibration")
         elif re.match(r"vtk[A-Z]", target) or target.startswith("QVTK"):
             if home not in VTK_FOLDERS or (header and home[0] == "engine"):
                 self.report(path, line, "vtk", f"{name}: VTK only in widgets/scene and the .cpp files of "

@@ -135,6 +135,82 @@
     <context>
         <name>Message</name>
         <message>
+            <source>&quot;%1&quot; is not the finite number or numbers that it should be</source>
+            <translation>« %1 » n’est pas le ou les nombres finis attendus</translation>
+        </message>
+        <message>
+            <source>the camera matrix cannot be used: nine numbers fx 0 cx, 0 fy cy, 0 0 1 with focal lengths above zero are needed</source>
+            <translation>la matrice de la caméra est inutilisable : il faut neuf nombres fx 0 cx, 0 fy cy, 0 0 1, avec des focales supérieures à zéro</translation>
+        </message>
+        <message>
+            <source>a distortion of %1 coefficients cannot be used; 4, 5 or 8 can</source>
+            <translation>une distorsion à %1 coefficients est inutilisable ; il en faut 4, 5 ou 8</translation>
+        </message>
+        <message>
+            <source>the camera was calibrated with pictures of %1 pixels, this one has %2; calibrate it at this size</source>
+            <translation>la caméra a été étalonnée avec des images de %1 pixels, celle-ci en a %2 ; étalonnez-la à cette taille</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is not %2 digits 0 or 1</source>
+            <translation>« %1 » n’est pas une suite de %2 chiffres 0 ou 1</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no board; write chessboard:9x6:0.025 (inner corners, square in m) or charuco:5x7:0.04:0.02:6X6_250 (squares, square and marker in m, dictionary)</source>
+            <translation>« %1 » n’est pas une mire ; écrivez chessboard:9x6:0.025 (coins intérieurs, case en m) ou charuco:5x7:0.04:0.02:6X6_250 (cases, case et marqueur en m, dictionnaire)</translation>
+        </message>
+        <message>
+            <source>&quot;%1&quot; is no marker; write marker:6X6_250:23:0.05 (dictionary, id, side in m)</source>
+            <translation>« %1 » n’est pas un marqueur ; écrivez marker:6X6_250:23:0.05 (dictionnaire, numéro, côté en m)</translation>
+        </message>
+        <message>
+            <source>a marker of %1 m does not fit into a square of %2 m</source>
+            <translation>un marqueur de %1 m ne tient pas dans une case de %2 m</translation>
+        </message>
+        <message>
+            <source>dictionary %1 has %2 markers; %3 are needed</source>
+            <translation>le dictionnaire %1 a %2 marqueurs ; il en faut %3</translation>
+        </message>
+        <message>
+            <source>no chessboard of %1 inner corners is seen; it needs to be whole in the picture, flat, with a light margin</source>
+            <translation>aucun échiquier à %1 coins intérieurs n’est vu ; il doit être entier dans l’image, plan, avec une marge claire</translation>
+        </message>
+        <message>
+            <source>only %1 corners of the board are seen; %2 that are not in one line are needed</source>
+            <translation>seuls %1 coins de la mire sont vus ; il en faut %2 qui ne soient pas alignés</translation>
+        </message>
+        <message>
+            <source>the pictures show the board %1, not %2; correct the setting</source>
+            <translation>les images montrent la mire %1, non %2 ; corrigez le réglage</translation>
+        </message>
+        <message>
+            <source>the picture has %1 pixels, the others %2; take all with one camera at one size</source>
+            <translation>l’image a %1 pixels, les autres %2 ; prenez-les toutes avec une caméra à une seule taille</translation>
+        </message>
+        <message>
+            <source>%1 pictures that can be used are too few; at least %2 are needed, with the board tilted in different ways</source>
+            <translation>%1 images utilisables ne suffisent pas ; il en faut au moins %2, la mire inclinée de différentes façons</translation>
+        </message>
+        <message>
+            <source>in all pictures the board is seen straight on, tilted by %1 degrees at most; at least %2 are needed to tell the focal length</source>
+            <translation>dans toutes les images la mire est vue de face, inclinée de %1 degrés au plus ; il en faut au moins %2 pour connaître la focale</translation>
+        </message>
+        <message>
+            <source>no camera explains these pictures; tilt the board in different ways and check its setting</source>
+            <translation>aucune caméra n’explique ces images ; inclinez la mire de différentes façons et vérifiez son réglage</translation>
+        </message>
+        <message>
+            <source>the focal length is known to %1 % only; at most %2 % can be used, so add pictures with the board tilted in different ways</source>
+            <translation>la focale n’est connue qu’à %1 % ; %2 % au plus conviennent, ajoutez donc des images où la mire est inclinée de différentes façons</translation>
+        </message>
+        <message>
+            <source>the pictures contradict one another by %1 px; at most %2 px can be used, so check that the board is flat, its setting right and all pictures from one camera</source>
+            <translation>les images se contredisent de %1 px ; %2 px au plus conviennent, vérifiez donc que la mire est plane, son réglage juste et que toutes les images viennent d’une même caméra</translation>
+        </message>
+        <message>
+            <source>%1 mm are needed with margins, %2 has room for %3 mm; take larger paper or a smaller pattern</source>
+            <translation>il faut %1 mm avec les marges, %2 n’offre que %3 mm ; prenez un papier plus grand ou un motif plus petit</translation>
+        </message>
+        <message>
             <source>%1 and %2 overlap; move one of them</source>
             <translation>%1 et %2 se chevauchent ; déplacez l’un des deux</translation>
         </message>

@@ -24,6 +24,10 @@ std::span<const Subcommand> subcommands() {
         Subcommand{"identify", "heat rates of the objects of a recorded session, with standard errors",
                    identifyCommand},
         Subcommand{"export", "write a session's tables as CSV", exportCommand},
+        Subcommand{"make-board", "calibration boards and markers to print, as PDF", makeBoardCommand, true},
+        Subcommand{"calibrate-camera", "a camera's intrinsics from pictures of a board",
+                   calibrateCameraCommand},
+        Subcommand{"detect-markers", "the ArUco markers in a picture, with poses", detectMarkersCommand},
     };
     return kSubcommands;
 }

@@ -3,6 +3,7 @@
 #include "app/commands/command_line.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace bask {
 
@@ -23,10 +24,10 @@ std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, co
         std::fputs(qPrintable(usage + text.mid(firstLineEnd)), stdout);
         return kExitDone;
     }
-    if (parser.positionalArguments().size() != positionals) {
-        std::fprintf(stderr, "bask %s: %d argument%s expected, %d given (see bask %s --help)\n", name,
-                     positionals, positionals == 1 ? "" : "s",
-                     static_cast<int>(parser.positionalArguments().size()), name);
+    const int given = static_cast<int>(parser.positionalArguments().size()), least = std::abs(positionals);
+    if (positionals < 0 ? given < least : given != positionals) {
+        std::fprintf(stderr, "bask %s: %s%d argument%s expected, %d given (see bask %s --help)\n", name,
+                     positionals < 0 ? "at least " : "", least, least == 1 ? "" : "s", given, name);
         return kExitBadInput;
     }
     return std::nullopt;

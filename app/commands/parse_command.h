@@ -8,7 +8,7 @@
 namespace bask {
 
 /// Parses a subcommand's arguments. An exit code means: done (help was printed) or refused (said on standard
-/// error).
+/// error). `positionals` below zero: at least so many.
 std::optional<int> parseCommand(QCommandLineParser& parser, const char* name, const QStringList& arguments,
                                 int positionals);
 

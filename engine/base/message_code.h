@@ -112,6 +112,26 @@ enum class MessageCode : int {
     DxfBlockInItself,     ///< %1 block
     DxfUnitless,          ///< no args
     DxfHidden,            ///< %1 count
+    // Cameras, calibration boards, markers
+    NumbersUnusable,        ///< %1 key
+    CameraMatrixUnusable,   ///< no args
+    DistortionUnusable,     ///< %1 coefficients
+    CameraSizeOther,        ///< %1 calibrated, %2 picture
+    MarkerBitsUnusable,     ///< %1 key, %2 bits
+    BoardUnreadable,        ///< %1 text
+    MarkerUnreadable,       ///< %1 text
+    MarkerNotSmaller,       ///< %1 marker m, %2 square m
+    DictionaryTooSmall,     ///< %1 dictionary, %2 markers, %3 needed
+    BoardNotSeen,           ///< %1 inner corners
+    BoardCornersFew,        ///< %1 corners, %2 needed
+    BoardOther,             ///< %1 board seen, %2 board set
+    ViewSizeOther,          ///< %1 pixels, %2 of the others
+    ViewsTooFew,            ///< %1 views, %2 needed
+    ViewsStraightOn,        ///< %1 degrees, %2 needed
+    CalibrationFailed,      ///< no args
+    CalibrationUncertain,   ///< %1 percent, %2 allowed
+    CalibrationContradicts, ///< %1 px, %2 allowed
+    SheetTooSmall,          ///< %1 mm needed, %2 paper, %3 mm of room
     // View factor
     FieldTooLarge,  ///< %1 samples, %2 most
     FieldCancelled, ///< no args

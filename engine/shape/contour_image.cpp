@@ -64,6 +64,12 @@ cv::Mat1f brightness(const cv::Mat& image) {
     return channel(grey, 0);
 }
 
+GreyPicture greyPicture(const cv::Mat& image) {
+    cv::Mat1b values;
+    brightness(image).convertTo(values, CV_8U, 255.0);
+    return {image.cols, image.rows, {values.begin(), values.end()}};
+}
+
 /// A field before it is traced.
 struct Field {
     cv::Mat1f values;
@@ -263,13 +269,7 @@ Result<PicturePlane> planeOfMarker(cv::Mat& image, const ReferenceMarker& refere
                                    std::vector<Message>& warnings) {
     constexpr double kLeastSide_px = 40.0;
     const Error notFound{MessageCode::MarkerNotFound, path, {reference.dictionary}};
-    GreyPicture grey{image.cols, image.rows, {}};
-    {
-        cv::Mat1b values;
-        brightness(image).convertTo(values, CV_8U, 255.0);
-        grey.values.assign(values.begin(), values.end());
-    }
-    const std::vector<FoundMarker> markers = findMarkers(grey, reference.dictionary);
+    const std::vector<FoundMarker> markers = findMarkers(greyPicture(image), {reference.dictionary});
     if (markers.empty())
         return notFound;
     const auto plane = PicturePlane::ofSquare(markers.front().corners_px, reference.side_m);
@@ -398,6 +398,10 @@ template <class Value, class Use> Result<Value> ofPicture(const std::string& pat
 
 Result<ColourPicture> readPicture(const std::string& path) {
     return ofPicture<ColourPicture>(path, [](const cv::Mat& image) { return picture(image); });
+}
+
+Result<GreyPicture> readGreyPicture(const std::string& path) {
+    return ofPicture<GreyPicture>(path, [](const cv::Mat& image) { return greyPicture(image); });
 }
 
 Result<OutlineFile> readImageOutlines(const std::string& path, const ContourImportOptions& options) {

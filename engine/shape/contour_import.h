@@ -2,6 +2,7 @@
 // Outlines from files of every kind that is read: silhouettes in an image, a list of points in a CSV. OpenCV
 // stays in the .cpp.
 
+#include "engine/shape/marker.h"
 #include "engine/shape/outline_file.h"
 
 #include <array>
@@ -84,6 +85,10 @@ struct ColourPicture {
 
 /// A picture turned as readImageOutlines takes it, on white where it is transparent, to be shown.
 Result<ColourPicture> readPicture(const std::string& path);
+
+/// Its brightness, turned likewise, for markers and calibration boards. Refuses of files what
+/// readImageOutlines does.
+Result<GreyPicture> readGreyPicture(const std::string& path);
 
 /// Every outline of a file, arranged, by the reader that its extension names (svg, dxf; csv, txt, dat; png,
 /// jpg, jpeg, bmp, tif, tiff).

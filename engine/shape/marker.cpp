@@ -48,12 +48,34 @@ std::string plainName(std::string name) {
 
 using Quads = std::vector<std::vector<cv::Point2f>>;
 
-void detect(const cv::Mat1b& image, int dictionary, Quads& quads, std::vector<int>& ids) {
+cv::aruco::Dictionary known(const std::string& name) {
+    const int number = dictionaries().at(plainName(name));
 #if BASK_ARUCO_IN_OBJDETECT
-    const cv::aruco::ArucoDetector detector(cv::aruco::getPredefinedDictionary(dictionary));
-    detector.detectMarkers(image, quads, ids);
+    return cv::aruco::getPredefinedDictionary(number);
 #else
-    cv::aruco::detectMarkers(image, cv::aruco::getPredefinedDictionary(dictionary), quads, ids);
+    return *cv::aruco::getPredefinedDictionary(number);
+#endif
+}
+
+cv::aruco::Dictionary library(const MarkerDictionary& dictionary) {
+    if (dictionary.side_bits == 0)
+        return known(dictionary.name);
+    cv::Mat bytes;
+    for (const std::string& text : dictionary.bits) {
+        cv::Mat1b bits(dictionary.side_bits, dictionary.side_bits);
+        std::ranges::transform(text, bits.begin(),
+                               [](char c) { return static_cast<std::uint8_t>(c == '1'); });
+        bytes.push_back(cv::aruco::Dictionary::getByteListFromBits(bits));
+    }
+    return {bytes, dictionary.side_bits, dictionary.correctableBits};
+}
+
+void detect(const cv::Mat1b& image, const cv::aruco::Dictionary& dictionary, Quads& quads,
+            std::vector<int>& ids) {
+#if BASK_ARUCO_IN_OBJDETECT
+    cv::aruco::ArucoDetector(dictionary).detectMarkers(image, quads, ids);
+#else
+    cv::aruco::detectMarkers(image, cv::makePtr<cv::aruco::Dictionary>(dictionary), quads, ids);
 #endif
 }
 
@@ -150,6 +172,59 @@ std::array<Eigen::Vector2d, 4> refined(const cv::Mat1b& image, const std::array<
     return corners;
 }
 
+// The corners refined, but no farther from where they were detected than the detection of so small a marker
+// may be off: on a side of few pixels a neighbour or a shadow draws the line away.
+std::array<Eigen::Vector2d, 4> nearDetected(const FoundMarker& detected,
+                                            std::array<Eigen::Vector2d, 4> corners) {
+    const double most_px = std::max(0.9, 0.02 * detected.side_px());
+    for (std::size_t k = 0; k < 4; ++k) {
+        const Eigen::Vector2d move = corners[k] - detected.corners_px[k];
+        if (move.norm() > most_px)
+            corners[k] = detected.corners_px[k] + most_px * move.normalized();
+    }
+    return corners;
+}
+
+cv::Mat1b imageOf(const GreyPicture& picture) {
+    return {picture.height, picture.width, const_cast<std::uint8_t*>(picture.values.data())};
+}
+
+// The markers in the picture at so many times its size, in its own pixels. OpenCV's memory goes with what
+// looks like a quadrangle: pictures are made smaller rather than take gigabytes.
+std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictionary& dictionary,
+                               double times) {
+    constexpr double kMostPixels = 16e6;
+    std::vector<FoundMarker> markers;
+    if (std::min(image.cols, image.rows) < dictionary.markerSize + 4) // OpenCV throws on such
+        return markers;
+    times = std::min(times, std::sqrt(kMostPixels / static_cast<double>(image.total())));
+    cv::Mat1b looked = image;
+    if (times != 1.0)
+        cv::resize(image, looked, {}, times, times, times > 1.0 ? cv::INTER_CUBIC : cv::INTER_AREA);
+    Quads quads;
+    std::vector<int> ids;
+    detect(looked, dictionary, quads, ids);
+    for (std::size_t k = 0; k < quads.size(); ++k) {
+        FoundMarker marker{ids[k], {}};
+        for (std::size_t c = 0; c < 4; ++c) {
+            const Eigen::Vector2d corner(quads[k].at(c).x, quads[k].at(c).y);
+            marker.corners_px[c] = ((corner.array() + 0.5) / times - 0.5).matrix();
+        }
+        marker.corners_px = nearDetected(marker, refined(image, refined(image, marker.corners_px)));
+        markers.push_back(marker);
+    }
+    std::ranges::sort(markers, std::greater{}, &FoundMarker::side_px);
+    return markers;
+}
+
+bool overlap(const FoundMarker& a, const FoundMarker& b) {
+    const auto middle = [](const FoundMarker& m) {
+        return Eigen::Vector2d(0.25 *
+                               (m.corners_px[0] + m.corners_px[1] + m.corners_px[2] + m.corners_px[3]));
+    };
+    return (middle(a) - middle(b)).norm() < 0.5 * std::max(a.side_px(), b.side_px());
+}
+
 } // namespace
 
 double FoundMarker::side_px() const {
@@ -173,19 +248,45 @@ const std::string& markerDictionaries() {
     return kNames;
 }
 
-std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const std::string& dictionary) {
-    const cv::Mat1b image(picture.height, picture.width, const_cast<std::uint8_t*>(picture.values.data()));
-    Quads quads;
-    std::vector<int> ids;
-    detect(image, dictionaries().at(plainName(dictionary)), quads, ids);
-    std::vector<FoundMarker> markers;
-    for (std::size_t k = 0; k < quads.size(); ++k) {
-        FoundMarker marker{ids[k], {}};
-        for (std::size_t c = 0; c < 4; ++c)
-            marker.corners_px[c] = {quads[k].at(c).x, quads[k].at(c).y};
-        marker.corners_px = refined(image, refined(image, marker.corners_px));
-        markers.push_back(marker);
-    }
+int markerCount(const MarkerDictionary& dictionary) {
+    return dictionary.side_bits == 0 ? known(dictionary.name).bytesList.rows
+                                     : static_cast<int>(dictionary.bits.size());
+}
+
+std::vector<std::string> markerCells(const MarkerDictionary& dictionary, int id) {
+    const cv::aruco::Dictionary from = library(dictionary);
+    const int side = from.markerSize + 2;
+    cv::Mat1b cells;
+#if BASK_ARUCO_IN_OBJDETECT
+    from.generateImageMarker(id, side, cells);
+#else
+    from.drawMarker(id, side, cells);
+#endif
+    std::vector<std::string> rows(static_cast<std::size_t>(side));
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            rows[static_cast<std::size_t>(y)] += cells(y, x) > 127 ? '1' : '0';
+    return rows;
+}
+
+std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDictionary& dictionary) {
+    return found(imageOf(picture), library(dictionary), 1);
+}
+
+std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary) {
+    constexpr int kMostPixels = 4'000'000;
+    const cv::Mat1b image = imageOf(picture);
+    const cv::aruco::Dictionary from = library(dictionary);
+    std::vector<FoundMarker> markers = found(image, from, 1);
+    if (picture.width > kMostPixels / std::max(picture.height, 1))
+        return markers;
+    const auto isNew = [&, known = markers.size()](const FoundMarker& marker) {
+        return std::ranges::none_of(markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(known),
+                                    [&](const FoundMarker& other) { return overlap(marker, other); });
+    };
+    for (const FoundMarker& marker : found(image, from, 2))
+        if (isNew(marker))
+            markers.push_back(marker);
     std::ranges::sort(markers, std::greater{}, &FoundMarker::side_px);
     return markers;
 }

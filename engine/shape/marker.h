@@ -30,8 +30,27 @@ struct FoundMarker {
 bool isMarkerDictionary(const std::string& name);
 const std::string& markerDictionaries(); ///< the names, for a sentence
 
-/// All markers of a dictionary, the largest in the picture first. They need a light margin. `dictionary` must
-/// be one.
-std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const std::string& dictionary);
+/// One of those, or one of somebody's own, which brings its bits.
+struct MarkerDictionary {
+    std::string name;
+    int side_bits = 0;                  ///< without the border; 0: one of those known by name
+    std::vector<std::string> bits = {}; ///< of each marker row by row, '1' white
+    int correctableBits = 0;
+};
+
+int markerCount(const MarkerDictionary& dictionary);
+
+/// Rows of a marker from its upper left, border included: '1' white, '0' black. `id` from 0 to markerCount
+/// - 1.
+std::vector<std::string> markerCells(const MarkerDictionary& dictionary, int id);
+
+/// All markers of a dictionary, the largest in the picture first. They need a light margin. A dictionary
+/// without bits must be one that is known by name. Nothing in a picture that is too small for any; one above
+/// 16 megapixels is looked at that size, and the corners are refined in the whole.
+std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDictionary& dictionary);
+
+/// The same, and those that are found only in the picture at twice its size, which takes five times as long:
+/// markers down to some 20 px. Pictures above 4 megapixels are looked at once.
+std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary);
 
 } // namespace bask

@@ -35,7 +35,7 @@ TEST(CommandLine, HelpAndVersion) {
     const Answer help = bask({QStringLiteral("--help")});
     EXPECT_EQ(help.exitCode, 0);
     for (const char* name : {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce",
-                             "identify", "export"})
+                             "identify", "export", "detect-markers", "calibrate-camera", "make-board"})
         EXPECT_TRUE(help.out.contains(QLatin1String(name))) << name;
     const Answer version = bask({QStringLiteral("--version")});
     EXPECT_EQ(version.exitCode, 0);
@@ -45,7 +45,7 @@ TEST(CommandLine, HelpAndVersion) {
 // Catches: a subcommand that needs a display, or has no help.
 TEST(CommandLine, EverySubcommandHasHelp) {
     for (const char* name : {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce",
-                             "identify", "export"}) {
+                             "identify", "export", "detect-markers", "calibrate-camera", "make-board"}) {
         const Answer help = bask({QLatin1String(name), QStringLiteral("--help")});
         EXPECT_EQ(help.exitCode, 0) << name;
         EXPECT_TRUE(help.out.contains(QStringLiteral("bask %1").arg(QLatin1String(name))))

@@ -1,0 +1,163 @@
+#include "engine/calibration/camera_calibration.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+
+#include <opencv2/calib3d.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+struct Corners {
+    std::vector<cv::Point3f> board;
+    std::vector<cv::Point2f> seen;
+};
+
+Corners cornersOf(const CalibrationView& view, const Board& board) {
+    Corners corners;
+    for (std::size_t k = 0; k < view.board.corners.size(); ++k) {
+        const Eigen::Vector2d at = cornerOf(board, view.board.corners[k]), p = view.board.corners_px[k];
+        corners.board.emplace_back(static_cast<float>(at.x()), static_cast<float>(at.y()), 0.0F);
+        corners.seen.emplace_back(static_cast<float>(p.x()), static_cast<float>(p.y()));
+    }
+    return corners;
+}
+
+struct Solution {
+    double rms_px = 0.0;
+    cv::Mat matrix, distortion, deviations, viewErrors;
+    std::vector<cv::Mat> rotations;
+};
+
+Solution solve(const std::vector<Corners>& views, cv::Size size, int coefficients) {
+    std::vector<std::vector<cv::Point3f>> board;
+    std::vector<std::vector<cv::Point2f>> seen;
+    for (const Corners& view : views) {
+        board.push_back(view.board);
+        seen.push_back(view.seen);
+    }
+    Solution s;
+    cv::Mat ofPoses;
+    std::vector<cv::Mat> translations;
+    s.rms_px = cv::calibrateCamera(board, seen, size, s.matrix, s.distortion, s.rotations, translations,
+                                   s.deviations, ofPoses, s.viewErrors,
+                                   coefficients == 8 ? cv::CALIB_RATIONAL_MODEL : 0);
+    return s;
+}
+
+// Sum of the squared distances between the corners seen and shown, with the pose that suits them best.
+double squaredError(const Corners& view, const Solution& s) {
+    cv::Mat rotation, translation;
+    cv::solvePnP(view.board, view.seen, s.matrix, s.distortion, rotation, translation);
+    std::vector<cv::Point2f> shown;
+    cv::projectPoints(view.board, rotation, translation, s.matrix, s.distortion, shown);
+    return std::pow(cv::norm(shown, view.seen), 2);
+}
+
+std::optional<double> heldOut(const std::vector<Corners>& views, cv::Size size, int coefficients) {
+    constexpr std::size_t kParts = 5;
+    if (views.size() < kParts)
+        return std::nullopt;
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (std::size_t part = 0; part < kParts; ++part) {
+        std::vector<Corners> kept, out;
+        for (std::size_t k = 0; k < views.size(); ++k)
+            (k % kParts == part ? out : kept).push_back(views[k]);
+        const Solution s = solve(kept, size, coefficients);
+        for (const Corners& view : out) {
+            sum += squaredError(view, s);
+            count += view.seen.size();
+        }
+    }
+    return std::sqrt(sum / static_cast<double>(count));
+}
+
+double tiltOf(const std::vector<cv::Mat>& rotations) {
+    double least = 1.0; // cosine
+    for (const cv::Mat& rotation : rotations) {
+        cv::Matx33d turn;
+        cv::Rodrigues(rotation, turn);
+        least = std::min(least, std::abs(turn(2, 2)));
+    }
+    return std::acos(least);
+}
+
+CameraModel cameraOf(const Solution& s, int coefficients) {
+    CameraModel camera;
+    camera.fx = s.matrix.at<double>(0, 0);
+    camera.fy = s.matrix.at<double>(1, 1);
+    camera.cx = s.matrix.at<double>(0, 2);
+    camera.cy = s.matrix.at<double>(1, 2);
+    for (int k = 0; k < coefficients; ++k)
+        camera.distortion.push_back(s.distortion.at<double>(k));
+    for (int k = 0; k < 4 + coefficients; ++k)
+        camera.deviations.push_back(s.deviations.at<double>(k));
+    camera.rms_px = s.rms_px;
+    return camera;
+}
+
+bool isPlausible(const CameraModel& camera) {
+    const auto finite = [](double v) { return std::isfinite(v); };
+    return camera.fx > 0.0 && camera.fy > 0.0 && finite(camera.fx + camera.fy + camera.cx + camera.cy) &&
+           finite(*camera.rms_px) && std::ranges::all_of(camera.distortion, finite) &&
+           std::ranges::all_of(camera.deviations, finite);
+}
+
+} // namespace
+
+std::optional<double> CameraCalibration::heldOut_m(double distance_m) const {
+    if (!heldOut_px)
+        return std::nullopt;
+    return *heldOut_px * distance_m / (0.5 * (camera.fx + camera.fy));
+}
+
+double CameraCalibration::focalDeviation() const {
+    return std::max(camera.deviations.at(0) / camera.fx, camera.deviations.at(1) / camera.fy);
+}
+
+std::optional<Message> CameraCalibration::reasonAgainst() const {
+    constexpr double kLeastTilt_deg = 10.0, kMostDeviation = 0.1, kMostResidual = 0.003;
+    if (const double tilt_deg = degFromRad(tilt_rad); tilt_deg < kLeastTilt_deg)
+        return Message{MessageCode::ViewsStraightOn,
+                       {formatNumber(tilt_deg, 2), formatNumber(kLeastTilt_deg)}};
+    if (focalDeviation() > kMostDeviation)
+        return Message{MessageCode::CalibrationUncertain,
+                       {formatNumber(100.0 * focalDeviation(), 2), formatNumber(100.0 * kMostDeviation)}};
+    if (const double most_px = kMostResidual * camera.width; *camera.rms_px > most_px)
+        return Message{MessageCode::CalibrationContradicts,
+                       {formatNumber(*camera.rms_px, 3), formatNumber(most_px, 2)}};
+    return std::nullopt;
+}
+
+Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& views, const Board& board,
+                                          int width, int height, int coefficients) {
+    if (views.size() < kLeastCalibrationViews)
+        return Error{MessageCode::ViewsTooFew,
+                     "",
+                     {std::to_string(views.size()), std::to_string(kLeastCalibrationViews)}};
+    std::vector<Corners> corners;
+    for (const CalibrationView& view : views)
+        corners.push_back(cornersOf(view, board));
+    const cv::Size size(width, height);
+    try {
+        const Solution solution = solve(corners, size, coefficients);
+        CameraCalibration result{cameraOf(solution, coefficients), heldOut(corners, size, coefficients),
+                                 tiltOf(solution.rotations)};
+        result.camera.width = width;
+        result.camera.height = height;
+        result.camera.board = boardText(board);
+        for (std::size_t k = 0; k < views.size(); ++k)
+            result.camera.views.push_back(
+                {views[k].name, solution.viewErrors.at<double>(static_cast<int>(k))});
+        if (isPlausible(result.camera))
+            return result;
+    } catch (const cv::Exception&) { // views that determine no camera
+    }
+    return Error{MessageCode::CalibrationFailed, ""};
+}
+
+} // namespace bask

@@ -1,0 +1,43 @@
+#pragma once
+// A camera's intrinsics from views of a board, and how well they hold in views that they were not made from.
+
+#include "engine/calibration/board_finder.h"
+#include "engine/calibration/camera_model.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+struct CalibrationView {
+    std::string name;
+    BoardView board;
+};
+
+struct CameraCalibration {
+    CameraModel camera;
+    /// Root mean square over the corners of each view, by a camera that was made without it (of five such,
+    /// each without a fifth of the views); the board's pose is the view's own. Nothing below five views.
+    std::optional<double> heldOut_px;
+    double tilt_rad = 0.0; ///< largest angle between a view's board and the picture
+
+    /// The same as a length across the line of sight, so far from the camera.
+    std::optional<double> heldOut_m(double distance_m) const;
+    /// Standard deviation of the focal lengths, the larger of the two, relative.
+    double focalDeviation() const;
+    /// Why the camera should not be used: ViewsStraightOn (boards tilted by less than 10 degrees tell no
+    /// focal length, however small its deviation looks), CalibrationUncertain (focal length to 10 %),
+    /// CalibrationContradicts (residuals above 0.3 % of the picture's width).
+    std::optional<Message> reasonAgainst() const;
+};
+
+inline constexpr std::size_t kLeastCalibrationViews = 3;
+
+/// By cv::calibrateCamera, all parameters free; `coefficients` is 5 (k1 k2 p1 p2 k3) or 8. All views have the
+/// size width x height. Residuals are distances between corners. Errors: ViewsTooFew, CalibrationFailed
+/// (views that no camera explains).
+Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& views, const Board& board,
+                                          int width, int height, int coefficients);
+
+} // namespace bask

@@ -1,0 +1,36 @@
+#pragma once
+// Where a square marker is, by one picture: both poses that a square allows, and whether they can be told
+// apart.
+
+#include "engine/base/pose.h"
+#include "engine/calibration/camera_model.h"
+#include "engine/shape/marker.h"
+
+#include <array>
+#include <optional>
+
+namespace bask {
+
+/// Marker axes: x right, y up, z out of it, origin in its middle. Camera axes: x right, y down, z forward.
+struct MarkerPose {
+    std::array<double, 3> rotation_rad{}; ///< rotation vector of the marker's axes in the camera's
+    std::array<double, 3> translation_m{};
+    double rms_px = 0.0; ///< over the four corners, distances between seen and shown
+
+    Pose X_CM() const;
+};
+
+struct MarkerPoses {
+    MarkerPose best;
+    std::optional<MarkerPose> second; ///< the mirrored one, where there is one in front of the camera
+    /// Corners uncertain by 0.2 px (or by what `best` leaves) allow the second as well: the sums of squares
+    /// differ by less than nine variances.
+    bool isAmbiguous = false;
+};
+
+/// By IPPE (Collins and Bartoli 2014), each solution then refined to the least distances. Nothing for corners
+/// that are no square's.
+std::optional<MarkerPoses> markerPoses(const std::array<Eigen::Vector2d, 4>& corners_px, double side_m,
+                                       const CameraModel& camera);
+
+} // namespace bask
