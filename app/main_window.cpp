@@ -152,8 +152,14 @@ void MainWindow::refuse(const Message& refusal) {
 void MainWindow::askInfeasible() {
     const auto& verdict = m_pages->judge().verdict();
     const bool known = verdict && !m_pages->judge().isStale() && !verdict->feasible;
-    auto* dialog = new InfeasibleDialog(known ? sentence(verdict->reason) : QString(), this);
-    connect(dialog, &QDialog::accepted, this, [this] { m_engine.send(Start{true}); });
+    const Message reason = known ? verdict->reason : Message();
+    auto* dialog = new InfeasibleDialog(
+        known ? inUnit(sentence(reason), m_settings.temperatureUnit()) : QString(), this);
+    connect(dialog, &QDialog::accepted, this, [this, known, reason] {
+        m_engine.send(Start{true});
+        if (known)
+            m_engine.send(ReportInfeasible{reason});
+    });
     dialog->open();
 }
 

@@ -8,6 +8,7 @@
 #include "widgets/review/review_page.h"
 #include "widgets/run/run_page.h"
 #include "widgets/targets/targets_page.h"
+#include "widgets/targets/verdict_text.h"
 
 #include <QEvent>
 #include <QStackedWidget>
@@ -88,6 +89,7 @@ void PageHost::connectDocument() {
         std::vector<double> targets_K;
         for (const ObjectSpec& object : m_document.experiment().objects)
             targets_K.push_back(object.target_K);
+        m_verdictUntold = true;
         emit commandIssued(SetTargets{targets_K});
     });
     connect(&m_document, &Document::controllerChanged, this, [this] {
@@ -101,6 +103,8 @@ void PageHost::connectDocument() {
         changed.start = pose;
         if (const auto edited = m_document.edit(changed); !edited)
             showProblem(sentence(edited.error()));
+        else
+            showNote(tr("Runs start at %1 from now on.").arg(poseText(pose, changed.robot)));
     });
 }
 
@@ -118,6 +122,7 @@ void PageHost::connectJudge() {
             m_targets->setStale(true);
         else
             m_targets->setVerdict(*m_judge.verdict());
+        reportInfeasible();
     });
     connect(&m_judge, &TargetJudge::predictionChanged, this, [this] {
         if (m_judge.predicted())
@@ -133,6 +138,15 @@ void PageHost::connectJudge() {
     connect(m_targets, &TargetsPage::keptChanged, &m_judge, &TargetJudge::setKept);
     connect(m_targets, &TargetsPage::targetsTried, &m_judge, &TargetJudge::tryTargets);
     connect(m_targets, &TargetsPage::predictionWanted, &m_judge, &TargetJudge::predict);
+}
+
+/// A run that is on is told why targets set meanwhile cannot be held.
+void PageHost::reportInfeasible() {
+    if (!m_verdictUntold || m_judge.isStale() || m_judge.isTrying() || !m_judge.verdict())
+        return;
+    m_verdictUntold = false;
+    if (!m_judge.verdict()->feasible)
+        emit commandIssued(ReportInfeasible{m_judge.verdict()->reason});
 }
 
 void PageHost::showDocument() {

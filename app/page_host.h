@@ -60,6 +60,7 @@ private:
     void connectObjects();
     void connectDocument();
     void connectJudge();
+    void reportInfeasible();
     void showDocument();
     void showSession();
     void identify();
@@ -79,6 +80,7 @@ private:
     std::shared_ptr<const SessionRecord> m_record;
     std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way
     bool m_editable = true;
+    bool m_verdictUntold = false; ///< the engine has targets whose verdict it was not told
     LatestJob<Result<SessionRates>> m_identify;
 };
 

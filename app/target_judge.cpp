@@ -112,8 +112,8 @@ void TargetJudge::dropPrediction() {
 void TargetJudge::predict() {
     if (m_stale || !m_verdict || !m_verdict->feasible || m_predicted || m_predicting)
         return;
-    if (m_judged != m_experiment)
-        return; // the verdict is on targets that were only tried
+    if (isTrying())
+        return;
     m_predicting = true;
     const auto work = [experiment = m_experiment](const std::stop_token& stop) {
         const auto settling_s = bask::predictedSettling_s(experiment, stop);

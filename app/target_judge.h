@@ -34,6 +34,8 @@ public:
     /// Empty before the first.
     const std::optional<JointVerdict>& verdict() const { return m_verdict; }
     bool isStale() const { return m_stale; }
+    /// Whether verdict and maps are, or will be, of targets that are only tried.
+    bool isTrying() const { return m_judged != m_experiment; }
 
     /// Simulates a run with the experiment's targets and controller, if they can be held: a second or a few
     /// of work.

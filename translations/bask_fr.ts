@@ -751,8 +751,8 @@
             <translation>Non stabilisés : %1</translation>
         </message>
         <message>
-            <source>Targets changed</source>
-            <translation>Consignes modifiées</translation>
+            <source>Targets: %1</source>
+            <translation>Consignes : %1</translation>
         </message>
         <message>
             <source>Controller or gains changed</source>
@@ -2426,6 +2426,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Start values taken from this run: %1</source>
             <translation>Valeurs de départ reprises de cet essai : %1</translation>
         </message>
+        <message>
+            <source>Runs start at %1 from now on.</source>
+            <translation>Les essais partent désormais de %1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::PairsView</name>
@@ -3324,10 +3328,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Démarrer hors d’atteinte</translation>
         </message>
         <message>
-            <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed.</source>
-            <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis trouvé, le dit, et la session consigne votre accord.</translation>
-        </message>
-        <message>
             <source>All targets can be held together.</source>
             <translation>Toutes les consignes peuvent être tenues ensemble.</translation>
         </message>
@@ -3390,6 +3390,18 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Predicting how long a run takes…</source>
             <translation>Prévision de la durée d'un essai…</translation>
+        </message>
+        <message>
+            <source>Reachable by itself</source>
+            <translation>Atteignable seule</translation>
+        </message>
+        <message>
+            <source>The targets to be kept cannot be held together: untick “Keep” for one.</source>
+            <translation>Les consignes à garder ne peuvent être tenues ensemble : décochez « Garder » pour l’une d’elles.</translation>
+        </message>
+        <message>
+            <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
+            <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis qu’il trouve, le dit, et l’enregistrement garde trace de votre accord. Pendant un essai, de nouvelles consignes sont prises aussitôt ; si elles ne peuvent être tenues, un événement dit pourquoi.</translation>
         </message>
     </context>
     <context>

@@ -180,7 +180,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(EventReset, QT_TRANSLATE_NOOP("Message", "Reset")),
     Entry BASK_MESSAGE(EventSettled, QT_TRANSLATE_NOOP("Message", "All objects settled")),
     Entry BASK_MESSAGE(EventNotSettled, QT_TRANSLATE_NOOP("Message", "Not settled: %1")),
-    Entry BASK_MESSAGE(EventTargetsChanged, QT_TRANSLATE_NOOP("Message", "Targets changed")),
+    Entry BASK_MESSAGE(EventTargetsChanged, QT_TRANSLATE_NOOP("Message", "Targets: %1")),
     Entry BASK_MESSAGE(EventGainsChanged, QT_TRANSLATE_NOOP("Message", "Controller or gains changed")),
     Entry BASK_MESSAGE(EventZeroed, QT_TRANSLATE_NOOP("Message", "Sensors zeroed at ambient")),
     Entry BASK_MESSAGE(EventCompromise, QT_TRANSLATE_NOOP("Message", "No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets")),
@@ -225,6 +225,14 @@ int alarmPriority(MessageCode code) {
         return 1;
     case MessageCode::EventCompromise:
     case MessageCode::EventNotSettled:
+    case MessageCode::TargetAboveCeiling:
+    case MessageCode::TargetBelowFloor:
+    case MessageCode::TargetNeedsMore:
+    case MessageCode::TargetNeedsLess:
+    case MessageCode::TargetsTooFarApart:
+    case MessageCode::TargetsTooClose:
+    case MessageCode::TargetsSurfacesApart:
+    case MessageCode::TargetsNoPose:
         return 3;
     default:
         return 0;

@@ -81,7 +81,7 @@ void answerJointly(const SteadySearch& search, const FeasibilityRequest& request
 }
 
 std::string celsius(double t_K) {
-    return formatNumber(celsiusFromKelvin(t_K), 3);
+    return formatNumber(std::round(celsiusFromKelvin(t_K) * 100.0) / 100.0, 6);
 }
 
 /// Why one object by itself cannot be; `name` as in the request.

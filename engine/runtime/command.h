@@ -28,6 +28,10 @@ struct Reset {};         ///< clears a latched fault or stop; never restarts
 struct SetTargets {
     std::vector<double> targets_K;
 };
+/// Why the targets of a run that is on cannot be held, found out by whoever set them: an event of the run.
+struct ReportInfeasible {
+    Message reason;
+};
 struct SetController {
     ControllerSettings settings;
 };
@@ -43,7 +47,8 @@ struct SimulateFault {
     std::size_t object = 0;
 };
 
-using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
-                             SetTargets, SetController, AddNote, SetSimulationSpeed, SimulateFault>;
+using Command =
+    std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, SetTargets,
+                 ReportInfeasible, SetController, AddNote, SetSimulationSpeed, SimulateFault>;
 
 } // namespace bask

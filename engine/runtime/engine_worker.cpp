@@ -126,6 +126,9 @@ Result<void> EngineWorker::apply(const Command& command) {
                           [&](const EmergencyStop&) { return loop.emergencyStop(), Result<void>(); },
                           [&](const Reset&) { return loop.reset(); },
                           [&](const SetTargets& set) { return loop.setTargets(set.targets_K); },
+                          [&](const ReportInfeasible& report) {
+                              return loop.reportInfeasible(report.reason), Result<void>();
+                          },
                           [&](const SetController& set) { return loop.setController(set.settings); },
                           [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
                           [&](const SimulateFault& fault) { return applyFault(fault), Result<void>(); },

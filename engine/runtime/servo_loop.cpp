@@ -254,12 +254,20 @@ Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
     m_withinBandSince_s = m_clock.now_s();
     m_compromise.clear();
     m_compromiseTold = false;
-    std::string value;
-    for (const double target_K : targets_K)
-        value += (value.empty() ? "" : ",") + formatNumber(target_K, 10);
+    std::string value, words;
+    for (std::size_t i = 0; i < targets_K.size(); ++i) {
+        value += (i == 0 ? "" : ",") + formatNumber(targets_K[i], 10);
+        words += (i == 0 ? "" : ", ") + m_experiment.objects[i].name + " " +
+                 formatNumber(std::round(celsiusFromKelvin(targets_K[i]) * 100.0) / 100.0, 6) + " \u00b0C";
+    }
     command("targets", "{\"targets_K\":[" + value + "]}");
-    event(MessageCode::EventTargetsChanged);
+    event(MessageCode::EventTargetsChanged, {words});
     return {};
+}
+
+void ServoLoop::reportInfeasible(const Message& reason) {
+    if (m_state == RunState::Running || m_state == RunState::Holding || m_state == RunState::Settled)
+        event(reason.code, reason.args);
 }
 
 Result<void> ServoLoop::setController(const ControllerSettings& settings) {

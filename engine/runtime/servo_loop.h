@@ -50,6 +50,8 @@ public:
     void emergencyStop();
     Result<void> reset();
     Result<void> setTargets(const std::vector<double>& targets_K);
+    /// An event, while a run is on.
+    void reportInfeasible(const Message& reason);
     Result<void> setController(const ControllerSettings& settings);
     void addNote(const std::string& text);
     /// Safe state, latched: for failures that the loop does not see itself (the recorder).

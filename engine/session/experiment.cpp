@@ -171,7 +171,8 @@ void checkTimeTable(Checker& check, const std::string& path, const TimeTable<T>&
 void checkSource(Checker& check, const Experiment& e) {
     checkShape(check, "source.contour", e.source.shape, e.source.origin, kMaxSourceRadius_m);
     const auto temperature = [&](const std::string& path, double value_K) {
-        check.quantity(path, "temperature", EdgeUnit::Temperature, value_K, -50.0, 2000.0);
+        check.quantity(path, "temperature", EdgeUnit::Temperature, value_K, kLeastTemperature_degC,
+                       kMostTemperature_degC);
     };
     temperature("source.", e.source.temperature_K);
     checkTimeTable(check, "source.temperature_profile", e.source.temperatureProfile, temperature);
@@ -225,7 +226,8 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
     if (object.simulatedMaterial)
         checkMaterial(check, path + ".simulated_material", *object.simulatedMaterial);
     checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
-    check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, -50.0, 2000.0);
+    check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kLeastTemperature_degC,
+                   kMostTemperature_degC);
     if (const auto& rates = object.believedRates) {
         const std::string place = path + ".believed_rates.";
         check.positive(place + "lambda1_K_s", rates->lambda1, kMaxRate_K_s, "K/s");

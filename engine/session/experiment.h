@@ -16,6 +16,10 @@
 
 namespace bask {
 
+/// Targets and source temperatures that are taken.
+inline constexpr double kLeastTemperature_degC = -50.0;
+inline constexpr double kMostTemperature_degC = 2000.0;
+
 /// Where a shape came from, kept so that it can be fitted again with other harmonics.
 struct ContourOrigin {
     std::string file;  ///< as given; informative once the outline is embedded

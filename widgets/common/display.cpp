@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -156,6 +157,26 @@ QString messageText(const Message& message) {
         ++i;
     }
     return out;
+}
+
+QString inUnit(const QString& sentence, TemperatureUnit unit) {
+    static const QRegularExpression quantity(
+        QStringLiteral("([-\u2212]?\\d+(?:\\.\\d+)?)[ \u00a0](\u00b0C|K)\\b"));
+    QString out;
+    qsizetype from = 0;
+    for (auto found = quantity.globalMatch(sentence); found.hasNext();) {
+        const QRegularExpressionMatch match = found.next();
+        out += QStringView(sentence).mid(from, match.capturedStart() - from);
+        from = match.capturedEnd();
+        const double value = match.captured(1).replace(QChar(0x2212), QLatin1Char('-')).toDouble();
+        if (match.captured(2) != QLatin1String("K"))
+            out += formatTemperature(kelvinFromCelsius(value), unit);
+        else if (unit == TemperatureUnit::Fahrenheit)
+            out += number(displayDifference(value, unit), 1) + kNarrowSpace + differenceUnitSymbol(unit);
+        else
+            out += match.captured();
+    }
+    return out += QStringView(sentence).mid(from);
 }
 
 } // namespace bask

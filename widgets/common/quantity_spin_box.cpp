@@ -2,10 +2,13 @@
 
 #include "widgets/common/display.h"
 
+#include <QKeyEvent>
+#include <QLineEdit>
 #include <QLocale>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 
@@ -18,13 +21,78 @@ QuantitySpinBox::QuantitySpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
         if (m_showing)
             return;
         m_value_K = std::clamp(kelvinFromDisplay(shown, m_unit), m_least_K, m_most_K);
+        m_typed_K = m_value_K;
+        m_typing = false;
         emit valueEdited_K(m_value_K);
     });
+    connect(lineEdit(), &QLineEdit::textEdited, this, &QuantitySpinBox::takeTyped);
+    connect(this, &QAbstractSpinBox::editingFinished, this, &QuantitySpinBox::endTyping);
     show_K();
 }
 
+void QuantitySpinBox::takeTyped(const QString& text) {
+    if (!m_typing)
+        m_typed_K = m_value_K;
+    m_typing = true;
+    const auto shown = number(text);
+    if (!shown || *shown < minimum() || *shown > maximum())
+        return;
+    m_typed_K = kelvinFromDisplay(*shown, m_unit);
+    emit valueTyped_K(m_typed_K);
+}
+
+void QuantitySpinBox::endTyping() {
+    if (!std::exchange(m_typing, false))
+        return;
+    show_K();
+    if (m_typed_K != m_value_K) {
+        m_typed_K = m_value_K;
+        emit valueTyped_K(m_value_K);
+    }
+}
+
+void QuantitySpinBox::keyPressEvent(QKeyEvent* event) {
+    if (event->key() != Qt::Key_Escape || !m_typing)
+        return QDoubleSpinBox::keyPressEvent(event);
+    endTyping();
+    selectAll();
+}
+
+std::optional<double> QuantitySpinBox::number(const QString& text) const {
+    QString bare = text;
+    for (const QChar c : suffix()) // part of which may have been deleted
+        bare.remove(c);
+    bare =
+        bare.trimmed().replace(QLatin1Char(','), QLatin1Char('.')).replace(QChar(0x2212), QLatin1Char('-'));
+    const bool plain = std::all_of(
+        bare.begin(), bare.end(), [](QChar c) { return c.isDigit() || QStringLiteral("+-.eE").contains(c); });
+    bool ok = false;
+    const double value = QLocale::c().toDouble(bare, &ok);
+    return ok && plain ? std::optional(value) : std::nullopt;
+}
+
+QString QuantitySpinBox::textFromValue(double value) const {
+    QLocale plain = locale();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    return plain.toString(value, 'f', decimals());
+}
+
+double QuantitySpinBox::valueFromText(const QString& text) const {
+    return number(text).value_or(value());
+}
+
+QValidator::State QuantitySpinBox::validate(QString& text, int&) const {
+    if (const auto typed = number(text))
+        return *typed >= minimum() && *typed <= maximum() ? QValidator::Acceptable : QValidator::Intermediate;
+    const bool started = std::all_of(text.begin(), text.end(), [this](QChar c) {
+        return c.isDigit() || c.isSpace() || QStringLiteral("+-.,eE\u2212").contains(c) ||
+               suffix().contains(c);
+    });
+    return started ? QValidator::Intermediate : QValidator::Invalid;
+}
+
 void QuantitySpinBox::setValue_K(double value_K) {
-    if (!std::isfinite(value_K))
+    if (!std::isfinite(value_K) || m_typing)
         return;
     m_value_K = std::clamp(value_K, m_least_K, m_most_K);
     show_K();
@@ -38,6 +106,8 @@ void QuantitySpinBox::setRange_K(double least_K, double most_K) {
 }
 
 void QuantitySpinBox::setTemperatureUnit(TemperatureUnit unit) {
+    if (unit == m_unit)
+        return;
     m_unit = unit;
     show_K();
 }
@@ -46,7 +116,7 @@ void QuantitySpinBox::show_K() {
     m_showing = true;
     setSuffix(QChar(0x00a0) + temperatureUnitSymbol(m_unit));
     setRange(displayTemperature(m_least_K, m_unit), displayTemperature(m_most_K, m_unit));
-    setValue(displayTemperature(m_value_K, m_unit));
+    setValue(std::round(displayTemperature(m_value_K, m_unit) * 10.0) / 10.0); // as display.h rounds
     m_showing = false;
 }
 

@@ -6,9 +6,12 @@
 
 #include <QDoubleSpinBox>
 
+#include <optional>
+
 namespace bask {
 
-/// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value.
+/// Temperature: kelvin inside, °C, K or °F on screen. Changing the unit never changes the value. A comma is a
+/// decimal point, too; Escape takes back what was typed.
 class QuantitySpinBox : public QDoubleSpinBox {
     Q_OBJECT
 public:
@@ -24,15 +27,29 @@ public:
 signals:
     /// A person changed the value (typing and Enter or leaving the field, arrows, wheel).
     void valueEdited_K(double value_K);
+    /// What stands in the field while somebody types, if it is in range; value_K() again when that is taken
+    /// back. setValue_K does nothing meanwhile.
+    void valueTyped_K(double value_K);
+
+protected:
+    QString textFromValue(double value) const override;
+    double valueFromText(const QString& text) const override;
+    QValidator::State validate(QString& text, int& position) const override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     void show_K();
+    void takeTyped(const QString& text);
+    void endTyping();
+    std::optional<double> number(const QString& text) const;
 
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     double m_value_K = 298.15;
     double m_least_K = 0.0;
     double m_most_K = 1273.15;
     bool m_showing = false;
+    bool m_typing = false;
+    double m_typed_K = 298.15; ///< as told last
 };
 
 /// A positive number of any magnitude (1e-22 as well as 60), four significant digits; a step changes the

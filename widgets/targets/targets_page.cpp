@@ -142,7 +142,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     connect(m_pairs, &PairsView::targetsPicked, this,
             [this](int first, int second, double first_K, double second_K) {
                 dragPair(first, second, first_K, second_K);
-                emit targetsEdited(targets_K());
+                commit();
             });
     connect(m_pairs, &PairsView::wanted, this, &TargetsPage::pairsWanted);
     connect(m_pairs, &PairsView::problem, this, &TargetsPage::problem);
@@ -200,11 +200,15 @@ void TargetsPage::addRow(int index) {
     made.target->setMinimumWidth(120);
     made.bar->setSeries(index);
     made.name->setBuddy(made.target);
+    made.target->setRange_K(kelvinFromCelsius(kLeastTemperature_degC),
+                            kelvinFromCelsius(kMostTemperature_degC));
+    connect(made.target, &QuantitySpinBox::valueTyped_K, this,
+            [this, row](double target_K) { tryTarget(row, target_K); });
     connect(made.target, &QuantitySpinBox::valueEdited_K, this,
             [this, row](double target_K) { editTarget(row, target_K); });
     connect(made.bar, &ReachBar::targetDragged, this,
-            [this, row](double target_K) { dragTarget(row, target_K); });
-    connect(made.bar, &ReachBar::targetDropped, this, [this] { emit targetsEdited(targets_K()); });
+            [this, row](double target_K) { tryTarget(row, target_K); });
+    connect(made.bar, &ReachBar::targetDropped, this, &TargetsPage::commit);
     connect(made.keep, &QCheckBox::toggled, this, [this] {
         m_stale = true;
         showAll();
@@ -234,6 +238,7 @@ void TargetsPage::addRow(int index) {
 void TargetsPage::setExperiment(const Experiment& experiment) {
     const bool sameRows = experiment.objects.size() == m_rows.size();
     m_experiment = experiment;
+    m_given_K = targets_K();
     m_surfaces->setExperiment(experiment);
     if (sameRows) {
         showAll();
@@ -319,20 +324,27 @@ std::vector<bool> TargetsPage::kept() const {
 }
 
 void TargetsPage::editTarget(std::size_t row, double target_K) {
-    if (row >= m_experiment.objects.size() || m_experiment.objects[row].target_K == target_K)
+    if (row >= m_experiment.objects.size())
         return;
     m_experiment.objects[row].target_K = target_K;
-    showAll();
-    emit targetsEdited(targets_K());
+    commit();
 }
 
-/// Bars tell of every step; the experiment is edited when the mark is let go.
-void TargetsPage::dragTarget(std::size_t row, double target_K) {
+/// The verdict follows every step; the experiment is edited by commit().
+void TargetsPage::tryTarget(std::size_t row, double target_K) {
     if (row >= m_experiment.objects.size() || m_experiment.objects[row].target_K == target_K)
         return;
     m_experiment.objects[row].target_K = target_K;
     showAll();
     emit targetsTried(targets_K());
+}
+
+void TargetsPage::commit() {
+    showAll();
+    if (targets_K() == m_given_K)
+        return;
+    m_given_K = targets_K();
+    emit targetsEdited(m_given_K);
 }
 
 void TargetsPage::useNearest(std::size_t row) {
@@ -345,8 +357,7 @@ void TargetsPage::useNearestTogether() {
         return;
     for (std::size_t i = 0; i < m_rows.size(); ++i)
         m_experiment.objects[i].target_K = m_verdict->nearest_K[i];
-    showAll();
-    emit targetsEdited(targets_K());
+    commit();
 }
 
 void TargetsPage::dragPair(int first, int second, double first_K, double second_K) {
@@ -387,7 +398,10 @@ void TargetsPage::showRow(std::size_t i) {
     const bool bad = !stale && verdict != FeasibilityVerdict::Reachable;
     row.icon->setVisible(bad);
     row.icon->setPixmap(alarmPixmap(3, dark, 18, devicePixelRatioF()));
-    row.word->setText(stale ? tr("Checking\u2026") : verdictWord(verdict));
+    const bool alone = !bad && known && !m_verdict->feasible && m_rows.size() > 1;
+    row.word->setText(stale   ? tr("Checking\u2026")
+                      : alone ? tr("Reachable by itself")
+                              : verdictWord(verdict));
     row.word->setEnabled(!stale);
     row.detail->setText(stale ? QString() : verdictDetail(own, m_experiment.environment_K, m_unit));
     row.detail->setPalette(captionPalette(palette()));
@@ -432,7 +446,7 @@ void TargetsPage::showJoint() {
     else if (stale)
         m_joint->setText(tr("Checking the targets\u2026"));
     else if (bad)
-        m_joint->setText(tr("Cannot be held: %1.").arg(messageText(m_verdict->reason)));
+        m_joint->setText(tr("Cannot be held: %1.").arg(inUnit(messageText(m_verdict->reason), m_unit)));
     else
         m_joint->setText(m_rows.size() == 1 ? tr("The target can be held.")
                                             : tr("All targets can be held together."));
@@ -441,7 +455,11 @@ void TargetsPage::showJoint() {
     m_jointDetail->setPalette(captionPalette(palette()));
     m_useNearest->setText(tr("Use nearest feasible"));
     m_useNearest->setVisible(bad && !m_verdict->nearest_K.empty());
-    m_useNearest->setEnabled(m_editable);
+    const bool kept = !bad || m_verdict->heldKept;
+    m_useNearest->setEnabled(m_editable && kept);
+    m_useNearest->setToolTip(
+        kept ? QString()
+             : tr("The targets to be kept cannot be held together: untick \u201cKeep\u201d for one."));
 }
 
 QString TargetsPage::jointDetail() const {
@@ -513,9 +531,11 @@ void TargetsPage::refreshTexts() {
            "with the clearance kept; all can be held together if one pose has the F of each. In the bars, "
            "solid is what can be held here, outlined what the source could hold at F = 1."));
     m_infeasibleTitle->setText(tr("Starting out of reach"));
-    m_infeasible->setText(tr("A run with a target out of reach needs your explicit agreement at Start. It "
-                             "holds the best compromise it "
-                             "finds, says so, and the session records that you agreed."));
+    m_infeasible->setText(
+        tr("A run with a target out of reach needs your explicit agreement at Start. It "
+           "holds the best compromise it "
+           "finds, says so, and the session records that you agreed. During a run new targets "
+           "are taken at once; if they cannot be held, an event says why."));
     m_explanation->setPalette(caption);
     m_infeasible->setPalette(caption);
 }

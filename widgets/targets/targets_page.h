@@ -57,7 +57,8 @@ public:
 
 signals:
     void targetsEdited(const std::vector<double>& targets_K);
-    /// Targets while one is dragged: their verdict is wanted, no more. targetsEdited follows at the end.
+    /// Targets while one is typed or dragged: their verdict is wanted, no more. targetsEdited follows at the
+    /// end, unless they are as before.
     void targetsTried(const std::vector<double>& targets_K);
     /// The targets can be held and the page is looked at.
     void predictionWanted();
@@ -76,7 +77,8 @@ private:
     void buildRows();
     void addRow(int index);
     void editTarget(std::size_t row, double target_K);
-    void dragTarget(std::size_t row, double target_K);
+    void tryTarget(std::size_t row, double target_K);
+    void commit();
     void askPrediction();
     void useNearest(std::size_t row);
     void useNearestTogether();
@@ -91,7 +93,8 @@ private:
     void showAll();
     void refreshTexts();
 
-    Experiment m_experiment;
+    Experiment m_experiment;       ///< its targets as they are shown, perhaps only tried
+    std::vector<double> m_given_K; ///< its targets as they were given or told last
     std::optional<JointVerdict> m_verdict;
     bool m_stale = true;
     std::optional<std::optional<double>> m_prediction_s; ///< of the verdict; empty: not known yet
