@@ -57,6 +57,8 @@ Result<void> Document::edit(const Experiment& experiment) {
         return adopted;
     m_lookup.reset();
     m_pairs.reset();
+    if (m_kept.size() != m_experiment.objects.size())
+        m_kept.clear(); // they were of others
     emit edited();
     judgeTargets();
     return {};
@@ -78,8 +80,9 @@ Result<void> Document::setController(const ControllerSettings& settings) {
     changed.controller = settings;
     if (const auto adopted = adopt(changed); !adopted)
         return adopted;
-    dropPrediction();
+    m_judged.controller = settings; // no verdict depends on it
     emit controllerChanged();
+    dropPrediction();
     return {};
 }
 
@@ -100,6 +103,11 @@ void Document::tryTargets(const std::vector<double>& targets_K) {
     judge(std::move(tried));
 }
 
+void Document::dropTries() {
+    if (m_trying || m_judged != m_experiment)
+        judgeTargets();
+}
+
 void Document::judgeTargets() {
     m_trying = false;
     m_nextTry_K.reset();
@@ -107,9 +115,9 @@ void Document::judgeTargets() {
 }
 
 void Document::judge(Experiment experiment) {
-    dropPrediction();
     m_judged = std::move(experiment);
     m_stale = true;
+    dropPrediction();
     m_pairsPlaced = false;
     m_map.forget();
     emit verdictChanged();
@@ -142,8 +150,11 @@ void Document::wantPairs(bool wanted) {
     m_pairsWanted = wanted;
     if (wanted)
         mapPairs();
-    else
+    else {
         m_map.forget();
+        if (!m_stale)
+            tryNext(); // it waited for the maps
+    }
 }
 
 void Document::mapPairs() {

@@ -48,6 +48,8 @@ public:
     /// Judges targets that are only being considered; the experiment keeps its own. While one try is judged
     /// the newest of those that follow waits.
     void tryTargets(const std::vector<double>& targets_K);
+    /// None of the tried targets is taken: the verdict is on the experiment's again.
+    void dropTries();
 
     /// Simulates a run with the experiment's targets and controller, if they can be held: a second or a few
     /// of work off the thread. Any edit drops it.

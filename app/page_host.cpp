@@ -73,6 +73,7 @@ void PageHost::connectObjects() {
 void PageHost::connectDocument() {
     connect(&m_document, &Document::opened, this, [this] {
         m_bar->clear();
+        m_targets->clearKept();
         showDocument();
         emit commandIssued(LoadExperiment{m_document.experiment()});
     });
@@ -101,6 +102,8 @@ void PageHost::connectDocument() {
     connect(&m_document, &Document::predictionChanged, this, [this] {
         if (m_document.predicted())
             m_targets->setPrediction(m_document.predictedSettling_s());
+        else
+            m_targets->dropPrediction();
     });
     connect(m_targets, &TargetsPage::pairsWanted, &m_document, &Document::wantPairs);
     connect(&m_document, &Document::pairsChanged, this, [this] {
@@ -109,6 +112,10 @@ void PageHost::connectDocument() {
     });
     connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
     connect(m_targets, &TargetsPage::targetsTried, &m_document, &Document::tryTargets);
+    connect(m_targets, &TargetsPage::triesDropped, this, [this] {
+        m_targets->setExperiment(m_document.experiment());
+        m_document.dropTries();
+    });
     connect(m_targets, &TargetsPage::predictionWanted, &m_document, &Document::predict);
     connect(m_targets, &TargetsPage::problem, this, &PageHost::showProblem);
     connect(m_targets, &TargetsPage::told, this, &PageHost::showNote);
@@ -116,7 +123,8 @@ void PageHost::connectDocument() {
         Experiment changed = m_document.experiment();
         changed.start = pose;
         if (const auto edited = m_document.edit(changed); !edited)
-            showProblem(sentence(edited.error()));
+            return showProblem(sentence(edited.error()));
+        m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
     });
 }
 
@@ -191,6 +199,8 @@ void PageHost::showEditable() {
     m_objects->setEditable(
         m_editable,
         m_editable ? QString() : tr("A run is armed or on. Objects can be changed once it has stopped."));
+    m_targets->setStartEditable(m_editable);
+    m_targets->setEditable(m_targetsEditable, tr("The run is stopping. Targets can be changed once it has."));
 }
 
 void PageHost::show(Page page) {
@@ -204,8 +214,11 @@ Page PageHost::page() const {
 
 void PageHost::apply(const Snapshot& snapshot) {
     m_run->apply(snapshot);
-    if (const bool editable = allowsEdits(snapshot.state); editable != m_editable) {
+    const bool editable = allowsEdits(snapshot.state);
+    const bool targetsEditable = snapshot.state != RunState::Stopping; // the engine refuses them then
+    if (editable != m_editable || targetsEditable != m_targetsEditable) {
         m_editable = editable;
+        m_targetsEditable = targetsEditable;
         showEditable();
     }
 }

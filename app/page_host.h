@@ -75,6 +75,7 @@ private:
     std::shared_ptr<const SessionRecord> m_record;
     std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way
     bool m_editable = true;
+    bool m_targetsEditable = true;
     LatestJob<Result<SessionRates>> m_identify;
 };
 

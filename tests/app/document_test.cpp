@@ -89,13 +89,36 @@ TEST(Document, PredictsHowLongARunTakes) {
     ASSERT_TRUE(run);
     ASSERT_TRUE(run->objects[0].settlingTime_s);
     EXPECT_EQ(document.predictedSettling_s(), run->objects[0].settlingTime_s);
-    ASSERT_TRUE(document.setController(document.experiment().controller).ok());
+    ControllerSettings other = document.experiment().controller;
+    other.kind = ControllerKind::ModelBased;
+    ASSERT_TRUE(document.setController(other).ok());
     EXPECT_FALSE(document.predicted());
+    document.predict();
+    ASSERT_TRUE(waitFor([&] { return document.predicted(); })) << "no verdict is needed anew";
+    EXPECT_NE(document.predictedSettling_s(), run->objects[0].settlingTime_s);
+    ASSERT_TRUE(document.setController(document.experiment().controller).ok());
     document.predict();
     ASSERT_TRUE(document.setTargets({kelvinFromCelsius(46.0)}).ok());
     EXPECT_FALSE(document.predicted());
     ASSERT_TRUE(waitFor([&] { return !document.verdictStale(); }));
     EXPECT_FALSE(document.predicted());
+}
+
+// Catches a verdict on dragged targets that stays when the drag is broken off.
+TEST(Document, DroppedTriesGiveTheVerdictBack) {
+    Document document;
+    document.open(Document::blank(), {});
+    const double own_K = document.experiment().objects[0].target_K;
+    const auto settled = [&] { return !document.verdictStale(); };
+    ASSERT_TRUE(waitFor(settled));
+    document.dropTries();
+    EXPECT_TRUE(settled()) << "there was none";
+    document.tryTargets({kelvinFromCelsius(41.0)});
+    ASSERT_TRUE(waitFor(settled));
+    document.dropTries();
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_EQ(document.verdict()->conditions1.at(0).target_K, own_K);
+    EXPECT_FALSE(document.modified());
 }
 
 Experiment twoCircles(double first_degC, double second_degC) {
@@ -153,6 +176,42 @@ TEST(Document, MapsOfPairsAreMadeWhileWanted) {
     document.wantPairs(true);
     ASSERT_TRUE(waitFor([&] { return made == 4; }));
     EXPECT_NEAR(document.pairs()->at(0).target_K.x(), kelvinFromCelsius(40.0), 1e-9);
+}
+
+// Catches tries that wait for ever for maps that nobody wants any more.
+TEST(Document, TriesGoOnWhenMapsAreNotWantedAnyMore) {
+    Document document;
+    document.open(twoCircles(40.0, 40.0), {});
+    const auto settled = [&] { return !document.verdictStale(); };
+    ASSERT_TRUE(waitFor(settled));
+    document.wantPairs(true);
+    QObject::connect(&document, &Document::verdictChanged, [&] {
+        if (settled()) // the maps come next
+            QTimer::singleShot(0, &document, [&document] { document.wantPairs(false); });
+    });
+    document.tryTargets({kelvinFromCelsius(41.0), kelvinFromCelsius(41.0)});
+    document.tryTargets({kelvinFromCelsius(42.0), kelvinFromCelsius(42.0)});
+    EXPECT_TRUE(waitFor([&] {
+        return settled() &&
+               std::abs(document.verdict()->conditions1.at(0).target_K - kelvinFromCelsius(42.0)) < 1e-9;
+    }));
+}
+
+// Catches targets kept that are those of objects which are gone.
+TEST(Document, KeptTargetsGoWithTheirObjects) {
+    Document document;
+    const Experiment two = twoCircles(20.0, 40.0); // the first below the room's
+    document.open(two, {});
+    document.setKept({true, false});
+    const auto settled = [&] { return !document.verdictStale(); };
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_FALSE(document.verdict()->heldKept);
+    Experiment one = two;
+    one.objects.pop_back();
+    ASSERT_TRUE(document.edit(one).ok());
+    ASSERT_TRUE(document.edit(two).ok());
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_TRUE(document.verdict()->heldKept);
 }
 
 // Catches: maps of objects before that arrive after an edit and are taken for those of the present ones.

@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -144,6 +145,7 @@ TargetsPage::TargetsPage(QWidget* parent)
                 dragPair(first, second, first_K, second_K);
                 emit targetsEdited(targets_K());
             });
+    connect(m_pairs, &PairsView::dragDropped, this, &TargetsPage::triesDropped);
     connect(m_pairs, &PairsView::wanted, this, &TargetsPage::pairsWanted);
     connect(m_pairs, &PairsView::problem, this, &TargetsPage::problem);
     connect(m_pairs, &PairsView::told, this, &TargetsPage::told);
@@ -205,6 +207,7 @@ void TargetsPage::addRow(int index) {
     connect(made.bar, &ReachBar::targetDragged, this,
             [this, row](double target_K) { dragTarget(row, target_K); });
     connect(made.bar, &ReachBar::targetDropped, this, [this] { emit targetsEdited(targets_K()); });
+    connect(made.bar, &ReachBar::dragDropped, this, &TargetsPage::triesDropped);
     connect(made.keep, &QCheckBox::toggled, this, [this] {
         m_stale = true;
         showAll();
@@ -262,6 +265,12 @@ void TargetsPage::setPrediction(const std::optional<double>& settling_s) {
     showJoint();
 }
 
+void TargetsPage::dropPrediction() {
+    m_prediction_s.reset();
+    showJoint();
+    askPrediction();
+}
+
 void TargetsPage::askPrediction() {
     if (isVisible() && m_verdict && m_verdict->feasible && !m_stale && !m_prediction_s)
         emit predictionWanted();
@@ -285,9 +294,12 @@ void TargetsPage::setPairs(const std::vector<ReachableMap>& maps) {
 void TargetsPage::setEditable(bool editable, const QString& why) {
     m_editable = editable;
     m_why = why;
-    m_surfaces->setEditable(editable);
     m_pairs->setEditable(editable);
     showAll();
+}
+
+void TargetsPage::setStartEditable(bool editable) {
+    m_surfaces->setEditable(editable);
 }
 
 void TargetsPage::setTemperatureUnit(TemperatureUnit unit) {
@@ -309,6 +321,13 @@ std::vector<bool> TargetsPage::kept() const {
     for (const Row& row : m_rows)
         kept.push_back(row.keep->isChecked());
     return kept;
+}
+
+void TargetsPage::clearKept() {
+    for (const Row& row : m_rows) {
+        const QSignalBlocker quiet(row.keep);
+        row.keep->setChecked(false);
+    }
 }
 
 void TargetsPage::editTarget(std::size_t row, double target_K) {

@@ -92,6 +92,10 @@ struct TargetsPageTest : testing::Test {
         QTest::keyClicks(field, value);
         QTest::keyClick(field, Qt::Key_Return);
     }
+    void moveTo(QWidget* widget, QPoint place, Qt::MouseButton held = Qt::LeftButton) {
+        QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, held, {});
+        QApplication::sendEvent(widget, &move);
+    }
     std::vector<double> lastTargets() { return edited.last()[0].value<std::vector<double>>(); }
 };
 
@@ -136,13 +140,16 @@ TEST_F(TargetsPageTest, TheTimeIsPredictedForWhatCanBeHeld) {
     EXPECT_TRUE(text("jointDetail").contains("has settled after 1:17")) << text("jointDetail").toStdString();
     page.setPrediction(std::nullopt);
     EXPECT_TRUE(text("jointDetail").contains("does not settle within"));
+    page.dropPrediction(); // another controller
+    EXPECT_TRUE(text("jointDetail").contains("Predicting"));
+    EXPECT_EQ(wanted.count(), 2);
     page.setVerdict(feasible);
     EXPECT_TRUE(text("jointDetail").contains("Predicting"));
     page.hide();
     page.setVerdict(feasible);
-    EXPECT_EQ(wanted.count(), 2);
-    page.show();
     EXPECT_EQ(wanted.count(), 3);
+    page.show();
+    EXPECT_EQ(wanted.count(), 4);
 }
 
 // Catches a mark that cannot be dragged, a drag that edits the experiment at each step or not at its end, and
@@ -157,12 +164,12 @@ TEST_F(TargetsPageTest, ATargetIsDraggedInItsBar) {
                       bar->height() / 2);
     };
     QTest::mousePress(bar, Qt::LeftButton, {}, at(60.0));
-    QTest::mouseMove(bar, at(70.0));
+    moveTo(bar, at(70.0));
     QTest::mouseRelease(bar, Qt::LeftButton, {}, at(70.0));
     EXPECT_EQ(tried.count() + edited.count(), 0);
     QTest::mousePress(bar, Qt::LeftButton, {}, at(40.0));
-    QTest::mouseMove(bar, at(50.0));
-    QTest::mouseMove(bar, at(60.0));
+    moveTo(bar, at(50.0));
+    moveTo(bar, at(60.0));
     EXPECT_EQ(tried.count(), 2);
     EXPECT_EQ(edited.count(), 0);
     QTest::mouseRelease(bar, Qt::LeftButton, {}, at(60.0));
@@ -170,11 +177,49 @@ TEST_F(TargetsPageTest, ATargetIsDraggedInItsBar) {
     EXPECT_NEAR(lastTargets()[0], kelvinFromCelsius(60.0), 0.51);
     EXPECT_NEAR(std::remainder(celsiusFromKelvin(lastTargets()[0]), 0.5), 0.0, 1e-9);
     EXPECT_NEAR(lastTargets()[1], kelvinFromCelsius(120.0), 1e-9);
+    type("target0", "60.3");
+    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.3));
+    moveTo(bar, at(60.3) + QPoint(1, 1)); // a hand that trembles
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, at(60.3));
+    EXPECT_EQ(tried.count(), 2);
+    EXPECT_EQ(edited.count(), 2) << "by typing";
     page.setEditable(false);
-    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.0));
-    QTest::mouseMove(bar, at(50.0));
+    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.3));
+    moveTo(bar, at(50.0));
     QTest::mouseRelease(bar, Qt::LeftButton, {}, at(50.0));
-    EXPECT_EQ(edited.count(), 1);
+    EXPECT_EQ(edited.count(), 2);
+}
+
+// Catches a drag that goes on, or is taken over, after the page was left, the targets were locked or the
+// button was let go elsewhere; and one whose end nobody hears of.
+TEST_F(TargetsPageTest, ADragThatIsBrokenOffIsDropped) {
+    QSignalSpy tried{&page, &TargetsPage::targetsTried};
+    QSignalSpy dropped{&page, &TargetsPage::triesDropped};
+    auto* bar = child<ReachBar>("reach0");
+    const QPoint mark(26 + (bar->width() - 52) * 235 / 873, bar->height() / 2); // of 40 degC
+    const auto drag = [&] {
+        page.setExperiment(experimentWith({40.0, 120.0, 20.0}));
+        QTest::mousePress(bar, Qt::LeftButton, {}, mark);
+        moveTo(bar, mark + QPoint(60, 0));
+    };
+    drag();
+    page.hide();
+    EXPECT_EQ(dropped.count(), 1);
+    page.show();
+    drag();
+    page.setEditable(false);
+    EXPECT_EQ(dropped.count(), 2);
+    page.setEditable(true);
+    drag();
+    moveTo(bar, mark + QPoint(90, 0), Qt::NoButton);
+    EXPECT_EQ(dropped.count(), 3);
+    EXPECT_EQ(tried.count(), 3);
+    moveTo(bar, mark + QPoint(120, 0));
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, mark + QPoint(120, 0));
+    page.hide();
+    EXPECT_EQ(tried.count(), 3);
+    EXPECT_EQ(dropped.count(), 3);
+    EXPECT_EQ(edited.count(), 0);
 }
 
 // Catches nearest targets that are rounded, or sent one by one.
@@ -193,6 +238,9 @@ TEST_F(TargetsPageTest, KeptTargetsAreAskedFor) {
     ASSERT_EQ(keptChanged.count(), 1);
     EXPECT_EQ(page.kept(), (std::vector<bool>{false, false, true}));
     EXPECT_TRUE(text("jointVerdict").startsWith("Checking"));
+    page.clearKept(); // of another experiment
+    EXPECT_EQ(page.kept(), std::vector<bool>(3));
+    EXPECT_EQ(keptChanged.count(), 1);
 }
 
 // Catches a target inside the source's range but outside the workspace's called reachable, and figures that
