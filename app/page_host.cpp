@@ -112,7 +112,7 @@ void PageHost::connectDocument() {
     });
     connect(m_targets, &TargetsPage::keptChanged, &m_document, &Document::setKept);
     connect(m_targets, &TargetsPage::targetsTried, &m_document, &Document::tryTargets);
-    connect(m_targets, &TargetsPage::triesDropped, this, [this] {
+    connect(m_targets, &TargetsPage::triesDropped, &m_document, [this] {
         m_targets->setExperiment(m_document.experiment());
         m_document.dropTries();
     });
