@@ -37,6 +37,7 @@ constexpr double kSameTarget_K = 1e-6;
 QLabel* wrapped(QWidget* parent, const char* name = nullptr) {
     auto* label = new QLabel(parent);
     label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText); // names are the user's
     if (name != nullptr)
         label->setObjectName(QString::fromLatin1(name));
     return label;
@@ -193,6 +194,7 @@ void TargetsPage::addRow(int index) {
     named(made.detail, "verdictDetail");
     named(made.nearest, "nearest");
     named(made.keep, "keep");
+    made.name->setTextFormat(Qt::PlainText);
     makeBold(made.name, 1.1);
     makeBold(made.word);
     QFont large = made.target->font();

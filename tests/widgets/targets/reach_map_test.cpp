@@ -272,6 +272,8 @@ TEST_F(ReachMapTest, TheTipSaysWhatGoesTogether) {
     EXPECT_TRUE(tipAt(place).contains("some pose has both")) << QToolTip::text().toStdString();
     EXPECT_TRUE(tipAt(place).contains(QRegularExpression("circle (39.[89]|40.[012])")));
     EXPECT_TRUE(tipAt(place + QPoint(100, 0)).contains("no pose has both"));
+    map.setNames("<b>circle</b>", "bunny");
+    EXPECT_TRUE(tipAt(place).startsWith("&lt;b&gt;")) << "a name is no mark-up";
     QToolTip::hideText();
 }
 

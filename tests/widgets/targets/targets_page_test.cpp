@@ -112,6 +112,21 @@ TEST_F(TargetsPageTest, VerdictsInWords) {
     EXPECT_TRUE(text("jointDetail").contains("bunny 31.0 °C"));
 }
 
+// Catches a name that is taken for mark-up.
+TEST_F(TargetsPageTest, NamesAreShownAsTheyAre) {
+    Experiment experiment = experimentWith({40.0, 120.0, 20.0});
+    experiment.objects[1].name = "<i>b</i>";
+    page.setExperiment(experiment);
+    EXPECT_TRUE(text("jointDetail").contains("<i>b</i>"));
+    int shown = 0;
+    for (const auto* label : page.findChildren<QLabel*>())
+        if (label->text().contains("<i>b</i>")) {
+            ++shown;
+            EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->text().toStdString();
+        }
+    EXPECT_GE(shown, 2);
+}
+
 // Catches a joint verdict without its pose and margin, and a button that offers what is held already.
 TEST_F(TargetsPageTest, HeldTogether) {
     page.setExperiment(experimentWith({40.0, 40.0, 40.0}));
