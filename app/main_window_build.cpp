@@ -84,7 +84,8 @@ void MainWindow::connectActions() {
     QUndoStack* stack = m_pages->objects()->undoStack();
     on(m_actions.undo, [stack] { stack->undo(); });
     on(m_actions.redo, [stack] { stack->redo(); });
-    connect(stack, &QUndoStack::indexChanged, this, &MainWindow::showUndo);
+    // As long as there are actions: the stack empties itself when the window's own parts are gone.
+    connect(stack, &QUndoStack::indexChanged, &m_actions, [this] { showUndo(); });
     connect(&m_actions, &Actions::verbTriggered, this, &MainWindow::perform);
     connect(&m_actions, &Actions::pageChosen, this,
             [this](int page) { m_pages->show(static_cast<Page>(page)); });

@@ -75,6 +75,7 @@ void PageHost::connectObjects() {
 void PageHost::connectDocument() {
     connect(&m_document, &Document::opened, this, [this] {
         m_bar->clear();
+        m_targets->clearKept();
         showDocument();
         emit commandIssued(LoadExperiment{m_document.experiment()});
     });
@@ -102,9 +103,9 @@ void PageHost::connectDocument() {
         Experiment changed = m_document.experiment();
         changed.start = pose;
         if (const auto edited = m_document.edit(changed); !edited)
-            showProblem(sentence(edited.error()));
-        else
-            showNote(tr("Runs start at %1 from now on.").arg(poseText(pose, changed.robot)));
+            return showProblem(sentence(edited.error()));
+        m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
+        showNote(tr("Runs start at %1 from now on.").arg(poseText(pose, changed.robot)));
     });
 }
 
@@ -137,6 +138,10 @@ void PageHost::connectJudge() {
     });
     connect(m_targets, &TargetsPage::keptChanged, &m_judge, &TargetJudge::setKept);
     connect(m_targets, &TargetsPage::targetsTried, &m_judge, &TargetJudge::tryTargets);
+    connect(m_targets, &TargetsPage::triesDropped, this, [this] {
+        m_targets->setExperiment(m_document.experiment());
+        m_judge.dropTries();
+    });
     connect(m_targets, &TargetsPage::predictionWanted, &m_judge, &TargetJudge::predict);
 }
 
@@ -220,6 +225,8 @@ void PageHost::showEditable() {
     m_objects->setEditable(
         m_editable,
         m_editable ? QString() : tr("A run is armed or on. Objects can be changed once it has stopped."));
+    m_targets->setStartEditable(m_editable);
+    m_targets->setEditable(m_targetsEditable, tr("The run is stopping. Targets can be changed once it has."));
 }
 
 void PageHost::show(Page page) {
@@ -233,8 +240,11 @@ Page PageHost::page() const {
 
 void PageHost::apply(const Snapshot& snapshot) {
     m_run->apply(snapshot);
-    if (const bool editable = allowsEdits(snapshot.state); editable != m_editable) {
+    const bool editable = allowsEdits(snapshot.state);
+    const bool targetsEditable = snapshot.state != RunState::Stopping; // the engine refuses them then
+    if (editable != m_editable || targetsEditable != m_targetsEditable) {
         m_editable = editable;
+        m_targetsEditable = targetsEditable;
         showEditable();
     }
 }

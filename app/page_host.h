@@ -80,6 +80,7 @@ private:
     std::shared_ptr<const SessionRecord> m_record;
     std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way
     bool m_editable = true;
+    bool m_targetsEditable = true;
     bool m_verdictUntold = false; ///< the engine has targets whose verdict it was not told
     LatestJob<Result<SessionRates>> m_identify;
 };

@@ -13,6 +13,8 @@ void TargetJudge::setExperiment(const Experiment& experiment, Change change) {
         m_pairs.reset();
     }
     m_experiment = experiment;
+    if (m_kept.size() != experiment.objects.size())
+        m_kept.clear(); // they were of others
     if (change == Change::Controller) {
         m_judged.controller = experiment.controller;
         dropPrediction();
@@ -38,6 +40,11 @@ void TargetJudge::tryTargets(const std::vector<double>& targets_K) {
         return;
     m_trying = true;
     judge(std::move(tried));
+}
+
+void TargetJudge::dropTries() {
+    if (m_trying || isTrying())
+        judgeTargets();
 }
 
 void TargetJudge::judgeTargets() {
@@ -81,9 +88,10 @@ void TargetJudge::tryNext() {
 void TargetJudge::wantPairs(bool wanted) {
     m_pairsWanted = wanted;
     if (wanted)
-        mapPairs();
-    else
-        m_map.forget();
+        return mapPairs();
+    m_map.forget();
+    if (!m_stale)
+        tryNext(); // it waited for the maps
 }
 
 void TargetJudge::mapPairs() {

@@ -31,6 +31,9 @@ public:
     /// waits; setExperiment ends them.
     void tryTargets(const std::vector<double>& targets_K);
 
+    /// None of the tried targets is taken: the verdict is on the experiment's again.
+    void dropTries();
+
     /// Empty before the first.
     const std::optional<JointVerdict>& verdict() const { return m_verdict; }
     bool isStale() const { return m_stale; }

@@ -323,8 +323,8 @@
             <translation>un fichier de ce nom existe et n’est pas %1 ; choisissez un autre nom</translation>
         </message>
         <message>
-            <source>a file of that name exists and is not an export of this table; choose another folder</source>
-            <translation>un fichier de ce nom existe et n’est pas un export de cette table ; choisissez un autre dossier</translation>
+            <source>a file of that name exists and is not an earlier export; choose another folder</source>
+            <translation>un fichier de ce nom existe et n’est pas un export antérieur ; choisissez un autre dossier</translation>
         </message>
         <message>
             <source>%1 objects, but the robot has only %2 free degrees of freedom; remove objects or free more axes</source>
@@ -2419,6 +2419,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Un essai est armé ou en cours. Les objets pourront être modifiés après son arrêt.</translation>
         </message>
         <message>
+            <source>The run is stopping. Targets can be changed once it has.</source>
+            <translation>L’essai s’arrête. Les consignes pourront être modifiées ensuite.</translation>
+        </message>
+        <message>
             <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
             <translation>Aucun objet de l’expérience ouverte n’a le nom et le matériau d’un objet de cet essai, sous la même source et dans le même milieu.</translation>
         </message>
@@ -3199,6 +3203,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     </context>
     <context>
         <name>bask::SurfacesView</name>
+        <message>
+            <source>The animation is not whole: the experiment was changed while it was saved.</source>
+            <translation>L’animation n’est pas complète : l’expérience a été modifiée pendant l’enregistrement.</translation>
+        </message>
         <message>
             <source>3-D scene: where the end-effector may be for each object to hold its target</source>
             <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa consigne</translation>

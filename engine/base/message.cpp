@@ -45,7 +45,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(OutputIsInput, QT_TRANSLATE_NOOP("Message", "this file is also an input; choose another name for the output")),
     Entry BASK_MESSAGE(OutputTwice, QT_TRANSLATE_NOOP("Message", "another output goes there; give each its own name")),
     Entry BASK_MESSAGE(OutputForeign, QT_TRANSLATE_NOOP("Message", "a file of that name exists and is not %1; choose another name")),
-    Entry BASK_MESSAGE(ExportForeign, QT_TRANSLATE_NOOP("Message", "a file of that name exists and is not an export of this table; choose another folder")),
+    Entry BASK_MESSAGE(ExportForeign, QT_TRANSLATE_NOOP("Message", "a file of that name exists and is not an earlier export; choose another folder")),
     Entry BASK_MESSAGE(TooManyObjects, QT_TRANSLATE_NOOP("Message", "%1 objects, but the robot has only %2 free degrees of freedom; remove objects or free more axes")),
     Entry BASK_MESSAGE(MountingOverlap, QT_TRANSLATE_NOOP("Message", "%1 and %2 overlap; move one of them")),
     Entry BASK_MESSAGE(MountingFar, QT_TRANSLATE_NOOP("Message", "%1 reaches %2 cm from the end-effector's centre; the robot can carry objects within %3 cm")),

@@ -161,7 +161,8 @@ SteadyPose SteadySearch::best(const SteadyAim& aim, int starts, double enough_K2
     double bestMargin_m = 0.0;
     int tried = 0;
     for (const Vector6d& start : startsFor(aim, starts)) {
-        if (stopped() || (tried++ % kBatch == 0 && best.cost_K2 <= enough_K2))
+        const bool enough = tried % kBatch == 0 && best.cost_K2 <= enough_K2;
+        if (tried++ > 0 && (stopped() || enough)) // whoever stops it gets temperatures nevertheless
             break;
         SteadyPose found = refine(aim, start);
         const double margin_m = nearestLimit(*m_geometry, found.q).distance_m;

@@ -56,6 +56,7 @@ public:
 
     /// The best of up to `starts` refinements, tried cheapest first. Ends with the batch of kBatch in which
     /// the cost came under `enough_K2`; of several such in the batch the one farthest from all limits wins.
+    /// Stopped, it is any pose.
     SteadyPose best(const SteadyAim& aim, int starts, double enough_K2) const;
 
     static constexpr int kBatch = 8;

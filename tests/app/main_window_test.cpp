@@ -5,7 +5,9 @@
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/objects/message_bar.h"
+#include "widgets/targets/reach_bar.h"
 #include "widgets/targets/reach_map.h"
+#include "widgets/targets/targets_page.h"
 
 #include <QAbstractButton>
 #include <QCheckBox>
@@ -192,6 +194,74 @@ TEST_F(MainWindowTest, PairsAreMappedOnTheTargetsPage) {
     window->resize(1600, 1000);
     keepPicture(QStringLiteral("pairs-french"));
     EXPECT_TRUE(map->words().contains(QStringLiteral("extérieur")));
+}
+
+// Catches: targets that can be edited while the engine refuses them, so that the next run has others than the
+// page shows; a start pose that is moved during a run.
+TEST_F(MainWindowTest, TargetsAreLockedWhileTheEngineRefusesThem) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(arm());
+    auto* field = find<QuantitySpinBox>("target0");
+    auto* start = find<QWidget>("startHere");
+    EXPECT_TRUE(field->isEnabled());
+    EXPECT_FALSE(start->isEnabled());
+    Snapshot stopping = window->lastSnapshot();
+    stopping.state = RunState::Stopping;
+    window->pages().apply(stopping);
+    EXPECT_FALSE(field->isEnabled());
+    stopping.state = RunState::Stopped;
+    window->pages().apply(stopping);
+    EXPECT_TRUE(field->isEnabled());
+    EXPECT_TRUE(start->isEnabled());
+}
+
+// Catches: a start pose taken from the Targets page that the next edit on the Objects page undoes; a window
+// that goes with edits to be undone and crashes on its way.
+TEST_F(MainWindowTest, AStartPoseOutlivesAnEditOfObjects) {
+    openWindow();
+    Vector6d pose = window->document().experiment().start;
+    pose[kZ] += 0.01;
+    emit window->findChild<TargetsPage*>()->startWanted(pose);
+    ASSERT_TRUE(window->document().experiment().start.isApprox(pose));
+    window->pages().show(Page::Objects);
+    click("addDisk");
+    EXPECT_TRUE(window->document().experiment().start.isApprox(pose));
+}
+
+// Catches: dragged targets that stay on the page when the drag is broken off, ticks of the experiment before,
+// and a predicted time of the controller before.
+TEST_F(MainWindowTest, ThePageShowsNothingOfWhatIsPast) {
+    openWindow();
+    window->pages().show(Page::Targets);
+    auto* page = window->findChild<TargetsPage*>();
+    auto* detail = find<QLabel>("jointDetail");
+    const auto predicted = [&] { return detail->text().contains(QStringLiteral("has settled after")); };
+    ASSERT_TRUE(waitFor(predicted));
+    const QString before = detail->text();
+    window->pages().show(Page::Run);
+    ControllerSettings other = window->document().experiment().controller;
+    other.levelServo.timeConstant_s *= 10.0;
+    ASSERT_TRUE(window->document().setController(other).ok());
+    window->pages().show(Page::Targets);
+    EXPECT_FALSE(predicted()) << detail->text().toStdString();
+    EXPECT_TRUE(waitFor([&] { return !detail->text().contains(QStringLiteral("Predicting")); }));
+    EXPECT_NE(detail->text(), before);
+
+    find<QCheckBox>("keep1")->click();
+    const std::vector<double> own_K = page->targets_K();
+    auto* bar = find<ReachBar>("reach0");
+    const int middle = bar->height() / 2;
+    for (int x = 0; x < bar->width() && page->targets_K() == own_K; x += 8) {
+        QTest::mousePress(bar, Qt::LeftButton, {}, {x, middle});
+        QMouseEvent move(QEvent::MouseMove, QPointF(x + 60, middle),
+                         bar->mapToGlobal(QPointF(x + 60, middle)), Qt::NoButton, Qt::LeftButton, {});
+        QApplication::sendEvent(bar, &move);
+    }
+    EXPECT_NE(page->targets_K(), own_K);
+    window->pages().show(Page::Run);
+    EXPECT_EQ(page->targets_K(), own_K);
+    window->document().open(window->document().experiment(), {});
+    EXPECT_EQ(page->kept(), std::vector<bool>(own_K.size()));
 }
 
 // Catches: a window that closes over a run without asking, or whose safe answer is not to stay.

@@ -85,8 +85,13 @@ TEST_F(TargetJudgeTest, PredictsHowLongARunTakes) {
     ASSERT_TRUE(run);
     ASSERT_TRUE(run->objects[0].settlingTime_s);
     EXPECT_EQ(judge.predictedSettling_s(), run->objects[0].settlingTime_s);
+    experiment.controller.kind = ControllerKind::ModelBased;
     judge.setExperiment(experiment, Change::Controller);
     EXPECT_FALSE(judge.predicted());
+    judge.predict();
+    ASSERT_TRUE(waitFor([&] { return judge.predicted(); })) << "no verdict is needed anew";
+    EXPECT_NE(judge.predictedSettling_s(), run->objects[0].settlingTime_s);
+    judge.setExperiment(experiment, Change::Controller);
     judge.predict();
     setTargets({kelvinFromCelsius(46.0)});
     EXPECT_FALSE(judge.predicted());
@@ -170,6 +175,55 @@ TEST_F(TargetJudgeTest, MapsOfAnOlderExperimentAreNotHeard) {
     EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
     QCoreApplication::processEvents();
     EXPECT_EQ(maps, std::vector<std::size_t>{0});
+}
+
+// Catches a verdict on dragged targets that stays when the drag is broken off.
+TEST_F(TargetJudgeTest, DroppedTriesGiveTheVerdictBack) {
+    set(blank());
+    const double own_K = experiment.objects[0].target_K;
+    const auto settled = [&] { return !judge.isStale(); };
+    ASSERT_TRUE(waitFor(settled));
+    judge.dropTries();
+    EXPECT_TRUE(settled()) << "there was none";
+    judge.tryTargets({kelvinFromCelsius(41.0)});
+    ASSERT_TRUE(waitFor(settled));
+    judge.dropTries();
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_EQ(judge.verdict()->conditions1.at(0).target_K, own_K);
+}
+
+// Catches tries that wait for ever for maps that nobody wants any more.
+TEST_F(TargetJudgeTest, TriesGoOnWhenMapsAreNotWantedAnyMore) {
+    set(twoCircles(40.0, 40.0));
+    const auto settled = [&] { return !judge.isStale(); };
+    ASSERT_TRUE(waitFor(settled));
+    judge.wantPairs(true);
+    QObject::connect(&judge, &TargetJudge::verdictChanged, [&] {
+        if (settled()) // the maps come next
+            QTimer::singleShot(0, &judge, [this] { judge.wantPairs(false); });
+    });
+    judge.tryTargets({kelvinFromCelsius(41.0), kelvinFromCelsius(41.0)});
+    judge.tryTargets({kelvinFromCelsius(42.0), kelvinFromCelsius(42.0)});
+    EXPECT_TRUE(waitFor([&] {
+        return settled() &&
+               std::abs(judge.verdict()->conditions1.at(0).target_K - kelvinFromCelsius(42.0)) < 1e-9;
+    }));
+}
+
+// Catches targets kept that are those of objects which are gone.
+TEST_F(TargetJudgeTest, KeptTargetsGoWithTheirObjects) {
+    const Experiment two = twoCircles(20.0, 40.0); // the first below the room's
+    set(two);
+    judge.setKept({true, false});
+    const auto settled = [&] { return !judge.isStale(); };
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_FALSE(judge.verdict()->heldKept);
+    Experiment one = two;
+    one.objects.pop_back();
+    set(one);
+    set(two);
+    ASSERT_TRUE(waitFor(settled));
+    EXPECT_TRUE(judge.verdict()->heldKept);
 }
 
 } // namespace

@@ -5,7 +5,9 @@
 #include "widgets/common/display.h"
 
 #include <QDir>
+#include <QFileInfo>
 #include <QFontMetrics>
+#include <QImageReader>
 #include <QPainter>
 #include <QPalette>
 
@@ -17,9 +19,20 @@ namespace bask {
 namespace {
 
 constexpr int kColumns = 3;
+const QString kMarkKey = QStringLiteral("Description"); // of a PNG
+const QString kMark = QStringLiteral("Surfaces of an experiment's targets");
 
 QString framePath(const QString& folder, int index) {
     return QDir(folder).filePath(QStringLiteral("frame-%1.png").arg(index + 1));
+}
+
+QString sheetPath(const QString& folder) {
+    return QDir(folder).filePath(QStringLiteral("panels.png"));
+}
+
+/// A file is there that is no earlier export.
+bool isForeign(const QString& path) {
+    return QFileInfo(path).size() > 0 && QImageReader(path).text(kMarkKey) != kMark;
 }
 
 } // namespace
@@ -70,6 +83,12 @@ void SceneSequence::save(const QString& folder, QSize size) {
     m_folder = folder;
     m_size = size;
     m_pictures.clear();
+    QStringList paths{sheetPath(folder)};
+    for (int i = 0; i < count(); ++i)
+        paths << framePath(folder, i);
+    for (const QString& path : paths)
+        if (isForeign(path))
+            return finish(Error(MessageCode::ExportForeign, path.toStdString()));
     m_saver.start(0);
 }
 
@@ -79,8 +98,9 @@ void SceneSequence::saveNext() {
         QStringList captions;
         for (int i = 0; i < count(); ++i)
             captions << caption(i);
-        const QString path = QDir(m_folder).filePath(QStringLiteral("panels.png"));
-        const QImage sheet = pictureSheet(m_pictures, captions, kColumns, m_scene.palette(), m_scene.font());
+        const QString path = sheetPath(m_folder);
+        QImage sheet = pictureSheet(m_pictures, captions, kColumns, m_scene.palette(), m_scene.font());
+        sheet.setText(kMarkKey, kMark);
         finish(!sheet.isNull() && sheet.save(path, "PNG")
                    ? Error()
                    : Error(MessageCode::FileUnwritable, path.toStdString(), {"it cannot be written"}));
@@ -90,6 +110,7 @@ void SceneSequence::saveNext() {
     m_scene.setSurfaces(frame.surfaces, frame.held, m_subset);
     const QString path = framePath(m_folder, index);
     m_pictures.push_back(m_scene.image(m_size));
+    m_pictures.back().setText(kMarkKey, kMark);
     if (m_pictures.back().isNull() || !m_pictures.back().save(path, "PNG")) {
         finish(Error(MessageCode::FileUnwritable, path.toStdString(), {"it cannot be written"}));
         return;

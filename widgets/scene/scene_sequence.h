@@ -33,7 +33,7 @@ public:
     bool isPlaying() const { return m_player.isActive(); }
 
     /// Writes frame-1.png ... and panels.png, three to a row with their captions, into the folder, which must
-    /// be there. Ends with saved(); frames of that name are replaced.
+    /// be there. Ends with saved(); replaces an earlier export, but refuses to replace other files.
     void save(const QString& folder, QSize size);
     /// Ends a save() half-way, without saved(); pictures written so far stay.
     void cancel();

@@ -3,9 +3,11 @@
 #include "engine/base/message_code.h"
 #include "widgets/scene/target_picture.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QLabel>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QVBoxLayout>
 
 #include <vtkRenderer.h>
@@ -201,6 +203,10 @@ QImage TargetScene::image(QSize size) {
     const double growth = std::min(size.width() / kPlainSize.width(), size.height() / kPlainSize.height());
     m->scale = std::max(1.0, growth / ratio);
     m->view->resize((QSizeF(size) / ratio).toSize());
+    if (!m->view->isVisible()) { // else it would hear of its size when it is shown again
+        QResizeEvent resized(m->view->size(), place.size());
+        QApplication::sendEvent(m->view, &resized);
+    }
     const QImage picture = m->view->grabFramebuffer().copy(QRect({}, size));
     m->scale = 1.0;
     m->view->setGeometry(place);

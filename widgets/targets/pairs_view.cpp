@@ -179,6 +179,7 @@ void PairsView::buildMaps() {
                     [this, first, second](double first_K, double second_K) {
                         emit targetsPicked(first, second, first_K, second_K);
                     });
+            connect(map, &ReachMap::dragDropped, this, &PairsView::dragDropped);
             m_maps.push_back(map);
         }
     arrange();

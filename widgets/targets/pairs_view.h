@@ -43,6 +43,8 @@ signals:
     /// Temperatures that two objects shall have as targets; while dragged, perhaps.
     void targetsDragged(int first, int second, double first_K, double second_K);
     void targetsPicked(int first, int second, double first_K, double second_K);
+    /// What was dragged is not picked after all.
+    void dragDropped();
     void wanted(bool shown);
     void problem(const QString& sentence);
     void told(const QString& sentence);

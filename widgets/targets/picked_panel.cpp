@@ -11,6 +11,7 @@ PickedPanel::PickedPanel(QWidget* parent)
     : QWidget(parent), m_words(new QLabel(this)), m_startHere(new QPushButton(this)) {
     m_words->setObjectName("picked");
     m_words->setWordWrap(true);
+    m_words->setTextFormat(Qt::PlainText); // names are the user's
     m_startHere->setObjectName("startHere");
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);

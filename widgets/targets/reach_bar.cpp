@@ -4,12 +4,14 @@
 #include "widgets/common/theme.h"
 #include "widgets/targets/verdict_text.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -78,8 +80,21 @@ void ReachBar::changeEvent(QEvent* event) {
 
 void ReachBar::setEditable(bool editable) {
     m_editable = editable;
-    if (!editable)
-        unsetCursor();
+    if (editable)
+        return;
+    unsetCursor();
+    dropDrag();
+}
+
+void ReachBar::dropDrag() {
+    m_grip.reset();
+    if (std::exchange(m_moved, false))
+        emit dragDropped();
+}
+
+void ReachBar::hideEvent(QHideEvent* event) {
+    dropDrag();
+    QWidget::hideEvent(event);
 }
 
 bool ReachBar::isOnMark(QPointF place) const {
@@ -89,12 +104,16 @@ bool ReachBar::isOnMark(QPointF place) const {
 void ReachBar::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !isOnMark(event->position()))
         return QWidget::mousePressEvent(event);
-    m_grip = event->position().x() - x(m_target_K);
-    m_moved = false;
+    m_pressed = event->position().x();
+    m_grip = m_pressed - x(m_target_K);
     event->accept();
 }
 
 void ReachBar::mouseMoveEvent(QMouseEvent* event) {
+    if (m_grip && !event->buttons().testFlag(Qt::LeftButton))
+        dropDrag(); // let go where nobody heard of it
+    if (m_grip && !m_moved && std::abs(event->position().x() - m_pressed) < QApplication::startDragDistance())
+        return; // a hand that trembles on a click
     if (!m_grip)
         return isOnMark(event->position()) ? setCursor(Qt::SizeHorCursor) : unsetCursor();
     const double share = (event->position().x() - *m_grip - kSide) / (width() - 2.0 * kSide);
@@ -108,7 +127,7 @@ void ReachBar::mouseReleaseEvent(QMouseEvent* event) {
     if (!m_grip || event->button() != Qt::LeftButton)
         return QWidget::mouseReleaseEvent(event);
     m_grip.reset();
-    if (m_moved)
+    if (std::exchange(m_moved, false))
         emit targetDropped();
 }
 

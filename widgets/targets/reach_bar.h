@@ -33,17 +33,21 @@ signals:
     /// In steps of half a degree of the unit shown, within the bar's axis.
     void targetDragged(double target_K);
     void targetDropped();
+    /// Instead of targetDropped: the mark went out of sight, or may not be moved any more.
+    void dragDropped();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     double x(double t_K) const;
     bool isOnMark(QPointF place) const;
+    void dropDrag();
     void paintBands(QPainter& painter, const QRectF& track) const;
     void paintTarget(QPainter& painter, const QRectF& track) const;
     void describe();
@@ -55,6 +59,7 @@ private:
     bool m_stale = true;
     bool m_editable = false;
     std::optional<double> m_grip; ///< while dragged: from the mark to the pointer, px
+    double m_pressed = 0.0;
     bool m_moved = false;
     int m_series = 0;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;

@@ -4,12 +4,14 @@
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
+#include <QTextDocument>
 #include <QToolTip>
 
 #include <algorithm>
@@ -111,6 +113,8 @@ void ReachMap::setTemperatureUnit(TemperatureUnit unit) {
 
 void ReachMap::setEditable(bool editable) {
     m_editable = editable;
+    if (!editable)
+        dropDrag();
     describe();
 }
 
@@ -177,15 +181,32 @@ void ReachMap::mousePressEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || !isOnPoint(event->position()))
         return QWidget::mousePressEvent(event);
     m_drag = Drag::Held;
+    m_pressed = event->position();
+    m_grip = m_pressed - pointPlace(axes(size()));
 }
 
 void ReachMap::mouseMoveEvent(QMouseEvent* event) {
+    if (m_drag != Drag::No && !event->buttons().testFlag(Qt::LeftButton))
+        dropDrag(); // let go where nobody heard of it
     if (m_drag == Drag::No)
         return setCursor(isOnPoint(event->position()) ? Qt::SizeAllCursor : Qt::ArrowCursor);
-    if (!movePoint(event->position()))
+    const QPointF way = event->position() - m_pressed;
+    if (m_drag == Drag::Held && way.manhattanLength() < QApplication::startDragDistance())
+        return; // a hand that trembles on a click
+    if (!movePoint(event->position() - m_grip))
         return;
     m_drag = Drag::Moved;
     emit targetsDragged(m_target_K.x(), m_target_K.y());
+}
+
+void ReachMap::dropDrag() {
+    if (std::exchange(m_drag, Drag::No) == Drag::Moved)
+        emit dragDropped();
+}
+
+void ReachMap::hideEvent(QHideEvent* event) {
+    dropDrag();
+    QWidget::hideEvent(event);
 }
 
 void ReachMap::mouseReleaseEvent(QMouseEvent*) {
@@ -232,7 +253,8 @@ QString ReachMap::tip(const QPointF& place) const {
 bool ReachMap::event(QEvent* event) {
     if (event->type() == QEvent::ToolTip) {
         const auto* help = static_cast<QHelpEvent*>(event);
-        QToolTip::showText(help->globalPos(), tip(help->pos()), this);
+        const QString text = tip(help->pos());
+        QToolTip::showText(help->globalPos(), Qt::mightBeRichText(text) ? text.toHtmlEscaped() : text, this);
         return true;
     }
     return QWidget::event(event);

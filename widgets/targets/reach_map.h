@@ -38,8 +38,10 @@ public:
     QImage picture(const QSize& size, double devicePixelRatio) const;
 
 signals:
-    /// At each step of a drag, which targetsPicked ends.
+    /// At each step of a drag, which targetsPicked ends, or dragDropped: the map went out of sight, or the
+    /// targets may not be changed any more.
     void targetsDragged(double first_K, double second_K);
+    void dragDropped();
     void targetsPicked(double first_K, double second_K);
 
 protected:
@@ -50,6 +52,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -59,6 +62,7 @@ private:
     QPointF pointPlace(const Axes& axes) const;
     bool isOnPoint(const QPointF& place) const;
     bool movePoint(const QPointF& place);
+    void dropDrag();
     QString tip(const QPointF& place) const;
     void paint(QPainter& painter, const QSizeF& size) const;
     void paintTicks(QPainter& painter, const Axes& axes, int axis) const;
@@ -76,6 +80,8 @@ private:
     bool m_editable = true;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     enum class Drag { No, Held, Moved } m_drag = Drag::No;
+    QPointF m_pressed;
+    QPointF m_grip; ///< while dragged: from the point to the pointer
 };
 
 } // namespace bask

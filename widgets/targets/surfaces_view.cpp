@@ -88,6 +88,8 @@ void SurfacesView::setExperiment(const Experiment& experiment) {
     const bool other = isOtherGeometry(experiment, m_experiment);
     m_experiment = experiment;
     if (other) {
+        if (m_player->isSaving())
+            emit problem(tr("The animation is not whole: the experiment was changed while it was saved."));
         m_player->stop(); // its frames are of the geometry before
         m_exportBar->hide();
         m_job.forget(); // and so are its fields
@@ -313,6 +315,8 @@ void SurfacesView::showControls() {
     m_heldControls->setPlaying(m_player->isPlaying());
     m_space->setEnabled(!saving);
     m_cut->setEnabled(!saving && !m_player->isPlaying());
+    m_views->setEnabled(!saving); // all pictures from one direction
+    m_scene->setAttribute(Qt::WA_TransparentForMouseEvents, saving);
     m_views->setExports(!saving && m_scene->hasPicture(),
                         !saving && m_scene->hasPicture() && ready() && !held.empty() && !m_stale);
 }

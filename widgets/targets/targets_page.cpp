@@ -15,6 +15,7 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
+#include <QSignalBlocker>
 #include <QSplitter>
 #include <QTabWidget>
 #include <QVBoxLayout>
@@ -36,6 +37,7 @@ constexpr double kSameTarget_K = 1e-6;
 QLabel* wrapped(QWidget* parent, const char* name = nullptr) {
     auto* label = new QLabel(parent);
     label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText); // names are the user's
     if (name != nullptr)
         label->setObjectName(QString::fromLatin1(name));
     return label;
@@ -144,6 +146,7 @@ TargetsPage::TargetsPage(QWidget* parent)
                 dragPair(first, second, first_K, second_K);
                 commit();
             });
+    connect(m_pairs, &PairsView::dragDropped, this, &TargetsPage::triesDropped);
     connect(m_pairs, &PairsView::wanted, this, &TargetsPage::pairsWanted);
     connect(m_pairs, &PairsView::problem, this, &TargetsPage::problem);
     connect(m_pairs, &PairsView::told, this, &TargetsPage::told);
@@ -191,6 +194,7 @@ void TargetsPage::addRow(int index) {
     named(made.detail, "verdictDetail");
     named(made.nearest, "nearest");
     named(made.keep, "keep");
+    made.name->setTextFormat(Qt::PlainText);
     makeBold(made.name, 1.1);
     makeBold(made.word);
     QFont large = made.target->font();
@@ -209,6 +213,7 @@ void TargetsPage::addRow(int index) {
     connect(made.bar, &ReachBar::targetDragged, this,
             [this, row](double target_K) { tryTarget(row, target_K); });
     connect(made.bar, &ReachBar::targetDropped, this, &TargetsPage::commit);
+    connect(made.bar, &ReachBar::dragDropped, this, &TargetsPage::triesDropped);
     connect(made.keep, &QCheckBox::toggled, this, [this] {
         m_stale = true;
         showAll();
@@ -297,9 +302,12 @@ void TargetsPage::setPairs(const std::vector<ReachableMap>& maps) {
 void TargetsPage::setEditable(bool editable, const QString& why) {
     m_editable = editable;
     m_why = why;
-    m_surfaces->setEditable(editable);
     m_pairs->setEditable(editable);
     showAll();
+}
+
+void TargetsPage::setStartEditable(bool editable) {
+    m_surfaces->setEditable(editable);
 }
 
 void TargetsPage::setTemperatureUnit(TemperatureUnit unit) {
@@ -321,6 +329,14 @@ std::vector<bool> TargetsPage::kept() const {
     for (const Row& row : m_rows)
         kept.push_back(row.keep->isChecked());
     return kept;
+}
+
+void TargetsPage::clearKept() {
+    for (const Row& row : m_rows) {
+        const QSignalBlocker quiet(row.keep);
+        row.keep->setChecked(false);
+    }
+    emit keptChanged(kept());
 }
 
 void TargetsPage::editTarget(std::size_t row, double target_K) {

@@ -43,23 +43,29 @@ public:
     /// Of the verdict shown, once predictionWanted() is answered: when all have settled on the simulated rig;
     /// empty: not within the experiment's duration limit.
     void setPrediction(const std::optional<double>& settling_s);
-    /// It holds no longer; another is asked for while the page is looked at.
+    /// The prediction does not hold any more, although the verdict does; asks for another.
     void dropPrediction();
     /// Maps of all pairs of the experiment's objects.
     void setPairs(const std::vector<ReachableMap>& maps);
     /// Targets may be edited during a run too; `why` is shown when they may not.
     void setEditable(bool editable, const QString& why = {});
+    /// Whether a pose that is picked may become the start.
+    void setStartEditable(bool editable);
     void setTemperatureUnit(TemperatureUnit unit);
 
     std::vector<double> targets_K() const;
     /// Targets that the nearest feasible ones shall leave as they are.
     std::vector<bool> kept() const;
+    /// Of another experiment none is.
+    void clearKept();
 
 signals:
     void targetsEdited(const std::vector<double>& targets_K);
-    /// Targets while one is typed or dragged: their verdict is wanted, no more. targetsEdited follows at the
-    /// end, unless they are as before.
+    /// Targets while one is typed or dragged: their verdict is wanted, no more. At the end follows
+    /// targetsEdited, unless they are as before, or triesDropped: the drag was broken off, and the page wants
+    /// the experiment as it is.
     void targetsTried(const std::vector<double>& targets_K);
+    void triesDropped();
     /// The targets can be held and the page is looked at.
     void predictionWanted();
     void keptChanged(const std::vector<bool>& kept);

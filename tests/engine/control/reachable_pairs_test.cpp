@@ -120,5 +120,16 @@ TEST(ReachablePairs, OneMapAPairUntilStopped) {
     EXPECT_EQ(reachablePairs(twoDisksAt(45.0, 45.0))->size(), 1U);
 }
 
+// Catches a read beyond the end when a search is stopped between its question and its first pose.
+TEST(ReachablePairs, AStoppedSearchStillHasTemperatures) {
+    std::stop_source stop;
+    stop.request_stop();
+    const FeasibilityRequest request = twoDisksAt(45.0, 45.0);
+    const SteadySearch search(request.geometry, feasibilityLookup(request.geometry, request.rest),
+                              request.rates, stop.get_token());
+    const SteadyAim aim{Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(310.0, 310.0)};
+    EXPECT_EQ(search.best(aim, 48, 1e-6).T_K.size(), 2);
+}
+
 } // namespace
 } // namespace bask

@@ -121,6 +121,41 @@ TEST_F(SceneSequenceTest, AFolderThatIsNotThereIsSaid) {
     EXPECT_EQ(saved[0][0].value<Error>().code(), MessageCode::FileUnwritable);
 }
 
+// Catches: pictures of the user's that an export replaces, and an export that does not replace itself.
+TEST_F(SceneSequenceTest, OtherPicturesOfTheNameAreKept) {
+    TargetScene scene;
+    if (!scene.hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    scene.setExperiment(oneDisk());
+    scene.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&scene));
+    SceneSequence sequence(scene);
+    SurfaceFrame empty;
+    empty.surfaces.resize(1);
+    sequence.setFrames({empty, empty}, PoseSubset::Translation, kThetaX);
+    QSignalSpy saved(&sequence, &SceneSequence::saved);
+    QTemporaryDir folder;
+    for (const int done : {1, 2}) { // the second over the first
+        sequence.save(folder.path(), {200, 150});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == done; }, 10000));
+        EXPECT_EQ(saved.last()[0].value<Error>().code(), MessageCode::None);
+    }
+    for (const char* name : {"frame-2.png", "panels.png"}) {
+        const QString path = folder.filePath(QLatin1String(name));
+        const QImage exported(path);
+        QImage mine(20, 10, QImage::Format_RGB32);
+        mine.fill(Qt::red);
+        ASSERT_TRUE(mine.save(path));
+        saved.clear();
+        sequence.save(folder.path(), {200, 150});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return saved.count() == 1; }, 10000));
+        EXPECT_EQ(saved[0][0].value<Error>().code(), MessageCode::ExportForeign);
+        EXPECT_EQ(QString::fromStdString(saved[0][0].value<Error>().where), path);
+        EXPECT_EQ(QImage(path).size(), QSize(20, 10));
+        ASSERT_TRUE(exported.save(path));
+    }
+}
+
 // Catches: an animation that stands still, runs past its end, or goes on when it is told to stop.
 TEST_F(SceneSequenceTest, PlaysRoundAndRound) {
     TargetScene scene;

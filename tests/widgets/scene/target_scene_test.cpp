@@ -454,6 +454,23 @@ TEST_F(TargetSceneTest, SavesPicturesOfAnySize) {
     EXPECT_FALSE(TargetScene().saveImage(folder.filePath(QStringLiteral("never-shown.png")), {640, 480}));
 }
 
+// Catches: a picture that is cut off, or of the view's size, because the page was left while it is made.
+TEST_F(TargetSceneTest, APictureIsWholeWhileTheSceneIsHidden) {
+    const Experiment experiment = testing::threeObjects();
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    scene.setSurfaces(surfacesOf(experiment), experiment.start);
+    show(scene);
+    const QSize size(900, 1100);
+    const QImage shown = scene.image(size);
+    scene.hide();
+    const QImage hidden = scene.image(size);
+    ASSERT_EQ(hidden.size(), size);
+    EXPECT_LT(testing::differentPixels(shown, hidden), 50);
+    show(scene);
+    EXPECT_LT(testing::differentPixels(shown, scene.image(size)), 50);
+}
+
 // Catches: angles drawn as positions, on axes of centimetres, with a source that is nowhere in that space; a
 // pick there that gives positions.
 TEST_F(TargetSceneTest, OverTheAnglesTheAxesAreAngles) {

@@ -218,15 +218,47 @@ TEST_F(ReachMapTest, ThePointIsDragged) {
     QTest::mouseClick(&map, Qt::LeftButton, {}, point + QPoint(40, 0));
     QTest::mouseClick(&map, Qt::LeftButton, {}, point);
     EXPECT_EQ(dragged.count() + picked.count(), 0);
-    QTest::mousePress(&map, Qt::LeftButton, {}, point + QPoint(3, 3));
-    moveTo(point + QPoint(30, 0));
-    moveTo(point + QPoint(60, 0));
+    QTest::mousePress(&map, Qt::LeftButton, {}, point + QPoint(7, 7));
+    moveTo(point + QPoint(8, 7)); // a hand that trembles
+    EXPECT_EQ(dragged.count(), 0);
+    moveTo(point + QPoint(37, 7));
+    moveTo(point + QPoint(67, 7));
     EXPECT_EQ(dragged.count(), 2);
     EXPECT_EQ(picked.count(), 0);
+    EXPECT_NEAR(dragged[1][1].toDouble(), oneCell().target_K.y(), 0.3) << "it jumped to the pointer";
     EXPECT_EQ(map.picture(map.size(), 1.0).pixelColor(point + QPoint(60, 0)), QColor(Qt::white));
-    QTest::mouseRelease(&map, Qt::LeftButton, {}, point + QPoint(60, 0));
+    QTest::mouseRelease(&map, Qt::LeftButton, {}, point + QPoint(67, 7));
     ASSERT_EQ(picked.count(), 1);
     EXPECT_EQ(picked[0], dragged[1]);
+}
+
+// Catches a drag that goes on, or is taken over, after the map was hidden, the targets were locked or the
+// button was let go elsewhere; and one whose end nobody hears of.
+TEST_F(ReachMapTest, ADragThatIsBrokenOffIsDropped) {
+    QSignalSpy dragged{&map, &ReachMap::targetsDragged};
+    QSignalSpy dropped{&map, &ReachMap::dragDropped};
+    const QPoint point = cell().center();
+    const auto drag = [&] {
+        show(oneCell());
+        QTest::mousePress(&map, Qt::LeftButton, {}, point);
+        moveTo(point + QPoint(40, 0));
+    };
+    drag();
+    map.hide();
+    EXPECT_EQ(dropped.count(), 1);
+    map.show();
+    drag();
+    map.setEditable(false);
+    EXPECT_EQ(dropped.count(), 2);
+    map.setEditable(true);
+    drag();
+    QMouseEvent move(QEvent::MouseMove, point, map.mapToGlobal(point), Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(&map, &move);
+    EXPECT_EQ(dropped.count(), 3);
+    moveTo(point + QPoint(80, 0));
+    QTest::mouseRelease(&map, Qt::LeftButton, {}, point + QPoint(80, 0));
+    EXPECT_EQ(dragged.count(), 3);
+    EXPECT_EQ(picked.count(), 0);
 }
 
 // Catches: a tip about another place, or that says the contrary.
@@ -240,6 +272,8 @@ TEST_F(ReachMapTest, TheTipSaysWhatGoesTogether) {
     EXPECT_TRUE(tipAt(place).contains("some pose has both")) << QToolTip::text().toStdString();
     EXPECT_TRUE(tipAt(place).contains(QRegularExpression("circle (39.[89]|40.[012])")));
     EXPECT_TRUE(tipAt(place + QPoint(100, 0)).contains("no pose has both"));
+    map.setNames("<b>circle</b>", "bunny");
+    EXPECT_TRUE(tipAt(place).startsWith("&lt;b&gt;")) << "a name is no mark-up";
     QToolTip::hideText();
 }
 

@@ -161,9 +161,17 @@ TEST_F(SurfacesSweepTest, AnExportIsCancelledOrFails) {
     ASSERT_TRUE(waitFor([&] { return problem.count() == 1; }));
     EXPECT_TRUE(becomes(before));
     EXPECT_EQ(told.count(), 0);
+    view.saveAnimation(folder.path(), {400, 300});
+    experiment.robot.clearance_m += 0.01;
+    view.setExperiment(experiment); // which ends it
+    EXPECT_EQ(problem.count(), 2);
+    view.setExperiment(experiment);
+    EXPECT_EQ(problem.count(), 2);
+    EXPECT_FALSE(find<QProgressBar>("exportProgress")->isVisible());
 }
 
-// Catches a verdict that comes during an export and is forgotten, or gets into half of the pictures.
+// Catches a verdict that comes during an export and is forgotten, or gets into half of the pictures, as does
+// another direction.
 TEST_F(SurfacesSweepTest, AVerdictDuringAnExportComesAfterIt) {
     if (!scene()->hasPicture())
         GTEST_SKIP() << "no OpenGL";
@@ -174,6 +182,11 @@ TEST_F(SurfacesSweepTest, AVerdictDuringAnExportComesAfterIt) {
     ASSERT_TRUE(waitFor([&] { return told.count() == 1; }));
     view.saveAnimation(again.path(), {200, 150});
     ASSERT_TRUE(waitFor([&] { return find<QProgressBar>("exportProgress")->value() == 2; }));
+    for (const char* turn : {"viewTop", "viewSide"})
+        QTest::mouseClick(find<QWidget>(turn), Qt::LeftButton);
+    const QPoint middle = scene()->mapTo(&view, scene()->rect().center());
+    EXPECT_FALSE(scene()->isAncestorOf(view.childAt(middle)))
+        << "a drag there turns the rest of the pictures";
     for (ObjectSpec& object : experiment.objects)
         object.target_K += 8.0;
     view.setStale(true);

@@ -92,6 +92,10 @@ struct TargetsPageTest : testing::Test {
         QTest::keyClicks(field, value);
         QTest::keyClick(field, Qt::Key_Return);
     }
+    void moveTo(QWidget* widget, QPoint place, Qt::MouseButton held = Qt::LeftButton) {
+        QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, held, {});
+        QApplication::sendEvent(widget, &move);
+    }
     std::vector<double> lastTargets() { return edited.last()[0].value<std::vector<double>>(); }
 };
 
@@ -106,6 +110,21 @@ TEST_F(TargetsPageTest, VerdictsInWords) {
     EXPECT_TRUE(text("jointVerdict").contains("bunny")) << text("jointVerdict").toStdString();
     EXPECT_TRUE(text("jointDetail").contains("hand \u22120.5 K")) << text("jointDetail").toStdString();
     EXPECT_TRUE(text("jointDetail").contains("bunny 31.0 °C"));
+}
+
+// Catches a name that is taken for mark-up.
+TEST_F(TargetsPageTest, NamesAreShownAsTheyAre) {
+    Experiment experiment = experimentWith({40.0, 120.0, 20.0});
+    experiment.objects[1].name = "<i>b</i>";
+    page.setExperiment(experiment);
+    EXPECT_TRUE(text("jointDetail").contains("<i>b</i>"));
+    int shown = 0;
+    for (const auto* label : page.findChildren<QLabel*>())
+        if (label->text().contains("<i>b</i>")) {
+            ++shown;
+            EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->text().toStdString();
+        }
+    EXPECT_GE(shown, 2);
 }
 
 // Catches a joint verdict without its pose and margin, and a button that offers what is held already.
@@ -136,6 +155,9 @@ TEST_F(TargetsPageTest, TheTimeIsPredictedForWhatCanBeHeld) {
     EXPECT_TRUE(text("jointDetail").contains("has settled after 1:17")) << text("jointDetail").toStdString();
     page.setPrediction(std::nullopt);
     EXPECT_TRUE(text("jointDetail").contains("does not settle within"));
+    page.dropPrediction(); // another controller
+    EXPECT_TRUE(text("jointDetail").contains("Predicting"));
+    EXPECT_EQ(wanted.count(), 2);
     page.setVerdict(feasible);
     EXPECT_TRUE(text("jointDetail").contains("Predicting"));
     page.setPrediction(77.0);
@@ -161,12 +183,12 @@ TEST_F(TargetsPageTest, ATargetIsDraggedInItsBar) {
                       bar->height() / 2);
     };
     QTest::mousePress(bar, Qt::LeftButton, {}, at(60.0));
-    QTest::mouseMove(bar, at(70.0));
+    moveTo(bar, at(70.0));
     QTest::mouseRelease(bar, Qt::LeftButton, {}, at(70.0));
     EXPECT_EQ(tried.count() + edited.count(), 0);
     QTest::mousePress(bar, Qt::LeftButton, {}, at(40.0));
-    QTest::mouseMove(bar, at(50.0));
-    QTest::mouseMove(bar, at(60.0));
+    moveTo(bar, at(50.0));
+    moveTo(bar, at(60.0));
     EXPECT_EQ(tried.count(), 2);
     EXPECT_EQ(edited.count(), 0);
     QTest::mouseRelease(bar, Qt::LeftButton, {}, at(60.0));
@@ -174,11 +196,49 @@ TEST_F(TargetsPageTest, ATargetIsDraggedInItsBar) {
     EXPECT_NEAR(lastTargets()[0], kelvinFromCelsius(60.0), 0.51);
     EXPECT_NEAR(std::remainder(celsiusFromKelvin(lastTargets()[0]), 0.5), 0.0, 1e-9);
     EXPECT_NEAR(lastTargets()[1], kelvinFromCelsius(120.0), 1e-9);
+    type("target0", "60.3");
+    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.3));
+    moveTo(bar, at(60.3) + QPoint(1, 1)); // a hand that trembles
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, at(60.3));
+    EXPECT_EQ(tried.count(), 2);
+    EXPECT_EQ(edited.count(), 2) << "by typing";
     page.setEditable(false);
-    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.0));
-    QTest::mouseMove(bar, at(50.0));
+    QTest::mousePress(bar, Qt::LeftButton, {}, at(60.3));
+    moveTo(bar, at(50.0));
     QTest::mouseRelease(bar, Qt::LeftButton, {}, at(50.0));
-    EXPECT_EQ(edited.count(), 1);
+    EXPECT_EQ(edited.count(), 2);
+}
+
+// Catches a drag that goes on, or is taken over, after the page was left, the targets were locked or the
+// button was let go elsewhere; and one whose end nobody hears of.
+TEST_F(TargetsPageTest, ADragThatIsBrokenOffIsDropped) {
+    QSignalSpy tried{&page, &TargetsPage::targetsTried};
+    QSignalSpy dropped{&page, &TargetsPage::triesDropped};
+    auto* bar = child<ReachBar>("reach0");
+    const QPoint mark(26 + (bar->width() - 52) * 235 / 873, bar->height() / 2); // of 40 degC
+    const auto drag = [&] {
+        page.setExperiment(experimentWith({40.0, 120.0, 20.0}));
+        QTest::mousePress(bar, Qt::LeftButton, {}, mark);
+        moveTo(bar, mark + QPoint(60, 0));
+    };
+    drag();
+    page.hide();
+    EXPECT_EQ(dropped.count(), 1);
+    page.show();
+    drag();
+    page.setEditable(false);
+    EXPECT_EQ(dropped.count(), 2);
+    page.setEditable(true);
+    drag();
+    moveTo(bar, mark + QPoint(90, 0), Qt::NoButton);
+    EXPECT_EQ(dropped.count(), 3);
+    EXPECT_EQ(tried.count(), 3);
+    moveTo(bar, mark + QPoint(120, 0));
+    QTest::mouseRelease(bar, Qt::LeftButton, {}, mark + QPoint(120, 0));
+    page.hide();
+    EXPECT_EQ(tried.count(), 3);
+    EXPECT_EQ(dropped.count(), 3);
+    EXPECT_EQ(edited.count(), 0);
 }
 
 // Catches nearest targets that are rounded, or sent one by one.
@@ -197,6 +257,9 @@ TEST_F(TargetsPageTest, KeptTargetsAreAskedFor) {
     ASSERT_EQ(keptChanged.count(), 1);
     EXPECT_EQ(page.kept(), (std::vector<bool>{false, false, true}));
     EXPECT_TRUE(text("jointVerdict").startsWith("Checking"));
+    page.clearKept(); // of another experiment
+    EXPECT_EQ(page.kept(), std::vector<bool>(3));
+    EXPECT_EQ(keptChanged.count(), 1);
 }
 
 // Catches boxes of other objects that go on being obeyed.
