@@ -6,6 +6,7 @@
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "engine/base/message_code.h"
+#include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
 #include "widgets/objects/objects_page.h"
 

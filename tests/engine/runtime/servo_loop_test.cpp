@@ -156,6 +156,26 @@ TEST_F(ServoLoopTest, AnUnreachableTargetNeedsAnExplicitYes) {
     EXPECT_TRUE(loop.start(true));
 }
 
+// Catches events that do not say which targets were set, and a reason that is lost or told when no run is on.
+TEST_F(ServoLoopTest, EventsSayWhatWasSetAndWhyItCannotBeHeld) {
+    periods(10);
+    const Message reason{MessageCode::TargetNeedsMore, {"first", "1.2", "0.9"}};
+    loop.takeRecord();
+    loop.reportInfeasible(reason);
+    EXPECT_TRUE(loop.takeRecord().events.empty());
+    startRun();
+    loop.takeRecord();
+    ASSERT_TRUE(loop.setTargets({kelvinFromCelsius(38.25), kelvinFromCelsius(33.0)}));
+    loop.reportInfeasible(reason);
+    const std::vector<TraceEvent> events = loop.takeRecord().events;
+    ASSERT_EQ(events.size(), 2U);
+    EXPECT_EQ(events[0].message.code, MessageCode::EventTargetsChanged);
+    EXPECT_EQ(events[0].message.args.at(0),
+              experiment.objects[0].name + " 38.25 \u00b0C, " + experiment.objects[1].name + " 33 \u00b0C");
+    EXPECT_EQ(events[1].message.code, reason.code);
+    EXPECT_EQ(alarmPriority(events[1].message.code), 3);
+}
+
 TEST_F(ServoLoopTest, TargetsAndControllerChangeDuringARun) {
     startRun();
     periods(60);

@@ -39,6 +39,21 @@ TEST(Display, EveryStateHasWordAndExplanation) {
     }
 }
 
+// Catches sentences in another unit than the page's, and figures that are no temperatures.
+TEST(Display, SentencesSpeakTheUnitShown) {
+    const QString sentence =
+        QString::fromUtf8("\"K 2\" at 165.56 \u00b0C: 95.4\u00a0\u00b0C, 12.5 K, F = 1.31, "
+                          "\u22125 \u00b0C");
+    EXPECT_EQ(inUnit(sentence, TemperatureUnit::Celsius),
+              QString::fromUtf8("\"K 2\" at 165.6\u00a0\u00b0C: 95.4\u00a0\u00b0C, 12.5 K, F = 1.31, "
+                                "\u22125.0\u00a0\u00b0C"));
+    EXPECT_EQ(
+        inUnit(sentence, TemperatureUnit::Fahrenheit),
+        QString::fromUtf8("\"K 2\" at 330.0\u00a0\u00b0F: 203.7\u00a0\u00b0F, 22.5\u00a0\u00b0F, F = 1.31, "
+                          "23.0\u00a0\u00b0F"));
+    EXPECT_TRUE(inUnit(sentence, TemperatureUnit::Kelvin).contains(QString::fromUtf8("438.7\u00a0K")));
+}
+
 // Catches arguments that are themselves taken for placeholders.
 TEST(Display, MessageArgumentsAreTakenAsTheyAre) {
     const Message message{MessageCode::ReasonRobotLost, {"%1 of 100 %"}};

@@ -43,6 +43,55 @@ TEST(QuantitySpinBox, TypingReportsKelvin) {
     EXPECT_NEAR(box.value_K(), 319.15, 1e-9) << "not a number is refused";
 }
 
+// Catches a number that is silently made another: by a comma, an exponent, or by lying out of range.
+TEST(QuantitySpinBox, WhatIsTypedIsWhatIsTaken) {
+    QuantitySpinBox box;
+    box.setRange_K(223.15, 2273.15);
+    const auto taken_degC = [&](const char* text) {
+        box.setValue_K(313.15);
+        box.setFocus();
+        box.selectAll();
+        QTest::keyClicks(&box, QString::fromUtf8(text));
+        QTest::keyClick(&box, Qt::Key_Return);
+        return std::round((box.value_K() - 273.15) * 1e6) * 1e-6;
+    };
+    for (const QLocale& locale : {QLocale::c(), QLocale(QLocale::French)}) {
+        box.setLocale(locale);
+        EXPECT_EQ(taken_degC("45,5"), 45.5);
+        EXPECT_EQ(taken_degC("45.5"), 45.5);
+        EXPECT_EQ(taken_degC("1e3"), 1000.0);
+        EXPECT_EQ(taken_degC("-12"), -12.0);
+        EXPECT_EQ(taken_degC("\u22123"), -3.0);
+        EXPECT_EQ(taken_degC("-99999"), 40.0) << "out of range: as before";
+        EXPECT_EQ(taken_degC("4.5.6"), 40.0);
+        EXPECT_EQ(taken_degC(""), 40.0);
+    }
+}
+
+// Catches a page that cannot follow typing, and one that keeps what was taken back.
+TEST(QuantitySpinBox, TypingIsToldAndTakenBack) {
+    QuantitySpinBox box;
+    box.setValue_K(313.15);
+    box.show();
+    QSignalSpy typed(&box, &QuantitySpinBox::valueTyped_K), edited(&box, &QuantitySpinBox::valueEdited_K);
+    const auto last_degC = [&] { return std::round((typed.last()[0].toDouble() - 273.15) * 1e6) * 1e-6; };
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("90"));
+    ASSERT_EQ(typed.count(), 2);
+    EXPECT_EQ(last_degC(), 90.0);
+    box.setValue_K(363.15); // the page shows what it was told
+    EXPECT_EQ(box.text(), QStringLiteral("90"));
+    QTest::keyClick(&box, Qt::Key_Escape);
+    EXPECT_EQ(last_degC(), 40.0);
+    EXPECT_EQ(box.text(), QStringLiteral("40.0\u00a0\u00b0C"));
+    box.selectAll();
+    QTest::keyClicks(&box, QStringLiteral("7"));
+    QTest::keyClick(&box, Qt::Key_Backspace);
+    QTest::keyClick(&box, Qt::Key_Return); // of nothing
+    EXPECT_EQ(last_degC(), 40.0);
+    EXPECT_EQ(edited.count(), 0);
+}
+
 // Catches gains of 1e-22 shown or stored as 0.
 TEST(GainSpinBox, AnyMagnitude) {
     GainSpinBox box;

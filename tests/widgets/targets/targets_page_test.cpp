@@ -241,6 +241,33 @@ TEST_F(TargetsPageTest, ADragThatIsBrokenOffIsDropped) {
     EXPECT_EQ(edited.count(), 0);
 }
 
+// Catches a verdict that waits for Enter, and a field that is rewritten under the hand.
+TEST_F(TargetsPageTest, TypedTargetsAreTried) {
+    QSignalSpy tried{&page, &TargetsPage::targetsTried};
+    auto* field = child<QuantitySpinBox>("target0");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "55");
+    ASSERT_EQ(tried.count(), 2);
+    EXPECT_NEAR(tried.last()[0].value<std::vector<double>>()[0], kelvinFromCelsius(55.0), 1e-9);
+    EXPECT_EQ(field->text(), "55");
+    EXPECT_EQ(edited.count(), 0);
+    QTest::keyClick(field, Qt::Key_Escape);
+    EXPECT_NEAR(tried.last()[0].value<std::vector<double>>()[0], kelvinFromCelsius(40.0), 1e-9);
+    QTest::keyClicks(field, "55");
+    QTest::keyClick(field, Qt::Key_Return);
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_NEAR(lastTargets()[0], kelvinFromCelsius(55.0), 1e-9);
+}
+
+// Catches nearest targets offered that break what is to be kept.
+TEST_F(TargetsPageTest, KeptTargetsThatCannotBeHeldAreNotOverridden) {
+    JointVerdict bad = joint({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)});
+    bad.heldKept = false;
+    page.setVerdict(bad);
+    EXPECT_FALSE(child<QPushButton>("useNearest")->isEnabled());
+}
+
 // Catches nearest targets that are rounded, or sent one by one.
 TEST_F(TargetsPageTest, TheNearestFeasibleTargetsAreTakenTogether) {
     QTest::mouseClick(child<QPushButton>("useNearest"), Qt::LeftButton);
