@@ -292,9 +292,12 @@ void TargetsPage::setPairs(const std::vector<ReachableMap>& maps) {
 void TargetsPage::setEditable(bool editable, const QString& why) {
     m_editable = editable;
     m_why = why;
-    m_surfaces->setEditable(editable);
     m_pairs->setEditable(editable);
     showAll();
+}
+
+void TargetsPage::setStartable(bool startable, const QString& why) {
+    m_surfaces->setStartable(startable, why);
 }
 
 void TargetsPage::setTemperatureUnit(TemperatureUnit unit) {
