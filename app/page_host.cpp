@@ -225,7 +225,9 @@ void PageHost::showEditable() {
     m_objects->setEditable(
         m_editable,
         m_editable ? QString() : tr("A run is armed or on. Objects can be changed once it has stopped."));
-    m_targets->setStartEditable(m_editable);
+    m_targets->setStartable(
+        m_editable,
+        m_editable ? QString() : tr("A run is armed or on. The start can be changed once it has stopped."));
     m_targets->setEditable(m_targetsEditable, tr("The run is stopping. Targets can be changed once it has."));
 }
 

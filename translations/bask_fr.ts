@@ -2434,6 +2434,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Runs start at %1 from now on.</source>
             <translation>Les essais partent désormais de %1.</translation>
         </message>
+        <message>
+            <source>A run is armed or on. The start can be changed once it has stopped.</source>
+            <translation>Un essai est armé ou en cours. Le départ pourra être changé une fois qu’il sera arrêté.</translation>
+        </message>
     </context>
     <context>
         <name>bask::PairsView</name>
@@ -2462,12 +2466,20 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>peu de poses</translation>
         </message>
         <message>
-            <source>many poses, logarithmic</source>
-            <translation>beaucoup de poses, logarithmique</translation>
+            <source>rare</source>
+            <translation>rare</translation>
         </message>
         <message>
-            <source>Share of the workspace&apos;s poses at which the pair settles there. Where it is small, the pair asks for a pose that is hard to keep.</source>
-            <translation>Part des poses de l’espace de travail où la paire se stabilise là. Là où elle est faible, la paire demande une pose difficile à tenir.</translation>
+            <source>Some pose has both, found by search; none of the poses that were counted does.</source>
+            <translation>Une pose a les deux, trouvée par recherche ; aucune des poses comptées ne les a.</translation>
+        </message>
+        <message>
+            <source>many (log)</source>
+            <translation>beaucoup (log)</translation>
+        </message>
+        <message>
+            <source>Share of the workspace&apos;s poses at which the pair settles there, on a logarithmic scale. Where it is small, the pair asks for a pose that is hard to keep.</source>
+            <translation>Part des poses de l’espace de travail où la paire se stabilise là, en échelle logarithmique. Là où elle est faible, la paire demande une pose difficile à tenir.</translation>
         </message>
         <message>
             <source>Export…</source>
@@ -2492,6 +2504,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Runs start at this point.</source>
             <translation>Les essais partent de ce point.</translation>
         </message>
+        <message>
+            <source>Runs cannot start at this point: %1.</source>
+            <translation>Les essais ne peuvent partir de ce point : %1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::PictureDialog</name>
@@ -2502,6 +2518,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>As the view: %1 × %2</source>
             <translation>Comme la vue : %1 × %2</translation>
+        </message>
+        <message>
+            <source>Twice the view: %1 × %2</source>
+            <translation>Deux fois la vue : %1 × %2</translation>
         </message>
         <message>
             <source>Screen: %1 × %2</source>
@@ -3253,6 +3273,24 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Closest</source>
             <translation>Au plus près</translation>
+        </message>
+        <message>
+            <source>%1 %2 to %3°</source>
+            <comment>an angle, its least and largest value</comment>
+            <translation>%1 de %2 à %3°</translation>
+        </message>
+        <message>
+            <source>The robot does not turn</source>
+            <translation>Le robot ne tourne pas</translation>
+        </message>
+        <message>
+            <source>The robot turns %1</source>
+            <translation>Le robot tourne en %1</translation>
+        </message>
+        <message>
+            <source>%1 %2: nowhere here</source>
+            <comment>object, target</comment>
+            <translation>%1 %2 : nulle part ici</translation>
         </message>
         <message>
             <source>3-D scene of the targets</source>

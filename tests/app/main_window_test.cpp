@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QOpenGLWidget>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QTemporaryDir>
 
@@ -69,6 +70,10 @@ TEST_F(MainWindowTest, TheSurfacesControlsFitASmallWindow) {
     const auto look = [&](const QString& name) {
         keepPicture(QStringLiteral("surfaces-") + name);
         EXPECT_EQ(window->width(), 1100) << "it grew";
+        const auto* sides = qobject_cast<QSplitter*>(find<QWidget>("targetViews")->parentWidget());
+        ASSERT_NE(sides, nullptr);
+        EXPECT_LE(sides->widget(0)->geometry().right(), sides->widget(1)->x())
+            << "the table covers them " << qPrintable(name);
         for (QWidget* part : view->findChildren<QWidget*>()) {
             if (!part->isVisible() || part->parentWidget()->inherits("QComboBox"))
                 continue;

@@ -228,14 +228,17 @@ void SceneOverlay::paintBar(Frame& frame) {
     double widest = 0.0;
     for (const double value : {range.least, range.most})
         widest = std::max(widest, frame.metrics.horizontalAdvance(numberText(value, decimals)));
-    const double unitWidth = frame.metrics.horizontalAdvance(frame.content.barUnit);
-    const double block = std::max(kBarWidth + kTick + 4.0 + widest, unitWidth);
+    const QString title =
+        frame.metrics.elidedText(frame.content.barTitle, Qt::ElideMiddle, 0.4 * frame.size.width());
+    const double block = kBarWidth + kTick + 4.0 + widest;
+    const double titleWidth = std::max(block, frame.metrics.horizontalAdvance(title));
     const double top = kPadding + frame.metrics.height() + 6.0;
     const QRectF bar(frame.size.width() - kPadding - block, top, kBarWidth, height);
 
     painter.setPen(frame.text);
-    painter.drawText(QRectF(bar.left(), kPadding, block, frame.metrics.height()),
-                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, frame.content.barUnit);
+    const QRectF titlePlace(frame.size.width() - kPadding - titleWidth, kPadding, titleWidth,
+                            frame.metrics.height());
+    painter.drawText(titlePlace, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextDontClip, title);
     QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
     for (int i = 0; i <= 16; ++i)
         gradient.setColorAt(i / 16.0, mapColour(i / 16.0, frame.dark));
@@ -256,6 +259,7 @@ void SceneOverlay::paintBar(Frame& frame) {
     }
     m_layout.take(
         QRectF(bar.left() - 6.0, 0.0, block + 6.0 + kPadding, bar.bottom() + frame.metrics.height()));
+    m_layout.take(titlePlace.adjusted(-6.0, -kPadding, kPadding, 0.0));
 }
 
 void SceneOverlay::paintLabels(Frame& frame) {

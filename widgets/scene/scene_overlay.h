@@ -34,8 +34,8 @@ struct OverlayContent {
     PoseSubset axes = PoseSubset::Translation;
     std::vector<SceneLabel> labels; ///< in order of importance
     bool hasBar = false;
-    NiceRange bar; ///< in the shown unit
-    QString barUnit;
+    NiceRange bar;    ///< in the shown unit
+    QString barTitle; ///< over it: what it is of, and the unit
 };
 
 /// Draws the overlay with the palette's colours. Text stays upright and sharp at any pixel ratio and in any

@@ -35,6 +35,12 @@ bool isForeign(const QString& path) {
     return QFileInfo(path).size() > 0 && QImageReader(path).text(kMarkKey) != kMark;
 }
 
+QFont captionFont(const QImage& picture, QFont font) {
+    font.setBold(true);
+    font.setPixelSize(std::max(12, picture.height() / 30));
+    return font;
+}
+
 } // namespace
 
 SceneSequence::SceneSequence(TargetScene& scene, QObject* parent) : QObject(parent), m_scene(scene) {
@@ -110,8 +116,9 @@ void SceneSequence::saveNext() {
     m_scene.setSurfaces(frame.surfaces, frame.held, m_subset);
     const QString path = framePath(m_folder, index);
     m_pictures.push_back(m_scene.image(m_size));
-    m_pictures.back().setText(kMarkKey, kMark);
-    if (m_pictures.back().isNull() || !m_pictures.back().save(path, "PNG")) {
+    QImage frameWithCaption = captioned(m_pictures.back(), caption(index), m_scene.palette(), m_scene.font());
+    frameWithCaption.setText(kMarkKey, kMark);
+    if (!frameWithCaption.save(path, "PNG")) {
         finish(Error(MessageCode::FileUnwritable, path.toStdString(), {"it cannot be written"}));
         return;
     }
@@ -129,13 +136,24 @@ void SceneSequence::finish(const Error& problem) {
     emit saved(problem);
 }
 
+QImage captioned(QImage picture, const QString& caption, const QPalette& palette, const QFont& font) {
+    if (picture.isNull())
+        return picture;
+    const QFont bold = captionFont(picture, font);
+    QPainter painter(&picture);
+    painter.setFont(bold);
+    painter.setPen(palette.color(QPalette::Text));
+    painter.drawText(QRectF(QPointF(), QSizeF(picture.width() / picture.devicePixelRatio(),
+                                              QFontMetrics(bold).height() * 1.5)),
+                     Qt::AlignCenter, caption);
+    return picture;
+}
+
 QImage pictureSheet(const std::vector<QImage>& pictures, const QStringList& captions, int columns,
                     const QPalette& palette, const QFont& font) {
     if (pictures.empty() || columns < 1)
         return {};
-    QFont bold = font;
-    bold.setBold(true);
-    bold.setPixelSize(std::max(12, pictures.front().height() / 30));
+    const QFont bold = captionFont(pictures.front(), font);
     const int line = QFontMetrics(bold).height() * 3 / 2;
     const QSize panel = pictures.front().size() / pictures.front().devicePixelRatio() + QSize(0, line);
     const int count = static_cast<int>(pictures.size());

@@ -32,8 +32,8 @@ public:
     void play(bool on);
     bool isPlaying() const { return m_player.isActive(); }
 
-    /// Writes frame-1.png ... and panels.png, three to a row with their captions, into the folder, which must
-    /// be there. Ends with saved(); replaces an earlier export, but refuses to replace other files.
+    /// Writes frame-1.png ... and panels.png, three to a row, all with their captions, into the folder, which
+    /// must be there. Ends with saved(); replaces an earlier export, but refuses to replace other files.
     void save(const QString& folder, QSize size);
     /// Ends a save() half-way, without saved(); pictures written so far stay.
     void cancel();
@@ -60,6 +60,9 @@ private:
     QSize m_size;
     std::vector<QImage> m_pictures;
 };
+
+/// The picture with a caption at the middle of its upper edge, over whatever is there.
+QImage captioned(QImage picture, const QString& caption, const QPalette& palette, const QFont& font);
 
 /// Pictures side by side in rows, each with its caption above, in the palette's colours; each keeps its size.
 QImage pictureSheet(const std::vector<QImage>& pictures, const QStringList& captions, int columns,

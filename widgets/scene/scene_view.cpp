@@ -109,7 +109,7 @@ OverlayContent SceneView::Impl::overlayContent(bool dark) const {
     result.frame = frame;
     result.hasBar = !experiment.objects.empty();
     result.bar = shownRange;
-    result.barUnit = temperatureUnitSymbol(unit);
+    result.barTitle = temperatureUnitSymbol(unit);
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
         SceneLabel label;
         label.text = QString::fromStdString(experiment.objects[i].name);

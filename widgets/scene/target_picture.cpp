@@ -36,6 +36,12 @@ QString tenthsText(double value) {
         .replace(QLocale().negativeSign(), QStringLiteral("\u2212"));
 }
 
+/// Degrees, without a tenth that is none.
+QString angleText(double angle_rad) {
+    const double angle_deg = degFromRad(angle_rad);
+    return formatSigned(angle_deg, std::abs(angle_deg - std::round(angle_deg)) < 0.05 ? 0 : 1).remove(u'+');
+}
+
 Box angleBox() {
     constexpr double kRightAngle = std::numbers::pi / 2.0; // as surfaceAxes has it
     return {Eigen::Vector3d::Constant(-kRightAngle), Eigen::Vector3d::Constant(kRightAngle)};
@@ -76,11 +82,11 @@ bool haveOneGeometry(Experiment a, const Experiment& b) {
 
 } // namespace
 
-void TargetPicture::setExperiment(const Experiment& next) {
+bool TargetPicture::setExperiment(const Experiment& next) {
     const bool known = rig && haveOneGeometry(experiment, next);
     experiment = next;
     if (known)
-        return;
+        return true;
     const SourceSpec& source = experiment.source;
     const double power_W_m2 =
         netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, experiment.environment_K);
@@ -98,13 +104,13 @@ void TargetPicture::setExperiment(const Experiment& next) {
     surfaces.clear();
     verdict.reset();
     setSubset(subset);
+    return false;
 }
 
 void TargetPicture::setSubset(PoseSubset next) {
     subset = next;
     frame = isOverAngles() ? angleBox() : isOverOwn() ? ownFrameOf(experiment) : frameOf(experiment);
     cut.reset();
-    picked.reset();
     rebuild = true;
 }
 
@@ -115,6 +121,33 @@ Eigen::Vector3d TargetPicture::drawn(const Vector6d& q) const {
 
 Box TargetPicture::limits() const {
     return {drawn(experiment.robot.lower), drawn(experiment.robot.upper)};
+}
+
+/// The angles that the robot can have; those that it does not move are as at the start.
+Box TargetPicture::turns() const {
+    Vector6d lower = experiment.robot.lower, upper = experiment.robot.upper;
+    for (int k = kThetaX; k <= kThetaZ; ++k)
+        if (!experiment.robot.free[static_cast<std::size_t>(k)])
+            lower[k] = upper[k] = experiment.start[k];
+    return {lower.tail<3>(), upper.tail<3>()};
+}
+
+/// "The robot turns θx −35 to 35°", of each angle that it turns.
+QString TargetPicture::turnText() const {
+    static const QStringList kNames{"\u03b8x", "\u03b8y", "\u03b8z"};
+    const Box box = turns();
+    QStringList ranges;
+    for (int a = 0; a < 3; ++a)
+        if (box.min()[a] < box.max()[a])
+            ranges << TargetScene::tr("%1 %2 to %3\u00b0", "an angle, its least and largest value")
+                          .arg(kNames[a], angleText(box.min()[a]), angleText(box.max()[a]));
+    return ranges.isEmpty() ? TargetScene::tr("The robot does not turn")
+                            : TargetScene::tr("The robot turns %1").arg(ranges.join(QStringLiteral(", ")));
+}
+
+bool TargetPicture::isPickAt(const Vector6d& other) const {
+    const int k = isOverAngles() ? kX : kThetaX;
+    return !picked || picked->q.segment<3>(k) == other.segment<3>(k);
 }
 
 /// cm or degrees.
@@ -223,11 +256,18 @@ void TargetPicture::addObjectLabels(OverlayContent& result, bool dark) const {
             const Pose X_RO = X_RE * poseFromCoordinates(object.mounting);
             for (const Eigen::Vector3d& p_OQ : labelOutline(object.shape))
                 label.outline_R.push_back(X_RO * p_OQ);
-        } else if (i < surfaces.size() && !surfaces[i].empty()) {
-            // No object is there to carry its name: its surface does.
-            label.outline_R.push_back(surfaces[i].points[surfaces[i].points.size() / 2]);
+        } else if (i < surfaces.size()) {
+            // No object is there to carry its name: its surface does, else the space's upper end.
+            const auto& points = surfaces[i].points;
+            label.outline_R.push_back(points.empty() ? Eigen::Vector3d(0.0, 0.0, frame.max().z())
+                                                     : points[points.size() / 2]);
         } else {
             continue;
+        }
+        if (!stale && i < surfaces.size() && surfaces[i].empty()) {
+            label.text =
+                TargetScene::tr("%1 %2: nowhere here", "object, target").arg(label.text, label.value);
+            label.value.clear();
         }
         result.labels.push_back(label);
     }
@@ -242,7 +282,9 @@ OverlayContent TargetPicture::overlayContent(bool dark) const {
     result.hasBar = cut.has_value();
     result.bar = cutRange;
     if (cut)
-        result.barUnit = cut->asTemperature ? temperatureUnitSymbol(unit) : QStringLiteral("F");
+        result.barTitle = QStringLiteral("%1, %2").arg(
+            QString::fromStdString(experiment.objects[static_cast<std::size_t>(cut->object)].name),
+            cut->asTemperature ? temperatureUnitSymbol(unit) : QStringLiteral("F"));
     const auto add = [&result](const QString& text, const QString& value,
                                const std::vector<Eigen::Vector3d>& outline) {
         SceneLabel label;
@@ -265,6 +307,8 @@ OverlayContent TargetPicture::overlayContent(bool dark) const {
         add(TargetScene::tr("Closest"), tenthsText(inUnit((a - b).norm())) + QLatin1Char(' ') + unitWord(),
             {a, b});
     }
+    if (isOverAngles())
+        add(turnText(), {}, edgesOf(turns()));
     addObjectLabels(result, dark);
     return result;
 }
@@ -366,9 +410,9 @@ void TargetPicture::prepare(const QPalette& palette, const QFont& font) {
 /// Of the objects' own centres each has another clearance: none is drawn.
 void TargetPicture::showBounds() {
     if (isOverAngles())
-        return targets->setBounds(edgesOf(limits()), {});
+        return targets->setBounds(edgesOf(turns()), {}, true);
     const auto clearance = isOverOwn() ? std::vector<Eigen::Vector3d>() : clearancePolygon();
-    targets->setBounds(sidesOf(clearance), clearance);
+    targets->setBounds(sidesOf(clearance), clearance, false);
 }
 
 void TargetPicture::rebuildActors(bool dark) {

@@ -53,12 +53,15 @@ struct TargetPicture {
 
     bool isOverAngles() const { return subset == PoseSubset::Rotation; }
     bool isOverOwn() const { return subset == PoseSubset::OwnTranslation; }
-    void setExperiment(const Experiment& next);
-    /// Drops what belongs to another subset.
+    /// Whether only targets are others: what is shown stays, else all but the pick goes.
+    bool setExperiment(const Experiment& next);
+    /// Drops the cut, which belongs to another subset.
     void setSubset(PoseSubset next);
     /// The end-effector where the line of sight meets a surface or the cut; nothing where it meets none, or
     /// where there is no view factor.
     std::optional<PickedPose> poseAt(QPointF place) const;
+    /// Whether the pick, if there is one, is of this pose but for the drawn coordinates.
+    bool isPickAt(const Vector6d& other) const;
     /// The figures at a pose, a sentence an object.
     QStringList words(const PickedPose& pose) const;
 
@@ -72,6 +75,8 @@ private:
     void placeActors();
     Eigen::Vector3d drawn(const Vector6d& q) const;
     Box limits() const;
+    Box turns() const;
+    QString turnText() const;
     double inUnit(double value) const;
     QString unitWord() const;
     QString placeText(const Eigen::Vector3d& p) const;

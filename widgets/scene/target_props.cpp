@@ -134,7 +134,6 @@ struct TargetProps::Impl {
         arrows.width_px = 3.0F;
         join.width_px = 3.0F;
         lines.width_px = 1.5F;
-        bounds.width_px = 1.5F;
     }
 
     vtkRenderer& renderer;
@@ -144,6 +143,7 @@ struct TargetProps::Impl {
     ScenePart marks, join;
     ScenePart picked, arrowEdges, arrows;
     double lineScale = 1.0;
+    bool boundsBefore = false;
 
     std::vector<ScenePart*> parts() {
         std::vector<ScenePart*> all{&bounds, &boundsFill, &sheet,      &lines, &marks,
@@ -195,7 +195,9 @@ void TargetProps::setLineScale(double scale) {
 }
 
 void TargetProps::setBounds(const std::vector<Eigen::Vector3d>& lines,
-                            const std::vector<Eigen::Vector3d>& polygon) {
+                            const std::vector<Eigen::Vector3d>& polygon, bool before) {
+    m->boundsBefore = before;
+    m->bounds.width_px = before ? 3.0F : 1.5F;
     setLines(*m->bounds.data, lines, {});
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
@@ -243,6 +245,8 @@ void TargetProps::setLift(const Eigen::Vector3d& lines, const Eigen::Vector3d& m
     for (ScenePart* part : {&m->marks, &m->join, &m->picked, &m->arrows})
         part->actor->SetPosition(marks.x(), marks.y(), marks.z());
     const Eigen::Vector3d behind = 0.95 * marks;
+    const Eigen::Vector3d bounds = m->boundsBefore ? behind : Eigen::Vector3d::Zero();
+    m->bounds.actor->SetPosition(bounds.x(), bounds.y(), bounds.z());
     m->arrowEdges.actor->SetPosition(behind.x(), behind.y(), behind.z());
 }
 

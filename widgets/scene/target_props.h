@@ -38,8 +38,9 @@ public:
     void setLineScale(double scale);
 
     /// What the robot may do: lines from each even point to the odd one after it, and a plane's polygon or
-    /// none.
-    void setBounds(const std::vector<Eigen::Vector3d>& lines, const std::vector<Eigen::Vector3d>& polygon);
+    /// none. `before`: wide, and seen before everything as the marks are.
+    void setBounds(const std::vector<Eigen::Vector3d>& lines, const std::vector<Eigen::Vector3d>& polygon,
+                   bool before);
     void setCut(const CutSheet& sheet, const std::function<QColor(double)>& colour);
     /// A sphere at each point; two points are joined by a line.
     void setMarks(const std::vector<Eigen::Vector3d>& points, double radius);

@@ -106,7 +106,8 @@ void TargetScene::requestFrame() {
 
 void TargetScene::setExperiment(const Experiment& experiment) {
     const Box before = m->frame;
-    m->setExperiment(experiment);
+    if (!m->setExperiment(experiment))
+        dropPick();
     if (!m->frame.isApprox(before))
         m->cameraIsPersons = false; // the next frame fits it
     requestFrame();
@@ -116,7 +117,10 @@ void TargetScene::setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& 
     if (subset != m->subset) {
         m->setSubset(subset);
         m->cameraIsPersons = false; // the next frame fits it
+        dropPick();
     }
+    if (!m->isPickAt(held))
+        dropPick();
     m->surfaces = std::move(surfaces);
     m->held = held;
     m->resurface = true;
@@ -162,9 +166,16 @@ void TargetScene::setTemperatureUnit(TemperatureUnit unit) {
 }
 
 void TargetScene::clearPick() {
+    dropPick();
+    requestFrame();
+}
+
+void TargetScene::dropPick() {
+    if (!m->picked)
+        return;
     m->picked.reset();
     m->remark = true;
-    requestFrame();
+    emit pickDropped();
 }
 
 void TargetScene::viewAlongMinusZ() {

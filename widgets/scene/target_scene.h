@@ -54,7 +54,7 @@ public:
     /// Fewer, or empty ones: none for those objects. Over the angles the axes are angles: there are surfaces,
     /// the robot's limits and marks, but neither source nor objects. Over the objects' own positions nothing
     /// is marked: each object of the ghost stands on its surface. The verdict's point is marked only where
-    /// `held` is that of its pose. Another subset drops cut and pick.
+    /// `held` is that of its pose. Another subset drops cut and pick, another `held` the pick.
     void setSurfaces(std::vector<Isosurface> surfaces, const Vector6d& held,
                      PoseSubset subset = PoseSubset::Translation);
     void setVerdictPoint(const std::optional<SceneVerdict>& verdict);
@@ -84,6 +84,8 @@ signals:
     /// A point was clicked: the end-effector's coordinates (that put the object there whose own position it
     /// is), and a line an object: F, steady temperature, and how fast that rises along its arrow.
     void posePicked(const bask::Vector6d& coordinates, const QStringList& words);
+    /// The point picked last went, whatever made it go: also another experiment, subset or `held`.
+    void pickDropped();
     void surfacesDrawn(); ///< the first frame with new surfaces was made
 
 protected:
@@ -95,6 +97,7 @@ private:
     void showNotice();
     void turnTo(ViewPreset preset);
     void pick(QPointF place);
+    void dropPick();
     void requestFrame();
 
     struct Impl;

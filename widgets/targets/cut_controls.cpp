@@ -63,8 +63,9 @@ void CutControls::setObjects(const QStringList& names) {
     retranslate();
 }
 
-void CutControls::setAxes(const std::vector<FieldAxis>& axes) {
+void CutControls::setAxes(const std::vector<FieldAxis>& axes, const Eigen::Vector3d& home) {
     m_axes = axes;
+    m_home = home;
     const QSignalBlocker quiet(m_axis);
     for (int a = 0; a < 3; ++a)
         m_axis->setItemText(a, axisName(m_axes[static_cast<std::size_t>(a)].coordinate));
@@ -82,8 +83,8 @@ void CutControls::place() {
     const QSignalBlocker quiet(m_place);
     m_place->setCoordinate(axis.coordinate, least, most);
     if (m_placed != axis.coordinate)
-        m_place->setPlace(0.5 * (least + most));
-    m_placed = axis.coordinate;
+        m_place->setPlace(m_home[m_axis->currentIndex()]);
+    m_placed = object() ? static_cast<int>(axis.coordinate) : -1;
     showRow();
 }
 

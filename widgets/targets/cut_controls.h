@@ -33,8 +33,9 @@ public:
     explicit CutControls(QWidget* parent = nullptr);
 
     void setObjects(const QStringList& names);
-    /// Three axes of the field to be cut. A plane across another axis than before starts in the middle.
-    void setAxes(const std::vector<FieldAxis>& axes);
+    /// Three axes of the field to be cut, and their coordinates at `home`: a plane that was not there, or was
+    /// across another axis, starts there.
+    void setAxes(const std::vector<FieldAxis>& axes, const Eigen::Vector3d& home);
     std::optional<int> object() const;
     /// Nothing when no cut is wanted.
     std::optional<CutChoice> choice() const;
@@ -52,7 +53,8 @@ private:
     void retranslate();
 
     std::vector<FieldAxis> m_axes;
-    int m_placed = -1; ///< coordinate that the slider's place is of
+    Eigen::Vector3d m_home = Eigen::Vector3d::Zero();
+    int m_placed = -1; ///< coordinate that the shown plane is across
     QStringList m_names;
     QComboBox* m_object; ///< first: no cut; then the objects
     QComboBox* m_quantity;

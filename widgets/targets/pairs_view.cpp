@@ -98,9 +98,9 @@ QPixmap colourBar(bool dark, QSize size, double devicePixelRatio) {
 } // namespace
 
 PairsView::PairsView(QWidget* parent)
-    : QWidget(parent), m_caption(new QLabel(this)), m_few(new QLabel(this)), m_colours(new QLabel(this)),
-      m_many(new QLabel(this)), m_exportButton(new QPushButton(this)), m_note(new QLabel(this)),
-      m_scroll(new QScrollArea(this)) {
+    : QWidget(parent), m_caption(new QLabel(this)), m_rareColour(new QLabel(this)), m_rare(new QLabel(this)),
+      m_few(new QLabel(this)), m_colours(new QLabel(this)), m_many(new QLabel(this)),
+      m_exportButton(new QPushButton(this)), m_note(new QLabel(this)), m_scroll(new QScrollArea(this)) {
     m_note->setObjectName("mapsNote");
     m_exportButton->setObjectName("exportMaps");
     m_caption->setWordWrap(true);
@@ -117,13 +117,16 @@ PairsView::PairsView(QWidget* parent)
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
     auto* key = new QHBoxLayout;
-    for (QLabel* label : {m_few, m_colours, m_many})
+    for (QLabel* label : {m_rareColour, m_rare, m_few, m_colours, m_many})
         key->addWidget(label);
+    key->insertSpacing(2, 10);
     key->addStretch(1);
-    key->addWidget(m_exportButton);
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_caption, 1);
+    top->addWidget(m_exportButton, 0, Qt::AlignTop);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(10, 10, 6, 6);
-    layout->addWidget(m_caption);
+    layout->setContentsMargins(8, 8, 8, 6);
+    layout->addLayout(top);
     layout->addLayout(key);
     layout->addWidget(m_note, 1, Qt::AlignTop);
     layout->addWidget(m_scroll, 1);
@@ -261,16 +264,23 @@ void PairsView::showAll() {
                         : tr("No pose of the workspace keeps the clearance: there is nothing to map."));
     m_note->setVisible(nothing);
     m_scroll->setVisible(!nothing);
-    for (QLabel* label : {m_caption, m_few, m_colours, m_many})
+    for (QLabel* label : {m_caption, m_rareColour, m_rare, m_few, m_colours, m_many})
         label->setVisible(!nothing);
     m_caption->setText(tr("Which temperatures two objects can have together, whatever the others do. Drag a "
                           "point, or double-click, to set their targets."));
+    m_rare->setText(tr("rare"));
+    m_rare->setToolTip(tr("Some pose has both, found by search; none of the poses that were counted does."));
     m_few->setText(tr("few poses"));
-    m_many->setText(tr("many poses, logarithmic"));
-    m_colours->setPixmap(colourBar(dark, {90, 10}, devicePixelRatioF()));
-    m_colours->setToolTip(tr("Share of the workspace's poses at which the pair settles there. Where it is "
-                             "small, the pair asks for a pose that is hard to keep."));
-    for (QLabel* label : {m_caption, m_few, m_many, m_note})
+    m_many->setText(tr("many (log)"));
+    m_colours->setPixmap(colourBar(dark, {60, 10}, devicePixelRatioF()));
+    QPixmap rare(QSize(10, 10) * devicePixelRatioF());
+    rare.fill(rareColour(palette()));
+    rare.setDevicePixelRatio(devicePixelRatioF());
+    m_rareColour->setPixmap(rare);
+    m_colours->setToolTip(tr("Share of the workspace's poses at which the pair settles there, on a "
+                             "logarithmic scale. Where it is small, the pair asks for a pose that is hard to "
+                             "keep."));
+    for (QLabel* label : {m_caption, m_rare, m_few, m_many, m_note})
         label->setPalette(captionPalette(palette()));
     m_exportButton->setText(tr("Export\u2026"));
     m_exportButton->setToolTip(tr("Write each map as a table (CSV) and as a picture (PNG)."));

@@ -70,6 +70,8 @@ private:
 
     std::vector<ReachMap*> m_maps;
     QLabel* m_caption;
+    QLabel* m_rareColour;
+    QLabel* m_rare;
     QLabel* m_few;
     QLabel* m_colours;
     QLabel* m_many;

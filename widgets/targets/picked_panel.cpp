@@ -22,8 +22,10 @@ PickedPanel::PickedPanel(QWidget* parent)
     hide();
 }
 
-void PickedPanel::setPicked(const Vector6d& pose, const QStringList& lines) {
+void PickedPanel::setPicked(const Vector6d& pose, const QStringList& lines, const QString& refusal) {
     m_pose = pose;
+    m_refusal = refusal;
+    showStart();
     m_words->setText(lines.join(QLatin1Char('\n')));
     show();
 }
@@ -32,15 +34,24 @@ void PickedPanel::clear() {
     hide();
 }
 
-void PickedPanel::setStartEnabled(bool enabled) {
-    m_startHere->setEnabled(enabled);
+void PickedPanel::setStartable(bool startable, const QString& why) {
+    m_startable = startable;
+    m_why = why;
+    showStart();
+}
+
+void PickedPanel::showStart() {
+    m_startHere->setEnabled(m_startable && m_refusal.isEmpty());
+    m_startHere->setToolTip(!m_startable           ? m_why
+                            : !m_refusal.isEmpty() ? tr("Runs cannot start at this point: %1.").arg(m_refusal)
+                                                   : tr("Runs start at this point."));
 }
 
 void PickedPanel::retranslate() {
     m_words->setToolTip(tr("For each object at this point: its view factor, the temperature that it "
                            "settles at, and how fast that rises along its arrow."));
     m_startHere->setText(tr("Start here"));
-    m_startHere->setToolTip(tr("Runs start at this point."));
+    showStart();
 }
 
 void PickedPanel::changeEvent(QEvent* event) {

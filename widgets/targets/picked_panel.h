@@ -20,9 +20,11 @@ class PickedPanel : public QWidget {
 public:
     explicit PickedPanel(QWidget* parent = nullptr);
 
-    void setPicked(const Vector6d& pose, const QStringList& lines);
+    /// `refusal`: why runs cannot start there; empty: they can.
+    void setPicked(const Vector6d& pose, const QStringList& lines, const QString& refusal);
     void clear();
-    void setStartEnabled(bool enabled);
+    /// Whether the start may be edited now at all; `why` not.
+    void setStartable(bool startable, const QString& why);
 
 signals:
     /// The point shall be where runs start.
@@ -32,9 +34,13 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void showStart();
     void retranslate();
 
     Vector6d m_pose = Vector6d::Zero();
+    QString m_refusal;
+    bool m_startable = true;
+    QString m_why; ///< not startable
     QLabel* m_words;
     QPushButton* m_startHere;
 };

@@ -37,6 +37,7 @@ PictureDialog::PictureDialog(const QString& title, QSize size, int most, QWidget
             m_sizes->addItem(name.arg(offered.width()).arg(offered.height()), offered);
     };
     add(tr("As the view: %1 × %2"), view);
+    add(tr("Twice the view: %1 × %2"), 2 * view);
     add(tr("Screen: %1 × %2"), {1920, 1080});
     add(tr("A4 across at 300 dpi: %1 × %2"), {3508, 2480});
     add(tr("A4 upright at 300 dpi: %1 × %2"), {2480, 3508});

@@ -38,7 +38,8 @@ double rounded_K(double t_K, TemperatureUnit unit) {
 }
 
 /// A pixel a cell; transparent where no pose comes.
-QImage cellPicture(const ReachableMap& map, bool dark) {
+QImage cellPicture(const ReachableMap& map, const QPalette& palette) {
+    const bool dark = isDark(palette);
     double least = 1.0, most = 0.0;
     for (const double share : map.density)
         if (share > 0.0) {
@@ -52,14 +53,23 @@ QImage cellPicture(const ReachableMap& map, bool dark) {
         for (int x = 0; x < map.cells; ++x) {
             const auto k = static_cast<std::size_t>(y * map.cells + x);
             if (map.reachable[k])
-                picture.setPixelColor(
-                    x, map.cells - 1 - y,
-                    mapColour(std::log(std::max(map.density[k], least) / least) / decades, dark));
+                picture.setPixelColor(x, map.cells - 1 - y,
+                                      map.density[k] > 0.0
+                                          ? mapColour(std::log(map.density[k] / least) / decades, dark)
+                                          : rareColour(palette));
         }
     return picture;
 }
 
 } // namespace
+
+QColor rareColour(const QPalette& palette) {
+    const double share = isDark(palette) ? 0.16 : 0.28; // between the ground and the lowest colour
+    const QColor ground = palette.color(QPalette::Base), text = palette.color(QPalette::Text);
+    const auto mixed = [share](int a, int b) { return static_cast<int>(std::lround(a + share * (b - a))); };
+    return {mixed(ground.red(), text.red()), mixed(ground.green(), text.green()),
+            mixed(ground.blue(), text.blue())};
+}
 
 /// Where temperatures lie in the widget.
 struct ReachMap::Axes {
@@ -92,7 +102,7 @@ void ReachMap::setNames(const QString& first, const QString& second) {
 void ReachMap::setMap(const ReachableMap& map) {
     m_map = map;
     m_stale = false;
-    m_cells = cellPicture(map, isDark(this));
+    m_cells = cellPicture(map, palette());
     describe();
 }
 
@@ -262,7 +272,7 @@ bool ReachMap::event(QEvent* event) {
 
 void ReachMap::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange && m_map)
-        m_cells = cellPicture(*m_map, isDark(this));
+        m_cells = cellPicture(*m_map, palette());
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
         describe();
     QWidget::changeEvent(event);

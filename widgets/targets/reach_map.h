@@ -12,9 +12,12 @@
 
 namespace bask {
 
+/// Of cells that a search reached, but no sampled pose.
+QColor rareColour(const QPalette& palette);
+
 /// The first object's temperature to the right, the second's upwards. Colour: how many of the poses come into
-/// a cell, logarithmic; ground: none. The target moves at once; what the map says of it follows when a map
-/// with that target is set.
+/// a cell, logarithmic; rareColour: a pose does, but none of the sampled ones; ground: none. The target moves
+/// at once; what the map says of it follows when a map with that target is set.
 ///
 /// The point can be dragged; a double click takes the temperatures there as targets, the arrow keys move them
 /// by half a degree. A single click beside the point does nothing: a run may be on.

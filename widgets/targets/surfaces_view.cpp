@@ -28,7 +28,7 @@ SurfacesView::SurfacesView(QWidget* parent)
     m_space->setObjectName("surfaceSpace");
     m_space->addItems({{}, {}, {}}); // named by retranslate()
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setContentsMargins(8, 0, 8, 0);
     layout->addWidget(m_space);
     layout->addWidget(m_views);
     layout->addWidget(m_scene, 1);
@@ -44,7 +44,7 @@ void SurfacesView::connectControls() {
     connect(m_views, &ViewBar::sideWanted, m_scene, &TargetScene::viewAlongX);
     connect(m_views, &ViewBar::isometricWanted, m_scene, &TargetScene::viewIsometric);
     connect(m_views, &ViewBar::pictureWanted, this, [this] {
-        if (const auto order = PictureDialog::askPicture(2 * m_scene->size(), this))
+        if (const auto order = PictureDialog::askPicture(m_scene->size(), this))
             savePicture(order->path, order->size_px);
     });
     connect(m_views, &ViewBar::animationWanted, this, [this] {
@@ -57,7 +57,7 @@ void SurfacesView::connectControls() {
         endPlay();
         for (const Coordinate k : heldCoordinates(subset(), m_experiment.robot))
             m_heldByHand.at(k).reset();
-        clearPick();
+        m_scene->clearPick();
         compute();
     });
     connect(m_cut, &CutControls::changed, this, &SurfacesView::showCut);
@@ -70,8 +70,6 @@ void SurfacesView::connectControls() {
         m_behind = false;
         showStale();
         m_heldControls->setHeld(held, true);
-        const Coordinate varied = *sweptCoordinate(subset(), m_experiment.robot);
-        m_heldByHand.at(varied) = held[varied];
     });
     connect(m_player, &SweepPlayer::saved, this, &SurfacesView::tellAnimation);
     connect(m_player, &SweepPlayer::failed, this, [this](const Error& error) {
@@ -79,8 +77,13 @@ void SurfacesView::connectControls() {
         compute();
     });
     connect(m_scene, &TargetScene::posePicked, this, [this](const Vector6d& pose, const QStringList& words) {
-        m_picked->setPicked(pose, QStringList(poseText(pose, m_experiment.robot)) + words);
+        Experiment started = m_experiment;
+        started.start = pose;
+        const auto valid = validate(started);
+        m_picked->setPicked(pose, QStringList(poseText(pose, m_experiment.robot)) + words,
+                            valid ? QString() : messageText(valid.error().message));
     });
+    connect(m_scene, &TargetScene::pickDropped, m_picked, &PickedPanel::clear);
     connect(m_picked, &PickedPanel::startWanted, this, &SurfacesView::startWanted);
 }
 
@@ -96,7 +99,7 @@ void SurfacesView::setExperiment(const Experiment& experiment) {
         m_fields.reset();
         m_heldByHand.fill({});
         m_verdict.reset();
-        clearPick();
+        m_scene->clearPick();
     }
     if (!m_player->isSaving()) // else once it is done
         m_scene->setExperiment(experiment);
@@ -142,11 +145,11 @@ void SurfacesView::showStale() {
 
 void SurfacesView::setTemperatureUnit(TemperatureUnit unit) {
     m_scene->setTemperatureUnit(unit);
-    clearPick(); // its words are in the other one
+    m_scene->clearPick(); // its words are in the other one
 }
 
-void SurfacesView::setEditable(bool editable) {
-    m_picked->setStartEnabled(editable);
+void SurfacesView::setStartable(bool startable, const QString& why) {
+    m_picked->setStartable(startable, why);
 }
 
 PoseSubset SurfacesView::subset() const {
@@ -157,9 +160,14 @@ bool SurfacesView::ready() const {
     return m_verdict && !m_experiment.objects.empty();
 }
 
+/// The verdict's; without one the start.
+Vector6d SurfacesView::foundPose() const {
+    return m_verdict && m_verdict->anyPose ? m_verdict->pose : m_experiment.start;
+}
+
 /// The held three; the others are 0.
 Vector6d SurfacesView::heldPose() const {
-    Vector6d held = m_verdict && m_verdict->anyPose ? m_verdict->pose : m_experiment.start;
+    Vector6d held = foundPose();
     for (const Coordinate k : heldCoordinates(subset(), m_experiment.robot))
         held[k] = m_heldByHand.at(k).value_or(held[k]);
     held.segment<3>(subset() == PoseSubset::Rotation ? kThetaX : kX).setZero();
@@ -169,7 +177,7 @@ Vector6d SurfacesView::heldPose() const {
 void SurfacesView::hold(int coordinate, double value) {
     endPlay();
     m_heldByHand.at(static_cast<std::size_t>(coordinate)) = value;
-    clearPick();
+    m_scene->clearPick();
     compute();
 }
 
@@ -179,7 +187,7 @@ void SurfacesView::changeSpace() {
     m_fields.reset();
     m_behind = true;
     showStale();
-    clearPick();
+    m_scene->clearPick();
     showCut();
     compute();
 }
@@ -235,14 +243,14 @@ void SurfacesView::play(bool on) {
     auto frames = sweep();
     if (frames && isVisible() && !m_player->isSaving()) {
         m_job.forget();
-        clearPick();
+        m_scene->clearPick();
         m_player->play(*std::move(frames));
     }
     showCut();
     showControls();
 }
 
-/// Surfaces, fields and so the cut of the last frame that was shown.
+/// Back to what was held before.
 void SurfacesView::endPlay() {
     if (!m_player->isPlaying())
         return;
@@ -255,18 +263,20 @@ void SurfacesView::endExport() {
     showVerdict();
 }
 
-void SurfacesView::clearPick() {
-    m_picked->clear();
-    m_scene->clearPick();
-}
-
 void SurfacesView::showCut() {
     const auto object = m_cut->object();
     const bool known = m_fields && m_fieldsSubset == subset() && object &&
                        static_cast<std::size_t>(*object) < m_fields->size();
+    const Vector6d pose = foundPose();
+    Eigen::Vector3d home = pose.segment<3>(subset() == PoseSubset::Rotation ? kThetaX : kX);
+    if (known && subset() == PoseSubset::OwnTranslation)
+        home += centreOffset(
+            poseFromCoordinates(m_experiment.objects[static_cast<std::size_t>(*object)].mounting),
+            heldPose());
     m_cut->setAxes(known ? m_fields->at(static_cast<std::size_t>(*object))->axes
                          : surfaceAxes(subset(), m_experiment.robot,
-                                       subset() == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m));
+                                       subset() == PoseSubset::Rotation ? kSurfaceStep_rad : kSurfaceStep_m),
+                   home);
     const auto choice = m_cut->choice();
     if (!choice || !known || m_player->isPlaying())
         return m_scene->setCut(std::nullopt);
@@ -287,7 +297,7 @@ void SurfacesView::saveAnimation(const QString& folder, QSize size) {
         return;
     endPlay();
     m_job.forget();
-    clearPick();
+    m_scene->clearPick();
     m_scene->setCut(std::nullopt);
     m_exportFolder = folder;
     m_player->save(*std::move(frames), folder, size);
@@ -331,7 +341,7 @@ void SurfacesView::retranslate() {
     m_space->setToolTip(tr("What the surfaces are drawn over. On its surface an object holds its target."));
     m_scene->setAccessibleName(
         tr("3-D scene: where the end-effector may be for each object to hold its target"));
-    clearPick(); // its words are in the language before
+    m_scene->clearPick(); // its words are in the language before
 }
 
 void SurfacesView::showEvent(QShowEvent* event) {

@@ -41,7 +41,8 @@ public:
     void setVerdict(const JointVerdict& verdict);
     void setStale(bool stale);
     void setTemperatureUnit(TemperatureUnit unit);
-    void setEditable(bool editable);
+    /// Whether runs may get another start now; `why` not.
+    void setStartable(bool startable, const QString& why);
 
     /// What the export's dialogs end in.
     void savePicture(const QString& path, QSize size);
@@ -70,6 +71,7 @@ private:
     void connectControls();
     PoseSubset subset() const;
     bool ready() const;
+    Vector6d foundPose() const;
     Vector6d heldPose() const;
     std::optional<Sweep> sweep() const;
     void compute();
@@ -82,7 +84,6 @@ private:
     void endPlay();
     void endExport();
     void tellAnimation(const Error& error);
-    void clearPick();
     void showControls();
     void showCut();
     void retranslate();

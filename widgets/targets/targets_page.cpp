@@ -306,8 +306,8 @@ void TargetsPage::setEditable(bool editable, const QString& why) {
     showAll();
 }
 
-void TargetsPage::setStartEditable(bool editable) {
-    m_surfaces->setEditable(editable);
+void TargetsPage::setStartable(bool startable, const QString& why) {
+    m_surfaces->setStartable(startable, why);
 }
 
 void TargetsPage::setTemperatureUnit(TemperatureUnit unit) {

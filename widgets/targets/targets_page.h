@@ -49,8 +49,8 @@ public:
     void setPairs(const std::vector<ReachableMap>& maps);
     /// Targets may be edited during a run too; `why` is shown when they may not.
     void setEditable(bool editable, const QString& why = {});
-    /// Whether a pose that is picked may become the start.
-    void setStartEditable(bool editable);
+    /// Whether runs may get another start now; `why` not.
+    void setStartable(bool startable, const QString& why = {});
     void setTemperatureUnit(TemperatureUnit unit);
 
     std::vector<double> targets_K() const;

@@ -104,9 +104,12 @@ QString coordinateText(int coordinate, double value) {
 }
 
 QString poseText(const Vector6d& pose, const RobotLimits& robot) {
+    const Vector6d leastShown = (Vector6d() << Eigen::Vector3d::Constant(0.05 / 100.0),
+                                 Eigen::Vector3d::Constant(radFromDeg(0.05)))
+                                    .finished(); // half a tenth of a cm or degree
     QStringList parts;
     for (int k = 0; k < 6; ++k)
-        if (robot.free[static_cast<std::size_t>(k)])
+        if (robot.free[static_cast<std::size_t>(k)] || std::abs(pose[k]) >= leastShown[k])
             parts << coordinateText(k, pose[k]);
     return parts.join(QStringLiteral(", "));
 }

@@ -23,7 +23,7 @@ double nearestReachable_K(const TargetVerdict& verdict, TemperatureUnit unit);
 QString axisName(int coordinate); ///< "z", "θx"
 /// "θx +10.0°", "z +6.0 cm".
 QString coordinateText(int coordinate, double value);
-/// "x 1.2 cm, y -3.4 cm, θx 10.0°": the coordinates that the robot moves.
+/// "x 1.2 cm, y -3.4 cm, θx 10.0°": the coordinates that the robot moves or that are not 0.
 QString poseText(const Vector6d& pose, const RobotLimits& robot);
 /// "2.1 cm", of an angle "12.0°".
 QString marginText(const PoseMargin& margin);

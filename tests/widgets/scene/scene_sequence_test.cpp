@@ -74,6 +74,15 @@ TEST_F(SceneSequenceTest, WritesEveryFrameAndTheSheet) {
         EXPECT_GT(testing::differentPixels(frame, last), 200) << i;
         last = frame;
     }
+    // Catches a frame that does not say which it is: the caption is at its upper edge, the rest as drawn.
+    sequence.show(0);
+    const QImage bare = scene.image({400, 300});
+    const QImage first(folder.filePath(QStringLiteral("frame-1.png")));
+    const QRect upper(100, 0, 200, 25), lower(0, 25, 400, 275);
+    EXPECT_GT(testing::differentPixels(bare.copy(upper), first.copy(upper)), 50);
+    EXPECT_LT(testing::differentPixels(bare.copy(lower), first.copy(lower)), 20);
+    testing::keepScreenshot(first, QStringLiteral("targets-frame-1"));
+    sequence.show(2);
     const QImage sheet(folder.filePath(QStringLiteral("panels.png")));
     testing::keepScreenshot(sheet, QStringLiteral("targets-nine-panels"));
     EXPECT_EQ(sheet.width(), 1200);

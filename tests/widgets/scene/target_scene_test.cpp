@@ -380,7 +380,10 @@ TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
         EXPECT_GT(testing::pixelsOf(picked, seriesColor(i, false), 8),
                   testing::pixelsOf(before, seriesColor(i, false), 8) + 40)
             << "no arrow of object " << i;
+    QSignalSpy dropped(&scene, &TargetScene::pickDropped);
     scene.clearPick();
+    scene.clearPick();
+    EXPECT_EQ(dropped.count(), 1);
     EXPECT_LT(testing::differentPixels(before, grab(scene)), 20);
 
     QTest::mouseClick(pictureOf(scene), Qt::LeftButton, {}, place(-0.15, 0.13));
@@ -509,6 +512,81 @@ TEST_F(TargetSceneTest, OverTheAnglesTheAxesAreAngles) {
     EXPECT_NEAR(q[kThetaZ], 0.3, 1e-9);
     EXPECT_EQ(q[kX], 0.02) << "the held position";
     EXPECT_TRUE(spy[0][1].toStringList()[0].endsWith(QStringLiteral("K/°")));
+}
+
+/// Longest row of pixels in the marks' colour.
+int longestLine(const QImage& image) {
+    const QColor mark = QApplication::palette().color(QPalette::Text);
+    int longest = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0, run = 0; x < image.width(); ++x) {
+            run = apart(QColor(image.pixel(x, y)), mark) < 12 ? run + 1 : 0;
+            longest = std::max(longest, run);
+        }
+    return longest;
+}
+
+// Catches: angles that the robot cannot turn to and that look as if it could: the range of its angle is a
+// line as long as it, seen through a surface, and in words; an angle that it does not move has none.
+TEST_F(TargetSceneTest, OverTheAnglesTheRobotsOwnAreShown) {
+    Experiment experiment = testing::threeObjects();
+    TargetScene scene;
+    scene.viewAlongMinusZ();
+    show(scene);
+    const auto pictureOf = [&](double most_deg, bool free) {
+        experiment.robot.free[kThetaX] = free;
+        experiment.robot.lower[kThetaX] = radFromDeg(-most_deg);
+        experiment.robot.upper[kThetaX] = radFromDeg(most_deg);
+        scene.setExperiment(experiment);
+        scene.setSurfaces({square(0.0, 0.0, 0.3, 1.4)}, experiment.start, PoseSubset::Rotation);
+        return grab(scene);
+    };
+    const QImage narrow = pictureOf(35.0, true), wide = pictureOf(70.0, true);
+    keepScreenshot(narrow, QStringLiteral("targets-angles-limits"));
+    EXPECT_GT(longestLine(narrow), 60);
+    EXPECT_NEAR(longestLine(wide), 2 * longestLine(narrow), 12);
+    EXPECT_LT(longestLine(pictureOf(35.0, false)), longestLine(narrow) / 2);
+}
+
+// Catches: an object without a surface that says nothing of it, in any space; and one that says so of a
+// target whose surface is not known yet.
+TEST_F(TargetSceneTest, ALabelSaysThatATargetIsNowhere) {
+    const Experiment experiment = testing::threeObjects();
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    show(scene);
+    for (const PoseSubset subset : {PoseSubset::Translation, PoseSubset::Rotation}) {
+        scene.setSurfaces({}, experiment.start, subset);
+        const QImage unknown = grab(scene);
+        scene.setSurfaces({Isosurface(), Isosurface(), Isosurface()}, experiment.start, subset);
+        const QImage nowhere = grab(scene);
+        keepScreenshot(nowhere, QStringLiteral("targets-nowhere-%1").arg(static_cast<int>(subset)));
+        EXPECT_GT(testing::differentPixels(unknown, nowhere), 300);
+    }
+    scene.setSurfaces({}, experiment.start);
+    scene.setStale(true);
+    const QImage unknown = grab(scene);
+    scene.setSurfaces({Isosurface(), Isosurface(), Isosurface()}, experiment.start);
+    EXPECT_LT(testing::differentPixels(unknown, grab(scene)), 20);
+}
+
+// Catches: a colour bar that does not say whose field it is.
+TEST_F(TargetSceneTest, TheBarNamesTheObject) {
+    Experiment experiment = testing::threeObjects();
+    const auto fields = fieldsOf(experiment);
+    TargetScene scene;
+    scene.setExperiment(experiment);
+    scene.viewAlongMinusZ();
+    show(scene);
+    const QRect title(700, 0, 300, 28);
+    QImage before = grab(scene).copy(title);
+    for (const bool asTemperature : {true, false})
+        for (const int object : {0, 1}) {
+            scene.setCut(SceneCut{fields[0], object, kZ, 0.1, asTemperature});
+            const QImage now = grab(scene).copy(title);
+            EXPECT_GT(testing::differentPixels(before, now), 20) << asTemperature << object;
+            before = now;
+        }
 }
 
 // Catches: objects that do not stand on their own surfaces, axes that say nothing of whose positions they

@@ -156,6 +156,11 @@ TEST_F(PairsViewTest, AsksForMapsOnlyWhileShown) {
     EXPECT_TRUE(wanted[1][0].toBool());
 }
 
+// Catches: a key too wide for the room that a window of 1100 has beside the table, which then covers it.
+TEST_F(PairsViewTest, ItFitsANarrowWindow) {
+    EXPECT_LE(view.minimumSizeHint().width(), 365);
+}
+
 // Catches: words that stay in the old language or have no room in a longer one, and maps wider than the view.
 TEST_F(PairsViewTest, LongerTextHasRoom) {
     LongerTranslator longer;

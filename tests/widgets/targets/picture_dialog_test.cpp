@@ -26,9 +26,11 @@ struct PictureDialogTest : testing::Test {
     }
 };
 
-// Catches a list that does not fill the fields in.
+// Catches a list that does not fill the fields in, or whose names are of other sizes.
 TEST_F(PictureDialogTest, StartsWithTheViewAndOffersSizes) {
     EXPECT_EQ(dialog.size_px(), QSize(1400, 1000));
+    EXPECT_EQ(sizes->itemText(0), QString::fromUtf8("As the view: 1400 × 1000"));
+    EXPECT_EQ(sizes->itemText(1), QString::fromUtf8("Twice the view: 2800 × 2000"));
     const int a4 = sizes->findData(QSize(3508, 2480));
     ASSERT_GE(a4, 0);
     sizes->setCurrentIndex(a4);

@@ -119,6 +119,32 @@ TEST_F(ReachMapTest, ADoubleClickTakesTheTemperaturesOfThePlace) {
     EXPECT_EQ(picked.count(), 0);
 }
 
+// Catches: cells that a search found, taken for ones with the fewest poses or for ones that none reaches.
+TEST_F(ReachMapTest, CellsWithoutACountedPoseHaveATone) {
+    for (const auto theme : {Theme::Light, Theme::Dark}) {
+        applyTheme(*qApp, theme);
+        QApplication::processEvents();
+        const QColor tone = rareColour(map.palette());
+        EXPECT_LT(tone.saturation(), 40) << "neutral";
+        for (const QColor& other : {mapColour(0.0, isDark(&map)), map.palette().color(QPalette::Base)})
+            EXPECT_GT(std::abs(tone.lightness() - other.lightness()), 24);
+        const auto toned = [&] {
+            const QImage picture = map.picture(map.size(), 1.0);
+            int pixels = 0;
+            for (int y = 0; y < picture.height(); ++y)
+                for (int x = 0; x < picture.width(); ++x)
+                    pixels += picture.pixelColor(x, y) == tone;
+            return pixels;
+        };
+        map.setMap(oneCell());
+        const int before = toned();
+        ReachableMap found = oneCell();
+        found.reachable[3 * kCells + 8] = true;
+        map.setMap(found);
+        EXPECT_GT(toned(), before + 300);
+    }
+}
+
 // Catches: a boundary that is not drawn, or elsewhere than around the cells.
 TEST_F(ReachMapTest, TheBoundaryIsAroundTheCells) {
     for (const auto theme : {Theme::Light, Theme::Dark}) {

@@ -28,11 +28,13 @@ struct SurfacesSweepTest : SurfacesTest {
     }
 };
 
-// Catches a button that plays nothing, a slider that does not follow, and surfaces that stay.
+// Catches a button that plays nothing, a slider that does not follow, and slider or surfaces that do not go
+// back to what they were.
 TEST_F(SurfacesSweepTest, PlayingMovesSliderAndSurfaces) {
     if (!scene()->hasPicture())
         GTEST_SKIP() << "no OpenGL";
-    withSurfaces();
+    const QImage still = withSurfaces();
+    const int before = find<QSlider>("heldThetaX")->value();
     QTest::mouseClick(playButton(), Qt::LeftButton);
     EXPECT_TRUE(playButton()->isChecked());
     auto* slider = find<QSlider>("heldThetaX");
@@ -48,11 +50,12 @@ TEST_F(SurfacesSweepTest, PlayingMovesSliderAndSurfaces) {
     }
     QTest::mouseClick(playButton(), Qt::LeftButton);
     EXPECT_FALSE(playButton()->isChecked());
-    const int stopped = slider->value();
+    EXPECT_EQ(slider->value(), before) << "as before it was played";
+    EXPECT_FALSE(find<QPushButton>("heldAtPose")->isEnabled());
     const QDeadlineTimer frames(3 * SceneSequence::kFrameTime_ms);
     waitFor([&] { return frames.hasExpired(); });
-    EXPECT_EQ(slider->value(), stopped) << "it goes on";
-    EXPECT_TRUE(find<QPushButton>("heldAtPose")->isEnabled());
+    EXPECT_EQ(slider->value(), before) << "it goes on";
+    EXPECT_TRUE(becomes(still));
 }
 
 // Catches frames of the targets before that go on as if they were of the new ones, and an edit that ends it.

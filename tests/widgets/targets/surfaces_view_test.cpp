@@ -54,7 +54,7 @@ TEST_F(SurfacesViewTest, SurfacesOfAnOlderGeometryAreNotHeard) {
     EXPECT_LT(differentPixels(picture(), alone), 600 * 400 / 100);
 }
 
-// Catches a cut that is not drawn, does not move, or stays.
+// Catches a cut that is not drawn, opens elsewhere than at the verdict's pose, does not move, or stays.
 TEST_F(SurfacesViewTest, ACutIsDrawnAndMoved) {
     if (!scene()->hasPicture())
         GTEST_SKIP() << "no OpenGL";
@@ -65,12 +65,16 @@ TEST_F(SurfacesViewTest, ACutIsDrawnAndMoved) {
     const QImage cut = changed(without, 0.05);
     EXPECT_TRUE(cut.save("surfaces_cut.png"));
     auto* place = view.findChild<QSlider*>("cutPlace");
-    EXPECT_EQ(place->value(), 0) << "the middle of the workspace";
-    EXPECT_EQ(find<QLabel>("cutWord")->text(), QStringLiteral("y = 0.0 cm"));
+    const auto pose = jointFeasibility(feasibilityRequest(experiment))->pose;
+    EXPECT_NE(place->value(), 0) << "the middle of the workspace tells nothing";
+    EXPECT_NEAR(place->value(), 1000.0 * pose[kY], 0.51) << "at the pose that was found";
     place->setValue(place->maximum() / 2);
     const QImage moved = changed(cut);
     EXPECT_EQ(find<QLabel>("cutWord")->text(), QStringLiteral("y = +10.0 cm"));
     keep("surfaces_cut_view.png");
+    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
+    settle();
+    EXPECT_EQ(place->value(), place->maximum() / 2) << "a verdict takes it away";
     find<QComboBox>("cutQuantity")->setCurrentIndex(1);
     EXPECT_TRUE(changed(moved, 0.01).save("surfaces_cut_F.png")); // the bar and its colours
     object->setCurrentIndex(0);
@@ -158,6 +162,66 @@ TEST_F(SurfacesViewTest, APickIsSeenAndTold) {
     EXPECT_EQ(wanted.count(), 1);
     find<QSlider>("heldThetaX")->setValue(20);
     EXPECT_FALSE(words->isVisible()) << "it was of another angle";
+}
+
+// Catches words of a picked point, and a button that starts there, that stay when its mark has gone.
+TEST_F(SurfacesViewTest, APicksMarkAndWordsGoTogether) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    const QImage before = withSurfaces();
+    auto* start = find<QPushButton>("startHere");
+    auto* vtk = view.findChild<VtkView*>();
+    const auto pick = [&] {
+        QTest::mouseClick(vtk, Qt::LeftButton, {}, vtk->rect().center());
+        ASSERT_TRUE(start->isVisible()) << "there is no surface in the middle";
+        changed(before, 0.001);
+    };
+    pick();
+    experiment.start[kZ] += 0.01; // as "Start here" does
+    view.setExperiment(experiment);
+    EXPECT_FALSE(start->isVisible());
+    withSurfaces();
+    pick();
+    experiment.source.temperature_K += 1.0;
+    view.setExperiment(experiment);
+    EXPECT_FALSE(start->isVisible());
+    withSurfaces();
+    pick();
+    JointVerdict turned = *jointFeasibility(feasibilityRequest(experiment));
+    turned.pose[kThetaX] += 0.1;
+    view.setVerdict(turned);
+    settle();
+    EXPECT_FALSE(start->isVisible()) << "it was of another angle";
+}
+
+// Catches a start offered where the robot cannot be, or while it may not be edited, or refused without a
+// word; and a picked pose whose words leave out how it is turned.
+TEST_F(SurfacesViewTest, StartHereSaysWhyNot) {
+    if (!scene()->hasPicture())
+        GTEST_SKIP() << "no OpenGL";
+    withSurfaces();
+    auto* vtk = view.findChild<VtkView*>();
+    auto* start = find<QPushButton>("startHere");
+    QTest::mouseClick(vtk, Qt::LeftButton, {}, vtk->rect().center());
+    ASSERT_TRUE(start->isVisible());
+    EXPECT_TRUE(start->isEnabled()) << start->toolTip().toStdString();
+    view.setStartable(false, QStringLiteral("A run is on."));
+    EXPECT_FALSE(start->isEnabled());
+    EXPECT_EQ(start->toolTip(), QStringLiteral("A run is on."));
+    view.setStartable(true, {});
+    EXPECT_TRUE(start->isEnabled());
+
+    find<QComboBox>("surfaceSpace")->setCurrentIndex(2);
+    settle();
+    picture();
+    for (int y = 20; y < 80 && !start->isVisible(); y += 5) // not near the axis that the robot turns about
+        QTest::mouseClick(vtk, Qt::LeftButton, {}, {vtk->width() * 45 / 100, vtk->height() * y / 100});
+    ASSERT_TRUE(start->isVisible());
+    keep("surfaces_angles_picked.png");
+    EXPECT_TRUE(find<QLabel>("picked")->text().contains(QStringLiteral("\u03b8z"))) << "how it is turned";
+    EXPECT_FALSE(start->isEnabled());
+    EXPECT_TRUE(start->toolTip().contains(QStringLiteral("outside the workspace")))
+        << start->toolTip().toStdString();
 }
 
 // Catches controls that need more width than a window of 1100 has left for them, in any state.
