@@ -1483,7 +1483,7 @@
         </message>
         <message>
             <source>As at the pose</source>
-            <translation>Comme à la pose</translation>
+            <translation>À la pose</translation>
         </message>
         <message>
             <source>Draw the surfaces at the values of the pose that was found.</source>
@@ -3284,8 +3284,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Le robot ne tourne pas</translation>
         </message>
         <message>
-            <source>The robot turns %1</source>
-            <translation>Le robot tourne en %1</translation>
+            <source>Robot: %1</source>
+            <translation>Robot : %1</translation>
         </message>
         <message>
             <source>%1 %2: nowhere here</source>

@@ -69,7 +69,7 @@ TEST_F(MainWindowTest, TheSurfacesControlsFitASmallWindow) {
     auto* view = find<QWidget>("targetScene")->parentWidget();
     const auto look = [&](const QString& name) {
         keepPicture(QStringLiteral("surfaces-") + name);
-        EXPECT_EQ(window->width(), 1100) << "it grew";
+        EXPECT_EQ(window->width(), 1100) << "it grew " << qPrintable(name);
         const auto* sides = qobject_cast<QSplitter*>(find<QWidget>("targetViews")->parentWidget());
         ASSERT_NE(sides, nullptr);
         EXPECT_LE(sides->widget(0)->geometry().right(), sides->widget(1)->x())

@@ -132,7 +132,7 @@ Box TargetPicture::turns() const {
     return {lower.tail<3>(), upper.tail<3>()};
 }
 
-/// "The robot turns θx −35 to 35°", of each angle that it turns.
+/// "Robot: θx −35 to 35°", of each angle that it turns.
 QString TargetPicture::turnText() const {
     static const QStringList kNames{"\u03b8x", "\u03b8y", "\u03b8z"};
     const Box box = turns();
@@ -142,7 +142,7 @@ QString TargetPicture::turnText() const {
             ranges << TargetScene::tr("%1 %2 to %3\u00b0", "an angle, its least and largest value")
                           .arg(kNames[a], angleText(box.min()[a]), angleText(box.max()[a]));
     return ranges.isEmpty() ? TargetScene::tr("The robot does not turn")
-                            : TargetScene::tr("The robot turns %1").arg(ranges.join(QStringLiteral(", ")));
+                            : TargetScene::tr("Robot: %1").arg(ranges.join(QStringLiteral(", ")));
 }
 
 bool TargetPicture::isPickAt(const Vector6d& other) const {

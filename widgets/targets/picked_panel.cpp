@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+#include <QTextDocument>
 
 namespace bask {
 
@@ -42,9 +43,10 @@ void PickedPanel::setStartable(bool startable, const QString& why) {
 
 void PickedPanel::showStart() {
     m_startHere->setEnabled(m_startable && m_refusal.isEmpty());
-    m_startHere->setToolTip(!m_startable           ? m_why
-                            : !m_refusal.isEmpty() ? tr("Runs cannot start at this point: %1.").arg(m_refusal)
-                                                   : tr("Runs start at this point."));
+    const QString tip = !m_startable           ? m_why
+                        : !m_refusal.isEmpty() ? tr("Runs cannot start at this point: %1.").arg(m_refusal)
+                                               : tr("Runs start at this point.");
+    m_startHere->setToolTip(Qt::mightBeRichText(tip) ? tip.toHtmlEscaped() : tip); // it may have a name in it
 }
 
 void PickedPanel::retranslate() {
