@@ -81,7 +81,7 @@ void handEye(benchmark::State& state) {
     for (int k = 0; k < 15; ++k) {
         const auto number = [&] { return any(scene.random); };
         scene.X_CE = Scene::at({0.2 * number(), 0.1 * number(), 0.6}, {number(), number(), number()});
-        views.push_back({X_RC * scene.X_CE, scene.frames(1).front()});
+        views.push_back({X_RC * scene.X_CE, scene.frames(1)});
     }
     for (auto _ : state)
         benchmark::DoNotOptimize(calibrateHandEye(views, scene.layout, scene.camera, Mounting::Sought));

@@ -799,8 +799,8 @@
             <translation>le marqueur %1 s’est déplacé de %2 px pendant la prise de vues ; la caméra, la source et l’effecteur doivent rester immobiles</translation>
         </message>
         <message>
-            <source>the markers %1 contradict one another by more than %2 px; check their ids, sides and places</source>
-            <translation>les marqueurs %1 se contredisent de plus de %2 px ; vérifiez leurs identifiants, leurs côtés et leurs positions</translation>
+            <source>no pose shows the markers %1 within %2 px of where they are seen; check their ids, sides and places</source>
+            <translation>aucune pose ne montre les marqueurs %1 à moins de %2 px de l’endroit où ils sont vus ; vérifiez leurs identifiants, leurs côtés et leurs positions</translation>
         </message>
         <message>
             <source>marker %1 was left out: it is seen %2 px from where the others put it; check its id and place</source>

@@ -149,7 +149,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(MarkerListedTwice, QT_TRANSLATE_NOOP("Message", "marker %1 is listed twice; each id is one marker")),
     Entry BASK_MESSAGE(MarkersNotSeen, QT_TRANSLATE_NOOP("Message", "none of the markers %1 was seen")),
     Entry BASK_MESSAGE(MarkerMoved, QT_TRANSLATE_NOOP("Message", "marker %1 moved by %2 px while it was looked at; camera, source and end-effector must keep still")),
-    Entry BASK_MESSAGE(MarkersDisagree, QT_TRANSLATE_NOOP("Message", "the markers %1 contradict one another by more than %2 px; check their ids, sides and places")),
+    Entry BASK_MESSAGE(MarkersDisagree, QT_TRANSLATE_NOOP("Message", "no pose shows the markers %1 within %2 px of where they are seen; check their ids, sides and places")),
     Entry BASK_MESSAGE(MarkerLeftOut, QT_TRANSLATE_NOOP("Message", "marker %1 was left out: it is seen %2 px from where the others put it; check its id and place")),
     Entry BASK_MESSAGE(MarkerSideOther, QT_TRANSLATE_NOOP("Message", "marker %1 is %2 mm wide by the others, not %3 mm; measure the print")),
     Entry BASK_MESSAGE(MarkersMisfit, QT_TRANSLATE_NOOP("Message", "the markers are seen %1 px from where they fit best together; the uncertainty is widened accordingly; check their sides and places, and the camera's calibration")),

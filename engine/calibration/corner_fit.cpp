@@ -54,7 +54,8 @@ Vector6d solved(std::span<const SeenCorner> corners, const Lens& lens, const Pos
     ceres::Problem problem;
     for (const SeenCorner& corner : corners)
         problem.AddResidualBlock(new CornerCost(new CornerMiss(lens, corner, start)),
-                                 robust_px ? new ceres::CauchyLoss(*robust_px) : nullptr,
+                                 robust_px ? new ceres::CauchyLoss(*robust_px * std::sqrt(corner.weight))
+                                           : nullptr,
                                  displacement.data());
     ceres::Solver::Options options;
     options.linear_solver_type = ceres::DENSE_QR;

@@ -21,14 +21,14 @@ std::vector<HandEyeSight> sightsOf(std::span<const HandEyeView> views, const Mar
                                    const CameraModel& camera) {
     std::vector<HandEyeSight> sights;
     for (std::size_t k = 0; k < views.size(); ++k) {
-        const auto pose = partPose(std::span(&views[k].markers, 1), layout, Part::EndEffector, camera);
+        const auto pose = partPose(views[k].frames, layout, Part::EndEffector, camera);
         if (!pose)
             continue;
         HandEyeSight sight{k, views[k].X_RE, pose->X_CP, {}};
         for (const SeenMarker& seen : pose->used) {
             const auto places = seen.marker.corners();
             for (std::size_t c = 0; c < 4; ++c)
-                sight.corners.push_back({places[c], seen.corners_px[c]});
+                sight.corners.push_back({places[c], seen.corners_px[c], static_cast<double>(seen.frames)});
         }
         sights.push_back(sight);
     }
@@ -219,7 +219,7 @@ Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const Marke
 
 Result<HandEyeCheck> checkHandEye(const HandEye& handEye, const HandEyeView& view, const MarkerLayout& layout,
                                   const CameraModel& camera) {
-    const auto seen = partPose(std::span(&view.markers, 1), layout, Part::EndEffector, camera);
+    const auto seen = partPose(view.frames, layout, Part::EndEffector, camera);
     if (!seen)
         return seen.error();
     const HandEyePoses poses{handEye.X_RC, handEye.X_EP};

@@ -5,10 +5,10 @@
 
 namespace bask {
 
-/// One pose of the robot, standing still, and what the camera saw there.
+/// One pose of the robot, and what the camera saw while it stood still there.
 struct HandEyeView {
     Pose X_RE = Pose::Identity();
-    MarkerFrame markers;
+    std::vector<MarkerFrame> frames;
 };
 
 /// Whether the layout's poses are in the robot's own end-effector frame (Known), or whether the frame P that
@@ -33,8 +33,7 @@ struct HandEye {
     /// known. The robot's own errors are in it, the camera's are not.
     Matrix12d covariance = Matrix12d::Zero();
     double rms_px = 0.0;
-    /// Standard deviations of the robot's own errors, an axis, at the markers; 0 where corners' noise
-    /// explains what is left.
+    /// Standard deviations of the robot's own errors, an axis, at the markers.
     double robot_m = 0.0, robot_rad = 0.0;
     std::vector<HandEyeResidual> views; ///< as given
     std::vector<Message> remarks;       ///< HandEyeViewLeftOut

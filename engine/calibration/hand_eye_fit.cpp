@@ -24,10 +24,11 @@ struct SightMiss {
     HandEyePoses start;
     Eigen::Vector3d turned; // R_EP p
     Eigen::Vector2d seen;
+    double scale;
 
     SightMiss(const Lens& l, const HandEyeSight& sight, const SeenCorner& corner, const HandEyePoses& from)
         : lens(l), X_RE(sight.X_RE), start(from), turned(from.X_EP.linear() * corner.p_PQ),
-          seen(corner.seen_px) {}
+          seen(corner.seen_px), scale(std::sqrt(corner.weight)) {}
 
     template <class T> bool operator()(const T* ofCamera, const T* ofMounting, T* miss) const {
         const Vector3<T> from = turned.cast<T>();
@@ -44,8 +45,8 @@ struct SightMiss {
         if (p_C.z() < 1e-3)
             return false;
         const Eigen::Matrix<T, 2, 1> shown = shownAt(lens, p_C);
-        miss[0] = shown.x() - seen.x();
-        miss[1] = shown.y() - seen.y();
+        miss[0] = scale * (shown.x() - seen.x());
+        miss[1] = scale * (shown.y() - seen.y());
         return true;
     }
 };
@@ -63,8 +64,9 @@ HandEyePoses solved(std::span<const HandEyeSight> sights, const Lens& lens, cons
     for (const HandEyeSight& sight : sights)
         for (const SeenCorner& corner : sight.corners)
             problem.AddResidualBlock(new SightCost(new SightMiss(lens, sight, corner, start)),
-                                     robust_px ? new ceres::CauchyLoss(*robust_px) : nullptr, ofCamera.data(),
-                                     ofMounting.data());
+                                     robust_px ? new ceres::CauchyLoss(*robust_px * std::sqrt(corner.weight))
+                                               : nullptr,
+                                     ofCamera.data(), ofMounting.data());
     if (!isMountingSought)
         problem.SetParameterBlockConstant(ofMounting.data());
     ceres::Solver::Options options;
@@ -83,7 +85,7 @@ struct OwnPlaces {
     std::vector<RigidSight> sights;                 ///< noise by a variance of 1
     Eigen::MatrixXd information;                    ///< by the unknowns
     double squares_px2 = 0.0, ownSquares_px2 = 0.0; ///< now, and when each view goes there
-    double corners = 0.0;
+    double corners = 0.0, weights = 0.0;            ///< their number, and the sum of their weights
 };
 
 OwnPlaces ownPlaces(std::span<const HandEyeSight> sights, const CameraModel& camera,
@@ -100,6 +102,8 @@ OwnPlaces ownPlaces(std::span<const HandEyeSight> sights, const CameraModel& cam
         places.squares_px2 += sums.squares_px2;
         places.ownSquares_px2 += sums.squares_px2 - sums.gradient.dot(own.moved);
         places.corners += static_cast<double>(sight.corners.size());
+        for (const SeenCorner& corner : sight.corners)
+            places.weights += corner.weight;
         places.sights.push_back(own);
     }
     return places;
@@ -138,7 +142,7 @@ std::optional<HandEyeFit> fitHandEye(std::span<const HandEyeSight> sights, const
     fit.poses = solved(sights, Lens(camera), start, isMountingSought, robust_px);
     const int unknowns = isMountingSought ? 12 : 6;
     const OwnPlaces places = ownPlaces(sights, camera, fit.poses, unknowns);
-    fit.rms_px = std::sqrt(places.squares_px2 / places.corners);
+    fit.rms_px = std::sqrt(places.squares_px2 / places.weights);
     if (!std::isfinite(fit.rms_px) || !Eigen::FullPivLU<Eigen::MatrixXd>(places.information).isInvertible())
         return std::nullopt;
     fit.covariance.topLeftCorner(unknowns, unknowns) = varianceOf(places) * places.information.inverse();
@@ -151,7 +155,7 @@ void allowForRobot(HandEyeFit& fit, std::span<const HandEyeSight> sights, const 
     const int unknowns = isMountingSought ? 12 : 6;
     OwnPlaces places = ownPlaces(sights, camera, fit.poses, unknowns);
     const double variance = varianceOf(places), freedom = 6.0 * static_cast<double>(sights.size()) - unknowns;
-    if (freedom <= 0.0 || places.squares_px2 - places.ownSquares_px2 <= variance * chiSquareBound(freedom))
+    if (freedom <= 0.0 || places.squares_px2 - places.ownSquares_px2 <= variance * freedom)
         return;
     for (int step = 0; step < kSteps; ++step) {
         for (RigidSight& sight : places.sights)
@@ -166,7 +170,7 @@ void allowForRobot(HandEyeFit& fit, std::span<const HandEyeSight> sights, const 
         fit.robot_rad = moved.angle_rad;
         places = ownPlaces(sights, camera, fit.poses, unknowns);
     }
-    fit.rms_px = std::sqrt(places.squares_px2 / places.corners);
+    fit.rms_px = std::sqrt(places.squares_px2 / places.weights);
 }
 
 } // namespace bask

@@ -37,7 +37,7 @@ std::optional<HandEyeFit> fitHandEye(std::span<const HandEyeSight> sights, const
                                      std::optional<double> robust_px = std::nullopt);
 
 /// The same where the robot is not quite where it says: all corners of a view are wrong together then. Leaves
-/// a fit alone whose misses the corners' noise explains.
+/// a fit alone that misses by no more than corners' noise does.
 void allowForRobot(HandEyeFit& fit, std::span<const HandEyeSight> sights, const CameraModel& camera,
                    bool isMountingSought);
 

@@ -192,7 +192,7 @@ double allowForMisfit(PartPose& pose, const CornerFit& fit, const CameraModel& c
     const double variance = varianceFor(pose, places.ownSquares_px2);
     const double freedom = 8.0 * static_cast<double>(pose.used.size()) - 6.0;
     pose.covariance = variance * fit.information.inverse();
-    if (pose.used.size() < 2 || fit.squares_px2 <= variance * chiSquareBound(freedom))
+    if (pose.used.size() < 2 || fit.squares_px2 <= variance * freedom) // what noise alone leaves
         return variance;
     for (int step = 0; step < kSteps; ++step) {
         for (RigidSight& sight : places.sights)

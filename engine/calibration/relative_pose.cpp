@@ -78,8 +78,8 @@ PoseJudgement judged(const RelativePose& pose) {
     if (verdict == Verdict::Good)
         return {verdict, {MessageCode::PoseGood, numbers}};
     std::ranges::copy(numbersOf(pose.possible), std::back_inserter(numbers));
-    const bool couldBeGood = verdictOn(pose.possible) == Verdict::Good;
-    return {verdict, {couldBeGood ? MessageCode::PoseUncertain : MessageCode::PoseLimited, numbers}};
+    const bool couldBeBetter = verdictOn(pose.possible) < verdict;
+    return {verdict, {couldBeBetter ? MessageCode::PoseUncertain : MessageCode::PoseLimited, numbers}};
 }
 
 } // namespace bask

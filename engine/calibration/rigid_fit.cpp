@@ -55,7 +55,7 @@ double chiSquareBound(double freedom) {
 
 RigidFit fitRigid(const std::vector<RigidSight>& sights) {
     constexpr int kSteps = 200;
-    constexpr double kSettled = 1e-3;
+    constexpr double kSettled = 3e-3;
     Deviations own;
     for (const RigidSight& sight : sights) {
         const double count = 3.0 * static_cast<double>(sights.size());
@@ -72,6 +72,12 @@ RigidFit fitRigid(const std::vector<RigidSight>& sights) {
         if (isSettled)
             break;
     }
+    // Few things tell their deviations badly: the variance of Student's distribution, each deviation with
+    // half of the freedom.
+    const double freedom =
+        3.0 * static_cast<double>(sights.size()) - 0.5 * static_cast<double>(fit.unknowns.size());
+    const double widened = freedom / (freedom - 2.0);
+    fit.covariance = solvedWith(sights, {widened * own.position2, widened * own.angle2}).covariance;
     fit.position_m = std::sqrt(own.position2);
     fit.angle_rad = std::sqrt(own.angle2);
     return fit;

@@ -25,7 +25,8 @@ struct RigidFit {
 double chiSquareBound(double freedom);
 
 /// Generalised least squares with the two deviations by restricted maximum likelihood (expectation
-/// maximisation, Laird and Ware 1982). The sights must determine the unknowns and leave some freedom.
+/// maximisation, Laird and Ware 1982), and what few things do not tell of those in the covariance. At least
+/// one thing more than determine the unknowns.
 RigidFit fitRigid(const std::vector<RigidSight>& sights);
 
 } // namespace bask

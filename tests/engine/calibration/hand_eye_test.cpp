@@ -27,7 +27,7 @@ struct Cell {
         };
         test::RigScene seen = scene;
         seen.X_CE = test::facingCamera({0, 0, 0.6}, {0.3, 0, 0}) * moved;
-        HandEyeView view{X_RC * seen.X_CE * X_EP.inverse(), seen.frame(random)};
+        HandEyeView view{X_RC * seen.X_CE * X_EP.inverse(), {seen.frame(random)}};
         Vector6d error;
         error << vector(robot_m), vector(robot_rad);
         view.X_RE = displaced(view.X_RE, error);
@@ -84,29 +84,25 @@ TEST(HandEye, CovarianceIsHonest) {
         if (c.mounting == Mounting::Known)
             cell.X_EP = Pose::Identity();
         const double bound = c.mounting == Mounting::Sought ? 21.026 : test::kChiSquare6At95;
-        constexpr int kTrials = 60;
+        constexpr int kTrials = 40;
         std::mt19937 random(2);
         int within = 0;
-        double squares_m2 = 0.0, angles = 0.0, sigma = 0.0, robot_m = 0.0, robot_rad = 0.0;
+        double squares_m2 = 0.0, sigma = 0.0, robot_m = 0.0, robot_rad = 0.0;
         for (int k = 0; k < kTrials; ++k) {
             const auto found =
                 calibrateHandEye(cell.views(15, random), cell.scene.layout, cell.scene.camera, c.mounting);
             ASSERT_TRUE(found) << describe(found.error());
             within += normalised(*found, cell, c.mounting) < bound;
-            const Vector6d d = displacementBetween(found->X_RC, cell.X_RC);
-            squares_m2 += d.head<3>().squaredNorm() / kTrials;
-            angles += d.tail<3>().squaredNorm() / kTrials;
+            squares_m2 += (found->X_RC.translation() - cell.X_RC.translation()).squaredNorm() / kTrials;
             robot_m += found->robot_m / kTrials;
             robot_rad += found->robot_rad / kTrials;
             sigma += found->covariance.topLeftCorner<3, 3>().trace() / kTrials;
         }
-        std::printf("%-20s %d of %d; X_RC %.3f mm (said %.3f) and %.4f deg rms\n", c.name, within, kTrials,
-                    1e3 * std::sqrt(squares_m2), 1e3 * std::sqrt(sigma), degFromRad(std::sqrt(angles)));
         EXPECT_GE(within, kTrials * 85 / 100) << c.name;
         EXPECT_LT(std::sqrt(squares_m2), 1.3 * std::sqrt(sigma)) << c.name;
-        EXPECT_NEAR(robot_rad, c.robot_rad, 0.2 * c.robot_rad + 1e-5) << c.name;
+        EXPECT_NEAR(robot_rad, c.robot_rad, 0.2 * c.robot_rad + 2e-4) << c.name;
         // At the markers: turns about E's origin move them by 6 cm times the angle.
-        EXPECT_NEAR(robot_m, c.robot_m, 0.2 * c.robot_m + 1e-5) << c.name;
+        EXPECT_NEAR(robot_m, c.robot_m, 0.2 * c.robot_m + 1e-4) << c.name;
     }
 }
 
@@ -118,7 +114,7 @@ TEST(HandEye, AWrongViewIsLeftOutAndNamed) {
     auto views = cell.views(15, random);
     views[4].X_RE.translation().z() += 0.02;
     views[9].X_RE = views[8].X_RE;
-    views[11].markers.clear();
+    views[11].frames.clear();
     const auto found = calibrateHandEye(views, cell.scene.layout, cell.scene.camera, Mounting::Sought);
     ASSERT_TRUE(found) << describe(found.error());
     for (std::size_t k = 0; k < views.size(); ++k)
@@ -172,7 +168,7 @@ TEST(HandEye, RefusesWhatGivesNoCalibration) {
     std::mt19937 random(5);
     auto views = cell.views(12, random);
     for (std::size_t k = 2; k < views.size(); ++k)
-        views[k].markers.clear();
+        views[k].frames.clear();
     const auto solve = [&](Mounting mounting) {
         return calibrateHandEye(views, cell.scene.layout, cell.scene.camera, mounting);
     };
@@ -186,6 +182,27 @@ TEST(HandEye, RefusesWhatGivesNoCalibration) {
         views[k].X_RE = others[k].X_RE;
     const auto found = solve(Mounting::Sought);
     EXPECT_FALSE(found) << found->rms_px;
+}
+
+// Catches: frames of one pose that count as one, or whose number is not in the residuals' weights.
+TEST(HandEye, FramesOfAPoseAreAveraged) {
+    Cell cell;
+    std::mt19937 random(7);
+    auto views = cell.views(10, random);
+    const auto single = calibrateHandEye(views, cell.scene.layout, cell.scene.camera, Mounting::Sought);
+    for (HandEyeView& view : views) {
+        test::RigScene seen = cell.scene;
+        seen.X_CE = cell.X_RC.inverse() * view.X_RE * cell.X_EP;
+        view.frames = seen.frames(16, random);
+    }
+    const auto averaged = calibrateHandEye(views, cell.scene.layout, cell.scene.camera, Mounting::Sought);
+    ASSERT_TRUE(single && averaged);
+    const auto deviation = [](const HandEye& h) {
+        return std::sqrt(h.covariance.topLeftCorner<3, 3>().trace());
+    };
+    EXPECT_NEAR(deviation(*single) / deviation(*averaged), 4.0, 1.5);
+    EXPECT_NEAR(single->rms_px / averaged->rms_px, 4.0, 1.0);
+    EXPECT_LT(normalised(*averaged, cell, Mounting::Sought), 33.0);
 }
 
 // Catches: a verification that is blind, or that blames a good calibration: at a new pose markers are where
