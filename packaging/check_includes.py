@@ -114,6 +114,7 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 QT_NAME = re.compile(r"\bQ(?:t(?=::)|[A-Z]\w*)")
 ENGINE_HEADER_TYPES = [
     (re.compile(r"\bcv::"), "an OpenCV type"),
+    (re.compile(r"\bceres::"), "a Ceres type"),
     (re.compile(r"\bvtk[A-Z]\w*"), "a VTK type"),
     (re.compile(r"\bnlohmann::"), "a JSON library's type"),
     (re.compile(r"\bsqlite3\w*"), "an SQLite type"),
@@ -252,6 +253,9 @@ class Checker:
             if home not in VTK_FOLDERS or (header and home[0] == "engine"):
                 self.report(path, line, "vtk", f"{name}: VTK only in widgets/scene and the .cpp files of "
                                                "engine/exchange")
+        elif target.startswith("ceres/"):
+            if home != ("engine", "calibration") or header:
+                self.report(path, line, "ceres", f"{name}: Ceres only in the .cpp files of engine/calibration")
         elif re.match(r"dl_[a-z]", target):
             if home != ("engine", "shape") or header:
                 self.report(path, line, "dxflib", f"{name}: dxflib only in the .cpp files of engine/shape")

@@ -786,6 +786,70 @@
             <source>the drawing names its unit itself (%1); the unit given is not used</source>
             <translation>le dessin nomme lui-même son unité (%1) ; l’unité donnée n’est pas utilisée</translation>
         </message>
+        <message>
+            <source>marker %1 is listed twice; each id is one marker</source>
+            <translation>le marqueur %1 figure deux fois ; à chaque identifiant un seul marqueur</translation>
+        </message>
+        <message>
+            <source>none of the markers %1 was seen</source>
+            <translation>aucun des marqueurs %1 n’a été vu</translation>
+        </message>
+        <message>
+            <source>marker %1 moved by %2 px while it was looked at; camera, source and end-effector must keep still</source>
+            <translation>le marqueur %1 s’est déplacé de %2 px pendant la prise de vues ; la caméra, la source et l’effecteur doivent rester immobiles</translation>
+        </message>
+        <message>
+            <source>no pose shows the markers %1 within %2 px of where they are seen; check their ids, sides and places</source>
+            <translation>aucune pose ne montre les marqueurs %1 à moins de %2 px de l’endroit où ils sont vus ; vérifiez leurs identifiants, leurs côtés et leurs positions</translation>
+        </message>
+        <message>
+            <source>marker %1 was left out: it is seen %2 px from where the others put it; check its id and place</source>
+            <translation>le marqueur %1 a été écarté : il est vu à %2 px de l’endroit que donnent les autres ; vérifiez son identifiant et sa position</translation>
+        </message>
+        <message>
+            <source>marker %1 is %2 mm wide by the others, not %3 mm; measure the print</source>
+            <translation>le marqueur %1 mesure %2 mm de côté d’après les autres, et non %3 mm ; mesurez l’impression</translation>
+        </message>
+        <message>
+            <source>the markers are seen %1 px from where they fit best together; the uncertainty is widened accordingly; check their sides and places, and the camera&apos;s calibration</source>
+            <translation>les marqueurs sont vus à %1 px de l’endroit où ils s’accordent le mieux ; l’incertitude est élargie en conséquence ; vérifiez leurs côtés et leurs positions, et l’étalonnage de la caméra</translation>
+        </message>
+        <message>
+            <source>the markers&apos; corners allow two poses, %1 degrees apart; use more or larger markers, or tilt them against the camera</source>
+            <translation>les coins des marqueurs permettent deux poses, à %1 degrés l’une de l’autre ; utilisez des marqueurs plus nombreux ou plus grands, ou inclinez-les par rapport à la caméra</translation>
+        </message>
+        <message>
+            <source>the pose is good to %1 mm and %2 degrees (2 sigma)</source>
+            <translation>la pose est sûre à %1 mm et %2 degrés près (2 sigma)</translation>
+        </message>
+        <message>
+            <source>the pose is good to %1 mm and %2 degrees only (2 sigma), and these markers before this camera allow no better than %3 mm and %4 degrees; use more or larger markers farther apart, tilt them against the camera, or bring it nearer</source>
+            <translation>la pose n’est sûre qu’à %1 mm et %2 degrés près (2 sigma), et ces marqueurs devant cette caméra ne permettent pas mieux que %3 mm et %4 degrés ; utilisez des marqueurs plus nombreux, plus grands ou plus écartés, inclinez-les par rapport à la caméra ou rapprochez-la</translation>
+        </message>
+        <message>
+            <source>the pose is good to %1 mm and %2 degrees only (2 sigma), though these markers before this camera allow %3 mm and %4 degrees; check light and focus, that all markers are seen, and their places</source>
+            <translation>la pose n’est sûre qu’à %1 mm et %2 degrés près (2 sigma), alors que ces marqueurs devant cette caméra permettent %3 mm et %4 degrés ; vérifiez l’éclairage et la mise au point, que tous les marqueurs sont vus, et leurs positions</translation>
+        </message>
+        <message>
+            <source>the end-effector&apos;s markers were seen at %1 poses of the robot; at least %2 are needed</source>
+            <translation>les marqueurs de l’effecteur ont été vus à %1 poses du robot ; il en faut au moins %2</translation>
+        </message>
+        <message>
+            <source>the robot hardly turned (by %1 degrees between poses; %2 are needed): without turns the camera&apos;s place cannot be told from the markers&apos; mounting; turn it about two axes, or measure where the markers sit on the end-effector</source>
+            <translation>le robot n’a guère tourné (de %1 degrés d’une pose à l’autre ; il en faut %2) : sans rotation, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour de deux axes, ou mesurez où sont les marqueurs sur l’effecteur</translation>
+        </message>
+        <message>
+            <source>the robot turned about one axis only (by %1 degrees about any other; %2 are needed): along that axis the camera&apos;s place cannot be told from the markers&apos; mounting; turn it about a second one, or measure where the markers sit on the end-effector</source>
+            <translation>le robot n’a tourné qu’autour d’un seul axe (de %1 degrés autour de tout autre ; il en faut %2) : le long de cet axe, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour d’un second, ou mesurez où sont les marqueurs sur l’effecteur</translation>
+        </message>
+        <message>
+            <source>the robot&apos;s poses and the pictures contradict one another; check that each picture was taken at its pose, that the camera kept still, and the markers&apos; sides and places</source>
+            <translation>les poses du robot et les images se contredisent ; vérifiez que chaque image a été prise à sa pose, que la caméra est restée immobile, ainsi que les côtés et les positions des marqueurs</translation>
+        </message>
+        <message>
+            <source>pose %1 of the robot was left out: the markers are seen %2 mm and %3 degrees from where the robot has them</source>
+            <translation>la pose %1 du robot a été écartée : les marqueurs sont vus à %2 mm et %3 degrés de l’endroit où le robot les place</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

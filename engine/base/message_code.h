@@ -132,6 +132,23 @@ enum class MessageCode : int {
     CalibrationUncertain,   ///< %1 percent, %2 allowed
     CalibrationContradicts, ///< %1 px, %2 allowed
     SheetTooSmall,          ///< %1 mm needed, %2 paper, %3 mm of room
+    // Rig calibration
+    MarkerListedTwice,  ///< %1 id
+    MarkersNotSeen,     ///< %1 ids
+    MarkerMoved,        ///< %1 id, %2 px
+    MarkersDisagree,    ///< %1 ids, %2 px
+    MarkerLeftOut,      ///< %1 id, %2 px
+    MarkerSideOther,    ///< %1 id, %2 mm by the others, %3 mm set
+    MarkersMisfit,      ///< %1 px
+    PoseAmbiguous,      ///< %1 degrees between the two
+    PoseGood,           ///< %1 mm, %2 degrees
+    PoseLimited,        ///< %1 mm, %2 degrees, %3 mm possible, %4 degrees possible
+    PoseUncertain,      ///< %1 mm, %2 degrees, %3 mm possible, %4 degrees possible
+    HandEyeViewsFew,    ///< %1 poses, %2 needed
+    HandEyeNoTurn,      ///< %1 degrees, %2 needed
+    HandEyeOneAxis,     ///< %1 degrees, %2 needed
+    HandEyeContradicts, ///< no args
+    HandEyeViewLeftOut, ///< %1 number of the pose, %2 mm, %3 degrees
     // View factor
     FieldTooLarge,  ///< %1 samples, %2 most
     FieldCancelled, ///< no args

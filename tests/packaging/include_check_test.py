@@ -109,6 +109,8 @@ class IncludeCheck(unittest.TestCase):
         for name, include, rule in [
             ("engine/shape/bad.h", "<opencv2/core.hpp>", "opencv"),
             ("engine/control/bad.cpp", "<opencv2/core.hpp>", "opencv"),
+            ("engine/calibration/bad.h", "<ceres/ceres.h>", "ceres"),
+            ("engine/control/bad.cpp", "<ceres/ceres.h>", "ceres"),
             ("engine/shape/bad.h", "<dl_dxf.h>", "dxflib"),
             ("engine/session/bad.cpp", "<dl_dxf.h>", "dxflib"),
             ("widgets/run/bad.cpp", "<vtkActor.h>", "vtk"),
