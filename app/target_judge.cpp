@@ -27,7 +27,8 @@ void TargetJudge::setKept(const std::vector<bool>& kept) {
     if (kept == m_kept)
         return;
     m_kept = kept;
-    judgeTargets();
+    if (!m_experiment.objects.empty()) // the page may have its ticks before there is an experiment
+        judgeTargets();
 }
 
 void TargetJudge::tryTargets(const std::vector<double>& targets_K) {

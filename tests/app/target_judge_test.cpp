@@ -210,6 +210,16 @@ TEST_F(TargetJudgeTest, TriesGoOnWhenMapsAreNotWantedAnyMore) {
     }));
 }
 
+// Catches ticks that make it judge an experiment that is not there yet.
+TEST_F(TargetJudgeTest, TicksMayComeBeforeTheExperiment) {
+    judge.setKept({false, true});
+    EXPECT_TRUE(QThreadPool::globalInstance()->waitForDone(20000));
+    QCoreApplication::processEvents();
+    EXPECT_FALSE(judge.verdict());
+    set(twoCircles(40.0, 40.0));
+    EXPECT_TRUE(waitFor([&] { return !judge.isStale(); }));
+}
+
 // Catches targets kept that are those of objects which are gone.
 TEST_F(TargetJudgeTest, KeptTargetsGoWithTheirObjects) {
     const Experiment two = twoCircles(20.0, 40.0); // the first below the room's
