@@ -3502,7 +3502,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Prévision de la durée d'un essai…</translation>
         </message>
         <message>
-            <source>Reachable by itself</source>
+            <source>Reachable alone</source>
             <translation>Atteignable seule</translation>
         </message>
         <message>

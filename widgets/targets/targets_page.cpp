@@ -164,7 +164,7 @@ void TargetsPage::buildRows() {
     m_headers.clear();
     m_grid = new QGridLayout(m_table);
     m_grid->setContentsMargins(0, 4, 0, 0);
-    m_grid->setHorizontalSpacing(14);
+    m_grid->setHorizontalSpacing(10);
     m_grid->setVerticalSpacing(0);
     for (const int column : {1, 2, 3}) {
         m_headers.push_back(new QLabel(m_table));
@@ -416,7 +416,7 @@ void TargetsPage::showRow(std::size_t i) {
     row.icon->setPixmap(alarmPixmap(3, dark, 18, devicePixelRatioF()));
     const bool alone = !bad && known && !m_verdict->feasible && m_rows.size() > 1;
     row.word->setText(stale   ? tr("Checking\u2026")
-                      : alone ? tr("Reachable by itself")
+                      : alone ? tr("Reachable alone")
                               : verdictWord(verdict));
     row.word->setEnabled(!stale);
     row.detail->setText(stale ? QString() : verdictDetail(own, m_experiment.environment_K, m_unit));

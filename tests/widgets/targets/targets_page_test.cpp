@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -101,7 +102,7 @@ struct TargetsPageTest : testing::Test {
 
 // Catches a verdict in the wrong words or with the wrong figures.
 TEST_F(TargetsPageTest, VerdictsInWords) {
-    EXPECT_EQ(text("verdict0"), "Reachable by itself");
+    EXPECT_EQ(text("verdict0"), "Reachable alone");
     EXPECT_EQ(text("verdictDetail0"), "needs F = 0.16, up to 0.93 here");
     EXPECT_EQ(text("verdict1"), "Too hot");
     EXPECT_EQ(text("verdictDetail1").toStdString(), "needs F = 1.31, at most 0.93 here; at most 88.2 °C");
@@ -274,6 +275,22 @@ TEST_F(TargetsPageTest, TheNearestFeasibleTargetsAreTakenTogether) {
               joint({verdict(40.0, 0.16), verdict(120.0, 1.31), verdict(20.0, -0.05)}).nearest_K);
 }
 
+// Catches a table that is wider than its column, so that boxes and buttons are cut off, in whatever state.
+TEST_F(TargetsPageTest, NothingIsCutOff) {
+    const auto* area = page.findChild<QScrollArea*>();
+    ASSERT_NE(area, nullptr);
+    page.resize(1020, 620);
+    for (const bool apart : {false, true}) {
+        JointVerdict shown =
+            joint({verdict(40.0, 0.16), verdict(40.0, 0.16), verdict(apart ? 40.0 : 120.0, 1.31)});
+        page.setExperiment(experimentWith({40.0, 40.0, apart ? 40.0 : 120.0}));
+        shown.feasible = false;
+        page.setVerdict(shown);
+        QApplication::processEvents();
+        EXPECT_LE(area->widget()->minimumSizeHint().width(), area->viewport()->width());
+    }
+}
+
 // Catches a target to be kept that is not told to who seeks, or a verdict that stays although the question
 // changed.
 TEST_F(TargetsPageTest, KeptTargetsAreAskedFor) {
@@ -323,7 +340,7 @@ TEST_F(TargetsPageTest, TypingATargetSendsAllInKelvinAndMakesItsRowStale) {
     EXPECT_TRUE(text("verdict0").startsWith("Checking")) << "the verdict was for another target";
     EXPECT_EQ(text("verdict1"), "Too hot");
     page.setVerdict(joint({verdict(55.0, 0.33), verdict(120.0, 1.31), verdict(20.0, -0.05)}));
-    EXPECT_EQ(text("verdict0"), "Reachable by itself");
+    EXPECT_EQ(text("verdict0"), "Reachable alone");
 }
 
 // Catches a bound that is rounded out of reach.
