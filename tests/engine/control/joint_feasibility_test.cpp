@@ -257,7 +257,7 @@ TEST(JointFeasibility, TheReasonIsTheBindingOne) {
     const auto reason = [](const FeasibilityRequest& request) { return verdictOf(request).reason; };
     EXPECT_EQ(reason(requestOf(triangle(), SourceModel::Paper, {40.0, 40.0, 40.0})).code, MessageCode::None);
     const Message ceiling = reason(requestOf(triangle(), SourceModel::Paper, {70.0, 35.0, 35.0}));
-    EXPECT_EQ(describe(ceiling), "\"object 1\" cannot be held at 70 °C: with this source it settles at 61.4 "
+    EXPECT_EQ(describe(ceiling), "\"object 1\" cannot be held at 70 °C: with this source it settles at 61.42 "
                                  "°C at most, even at a view factor of 1");
     RobotLimits far;
     far.clearance_m = 0.05;
