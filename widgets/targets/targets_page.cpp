@@ -415,9 +415,7 @@ void TargetsPage::showRow(std::size_t i) {
     row.icon->setVisible(bad);
     row.icon->setPixmap(alarmPixmap(3, dark, 18, devicePixelRatioF()));
     const bool alone = !bad && known && !m_verdict->feasible && m_rows.size() > 1;
-    row.word->setText(stale   ? tr("Checking\u2026")
-                      : alone ? tr("Reachable alone")
-                              : verdictWord(verdict));
+    row.word->setText(stale ? tr("Checking\u2026") : alone ? tr("Reachable alone") : verdictWord(verdict));
     row.word->setEnabled(!stale);
     row.detail->setText(stale ? QString() : verdictDetail(own, m_experiment.environment_K, m_unit));
     row.detail->setPalette(captionPalette(palette()));
