@@ -119,9 +119,7 @@ void TargetJudge::dropPrediction() {
 }
 
 void TargetJudge::predict() {
-    if (m_stale || !m_verdict || !m_verdict->feasible || m_predicted || m_predicting)
-        return;
-    if (isTrying())
+    if (m_stale || !m_verdict || !m_verdict->feasible || m_predicted || m_predicting || isTrying())
         return;
     m_predicting = true;
     const auto work = [experiment = m_experiment](const std::stop_token& stop) {

@@ -266,7 +266,7 @@ Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
 }
 
 void ServoLoop::reportInfeasible(const Message& reason) {
-    if (m_state == RunState::Running || m_state == RunState::Holding || m_state == RunState::Settled)
+    if (running() && m_state != RunState::Stopping)
         event(reason.code, reason.args);
 }
 

@@ -1,5 +1,6 @@
 #include "widgets/plots/figure_style.h"
 
+#include "widgets/common/marked_picture.h"
 #include "widgets/common/theme.h"
 
 #include <QBuffer>
@@ -46,7 +47,7 @@ void addHead(QCustomPlot& plot, const QString& title, const QString& note) {
 
 QByteArray pngOf(QImage image, const QString& comment) {
     image.setDevicePixelRatio(1.0);
-    image.setText(QStringLiteral("Description"), comment);
+    markPicture(image, comment);
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

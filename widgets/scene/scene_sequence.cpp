@@ -3,11 +3,11 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "widgets/common/display.h"
+#include "widgets/common/marked_picture.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <QFontMetrics>
-#include <QImageReader>
 #include <QPainter>
 #include <QPalette>
 
@@ -19,7 +19,6 @@ namespace bask {
 namespace {
 
 constexpr int kColumns = 3;
-const QString kMarkKey = QStringLiteral("Description"); // of a PNG
 const QString kMark = QStringLiteral("Surfaces of an experiment's targets");
 
 QString framePath(const QString& folder, int index) {
@@ -32,7 +31,7 @@ QString sheetPath(const QString& folder) {
 
 /// A file is there that is no earlier export.
 bool isForeign(const QString& path) {
-    return QFileInfo(path).size() > 0 && QImageReader(path).text(kMarkKey) != kMark;
+    return QFileInfo(path).size() > 0 && !isMarkedPicture(path, kMark);
 }
 
 QFont captionFont(const QImage& picture, QFont font) {
@@ -106,7 +105,7 @@ void SceneSequence::saveNext() {
             captions << caption(i);
         const QString path = sheetPath(m_folder);
         QImage sheet = pictureSheet(m_pictures, captions, kColumns, m_scene.palette(), m_scene.font());
-        sheet.setText(kMarkKey, kMark);
+        markPicture(sheet, kMark);
         finish(!sheet.isNull() && sheet.save(path, "PNG")
                    ? Error()
                    : Error(MessageCode::FileUnwritable, path.toStdString(), {"it cannot be written"}));
@@ -117,7 +116,7 @@ void SceneSequence::saveNext() {
     const QString path = framePath(m_folder, index);
     m_pictures.push_back(m_scene.image(m_size));
     QImage frameWithCaption = captioned(m_pictures.back(), caption(index), m_scene.palette(), m_scene.font());
-    frameWithCaption.setText(kMarkKey, kMark);
+    markPicture(frameWithCaption, kMark);
     if (!frameWithCaption.save(path, "PNG")) {
         finish(Error(MessageCode::FileUnwritable, path.toStdString(), {"it cannot be written"}));
         return;

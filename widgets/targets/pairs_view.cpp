@@ -4,6 +4,7 @@
 #include "engine/exchange/reachable_file.h"
 #include "widgets/common/colour_map.h"
 #include "widgets/common/display.h"
+#include "widgets/common/marked_picture.h"
 #include "widgets/common/theme.h"
 #include "widgets/targets/reach_map.h"
 
@@ -12,7 +13,6 @@
 #include <QFileDialog>
 #include <QGridLayout>
 #include <QHBoxLayout>
-#include <QImageReader>
 #include <QLabel>
 #include <QPushButton>
 #include <QSaveFile>
@@ -30,7 +30,6 @@ constexpr int kLeastSide = 230;
 constexpr int kMostSide = 560;
 constexpr QSize kPicture(480, 480);
 constexpr double kPictureScale = 2.0;
-const QString kMarkKey = QStringLiteral("Description"); // of a PNG
 
 /// A map, its picture, and the path of both but for the ending.
 struct ExportedMap {
@@ -43,7 +42,7 @@ struct ExportedMap {
 bool mayReplace(const QString& path) {
     constexpr qint64 kLongest = 200;
     QFile there(path);
-    if (there.size() == 0 || QImageReader(path).text(kMarkKey) == QLatin1String(kReachableMark))
+    if (there.size() == 0 || isMarkedPicture(path, QLatin1String(kReachableMark)))
         return true;
     return there.open(QIODevice::ReadOnly) && there.readLine(kLongest).startsWith(kReachableMark);
 }
@@ -228,7 +227,7 @@ void PairsView::exportTo(const QString& folder) {
         const ReachableMap& map = m_made[i];
         const QString stem = QString::fromStdString(reachableFileStem(map.first, map.second));
         QImage picture = m_maps[i]->picture(kPicture, kPictureScale);
-        picture.setText(kMarkKey, QLatin1String(kReachableMark));
+        markPicture(picture, QLatin1String(kReachableMark));
         maps.push_back({QDir(folder).filePath(stem), map, std::move(picture)});
     }
     m_export.run([maps = std::move(maps), names = std::move(names)] { return writeMaps(maps, names); },

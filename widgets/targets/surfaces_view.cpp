@@ -120,7 +120,6 @@ void SurfacesView::setVerdict(const JointVerdict& verdict) {
 }
 
 void SurfacesView::showVerdict() {
-    m_scene->setExperiment(m_experiment);
     showStale();
     if (m_verdict && m_verdict->anyPose)
         m_scene->setVerdictPoint(SceneVerdict{m_verdict->pose, m_verdict->feasible,
@@ -260,6 +259,7 @@ void SurfacesView::endPlay() {
 
 void SurfacesView::endExport() {
     m_exportBar->hide();
+    m_scene->setExperiment(m_experiment); // it kept the one before while pictures were made
     showVerdict();
 }
 
