@@ -2,27 +2,27 @@
 // A camera: the newest frame, with its age.
 
 #include "engine/base/result.h"
+#include "engine/shape/marker.h"
 
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 namespace bask {
 
-/// 8-bit picture, rows from the top, channels interleaved (1 grey, 3 BGR). Immutable once published.
+/// Immutable once published.
 struct CameraFrame {
-    double time_s = 0.0;
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    std::vector<std::uint8_t> pixels;
+    double time_s = 0.0;      ///< when its light was caught, on the engine's clock
+    double caught_s = 0.0;    ///< the same on the computer's SteadyClock: pose time minus this is the latency
+    std::uint64_t number = 0; ///< grows with every frame of a camera
+    GreyPicture picture;
 };
 
-/// Captures on a thread of its own; newest() may be called from the engine thread and never waits.
+/// Captures by itself; newest() may be called from any one thread and never waits.
 class Camera {
 public:
     virtual ~Camera() = default;
-    /// Newest frame, or an Error when none came for a second.
+    /// The newest frame, the same again while there is no newer one. Errors: CameraLost when none came for a
+    /// second (it is sought again meanwhile), with the reason as far as the system told it.
     virtual Result<std::shared_ptr<const CameraFrame>> newest() = 0;
 };
 
