@@ -22,14 +22,15 @@ ENGINE = {
     "exchange": {"radiation", "control", "base"},
     "thermal": {"shape", "base"},
     "control": {"radiation", "thermal", "shape", "base"},
-    "devices": {"base"},
-    "simulation": {"devices", "radiation", "thermal", "shape", "base"},
-    "session": {"control", "thermal", "shape", "base"},
-    "runtime": {"exchange", "simulation", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
+    "devices": {"shape", "base"},
+    "vision": {"devices", "calibration", "shape", "base"},
+    "simulation": {"devices", "calibration", "radiation", "thermal", "shape", "base"},
+    "session": {"calibration", "control", "thermal", "shape", "base"},
+    "runtime": {"exchange", "vision", "simulation", "calibration", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
 }
 
 # Engine headers that widgets and the window may see: values, never devices, simulation or the worker.
-VALUE_FOLDERS = {"base", "shape", "radiation"}
+VALUE_FOLDERS = {"base", "shape", "radiation", "calibration"}
 VALUE_HEADERS = {
     "engine/thermal/heat_balance.h",
     "engine/control/controller_settings.h",
@@ -45,6 +46,8 @@ VALUE_HEADERS = {
     "engine/session/mounting_check.h",
     "engine/session/session_file.h",
     "engine/session/trace.h",
+    "engine/devices/camera.h",
+    "engine/vision/vision_view.h",
     "engine/runtime/command.h",
     "engine/runtime/snapshot.h",
 }
@@ -54,6 +57,7 @@ WIDGETS = {
     "plots": {"common"},
     "scene": {"common"},
     "objects": {"common", "plots", "scene"},
+    "calibrate": {"common", "plots"},
     "targets": {"common", "plots", "scene"},
     "run": {"common", "plots", "scene"},
     "review": {"common", "plots", "scene"},
@@ -105,7 +109,7 @@ def qt_in_engine(path):
     return False
 
 
-OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration")}
+OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "devices")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
 SYSTEM_HEADER = re.compile(r"(unistd|fcntl|signal|pthread|immintrin|sched|errno|termios|poll)\.h|sys/[a-z_]+\.h")

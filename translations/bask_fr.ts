@@ -850,6 +850,14 @@
             <source>pose %1 of the robot was left out: the markers are seen %2 mm and %3 degrees from where the robot has them</source>
             <translation>la pose %1 du robot a été écartée : les marqueurs sont vus à %2 mm et %3 degrés de l’endroit où le robot les place</translation>
         </message>
+        <message>
+            <source>camera "%1" cannot be opened (%2); a camera is a number, a device, a video file, a folder of pictures or an address such as rtsp://host/stream</source>
+            <translation>impossible d’ouvrir la caméra « %1 » (%2) ; une caméra est un numéro, un périphérique, un fichier vidéo, un dossier d’images ou une adresse telle que rtsp://hôte/flux</translation>
+        </message>
+        <message>
+            <source>no picture from camera "%1" for a second (%2); check cable and power. It is taken up again as soon as it answers</source>
+            <translation>aucune image de la caméra « %1 » depuis une seconde (%2) ; vérifiez le câble et l’alimentation. Elle est reprise dès qu’elle répond</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

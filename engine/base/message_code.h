@@ -131,6 +131,8 @@ enum class MessageCode : int {
     CalibrationFailed,      ///< no args
     CalibrationUncertain,   ///< %1 percent, %2 allowed
     CalibrationContradicts, ///< %1 px, %2 allowed
+    CameraNotOpened,        ///< %1 camera, %2 words
+    CameraLost,             ///< %1 camera, %2 words
     SheetTooSmall,          ///< %1 mm needed, %2 paper, %3 mm of room
     // Rig calibration
     MarkerListedTwice,  ///< %1 id

@@ -3,8 +3,8 @@
 // its pose filtered with covariance.
 
 #include "engine/calibration/camera_model.h"
-#include "engine/calibration/pose_covariance.h"
 #include "engine/calibration/marker_layout.h"
+#include "engine/calibration/pose_covariance.h"
 #include "engine/devices/camera.h"
 
 #include <optional>
@@ -14,12 +14,12 @@ namespace bask {
 
 /// A part's pose at one moment, by the filter.
 struct TrackedPose {
-    double time_s = 0.0;                      ///< what it stands for, on the engine's clock
-    double seen_s = 0.0;                      ///< last frame that was believed
+    double time_s = 0.0; ///< what it stands for, on the engine's clock
+    double seen_s = 0.0; ///< last frame that was believed
     Pose X_CP = Pose::Identity();
-    Vector6d velocity = Vector6d::Zero();     ///< [v; w], C axes, m/s and rad/s
-    Matrix6d covariance = Matrix6d::Zero();   ///< of X_CP, pose_covariance.h
-    bool isAmbiguous = false;                 ///< the mirrored pose explains the frames as well
+    Vector6d velocity = Vector6d::Zero();   ///< [v; w], C axes, m/s and rad/s
+    Matrix6d covariance = Matrix6d::Zero(); ///< of X_CP, pose_covariance.h
+    bool isAmbiguous = false;               ///< the mirrored pose explains the frames as well
 };
 
 enum class TrackState { Searching, Tracking, Predicting };
