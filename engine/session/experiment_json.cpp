@@ -1,6 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/session/edge_units.h"
 #include "engine/session/experiment.h"
+#include "engine/session/json_fields.h"
 #include "engine/session/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -9,9 +10,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
-#include <map>
-#include <set>
 #include <type_traits>
 
 namespace bask {
@@ -21,174 +19,6 @@ using nlohmann::json;
 
 constexpr std::uintmax_t kMaxFileSize = 32u << 20; // bytes
 constexpr double kCentredTolerance_m = 1e-9;
-
-const char* typeName(const json& j) {
-    switch (j.type()) {
-    case json::value_t::null:
-        return "null";
-    case json::value_t::object:
-        return "an object";
-    case json::value_t::array:
-        return "an array";
-    case json::value_t::string:
-        return "text";
-    case json::value_t::boolean:
-        return "true or false";
-    case json::value_t::number_float:
-        return "a number";
-    default:
-        return "a whole number";
-    }
-}
-
-/// The first failure met; everything after it is skipped.
-using Failure = std::optional<Error>;
-
-/// One JSON object while it is read: typed access by key; close() refuses keys that nobody asked for.
-class Fields {
-public:
-    Fields(const json& j, std::string path, Failure& failure) : m_path(std::move(path)), m_failure(failure) {
-        if (j.is_object())
-            m_json = &j;
-        else
-            fail(MessageCode::JsonWrongType, m_path, {"an object", typeName(j)});
-    }
-
-    std::string pathOf(const std::string& key) const { return m_path.empty() ? key : m_path + '.' + key; }
-    Failure& failure() const { return m_failure; }
-
-    /// The value of a key, or null after noting that a required one is missing.
-    const json* find(const std::string& key, bool required = false) {
-        m_asked.insert(key);
-        if (m_json != nullptr) {
-            if (const auto it = m_json->find(key); it != m_json->end())
-                return &*it;
-        }
-        if (required && m_missing.empty())
-            m_missing = key;
-        return nullptr;
-    }
-
-    void read(const std::string& key, double& out, bool required = false) {
-        if (const json* j = find(key, required))
-            number(*j, key, out);
-    }
-
-    void read(const std::string& key, int& out, bool required = false) {
-        const json* j = find(key, required);
-        if (j == nullptr)
-            return;
-        constexpr int kMost = std::numeric_limits<int>::max();
-        if (!j->is_number_integer())
-            return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
-        const auto value = j->get<double>();
-        if (std::abs(value) > kMost)
-            return fail(MessageCode::ValueOutOfRange, pathOf(key),
-                        {j->dump(), "0", std::to_string(kMost), ""});
-        out = static_cast<int>(value);
-    }
-
-    void read(const std::string& key, std::uint64_t& out) {
-        const json* j = find(key);
-        if (j == nullptr)
-            return;
-        if (j->is_number_integer() && !j->is_number_unsigned())
-            return fail(MessageCode::ValueOutOfRange, pathOf(key),
-                        {j->dump(), "0", "18446744073709551615", ""});
-        if (!j->is_number_unsigned())
-            return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
-        out = j->get<std::uint64_t>();
-    }
-
-    void read(const std::string& key, bool& out) {
-        const json* j = find(key);
-        if (j == nullptr)
-            return;
-        if (!j->is_boolean())
-            return fail(MessageCode::JsonWrongType, pathOf(key), {"true or false", typeName(*j)});
-        out = j->get<bool>();
-    }
-
-    void read(const std::string& key, std::string& out, bool required = false) {
-        const json* j = find(key, required);
-        if (j == nullptr)
-            return;
-        if (!j->is_string())
-            return fail(MessageCode::JsonWrongType, pathOf(key), {"text", typeName(*j)});
-        out = j->get<std::string>();
-    }
-
-    /// A quantity in either of its two spellings, into SI.
-    void read(const std::string& name, EdgeUnit unit, double& out, bool required = false) {
-        const std::string readable = readableKey(name, unit);
-        const std::string si = siKey(name, unit);
-        const json* inSi = find(si);
-        const json* inReadable = find(readable, required && inSi == nullptr);
-        if (inReadable != nullptr && inSi != nullptr)
-            return fail(MessageCode::JsonTwoSpellings, m_path, {readable, si});
-        double value = 0.0;
-        if (inSi != nullptr)
-            number(*inSi, si, out);
-        else if (inReadable != nullptr && number(*inReadable, readable, value))
-            out = toSi(value, unit);
-    }
-
-    /// A word out of a table; `table` maps what is written to what is meant.
-    template <class T> void readWord(const std::string& key, const std::map<std::string, T>& table, T& out) {
-        std::string word;
-        read(key, word);
-        if (find(key) == nullptr || m_failure)
-            return;
-        if (const auto it = table.find(word); it != table.end())
-            out = it->second;
-        else
-            fail(MessageCode::ValueUnknown, pathOf(key), {plainWords(word), joined(table)});
-    }
-
-    /// Ends the reading of this object: unknown keys first, since a misspelt key is also a missing one.
-    void close() {
-        if (m_json == nullptr || m_failure)
-            return;
-        for (const auto& item : m_json->items()) {
-            if (m_asked.contains(item.key()))
-                continue;
-            std::map<std::string, int> known;
-            for (const std::string& key : m_asked)
-                known[key] = 0;
-            return fail(MessageCode::JsonUnknownKey, m_path, {plainWords(item.key()), joined(known)});
-        }
-        if (!m_missing.empty())
-            fail(MessageCode::JsonMissingKey, m_path, {m_missing});
-    }
-
-    void fail(MessageCode code, const std::string& path, std::vector<std::string> args = {}) const {
-        if (!m_failure)
-            m_failure = Error(code, path, std::move(args));
-    }
-
-    template <class T> static std::string joined(const std::map<std::string, T>& table) {
-        std::string out;
-        for (const auto& [word, unused] : table)
-            out += (out.empty() ? "" : ", ") + word;
-        return out;
-    }
-
-private:
-    bool number(const json& j, const std::string& key, double& out) {
-        if (!j.is_number()) {
-            fail(MessageCode::JsonWrongType, pathOf(key), {"a number", typeName(j)});
-            return false;
-        }
-        out = j.get<double>();
-        return true;
-    }
-
-    const json* m_json = nullptr;
-    std::string m_path;
-    Failure& m_failure;
-    std::set<std::string> m_asked;
-    std::string m_missing;
-};
 
 /// Array of rows of `width` numbers each.
 std::vector<std::array<double, 3>> readRows(const Fields& fields, const json& j, const std::string& key,
@@ -376,23 +206,6 @@ void readContourForm(const json& j, const std::string& path, const std::string& 
     fields.read("harmonics", origin.harmonics);
     origin.outline = readPoints(fields, "outline_m", false);
     origin.holes = readHoles(fields, "outline_holes_m");
-    fields.close();
-}
-
-/// Calls read(json, path) with the object under `key`, if there is one.
-template <class Read> void readPart(Fields& parent, const std::string& key, bool required, Read read) {
-    if (const json* j = parent.find(key, required); j != nullptr && !parent.failure())
-        read(*j, parent.pathOf(key));
-}
-
-void readCoordinateFields(Fields& fields, Vector6d& out) {
-    for (int k = 0; k < 6; ++k)
-        fields.read(kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), out[k]);
-}
-
-void readCoordinates(const json& j, const std::string& path, Failure& failure, Vector6d& out) {
-    Fields fields(j, path, failure);
-    readCoordinateFields(fields, out);
     fields.close();
 }
 

@@ -1,6 +1,6 @@
 #include "engine/base/message_code.h"
-#include "engine/session/edge_units.h"
 #include "engine/session/experiment.h"
+#include "engine/session/json_quantities.h"
 
 #include <QSaveFile>
 #include <QString>
@@ -13,14 +13,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kLineWidth = 110;
-
-void putQuantity(Json& j, std::string_view name, EdgeUnit unit, double si) {
-    const ReadableValue readable = fromSi(si, unit);
-    if (readable.exact)
-        j[readableKey(name, unit)] = readable.value;
-    else
-        j[siKey(name, unit)] = si; // no readable number gives back the same double
-}
 
 Json pointsJson(const std::vector<Eigen::Vector2d>& points) {
     Json j = Json::array();
@@ -60,13 +52,6 @@ Json contourJson(const Shape& shape, const ContourOrigin& origin) {
         j["outline_m"] = pointsJson(origin.outline.points_m);
     if (!origin.holes.empty())
         j["outline_holes_m"] = holesJson(origin.holes);
-    return j;
-}
-
-Json coordinatesJson(const Vector6d& q) {
-    Json j = Json::object();
-    for (int k = 0; k < 6; ++k)
-        putQuantity(j, kCoordinateNames[static_cast<std::size_t>(k)], coordinateUnit(k), q[k]);
     return j;
 }
 
