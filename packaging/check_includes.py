@@ -44,6 +44,7 @@ VALUE_HEADERS = {
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",
     "engine/session/mounting_check.h",
+    "engine/session/vision_spec.h",
     "engine/session/session_file.h",
     "engine/session/trace.h",
     "engine/devices/camera.h",

@@ -858,6 +858,10 @@
             <source>no picture from camera "%1" for a second (%2); check cable and power. It is taken up again as soon as it answers</source>
             <translation>aucune image de la caméra « %1 » depuis une seconde (%2) ; vérifiez le câble et l’alimentation. Elle est reprise dès qu’elle répond</translation>
         </message>
+        <message>
+            <source>the source has markers and is followed by the camera, which is not calibrated yet: calibrate the camera and measure where it stands on the Calibrate page, or leave the source untracked</source>
+            <translation>la source porte des marqueurs et est suivie par la caméra, qui n’est pas encore étalonnée : étalonnez la caméra et mesurez sa place sur la page Étalonnage, ou ne suivez pas la source</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

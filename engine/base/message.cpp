@@ -66,6 +66,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(NoFreeAxis, QT_TRANSLATE_NOOP("Message", "no axis of the robot is free; free at least one")),
     Entry BASK_MESSAGE(SourceTooWeak, QT_TRANSLATE_NOOP("Message", "this source cannot heat: its net power is %1 W/m2; raise its temperature or emittance, or use the gray source model")),
     Entry BASK_MESSAGE(TimesNotGrowing, QT_TRANSLATE_NOOP("Message", "the times must grow, but %1 s comes after %2 s")),
+    Entry BASK_MESSAGE(SourceNotFollowed, QT_TRANSLATE_NOOP("Message", "the source has markers and is followed by the camera, which is not calibrated yet: calibrate the camera and measure where it stands on the Calibrate page, or leave the source untracked")),
     Entry BASK_MESSAGE(MotionElsewhere, QT_TRANSLATE_NOOP("Message", "the motion must begin at source.pose, where %1 is %3, not %2")),
     Entry BASK_MESSAGE(TargetsNoPose, QT_TRANSLATE_NOOP("Message", "no pose of the workspace keeps the clearance to the source; widen the workspace or lower the clearance")),
     Entry BASK_MESSAGE(TargetAboveCeiling, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be held at %2 °C: with this source it settles at %3 °C at most, even at a view factor of 1")),

@@ -49,6 +49,7 @@ enum class MessageCode : int {
     NoFreeAxis,            ///< no args
     SourceTooWeak,         ///< %1 net emissive power W/m2
     TimesNotGrowing,       ///< %1 time s, %2 the one before
+    SourceNotFollowed,     ///< no args
     MotionElsewhere,       ///< %1 coordinate, %2 value, %3 of source.pose
     // Why targets cannot be held together
     TargetsNoPose,        ///< no args

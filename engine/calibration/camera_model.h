@@ -14,6 +14,8 @@ namespace bask {
 struct ViewResidual {
     std::string name;
     double rms_px = 0.0;
+
+    bool operator==(const ViewResidual&) const = default;
 };
 
 /// u = fx x'' + cx, v = fy y'' + cy in pixels (pixel centres at whole numbers), where (x, y) = (X/Z, Y/Z) of
@@ -29,6 +31,8 @@ struct CameraModel {
     std::vector<double> deviations; ///< standard deviations of fx fy cx cy and the distortion; empty: unknown
     std::vector<ViewResidual> views;
     std::string board; ///< setting of the calibration's board, as parseBoard reads it; may be empty
+
+    bool operator==(const CameraModel&) const = default;
 };
 
 } // namespace bask

@@ -31,6 +31,8 @@ constexpr double kMaxPlace_cm = 500.0;     // of the robot's workspace and of th
 constexpr double kMaxTime_s = 1e7;         // of a run
 constexpr double kSamePlace = 1e-9;        // m, rad
 constexpr double kMaxDropout = 0.5;
+constexpr double kMaxPicture_px = 16384.0;
+constexpr double kMostMarkers = 64.0;
 
 /// Collects the first complaint; later checks are skipped.
 class Checker {
@@ -354,9 +356,64 @@ void checkSimulation(Checker& check, const SimulationSpec& s, double period_s) {
     check.range("simulation.tracking_delay_s", s.trackingDelay_s, 0.0, 2.0, "s");
 }
 
+void checkCameraModel(Checker& check, const std::string& path, const CameraModel& camera) {
+    check.range(path + "width_px", camera.width, 16.0, kMaxPicture_px, "px");
+    check.range(path + "height_px", camera.height, 16.0, kMaxPicture_px, "px");
+    check.positive(path + "fx_px", camera.fx, 1e6, "px");
+    check.positive(path + "fy_px", camera.fy, 1e6, "px");
+    check.range(path + "cx_px", camera.cx, -1e5, 1e5, "px");
+    check.range(path + "cy_px", camera.cy, -1e5, 1e5, "px");
+    const std::size_t coefficients = camera.distortion.size();
+    if (coefficients != 0 && coefficients != 4 && coefficients != 5 && coefficients != 8)
+        check.fail(MessageCode::DistortionUnusable, path + "distortion", {to_string(coefficients)});
+    for (const double k : camera.distortion)
+        check.range(path + "distortion", k, -1e4, 1e4);
+    for (const double deviation : camera.deviations)
+        check.range(path + "deviations", deviation, 0.0, 1e6);
+    if (camera.rms_px)
+        check.range(path + "rms_px", *camera.rms_px, 0.0, 1e4, "px");
+}
+
+void checkVision(Checker& check, const Experiment& e) {
+    const VisionSpec& vision = e.vision;
+    if (!isMarkerDictionary(vision.dictionary))
+        return check.fail(MessageCode::ValueUnknown, "vision.dictionary",
+                          {vision.dictionary, markerDictionaries()});
+    check.range("vision.markers", static_cast<double>(vision.markers.size()), 0.0, kMostMarkers, "markers");
+    for (std::size_t i = 0; i < vision.markers.size() && !check.failed(); ++i)
+        checkCoordinates(check, "vision.markers[" + to_string(i) + "].pose.", vision.markers[i].pose,
+                         kMaxPlace_cm, true);
+    if (const auto layout = checkLayout(markerLayout(vision)); !layout) {
+        Error error = layout.error();
+        error.where = "vision." + error.where;
+        check.take(error);
+    }
+    if (vision.camera)
+        checkCameraModel(check, "vision.camera.", *vision.camera);
+    if (vision.cameraPose)
+        checkCoordinates(check, "vision.camera_pose.", *vision.cameraPose, kMaxPlace_cm, false);
+    const bool marked =
+        std::ranges::any_of(vision.markers, [](const auto& m) { return m.part == Part::Source; });
+    if (e.source.tracked && marked && !vision.followsSource())
+        check.fail(MessageCode::SourceNotFollowed, "source.tracked");
+}
+
+void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
+    const std::string path = "simulation.camera.";
+    checkCameraModel(check, path, camera.model);
+    checkCoordinates(check, path + "pose.", camera.pose, kMaxPlace_cm, false);
+    check.range(path + "rate_Hz", camera.rate_Hz, 1.0, 120.0, "Hz");
+    check.range(path + "noise_grey", camera.noise_grey, 0.0, 64.0);
+    check.range(path + "blur_px", camera.blur_px, 0.0, 5.0, "px");
+    check.range(path + "light_fall", camera.lightFall, 0.0, 1.0);
+    check.range(path + "delay_s", camera.delay_s, 0.0, 1.0, "s");
+}
+
 /// The simulated source: where it goes and what it truly is.
 void checkTrueSource(Checker& check, const Experiment& e) {
     const TimeTable<Vector6d>& motion = e.simulation.sourceMotion;
+    const Vector6d first = e.simulation.sourcePose.value_or(e.source.pose);
+    checkCoordinates(check, "simulation.source_pose.", first, kMaxPlace_cm, true);
     const std::string path = "simulation.source_motion";
     checkTimeTable(check, path, motion, [&](const std::string& point, const Vector6d& q) {
         checkCoordinates(check, point, q, kMaxPlace_cm, false);
@@ -367,9 +424,9 @@ void checkTrueSource(Checker& check, const Experiment& e) {
         const auto text = [unit](double si) {
             return formatNumber(fromSi(si, unit).value, 6) + ' ' + std::string(readableUnit(unit));
         };
-        if (std::abs(motion.front().value[k] - e.source.pose[k]) > kSamePlace)
+        if (std::abs(motion.front().value[k] - first[k]) > kSamePlace)
             check.fail(MessageCode::MotionElsewhere, path + "[0]." + readableKey(name, unit),
-                       {name, text(motion.front().value[k]), text(e.source.pose[k])});
+                       {name, text(motion.front().value[k]), text(first[k])});
     }
     if (!e.simulation.sourceEmittance || check.failed())
         return;
@@ -418,6 +475,8 @@ Result<void> validate(const Experiment& e) {
     checkSampling(check, e.sampling);
     checkSimulation(check, e.simulation, e.sampling.period_s);
     checkTrueSource(check, e);
+    checkSimulatedCamera(check, e.simulation.camera);
+    checkVision(check, e);
     if (!check.failed())
         checkStart(check, e);
     if (check.failed())

@@ -5,6 +5,7 @@
 #include "engine/base/time_table.h"
 #include "engine/control/controller_settings.h"
 #include "engine/control/robot_limits.h"
+#include "engine/session/vision_spec.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/shape.h"
 #include "engine/thermal/heat_balance.h"
@@ -52,7 +53,9 @@ struct SourceSpec {
     Vector6d pose = Vector6d::Zero(); ///< coordinates of X_RS, S in the robot's base R (m, rad)
     /// Set point by run time, K; empty: temperature_K throughout.
     TimeTable<double> temperatureProfile{};
-    bool tracked = false; ///< its pose is measured during the run, and the controllers use it
+    /// Its pose is measured during the run, and the controllers use it: by the camera where it has markers
+    /// (VisionSpec::followsSource), else by a tracker that gives poses.
+    bool tracked = false;
     bool operator==(const SourceSpec&) const = default;
 };
 
@@ -98,6 +101,8 @@ struct SimulationSpec {
     /// Coordinates of X_RS by run time, linear in between; empty: the source lies still.
     TimeTable<Vector6d> sourceMotion{};
     std::optional<double> sourceEmittance{}; ///< what the source truly has; empty: as believed
+    std::optional<Vector6d> sourcePose{};    ///< where it truly lies at first; empty: as believed
+    SimulatedCameraSpec camera{};
     bool operator==(const SimulationSpec&) const = default;
 };
 
@@ -111,6 +116,7 @@ struct Experiment {
     ControllerSettings controller;
     SamplingSpec sampling;
     SimulationSpec simulation;
+    VisionSpec vision;
 
     bool operator==(const Experiment&) const = default;
 };

@@ -3,6 +3,7 @@
 #include "engine/session/experiment.h"
 #include "engine/session/json_fields.h"
 #include "engine/session/json_text.h"
+#include "engine/session/vision_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -393,6 +394,12 @@ void readSimulation(const json& j, const std::string& path, Failure& failure, Si
     readTimeTable(fields, "source_motion", out.sourceMotion, readCoordinateFields);
     if (fields.find("source_emittance") != nullptr)
         fields.read("source_emittance", out.sourceEmittance.emplace());
+    readPart(fields, "source_pose", false, [&](const json& part, const std::string& where) {
+        readCoordinates(part, where, failure, out.sourcePose.emplace(Vector6d::Zero()));
+    });
+    readPart(fields, "camera", false, [&](const json& part, const std::string& where) {
+        readSimulatedCamera(part, where, failure, out.camera);
+    });
     fields.close();
 }
 
@@ -433,6 +440,7 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     part("controller", false, readController, e.controller);
     part("sampling", false, readSampling, e.sampling);
     part("simulation", false, readSimulation, e.simulation);
+    part("vision", false, readVision, e.vision);
     const json* objects = root.find("objects", true);
     // Keys first: an import is only worth its time in a file that is otherwise right.
     root.close();

@@ -1,6 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/session/experiment.h"
 #include "engine/session/json_quantities.h"
+#include "engine/session/vision_json.h"
 
 #include <QSaveFile>
 #include <QString>
@@ -175,6 +176,10 @@ Json simulationJson(const SimulationSpec& s) {
         j["source_motion"] = motionJson(s.sourceMotion);
     if (s.sourceEmittance)
         j["source_emittance"] = *s.sourceEmittance;
+    if (s.sourcePose)
+        j["source_pose"] = coordinatesJson(*s.sourcePose);
+    if (s.camera != SimulatedCameraSpec())
+        j["camera"] = simulatedCameraJson(s.camera);
     return j;
 }
 
@@ -193,6 +198,8 @@ Json experimentJson(const Experiment& e) {
     j["sampling"] = {
         {"period_s", e.sampling.period_s}, {"window", e.sampling.window}, {"order", e.sampling.order}};
     j["simulation"] = simulationJson(e.simulation);
+    if (e.vision != VisionSpec())
+        j["vision"] = visionJson(e.vision);
     return j;
 }
 
