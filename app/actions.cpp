@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kVerbNames{"arm", "start", "hold", "resume", "stop", "emergencyStop", "reset"};
 constexpr std::array kVerbIcons{"arm", "start", "hold", "resume", "stop", "", "reset"};
-constexpr std::array kPageNames{"objects", "targets", "run", "review"};
+constexpr std::array kPageNames{"objects", "calibrate", "targets", "run", "review"};
 constexpr std::array kUnits{TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit};
 constexpr std::array kUnitNames{"celsius", "kelvin", "fahrenheit"};
 constexpr std::array kThemes{Theme::System, Theme::Light, Theme::Dark};
@@ -146,12 +146,16 @@ void Actions::makeView() {
 void Actions::makeFaults() {
     m_robotLost = make("robotLost");
     m_sourceLost = make("sourceLost");
+    m_sourceCovered = make("sourceCovered");
+    m_cameraLost = make("cameraLost");
     m_restore = make("restoreDevices");
     const auto fault = [this](QAction* action, SimulatedFault kind) {
         connect(action, &QAction::triggered, this, [this, kind] { emit faultChosen({kind, 0}); });
     };
     fault(m_robotLost, SimulatedFault::RobotLost);
     fault(m_sourceLost, SimulatedFault::SourceLost);
+    fault(m_sourceCovered, SimulatedFault::SourceCovered);
+    fault(m_cameraLost, SimulatedFault::CameraLost);
     fault(m_restore, SimulatedFault::None);
 }
 
@@ -181,7 +185,7 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
     m_faultMenu->addMenu(m_sensorMenu);
-    m_faultMenu->addActions({m_robotLost, m_sourceLost});
+    m_faultMenu->addActions({m_robotLost, m_sourceLost, m_sourceCovered, m_cameraLost});
     m_faultMenu->addSeparator();
     m_faultMenu->addAction(m_restore);
     m_helpMenu->addAction(about);
@@ -239,8 +243,9 @@ void Actions::retranslateRun() {
 
 void Actions::retranslateView() {
     m_viewMenu->setTitle(tr("&View"));
-    const std::array pages{tr("Objects"), tr("Targets"), tr("Run"), tr("Review")};
+    const std::array pages{tr("Objects"), tr("Calibrate"), tr("Targets"), tr("Run"), tr("Review")};
     const std::array tips{tr("What is held in front of the source: outlines, materials, mounting"),
+                          tr("The camera: its lens, where it stands, and where the source is"),
                           tr("What temperature each object shall have, and whether it can be reached"),
                           tr("Temperatures, the scene and the controller during a run"),
                           tr("A recorded run, opened again")};
@@ -263,6 +268,8 @@ void Actions::retranslateView() {
     m_sensorMenu->setTitle(tr("Sensor lost"));
     m_robotLost->setText(tr("Robot lost"));
     m_sourceLost->setText(tr("Heat source lost"));
+    m_sourceCovered->setText(tr("Source hidden from the camera"));
+    m_cameraLost->setText(tr("Camera lost"));
     m_restore->setText(tr("Restore all devices"));
 }
 

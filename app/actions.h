@@ -22,7 +22,7 @@ namespace bask {
 /// Verbs of a run, in the order of use.
 enum class Verb { Arm, Start, Hold, Resume, Stop, EmergencyStop, Reset };
 inline constexpr int kVerbs = 7;
-inline constexpr int kPages = 4;
+inline constexpr int kPages = 5;
 
 /// Whether the engine in this state takes the verb; nothing else enables a button.
 bool allows(RunState state, Verb verb);
@@ -82,7 +82,7 @@ private:
     QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_languageGroup;
     std::array<QAction*, 3> m_units{}, m_themes{};
     QList<QAction*> m_languages;
-    QAction *m_robotLost, *m_sourceLost, *m_restore;
+    QAction *m_robotLost, *m_sourceLost, *m_sourceCovered, *m_cameraLost, *m_restore;
     QMenu *m_fileMenu, *m_exampleMenu, *m_recentMenu, *m_editMenu, *m_runMenu, *m_viewMenu, *m_unitMenu,
         *m_themeMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_sensorMenu, *m_helpMenu;
 };

@@ -61,6 +61,15 @@ Result<void> Document::setTargets(const std::vector<double>& targets_K) {
     return {};
 }
 
+Result<void> Document::setVision(const VisionSpec& vision) {
+    Experiment changed = m_experiment;
+    changed.vision = vision;
+    if (const auto adopted = adopt(changed); !adopted)
+        return adopted;
+    emit visionChanged();
+    return {};
+}
+
 Result<void> Document::setController(const ControllerSettings& settings) {
     Experiment changed = m_experiment;
     changed.controller = settings;

@@ -30,6 +30,8 @@ public:
     /// Refused edits leave everything as it was.
     Result<void> edit(const Experiment& experiment);
     Result<void> setTargets(const std::vector<double>& targets_K);
+    /// Markers and calibrations; the rest stays.
+    Result<void> setVision(const VisionSpec& vision);
     Result<void> setController(const ControllerSettings& settings);
 
     /// What File > New makes: one painted disk over the default source.
@@ -41,6 +43,7 @@ signals:
     void edited();
     void targetsChanged();
     void controllerChanged();
+    void visionChanged();
     void modifiedChanged();
 
 private:

@@ -29,6 +29,7 @@ void EngineClient::start() {
     connect(m_thread, &QThread::started, m_worker, &EngineWorker::start);
     connect(m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
     connect(m_worker, &EngineWorker::published, this, &EngineClient::take);
+    connect(m_worker, &EngineWorker::looked, this, &EngineClient::looked);
     m_thread->start();
     m_silence.start();
 }

@@ -4,11 +4,13 @@
 
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
+#include "engine/vision/vision_view.h"
 
 #include <QObject>
 #include <QTimer>
 
 #include <chrono>
+#include <memory>
 
 class QThread;
 
@@ -38,6 +40,8 @@ public:
 
 signals:
     void snapshot(const bask::Snapshot& snapshot);
+    /// A new look at the camera, while it is watched (WatchCamera).
+    void looked(const std::shared_ptr<const bask::VisionView>& view);
     /// False when no snapshot has come for kSilence; true with the next one.
     void answeringChanged(bool answering);
 

@@ -6,8 +6,10 @@
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "engine/base/message_code.h"
+#include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
+#include "widgets/common/run_state_chip.h"
 #include "widgets/objects/objects_page.h"
 
 #include <QApplication>
@@ -203,6 +205,10 @@ void MainWindow::showTitle() {
     setWindowModified(m_document.modified());
 }
 
+void MainWindow::showAges() {
+    m_stateBar->chip()->setNotes(calibrationAges(m_document.experiment().vision));
+}
+
 void MainWindow::showUndo() {
     const QUndoStack* stack = m_pages->objects()->undoStack();
     const bool here = m_pages->page() == Page::Objects && allowsEdits(m_last.state);
@@ -216,6 +222,7 @@ void MainWindow::retranslate() {
     m_navigation->setWindowTitle(tr("Pages"));
     showTitle();
     showEvents();
+    showAges();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

@@ -70,6 +70,7 @@ private:
     void addEvent(const TraceEvent& event);
     void showTitle();
     void showUndo();
+    void showAges(); ///< of the calibrations, in the list behind the chip
     void retranslate();
     void restyle();
     bool runIsOn() const;

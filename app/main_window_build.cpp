@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
@@ -124,6 +125,10 @@ void MainWindow::connectParts() {
             list << QString::fromStdString(object.name);
         m_actions.setObjects(list);
     };
+    connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showAges);
+    auto* minute = new QTimer(this);
+    connect(minute, &QTimer::timeout, this, &MainWindow::showAges);
+    minute->start(std::chrono::minutes(1));
     connect(&m_document, &Document::opened, this, names);
     connect(&m_document, &Document::edited, this, names);
 }

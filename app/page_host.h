@@ -24,7 +24,7 @@ class ReviewPage;
 class RunPage;
 class TargetsPage;
 
-enum class Page { Objects, Targets, Run, Review };
+enum class Page { Objects, Calibrate, Targets, Run, Review };
 
 /// Edits go to the document, which refuses or takes them; what the engine must know goes out as
 /// commandIssued. Object names: "pages", "messageBar".

@@ -13,14 +13,15 @@ namespace bask {
 
 StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     : QStatusBar(parent), m_ageLabel(new QLabel(this)), m_loopLabel(new QLabel(this)),
-      m_recordingLabel(new QLabel(this)), m_unit(new QToolButton(this)), m_language(new QToolButton(this)) {
+      m_trackingLabel(new QLabel(this)), m_recordingLabel(new QLabel(this)), m_unit(new QToolButton(this)), m_language(new QToolButton(this)) {
     m_ageLabel->setObjectName(QStringLiteral("sampleAge"));
     m_loopLabel->setObjectName(QStringLiteral("loopRate"));
+    m_trackingLabel->setObjectName(QStringLiteral("tracking"));
     m_recordingLabel->setObjectName(QStringLiteral("recording"));
     m_unit->setObjectName(QStringLiteral("unitButton"));
     m_language->setObjectName(QStringLiteral("languageButton"));
     setSizeGripEnabled(false);
-    for (QLabel* label : {m_ageLabel, m_loopLabel, m_recordingLabel}) {
+    for (QLabel* label : {m_ageLabel, m_loopLabel, m_trackingLabel, m_recordingLabel}) {
         label->setContentsMargins(6, 0, 10, 0);
         addWidget(label);
     }
@@ -42,6 +43,7 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_late = snapshot.lateSteps;
     m_speed = snapshot.simulationSpeed;
     m_rows = snapshot.recordedRows;
+    m_tracking = snapshot.tracking;
     m_recording = QString::fromStdString(snapshot.recordingPath);
     refresh();
 }
@@ -64,11 +66,28 @@ void StatusLine::refresh() {
     const QString speed =
         m_speed > 1.0 ? QStringLiteral(" ") + tr("(simulation ×%1)").arg(m_speed, 0, 'g', 3) : QString();
     set(m_loopLabel, tr("loop %1 Hz, late %2").arg(m_rate_Hz, 0, 'f', 1).arg(m_late) + speed);
+    set(m_trackingLabel, trackingText());
+    m_trackingLabel->setVisible(m_tracking.has_value());
     set(m_recordingLabel,
         m_recording.isEmpty()
             ? tr("not recording")
             : tr("recording %1, %2 samples").arg(QFileInfo(m_recording).fileName()).arg(m_rows));
     m_recordingLabel->setToolTip(m_recording);
+}
+
+QString StatusLine::trackingText() const {
+    if (!m_tracking)
+        return {};
+    if (!m_tracking->isSeen)
+        return tr("source not seen");
+    QString text = m_tracking->isPredicted
+                       ? tr("source not seen for %1 s, predicted").arg(m_tracking->age_s, 0, 'f', 1)
+                       : tr("source followed");
+    if (m_tracking->latency_s > 0.0)
+        text += QStringLiteral(", ") + tr("%1 ms late").arg(m_tracking->latency_s * 1e3, 0, 'f', 0);
+    if (m_tracking->position_m > 0.0)
+        text += QStringLiteral(", ") + tr("\u00b1%1 mm").arg(m_tracking->position_m * 1e3, 0, 'f', 1);
+    return text;
 }
 
 void StatusLine::showTemperatureUnit(TemperatureUnit unit) {
@@ -81,6 +100,8 @@ void StatusLine::showLanguage(const QString& code) {
 void StatusLine::retranslate() {
     m_ageLabel->setToolTip(tr("Age of the newest temperature readings"));
     m_loopLabel->setToolTip(tr("Control steps a second, and how many began late"));
+    m_trackingLabel->setToolTip(tr("How the camera follows the source: time from the light to the pose, two "
+                                   "standard deviations of its place"));
     m_unit->setToolTip(tr("Temperature unit"));
     m_unit->setAccessibleName(tr("Temperature unit"));
     m_language->setToolTip(tr("Language"));

@@ -1,5 +1,6 @@
 #pragma once
-// The line at the window's foot: age of the readings, loop rate and late steps, recording, unit, language.
+// The line at the window's foot: age of the readings, loop rate and late steps, how the source is followed, recording, unit,
+// language.
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
@@ -12,7 +13,7 @@ class QToolButton;
 
 namespace bask {
 
-/// Object names: "sampleAge", "loopRate", "recording", "unitButton", "languageButton".
+/// Object names: "sampleAge", "loopRate", "tracking", "recording", "unitButton", "languageButton".
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -30,6 +31,7 @@ protected:
 private:
     void refresh();
     void retranslate();
+    QString trackingText() const;
 
     bool m_answering = true;
     bool m_any = false;
@@ -39,8 +41,10 @@ private:
     double m_speed = 1.0;
     std::size_t m_rows = 0;
     QString m_recording;
+    std::optional<SourceTracking> m_tracking;
     QLabel* m_ageLabel;
     QLabel* m_loopLabel;
+    QLabel* m_trackingLabel;
     QLabel* m_recordingLabel;
     QToolButton* m_unit;
     QToolButton* m_language;

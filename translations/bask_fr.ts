@@ -862,6 +862,10 @@
             <source>the source has markers and is followed by the camera, which is not calibrated yet: calibrate the camera and measure where it stands on the Calibrate page, or leave the source untracked</source>
             <translation>la source porte des marqueurs et est suivie par la caméra, qui n’est pas encore étalonnée : étalonnez la caméra et mesurez sa place sur la page Étalonnage, ou ne suivez pas la source</translation>
         </message>
+        <message>
+            <source>the robot cannot go there: outside of its workspace, or too near to the source</source>
+            <translation>le robot ne peut pas y aller : hors de son espace de travail, ou trop près de la source</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>
@@ -1138,6 +1142,82 @@
         <message>
             <source>Restore all devices</source>
             <translation>Rétablir tous les appareils</translation>
+        </message>
+        <message>
+            <source>Calibrate</source>
+            <translation>Étalonnage</translation>
+        </message>
+        <message>
+            <source>The camera: its lens, where it stands, and where the source is</source>
+            <translation>La caméra : son objectif, sa place, et celle de la source</translation>
+        </message>
+        <message>
+            <source>Source hidden from the camera</source>
+            <translation>Source cachée à la caméra</translation>
+        </message>
+        <message>
+            <source>Camera lost</source>
+            <translation>Caméra perdue</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::CalibrationAge</name>
+        <message>
+            <source>at an unknown time</source>
+            <translation>à une date inconnue</translation>
+        </message>
+        <message>
+            <source>in the future: check the computer's clock</source>
+            <translation>dans le futur : vérifiez l’horloge de l’ordinateur</translation>
+        </message>
+        <message>
+            <source>just now</source>
+            <translation>à l’instant</translation>
+        </message>
+        <message>
+            <source>Camera calibrated %1.</source>
+            <translation>Caméra étalonnée %1.</translation>
+        </message>
+        <message>
+            <source>Camera not calibrated.</source>
+            <translation>Caméra non étalonnée.</translation>
+        </message>
+        <message>
+            <source>Where the camera stands was measured %1.</source>
+            <translation>La place de la caméra a été mesurée %1.</translation>
+        </message>
+        <message>
+            <source>Where the camera stands is not measured.</source>
+            <translation>La place de la caméra n’est pas mesurée.</translation>
+        </message>
+        <message>
+            <source>The source's place is as typed, not measured by the camera.</source>
+            <translation>La place de la source est celle saisie, non mesurée par la caméra.</translation>
+        </message>
+        <message>
+            <source>The source's place was measured %1.</source>
+            <translation>La place de la source a été mesurée %1.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n minute(s) ago</source>
+            <translation>
+                <numerusform>il y a %n minute</numerusform>
+                <numerusform>il y a %n minutes</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n hour(s) ago</source>
+            <translation>
+                <numerusform>il y a %n heure</numerusform>
+                <numerusform>il y a %n heures</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n day(s) ago</source>
+            <translation>
+                <numerusform>il y a %n jour</numerusform>
+                <numerusform>il y a %n jours</numerusform>
+            </translation>
         </message>
     </context>
     <context>
@@ -3274,6 +3354,30 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Language</source>
             <translation>Langue</translation>
+        </message>
+        <message>
+            <source>source not seen</source>
+            <translation>source non vue</translation>
+        </message>
+        <message>
+            <source>source not seen for %1 s, predicted</source>
+            <translation>source non vue depuis %1 s, prédite</translation>
+        </message>
+        <message>
+            <source>source followed</source>
+            <translation>source suivie</translation>
+        </message>
+        <message>
+            <source>%1 ms late</source>
+            <translation>%1 ms de retard</translation>
+        </message>
+        <message>
+            <source>±%1 mm</source>
+            <translation>±%1 mm</translation>
+        </message>
+        <message>
+            <source>How the camera follows the source: time from the light to the pose, two standard deviations of its place</source>
+            <translation>Comment la caméra suit la source : temps de la lumière à la pose, deux écarts types de sa place</translation>
         </message>
     </context>
     <context>

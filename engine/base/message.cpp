@@ -207,6 +207,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(EventSourcePoseBack, QT_TRANSLATE_NOOP("Message", "The source's pose is measured again")),
     Entry BASK_MESSAGE(CommandNotNow, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be done in the state \"%2\"")),
     Entry BASK_MESSAGE(SessionAlreadyRunning, QT_TRANSLATE_NOOP("Message", "A run is on; stop it first")),
+    Entry BASK_MESSAGE(MoveOutside, QT_TRANSLATE_NOOP("Message", "the robot cannot go there: outside of its workspace, or too near to the source")),
 };
 // clang-format on
 

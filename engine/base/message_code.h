@@ -200,6 +200,7 @@ enum class MessageCode : int {
     // Commands refused
     CommandNotNow, ///< %1 command, %2 state
     SessionAlreadyRunning,
+    MoveOutside, ///< no args
 };
 
 } // namespace bask

@@ -1,9 +1,11 @@
 #pragma once
 // What the GUI asks of the engine: small values, queued.
 
+#include "engine/calibration/board.h"
 #include "engine/control/controller_settings.h"
 #include "engine/session/experiment.h"
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -41,14 +43,28 @@ struct AddNote {
 struct SetSimulationSpeed {
     double factor = 1.0;
 }; ///< simulated seconds a second, 1..20
-enum class SimulatedFault { None, SensorLost, RobotLost, SourceLost };
+enum class SimulatedFault { None, SensorLost, RobotLost, SourceLost, SourceCovered, CameraLost };
 struct SimulateFault {
     SimulatedFault fault = SimulatedFault::None;
     std::size_t object = 0;
 };
 
-using Command =
-    std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, SetTargets,
-                 ReportInfeasible, SetController, AddNote, SetSimulationSpeed, SimulateFault>;
+/// Markers and calibrations: refused while a run is on.
+struct SetVision {
+    VisionSpec vision;
+};
+/// Live pictures with what is in them, for the window. A simulated rig holds the board before its camera.
+struct WatchCamera {
+    bool show = false;
+    std::optional<Board> board;
+};
+/// End-effector to these coordinates in R, while no run is on; Hold ends it where it is.
+struct MoveTo {
+    Vector6d coordinates = Vector6d::Zero();
+};
+
+using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
+                             SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
+                             SimulateFault, SetVision, WatchCamera, MoveTo>;
 
 } // namespace bask

@@ -22,19 +22,32 @@ template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 } // namespace
 
 struct EngineWorker::Session {
+    /// By the camera where the experiment has what that takes.
+    struct Tracker final : SourceTracker {
+        explicit Tracker(Session& owner) : session(owner) {}
+        Result<PoseReading> read() override {
+            return session.loop.experiment().vision.followsSource() ? session.vision.read()
+                                                                    : session.rig.sourceTracker().read();
+        }
+        Session& session;
+    };
+
     explicit Session(const Experiment& experiment)
-        : rig(simulatedRigConfig(experiment)),
+        : rig(simulatedRigConfig(experiment)), vision(rig.camera(), "simulated", rig.clock()), tracker(*this),
           loop(experiment,
                {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); },
-                &rig.sourceTracker()},
+                &tracker},
                rig.clock()) {}
     SimulatedRig rig;
+    VisionThread vision;
+    Tracker tracker;
     ServoLoop loop;
 };
 
 EngineWorker::EngineWorker() {
     qRegisterMetaType<bask::Command>();
     qRegisterMetaType<bask::Snapshot>();
+    qRegisterMetaType<std::shared_ptr<const bask::VisionView>>();
 }
 
 EngineWorker::~EngineWorker() = default;
@@ -84,7 +97,45 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     closeRecording();
     m_session = std::make_unique<Session>(experiment);
     m_untilTick_s = experiment.sampling.period_s;
+    watch(m_watch);
     return {};
+}
+
+Result<void> EngineWorker::setVision(const VisionSpec& vision) {
+    if (const auto set = m_session->loop.setVision(vision); !set)
+        return set;
+    m_session->rig.simulatedCamera().setMarkers(markerLayout(vision));
+    setTask();
+    return {};
+}
+
+void EngineWorker::watch(const WatchCamera& wanted) {
+    m_watch = wanted;
+    m_session->rig.simulatedCamera().setBoard(wanted.show ? wanted.board : std::nullopt);
+    setTask();
+}
+
+void EngineWorker::setTask() {
+    const Experiment& experiment = m_session->loop.experiment();
+    const VisionSpec& vision = experiment.vision;
+    VisionTask task;
+    task.layout = markerLayout(vision);
+    task.camera = vision.camera;
+    if (vision.cameraPose)
+        task.X_RC = poseFromCoordinates(*vision.cameraPose);
+    task.follow = experiment.source.tracked && vision.followsSource();
+    task.show = m_watch.show;
+    task.board = m_watch.board;
+    m_session->vision.setTask(task);
+}
+
+void EngineWorker::handOnView() {
+    auto view = m_session ? m_session->vision.newest() : nullptr;
+    if (view == m_view)
+        return;
+    m_view = std::move(view);
+    if (m_view)
+        emit looked(m_view);
 }
 
 Result<void> EngineWorker::armWith(const std::string& recordingPath) {
@@ -113,10 +164,17 @@ Result<void> EngineWorker::apply(const Command& command) {
     }
     if (!m_session)
         return Error(MessageCode::ReasonNoExperiment, {});
+    if (const auto* watched = std::get_if<WatchCamera>(&command)) {
+        watch(*watched);
+        return {};
+    }
     ServoLoop& loop = m_session->loop;
     return std::visit(Overloaded{
                           [](const LoadExperiment&) { return Result<void>(); },
                           [](const SetSimulationSpeed&) { return Result<void>(); },
+                          [](const WatchCamera&) { return Result<void>(); },
+                          [&](const SetVision& set) { return setVision(set.vision); },
+                          [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
                           [&](const Arm& arm) { return armWith(arm.recordingPath); },
                           [&](const Disarm&) { return loop.disarm(); },
                           [&](const Start& start) { return loop.start(start.acceptInfeasible); },
@@ -142,6 +200,10 @@ void EngineWorker::applyFault(const SimulateFault& fault) {
         rig.simulatedThermometer().setLost(i, fault.fault == SimulatedFault::SensorLost && i == fault.object);
     rig.simulatedRobot().setLinkLost(fault.fault == SimulatedFault::RobotLost);
     rig.simulatedHeatSource().setLinkLost(fault.fault == SimulatedFault::SourceLost);
+    rig.simulatedSourceTracker().setLost(fault.fault == SimulatedFault::SourceCovered ||
+                                         fault.fault == SimulatedFault::CameraLost);
+    rig.simulatedCamera().setCovered(fault.fault == SimulatedFault::SourceCovered);
+    rig.simulatedCamera().setUnplugged(fault.fault == SimulatedFault::CameraLost);
 }
 
 void EngineWorker::onTimer() {
@@ -157,6 +219,7 @@ void EngineWorker::onTimer() {
             m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
         }
     }
+    handOnView();
     m_rateWindow_s += wall_s;
     if (m_rateWindow_s >= 2.0) {
         m_loopRate_Hz = m_ticksSinceRate / m_rateWindow_s;
@@ -235,6 +298,8 @@ void EngineWorker::publish() {
         snapshot.latest.coordinates = m_session->rig.simulatedRobot().coordinates();
         snapshot.sampleAge_s = m_session->rig.clock().now_s() - loop.sampleTime_s();
         snapshot.heatOn = loop.heatOn();
+        snapshot.isMoving = loop.isMoving();
+        snapshot.tracking = loop.tracking();
         snapshot.controller = loop.experiment().controller;
         for (const ObjectSpec& object : loop.experiment().objects)
             snapshot.targets_K.push_back(object.target_K);

@@ -6,6 +6,7 @@
 #include "engine/runtime/servo_loop.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/simulation/simulated_rig.h"
+#include "engine/vision/vision_thread.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -15,6 +16,7 @@
 
 Q_DECLARE_METATYPE(bask::Command)
 Q_DECLARE_METATYPE(bask::Snapshot)
+Q_DECLARE_METATYPE(std::shared_ptr<const bask::VisionView>)
 
 namespace bask {
 
@@ -34,6 +36,8 @@ public slots:
 
 signals:
     void published(const bask::Snapshot& snapshot);
+    /// A new look at the camera, while it is watched.
+    void looked(const std::shared_ptr<const bask::VisionView>& view);
 
 private:
     /// The rig with its loop; made anew with each experiment.
@@ -49,11 +53,17 @@ private:
     Result<void> load(const Experiment& experiment);
     Result<void> armWith(const std::string& recordingPath);
     void applyFault(const SimulateFault& fault);
+    Result<void> setVision(const VisionSpec& vision);
+    void watch(const WatchCamera& wanted);
+    void setTask();
+    void handOnView();
 
     std::unique_ptr<Session> m_session;
     std::unique_ptr<SessionWriter> m_writer;
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
+    WatchCamera m_watch;
+    std::shared_ptr<const VisionView> m_view; ///< handed on last
     double m_speed = 1.0;
     double m_untilTick_s = 0.0;
     std::uint64_t m_lateSteps = 0;

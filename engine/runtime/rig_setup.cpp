@@ -67,6 +67,30 @@ JointVerdict jointVerdict(const Experiment& experiment) {
     return jointFeasibility(feasibilityRequest(experiment)).value();
 }
 
+namespace {
+
+SimulatedCameraConfig simulatedCameraConfig(const Experiment& experiment) {
+    const SimulatedCameraSpec& spec = experiment.simulation.camera;
+    SimulatedCameraConfig config;
+    if (spec.model)
+        config.camera = *spec.model;
+    if (spec.pose)
+        config.X_RC = poseFromCoordinates(*spec.pose);
+    config.markers = markerLayout(experiment.vision);
+    config.source = experiment.source.shape;
+    for (const ObjectSpec& object : experiment.objects)
+        config.objects.push_back({object.shape, poseFromCoordinates(object.mounting)});
+    config.frameRate_Hz = spec.rate_Hz;
+    config.noise_grey = spec.noise_grey;
+    config.blur_px = spec.blur_px;
+    config.lightFall = spec.lightFall;
+    config.delay_s = spec.delay_s;
+    config.seed = experiment.simulation.seed;
+    return config;
+}
+
+} // namespace
+
 SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     const SimulationSpec& simulation = experiment.simulation;
     SimulatedRigConfig config;
@@ -74,7 +98,7 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
     config.sourceModel = experiment.source.model;
     config.sourceEmittance = simulation.sourceEmittance.value_or(experiment.source.emittance);
     config.sourceTemperature_K = sourceSetPoint_K(experiment.source, 0.0);
-    config.sourcePose = experiment.source.pose;
+    config.sourcePose = simulation.sourcePose.value_or(experiment.source.pose);
     config.sourceMotion = simulation.sourceMotion;
     config.environment_K = experiment.environment_K;
     config.convection_W_m2K = simulation.convection_W_m2K;
@@ -101,6 +125,7 @@ SimulatedRigConfig simulatedRigConfig(const Experiment& experiment) {
                           simulation.sensorDropout};
     config.tracker = {simulation.trackingNoise_m, simulation.trackingNoise_rad, simulation.trackingDelay_s,
                       simulation.seed};
+    config.camera = simulatedCameraConfig(experiment);
     return config;
 }
 

@@ -72,6 +72,7 @@ LoopRecord ServoLoop::takeRecord() {
 }
 
 void ServoLoop::makeSafe() {
+    m_goal.reset();
     standStill();
     (void)m_devices.source.heatOff(); // of a dead link: the heat expires in the device
 }
@@ -95,6 +96,10 @@ void ServoLoop::fault(Message reason) {
 Result<void> ServoLoop::arm() {
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal("Arm");
+    if (m_goal) {
+        m_goal.reset();
+        standStill();
+    }
     if (!m_sensors.zeroed()) {
         if (const auto zeroed = m_sensors.zero(m_experiment.environment_K); !zeroed)
             return zeroed;
@@ -156,6 +161,11 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
 }
 
 Result<void> ServoLoop::hold() {
+    if (m_goal) {
+        m_goal.reset();
+        standStill();
+        return {};
+    }
     if (m_state != RunState::Running && m_state != RunState::Settled)
         return refusal("Hold");
     m_state = RunState::Holding;
@@ -291,6 +301,44 @@ Result<void> ServoLoop::setController(const ControllerSettings& settings) {
     command("controller", std::string("{\"kind\":\"") + controllerKindName(settings.kind) + "\"}");
     event(MessageCode::EventGainsChanged);
     return {};
+}
+
+Result<void> ServoLoop::moveTo(const Vector6d& goal) {
+    if (m_state != RunState::NotReady && m_state != RunState::Ready && m_state != RunState::Stopped)
+        return refusal("Move");
+    Vector6d reachable = goal;
+    for (std::size_t k = 0; k < 6; ++k)
+        if (!m_experiment.robot.free[k])
+            reachable[static_cast<Eigen::Index>(k)] = m_coordinates[static_cast<Eigen::Index>(k)];
+    if (!reachable.allFinite() || !m_geometry->allowed(reachable))
+        return Error(MessageCode::MoveOutside, {});
+    m_goal = reachable;
+    return {};
+}
+
+Result<void> ServoLoop::setVision(const VisionSpec& vision) {
+    if (m_state == RunState::Armed || running())
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    Experiment changed = m_experiment;
+    changed.vision = vision;
+    if (auto valid = validate(changed); !valid)
+        return valid;
+    m_experiment = std::move(changed);
+    return {};
+}
+
+std::optional<SourceTracking> ServoLoop::tracking() const {
+    if (!m_experiment.source.tracked)
+        return std::nullopt;
+    const PoseReading& reading = m_sourceReading;
+    SourceTracking tracking;
+    tracking.isSeen = reading.valid && sourceSeen();
+    tracking.isPredicted = reading.predicted;
+    tracking.age_s = m_clock.now_s() - reading.seen_s;
+    tracking.latency_s = reading.latency_s;
+    tracking.position_m = reading.position_m;
+    tracking.angle_rad = reading.angle_rad;
+    return tracking;
 }
 
 void ServoLoop::addNote(const std::string& text) {

@@ -53,6 +53,12 @@ public:
     /// An event, while a run is on.
     void reportInfeasible(const Message& reason);
     Result<void> setController(const ControllerSettings& settings);
+    /// The end-effector to coordinates within workspace and clearance, fixed axes as they are; while no run
+    /// is armed or on. Hold, Arm, STOP and faults end it.
+    Result<void> moveTo(const Vector6d& goal);
+    bool isMoving() const { return m_goal.has_value(); }
+    /// Refused while a run is armed or on.
+    Result<void> setVision(const VisionSpec& vision);
     void addNote(const std::string& text);
     /// Safe state, latched: for failures that the loop does not see itself (the recorder).
     void fault(Message reason);
@@ -66,6 +72,7 @@ public:
     double runTime_s() const;
     const Experiment& experiment() const { return m_experiment; }
     const TraceSample& latest() const { return m_latest; }
+    std::optional<SourceTracking> tracking() const;
     double sampleTime_s() const { return m_sampleTime_s; }
     bool heatOn() const { return m_devices.source.heating(); }
     bool allWithinBand() const;
@@ -78,6 +85,7 @@ private:
     void readSensors();
     void takeReadings(); ///< from the channels into the latest sample
     void readSourcePose();
+    void goOn(); ///< towards the goal of moveTo
     void readRobotAndSource();
     void watchSensors();
     bool noteLosses(); ///< tells what has been lost or found; true while anything is lost
@@ -112,6 +120,8 @@ private:
     std::vector<bool> m_sensorLost; ///< at the last sample of the run
     bool m_sourceLost = false;      ///< tracked, but not seen at the last sample of the run
     double m_sourceSeen_s = -1e300; ///< when its pose was last measured
+    PoseReading m_sourceReading;
+    std::optional<Vector6d> m_goal; ///< of moveTo
     bool m_heldBySensor = false;
     double m_lostSince_s = 0.0;    ///< when the present loss began
     double m_lostLast_s = -1e300;  ///< when something was lost last

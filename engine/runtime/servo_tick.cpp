@@ -41,6 +41,8 @@ void ServoLoop::tick() {
             retreat();
         else if (m_state == RunState::Fault)
             makeSafe();
+        else if (m_goal)
+            goOn();
         if (m_state == RunState::Holding)
             keepHeating();
         trace();
@@ -86,6 +88,7 @@ void ServoLoop::readSourcePose() {
     if (!reading || !reading->valid || !reading->X_RS.matrix().allFinite())
         return;
     m_sourceSeen_s = reading->time_s;
+    m_sourceReading = *reading;
     const Pose moved = m_geometry->X_RS().inverse() * reading->X_RS;
     if (moved.translation().norm() < kTrifle_m && Eigen::AngleAxisd(moved.linear()).angle() < kTrifle_rad)
         return;
@@ -206,6 +209,19 @@ void ServoLoop::move(const Vector6d& rates) {
     const double validFor_s = kVelocityPeriods * m_experiment.sampling.period_s;
     if (const auto result = m_devices.robot.setTwist(m_latest.twist, validFor_s); !result)
         fault(result.error().message);
+}
+
+void ServoLoop::goOn() {
+    constexpr double kThere = 5e-4; // m, rad
+    const double period_s = m_experiment.sampling.period_s;
+    const bool arrived = (*m_goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere;
+    const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, *m_goal, period_s, m_rates).rates;
+    if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9) {
+        m_goal.reset();
+        standStill();
+    } else {
+        move(rates);
+    }
 }
 
 void ServoLoop::standStill() {

@@ -6,6 +6,7 @@
 #include "engine/session/trace.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,15 @@ namespace bask {
 enum class RunState { Idle, NotReady, Ready, Armed, Running, Holding, Settled, Stopping, Stopped, Fault };
 
 const char* runStateName(RunState state); ///< English: "Idle", "Not ready" ...
+
+/// How the source is followed.
+struct SourceTracking {
+    bool isSeen = false;
+    bool isPredicted = false;                 ///< carried on from what was seen last
+    double age_s = 0.0;                       ///< of what was seen last
+    double latency_s = 0.0;                   ///< from the light caught to the pose known; 0: not told
+    double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations; 0: not told
+};
 
 /// State of the engine at one moment. `newSamples` and `newEvents` are everything since the last snapshot:
 /// none is dropped.
@@ -36,6 +46,8 @@ struct Snapshot {
     std::uint64_t lateSteps = 0; ///< steps that began more than half a period late
     double simulationSpeed = 1.0;
     bool heatOn = false;
+    bool isMoving = false;                  ///< the robot, by MoveTo
+    std::optional<SourceTracking> tracking; ///< empty: the source is not followed
     ControllerSettings controller;
     std::vector<double> targets_K;
     Message refusal; ///< last command refused, code None if none since the last snapshot

@@ -400,8 +400,10 @@ void checkVision(Checker& check, const Experiment& e) {
 
 void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
     const std::string path = "simulation.camera.";
-    checkCameraModel(check, path, camera.model);
-    checkCoordinates(check, path + "pose.", camera.pose, kMaxPlace_cm, false);
+    if (camera.model)
+        checkCameraModel(check, path + "model.", *camera.model);
+    if (camera.pose)
+        checkCoordinates(check, path + "pose.", *camera.pose, kMaxPlace_cm, false);
     check.range(path + "rate_Hz", camera.rate_Hz, 1.0, 120.0, "Hz");
     check.range(path + "noise_grey", camera.noise_grey, 0.0, 64.0);
     check.range(path + "blur_px", camera.blur_px, 0.0, 5.0, "px");

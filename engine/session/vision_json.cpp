@@ -13,13 +13,13 @@ using Json = nlohmann::ordered_json;
 const std::map<std::string, Part> kParts{
     {"source", Part::Source}, {"end_effector", Part::EndEffector}, {"base", Part::Base}};
 
-void readModelFields(Fields& fields, CameraModel& out, bool required) {
-    fields.read("width_px", out.width, required);
-    fields.read("height_px", out.height, required);
-    fields.read("fx_px", out.fx, required);
-    fields.read("fy_px", out.fy, required);
-    fields.read("cx_px", out.cx, required);
-    fields.read("cy_px", out.cy, required);
+void readModelFields(Fields& fields, CameraModel& out) {
+    fields.read("width_px", out.width, true);
+    fields.read("height_px", out.height, true);
+    fields.read("fx_px", out.fx, true);
+    fields.read("fy_px", out.fy, true);
+    fields.read("cx_px", out.cx, true);
+    fields.read("cy_px", out.cy, true);
     fields.read("distortion", out.distortion);
 }
 
@@ -36,7 +36,7 @@ void putModel(Json& j, const CameraModel& camera) {
 void readCamera(const json& j, const std::string& path, Failure& failure, VisionSpec& out) {
     Fields fields(j, path, failure);
     CameraModel& camera = out.camera.emplace();
-    readModelFields(fields, camera, true);
+    readModelFields(fields, camera);
     if (fields.find("rms_px") != nullptr)
         fields.read("rms_px", camera.rms_px.emplace());
     fields.read("deviations", camera.deviations);
@@ -113,10 +113,13 @@ void readVision(const json& j, const std::string& path, Failure& failure, Vision
 
 void readSimulatedCamera(const json& j, const std::string& path, Failure& failure, SimulatedCameraSpec& out) {
     Fields fields(j, path, failure);
-    readModelFields(fields, out.model, false);
+    readPart(fields, "model", false, [&](const json& part, const std::string& where) {
+        Fields model(part, where, failure);
+        readModelFields(model, out.model.emplace());
+        model.close();
+    });
     readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
-        out.pose.setZero();
-        readCoordinates(part, where, failure, out.pose);
+        readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
     });
     fields.read("rate_Hz", out.rate_Hz);
     fields.read("noise_grey", out.noise_grey);
@@ -145,8 +148,10 @@ Json visionJson(const VisionSpec& vision) {
 
 Json simulatedCameraJson(const SimulatedCameraSpec& camera) {
     Json j;
-    putModel(j, camera.model);
-    j["pose"] = coordinatesJson(camera.pose);
+    if (camera.model)
+        putModel(j["model"], *camera.model);
+    if (camera.pose)
+        j["pose"] = coordinatesJson(*camera.pose);
     j["rate_Hz"] = camera.rate_Hz;
     j["noise_grey"] = camera.noise_grey;
     j["blur_px"] = camera.blur_px;

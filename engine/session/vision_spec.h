@@ -37,14 +37,13 @@ struct VisionSpec {
 
 /// The rig's true camera, where the rig is simulated.
 struct SimulatedCameraSpec {
-    CameraModel model;
-    Vector6d pose = Vector6d::Zero(); ///< coordinates of X_RC
+    std::optional<CameraModel> model; ///< empty: the usual one of a simulated rig
+    std::optional<Vector6d> pose;     ///< coordinates of X_RC; empty: the usual place
     double rate_Hz = 30.0;
     double noise_grey = 2.0; ///< standard deviation of a pixel, of 255
     double blur_px = 0.7;    ///< standard deviation of the lens's spot
     double lightFall = 0.3;  ///< how much darker the darker side is, 0..1
     double delay_s = 0.03;   ///< from the light caught to the picture handed out
-    SimulatedCameraSpec();   ///< 1280 x 720, looking at the source from the side and above
     bool operator==(const SimulatedCameraSpec&) const = default;
 };
 

@@ -21,7 +21,8 @@ SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
     : m_config(config), m_plant(plantObjects(config), config.environment_K, config.convection_W_m2K),
       m_robot(config.robot, m_clock), m_thermometer(config.thermometer, m_clock),
       m_source(config.sourceTemperature_K, config.environment_K, m_clock), m_tracker(config.tracker, m_clock),
-      m_sourceContour(config.source), m_X_RS(poseFromCoordinates(config.sourcePose)) {
+      m_camera(config.camera), m_sourceContour(config.source),
+      m_X_RS(poseFromCoordinates(config.sourcePose)) {
     for (const SimulatedObject& object : config.objects) {
         m_contours.emplace_back(object.shape);
         m_X_EO.push_back(poseFromCoordinates(object.mounting));
@@ -29,6 +30,7 @@ SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
     m_F.assign(m_contours.size(), 0.0);
     m_thermometer.observe(trueTemperatures_K());
     m_tracker.observe(m_X_RS);
+    showCamera();
 }
 
 std::vector<double> SimulatedRig::trueTemperatures_K() const {
@@ -64,6 +66,11 @@ void SimulatedRig::step(double until_s) {
     m_clock.advanceTo(until_s);
     m_thermometer.observe(trueTemperatures_K());
     m_tracker.observe(m_X_RS);
+    showCamera();
+}
+
+void SimulatedRig::showCamera() {
+    m_camera.observe({m_clock.now_s(), poseFromCoordinates(m_robot.coordinates()), m_X_RS});
 }
 
 void SimulatedRig::seeSource() {

@@ -1,9 +1,10 @@
 #pragma once
-// The simulated rig: plant, robot, thermometers, heat source and its tracker on one manual clock. Ships in
-// the release.
+// The simulated rig: plant, robot, thermometers, heat source, its tracker and a camera on one manual clock.
+// Ships in the release.
 
 #include "engine/base/time_table.h"
 #include "engine/radiation/view_factor.h"
+#include "engine/simulation/simulated_camera.h"
 #include "engine/simulation/simulated_robot.h"
 #include "engine/simulation/simulated_sensors.h"
 #include "engine/simulation/simulated_source_tracker.h"
@@ -34,6 +35,7 @@ struct SimulatedRigConfig {
     SimulatedRobotConfig robot;
     SimulatedThermometerConfig thermometer;
     SimulatedTrackerConfig tracker;
+    SimulatedCameraConfig camera;
 };
 
 /// Advances everything together. The source radiates only while its heat is on (its shutter is open then).
@@ -50,6 +52,7 @@ public:
     Thermometer& thermometer() { return m_thermometer; }
     HeatSource& heatSource() { return m_source; }
     SourceTracker& sourceTracker() { return m_tracker; }
+    Camera& camera() { return m_camera; }
 
     /// Advances the clock by dt_s in steps of at most kStep_s.
     void advance(double dt_s);
@@ -60,12 +63,14 @@ public:
     SimulatedThermometer& simulatedThermometer() { return m_thermometer; }
     SimulatedHeatSource& simulatedHeatSource() { return m_source; }
     SimulatedSourceTracker& simulatedSourceTracker() { return m_tracker; }
+    SimulatedCamera& simulatedCamera() { return m_camera; }
 
     static constexpr double kStep_s = 0.1;
 
 private:
     void step(double until_s);
     void seeSource();
+    void showCamera();
 
     SimulatedRigConfig m_config;
     ManualClock m_clock;
@@ -76,6 +81,7 @@ private:
     SimulatedThermometer m_thermometer;
     SimulatedHeatSource m_source;
     SimulatedSourceTracker m_tracker;
+    SimulatedCamera m_camera;
     RadiatingContour m_sourceContour;
     Pose m_X_RS;
     bool m_heated = false; ///< in the last step

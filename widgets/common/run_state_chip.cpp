@@ -114,6 +114,13 @@ void RunStateChip::setState(RunState state, const QStringList& reasons) {
     retranslateUi();
 }
 
+void RunStateChip::setNotes(const QStringList& notes) {
+    if (notes == m_notes)
+        return;
+    m_notes = notes;
+    retranslateUi();
+}
+
 void RunStateChip::retranslateUi() {
     setText(chipText(m_state, m_reasons.size()));
     setToolTip(runStateExplanation(m_state) + QLatin1Char('\n') +
@@ -125,22 +132,32 @@ void RunStateChip::retranslateUi() {
     m_menu->clear();
     const QStringList lines = m_reasons.isEmpty() ? QStringList{runStateExplanation(m_state)} : m_reasons;
     for (int i = 0; i < lines.size(); ++i) {
-        auto* action = new QWidgetAction(m_menu);
+        QAction* action =
+            addLine(m_reasons.size() > 1 ? QStringLiteral("%1.  %2").arg(i + 1).arg(lines[i]) : lines[i]);
         action->setText(lines[i]);
-        auto* label =
-            new QLabel(m_reasons.size() > 1 ? QStringLiteral("%1.  %2").arg(i + 1).arg(lines[i]) : lines[i]);
-        label->setTextFormat(Qt::PlainText);
-        label->setWordWrap(true);
-        label->setMargin(8);
-        label->setFixedWidth(kReasonWidth);
-        label->setMinimumHeight(label->heightForWidth(kReasonWidth));
-        action->setDefaultWidget(label);
         if (!m_reasons.isEmpty())
             connect(action, &QAction::triggered, this, [this, i] { emit reasonActivated(i); });
-        m_menu->addAction(action);
     }
+    if (!m_notes.isEmpty())
+        m_menu->addSeparator();
+    for (const QString& note : m_notes)
+        addLine(note);
     updateGeometry();
     update();
+}
+
+QAction* RunStateChip::addLine(const QString& line) {
+    auto* action = new QWidgetAction(m_menu);
+    action->setText(line);
+    auto* label = new QLabel(line);
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+    label->setMargin(8);
+    label->setFixedWidth(kReasonWidth);
+    label->setMinimumHeight(label->heightForWidth(kReasonWidth));
+    action->setDefaultWidget(label);
+    m_menu->addAction(action);
+    return action;
 }
 
 void RunStateChip::openMenu() {

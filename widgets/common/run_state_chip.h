@@ -20,6 +20,8 @@ public:
 
     /// `reasons`: translated sentences, each with its remedy. Nothing is repainted when nothing changed.
     void setState(RunState state, const QStringList& reasons);
+    /// What is worth knowing besides, under the reasons: not counted, not to be chosen.
+    void setNotes(const QStringList& notes);
     RunState state() const { return m_state; }
     const QStringList& reasons() const { return m_reasons; }
     QMenu* reasonsMenu() const { return m_menu; }
@@ -37,10 +39,12 @@ protected:
 
 private:
     void retranslateUi();
+    QAction* addLine(const QString& line); ///< to the menu
     void openMenu();
 
     RunState m_state = RunState::Idle;
     QStringList m_reasons;
+    QStringList m_notes;
     QMenu* m_menu = nullptr;
 };
 

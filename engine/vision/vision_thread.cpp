@@ -1,0 +1,156 @@
+#include "engine/vision/vision_thread.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace bask {
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{2};
+constexpr std::chrono::milliseconds kPollLost{50};
+constexpr double kSmoothing = 0.1; // of the rate
+
+double now_s() {
+    return SteadyClock().now_s();
+}
+
+ViewedMarker viewed(const FoundMarker& found, const VisionTask& task) {
+    ViewedMarker view;
+    view.marker = found;
+    const auto listed = std::ranges::find(task.layout.markers, found.id, &PlacedMarker::id);
+    if (listed == task.layout.markers.end())
+        return view;
+    view.part = listed->part;
+    view.side_m = listed->side_m;
+    if (task.camera)
+        view.poses = markerPoses(found.corners_px, listed->side_m, *task.camera);
+    return view;
+}
+
+/// Whether a camera's calibration is for such pictures.
+bool fits(const CameraModel& camera, const GreyPicture& picture) {
+    return camera.width == 0 || (camera.width == picture.width && camera.height == picture.height);
+}
+
+} // namespace
+
+VisionThread::VisionThread(Camera& camera, std::string cameraName, const Clock& clock)
+    : m_camera(camera), m_name(std::move(cameraName)), m_clock(clock),
+      m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+
+VisionThread::~VisionThread() {
+    m_thread.request_stop();
+    m_changed.notify_all();
+}
+
+void VisionThread::setTask(const VisionTask& task) {
+    {
+        const std::lock_guard lock(m_mutex);
+        m_task = task;
+        ++m_taskNumber;
+        m_tracker.reset();
+        if (!task.show)
+            m_newest.reset();
+    }
+    m_changed.notify_all();
+}
+
+std::shared_ptr<const VisionView> VisionThread::newest() const {
+    const std::lock_guard lock(m_mutex);
+    return m_newest;
+}
+
+Result<PoseReading> VisionThread::read() {
+    const std::lock_guard lock(m_mutex);
+    return m_tracker ? readingOf(*m_tracker, *m_task.X_RC, m_clock.now_s(), m_latency_s) : PoseReading();
+}
+
+void VisionThread::run(const std::stop_token& stop) {
+    std::uint64_t number = 0;
+    VisionTask task;
+    std::optional<PartTracker> tracker;
+    while (!stop.stop_requested()) {
+        {
+            std::unique_lock lock(m_mutex);
+            const auto isWanted = [this] { return m_task.follow || m_task.show; };
+            if (!m_changed.wait(lock, stop, isWanted))
+                return;
+            if (number != m_taskNumber) {
+                number = m_taskNumber;
+                task = m_task;
+                tracker.reset();
+                m_state.reset();
+                if (task.follow && task.camera && task.X_RC)
+                    tracker.emplace(task.layout, Part::Source, *task.camera);
+            }
+        }
+        look(task, tracker);
+    }
+}
+
+void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& tracker) {
+    const auto frame = m_camera.newest();
+    if (!frame) {
+        VisionView view;
+        view.problem = frame.error().message;
+        if (task.show)
+            publish(std::move(view));
+        std::this_thread::sleep_for(kPollLost);
+        return;
+    }
+    if ((*frame)->number == m_lookedAt) {
+        std::this_thread::sleep_for(kPoll);
+        return;
+    }
+    m_lookedAt = (*frame)->number;
+    const double start_s = now_s();
+    const double period_s = start_s - m_last_s;
+    m_last_s = start_s;
+    m_period_s = m_period_s > 0.0 && period_s < 1.0 ? m_period_s + kSmoothing * (period_s - m_period_s)
+                                                    : std::min(period_s, 1.0);
+    if (tracker)
+        follow(**frame, *tracker);
+    if (task.show && start_s - m_shown_s >= kShow_s) {
+        m_shown_s = start_s;
+        show(task, tracker, *frame);
+    }
+}
+
+void VisionThread::follow(const CameraFrame& frame, PartTracker& tracker) {
+    m_state = tracker.step(frame).state;
+    const double latency_s = now_s() - frame.caught_s;
+    const std::lock_guard lock(m_mutex);
+    m_tracker = tracker;
+    m_latency_s = latency_s;
+}
+
+void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>& tracker,
+                        const std::shared_ptr<const CameraFrame>& frame) {
+    VisionView view;
+    view.frame = frame;
+    VisionTask known = task;
+    if (known.camera && !fits(*known.camera, frame->picture))
+        known.camera.reset();
+    for (const FoundMarker& found : findMarkers(frame->picture, task.layout.dictionary))
+        view.markers.push_back(viewed(found, known));
+    if (task.board) {
+        view.board = findBoard(frame->picture, *task.board, {});
+        view.boardSeen = *view.board ? task.board : boardSeen(frame->picture, *task.board);
+    }
+    view.tracking = m_state;
+    if (tracker)
+        view.source = tracker->at(frame->time_s);
+    view.latency_s = now_s() - frame->caught_s;
+    publish(std::move(view));
+}
+
+void VisionThread::publish(VisionView view) {
+    view.cameraName = m_name;
+    view.rate_Hz = m_period_s > 0.0 ? 1.0 / m_period_s : 0.0;
+    auto shared = std::make_shared<const VisionView>(std::move(view));
+    const std::lock_guard lock(m_mutex);
+    if (m_task.show)
+        m_newest = std::move(shared);
+}
+
+} // namespace bask
