@@ -111,7 +111,7 @@ private:
     std::vector<Message> m_faults;  ///< latched
     std::vector<bool> m_sensorLost; ///< at the last sample of the run
     bool m_sourceLost = false;      ///< tracked, but not seen at the last sample of the run
-    double m_sourceSeen_s = -1e300; ///< when its pose was last measured
+    double m_sourceSeen_s = -1e300; ///< when it was last seen
     bool m_heldBySensor = false;
     double m_lostSince_s = 0.0;    ///< when the present loss began
     double m_lostLast_s = -1e300;  ///< when something was lost last
