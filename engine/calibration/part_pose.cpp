@@ -256,20 +256,21 @@ Result<PartPose> partPose(std::span<const MarkerFrame> frames, const MarkerLayou
     return pose;
 }
 
+bool showsMarker(const CameraModel& camera, const PlacedMarker& marker, const Pose& X_CP) {
+    static const double kLeastCosine = std::cos(radFromDeg(75.0));
+    const Pose X_CM = X_CP * marker.X_PM;
+    const Eigen::Vector3d towards = -X_CM.translation().normalized();
+    if (X_CM.linear().col(2).dot(towards) < kLeastCosine)
+        return false;
+    return std::ranges::all_of(marker.corners(),
+                               [&](const Eigen::Vector3d& p_PQ) { return isInPicture(camera, X_CP * p_PQ); });
+}
+
 std::optional<Matrix6d> predictedCovariance(const MarkerLayout& layout, Part part, const CameraModel& camera,
                                             const Pose& X_CP, int frames, double corner_px) {
-    static const double kLeastCosine = std::cos(radFromDeg(75.0));
-    const auto isShown = [&](const PlacedMarker& marker) {
-        const Pose X_CM = X_CP * marker.X_PM;
-        const Eigen::Vector3d towards = -X_CM.translation().normalized();
-        if (marker.part != part || X_CM.linear().col(2).dot(towards) < kLeastCosine)
-            return false;
-        return std::ranges::all_of(
-            marker.corners(), [&](const Eigen::Vector3d& p_PQ) { return isInPicture(camera, X_CP * p_PQ); });
-    };
     std::vector<SeenCorner> corners;
     for (const PlacedMarker& marker : layout.markers)
-        if (isShown(marker))
+        if (marker.part == part && showsMarker(camera, marker, X_CP))
             for (const Eigen::Vector3d& p_PQ : marker.corners())
                 corners.push_back({p_PQ, Eigen::Vector2d::Zero(), static_cast<double>(frames)});
     if (corners.empty())

@@ -30,9 +30,12 @@ struct PartPose {
 Result<PartPose> partPose(std::span<const MarkerFrame> frames, const MarkerLayout& layout, Part part,
                           const CameraModel& camera, std::optional<double> corner_px = std::nullopt);
 
-/// Covariance that partPose would have with the markers of the part that the camera shows at `X_CP` (facing
-/// it by 75 degrees or less, within the picture where its size is known) and corners so sure. Nothing when
-/// it shows none.
+/// Whether the camera shows a marker of a part there well enough to be found: facing it by 75 degrees or
+/// less, within the picture where its size is known.
+bool showsMarker(const CameraModel& camera, const PlacedMarker& marker, const Pose& X_CP);
+
+/// Covariance that partPose would have with the markers of the part that the camera shows at `X_CP` and
+/// corners so sure. Nothing when it shows none.
 std::optional<Matrix6d> predictedCovariance(const MarkerLayout& layout, Part part, const CameraModel& camera,
                                             const Pose& X_CP, int frames, double corner_px = kUsualCorner_px);
 

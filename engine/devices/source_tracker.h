@@ -8,9 +8,15 @@ namespace bask {
 
 /// One reading of a pose; one that was not seen is invalid, never a pose.
 struct PoseReading {
-    double time_s = 0.0; ///< when it was measured, on the engine's clock
+    double time_s =
+        0.0; ///< what the pose stands for, on the engine's clock: now where it is carried on to now
     Pose X_RS = Pose::Identity();
     bool valid = false;
+    /// When the source was last seen, on the same clock: how old the reading is.
+    double seen_s = 0.0;
+    double latency_s = 0.0; ///< from the light of the newest frame to its pose known; 0: not told
+    bool predicted = false; ///< the newest frame did not show it
+    double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations in the worst direction; 0: not told
 };
 
 /// Used on the engine thread only.

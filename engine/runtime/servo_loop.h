@@ -119,7 +119,7 @@ private:
     std::vector<Message> m_faults;  ///< latched
     std::vector<bool> m_sensorLost; ///< at the last sample of the run
     bool m_sourceLost = false;      ///< tracked, but not seen at the last sample of the run
-    double m_sourceSeen_s = -1e300; ///< when its pose was last measured
+    double m_sourceSeen_s = -1e300; ///< when it was last seen
     PoseReading m_sourceReading;
     std::optional<Vector6d> m_goal; ///< of moveTo
     bool m_heldBySensor = false;

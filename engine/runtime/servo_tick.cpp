@@ -87,7 +87,7 @@ void ServoLoop::readSourcePose() {
     const auto reading = m_devices.tracker->read();
     if (!reading || !reading->valid || !reading->X_RS.matrix().allFinite())
         return;
-    m_sourceSeen_s = reading->time_s;
+    m_sourceSeen_s = reading->seen_s; // not time_s: a prediction is no sight
     m_sourceReading = *reading;
     const Pose moved = m_geometry->X_RS().inverse() * reading->X_RS;
     if (moved.translation().norm() < kTrifle_m && Eigen::AngleAxisd(moved.linear()).angle() < kTrifle_rad)

@@ -13,7 +13,7 @@ void SimulatedSourceTracker::observe(const Pose& X_RS) {
 
 Result<PoseReading> SimulatedSourceTracker::read() {
     if (m_lost || m_history.empty())
-        return PoseReading{m_clock.now_s(), Pose::Identity(), false};
+        return PoseReading{m_clock.now_s()};
     std::normal_distribution<double> noise(0.0, 1.0);
     const auto draw = [&](double deviation) {
         const double x = noise(m_random);
@@ -21,7 +21,7 @@ Result<PoseReading> SimulatedSourceTracker::read() {
         return Eigen::Vector3d(deviation * Eigen::Vector3d(x, y, noise(m_random)));
     };
     const Moment& moment = m_history.front();
-    PoseReading reading{moment.time_s, moment.X_RS, true};
+    PoseReading reading{moment.time_s, moment.X_RS, true, moment.time_s};
     if (m_config.noise_rad > 0.0)
         reading.X_RS.linear() =
             poseFromRotationVector(Eigen::Vector3d::Zero(), draw(m_config.noise_rad)).linear() *

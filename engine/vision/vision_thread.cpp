@@ -1,5 +1,7 @@
 #include "engine/vision/vision_thread.h"
 
+#include "engine/vision/camera_source_tracker.h"
+
 #include <algorithm>
 #include <chrono>
 
@@ -25,11 +27,6 @@ ViewedMarker viewed(const FoundMarker& found, const VisionTask& task) {
     if (task.camera)
         view.poses = markerPoses(found.corners_px, listed->side_m, *task.camera);
     return view;
-}
-
-/// Whether a camera's calibration is for such pictures.
-bool fits(const CameraModel& camera, const GreyPicture& picture) {
-    return camera.width == 0 || (camera.width == picture.width && camera.height == picture.height);
 }
 
 } // namespace
@@ -62,7 +59,10 @@ std::shared_ptr<const VisionView> VisionThread::newest() const {
 
 Result<PoseReading> VisionThread::read() {
     const std::lock_guard lock(m_mutex);
-    return m_tracker ? readingOf(*m_tracker, *m_task.X_RC, m_clock.now_s(), m_latency_s) : PoseReading();
+    if (!m_tracker)
+        return PoseReading();
+    const double time_s = m_clock.now_s();
+    return readingOf(m_tracker->at(time_s), m_trackState, *m_task.X_RC, time_s, m_latency_s);
 }
 
 void VisionThread::run(const std::stop_token& stop) {
@@ -79,7 +79,7 @@ void VisionThread::run(const std::stop_token& stop) {
                 number = m_taskNumber;
                 task = m_task;
                 tracker.reset();
-                m_state.reset();
+                m_followed.reset();
                 if (task.follow && task.camera && task.X_RC)
                     tracker.emplace(task.layout, Part::Source, *task.camera);
             }
@@ -108,7 +108,7 @@ void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& trac
     m_last_s = start_s;
     m_period_s = m_period_s > 0.0 && period_s < 1.0 ? m_period_s + kSmoothing * (period_s - m_period_s)
                                                     : std::min(period_s, 1.0);
-    if (tracker)
+    if (tracker && checkSize(*task.camera, (*frame)->picture))
         follow(**frame, *tracker);
     if (task.show && start_s - m_shown_s >= kShow_s) {
         m_shown_s = start_s;
@@ -117,10 +117,11 @@ void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& trac
 }
 
 void VisionThread::follow(const CameraFrame& frame, PartTracker& tracker) {
-    m_state = tracker.step(frame).state;
+    m_followed = tracker.step(frame).state;
     const double latency_s = now_s() - frame.caught_s;
     const std::lock_guard lock(m_mutex);
     m_tracker = tracker;
+    m_trackState = *m_followed;
     m_latency_s = latency_s;
 }
 
@@ -129,15 +130,18 @@ void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>
     VisionView view;
     view.frame = frame;
     VisionTask known = task;
-    if (known.camera && !fits(*known.camera, frame->picture))
-        known.camera.reset();
+    if (known.camera)
+        if (const auto fits = checkSize(*known.camera, frame->picture); !fits) {
+            view.problem = fits.error().message;
+            known.camera.reset();
+        }
     for (const FoundMarker& found : findMarkers(frame->picture, task.layout.dictionary))
         view.markers.push_back(viewed(found, known));
     if (task.board) {
         view.board = findBoard(frame->picture, *task.board, {});
         view.boardSeen = *view.board ? task.board : boardSeen(frame->picture, *task.board);
     }
-    view.tracking = m_state;
+    view.tracking = m_followed;
     if (tracker)
         view.source = tracker->at(frame->time_s);
     view.latency_s = now_s() - frame->caught_s;

@@ -52,12 +52,13 @@ private:
     std::string m_name;
     const Clock& m_clock;
 
-    mutable std::mutex m_mutex; ///< over the next six
+    mutable std::mutex m_mutex; ///< over the next seven
     std::condition_variable_any m_changed;
     VisionTask m_task;
     std::uint64_t m_taskNumber = 0;
     std::shared_ptr<const VisionView> m_newest;
     std::optional<PartTracker> m_tracker; ///< as after the last picture
+    TrackState m_trackState = TrackState::Searching;
     double m_latency_s = 0.0;
 
     // The thread's own.
@@ -65,7 +66,7 @@ private:
     double m_shown_s = -1e300;    ///< when one was shown last, SteadyClock
     double m_period_s = 0.0;      ///< between pictures that were looked at, smoothed
     double m_last_s = -1e300;
-    std::optional<TrackState> m_state;
+    std::optional<TrackState> m_followed;
 
     std::jthread m_thread; ///< last: it uses the rest
 };

@@ -16,7 +16,6 @@ QString ageText(const std::string& date, const QDateTime& now = QDateTime::curre
 
 /// A sentence each for the camera, where it stands, and where the source is; none for a rig without markers
 /// and camera.
-QStringList calibrationAges(const VisionSpec& vision,
-                            const QDateTime& now = QDateTime::currentDateTimeUtc());
+QStringList calibrationAges(const VisionSpec& vision, const QDateTime& now = QDateTime::currentDateTimeUtc());
 
 } // namespace bask

@@ -13,7 +13,7 @@ constexpr double kSame = 1e-6;
 std::vector<Vector6d> surveyPoses(const RigGeometry& geometry, const Vector6d& from) {
     constexpr double kShift_m = 0.05, kLift_m = 0.06, kTurn_rad = 0.2;
     // Signs of x, y, z, theta_x, theta_y, theta_z.
-    constexpr int kWays[][6] = {{1, 1, 0, 1, 0, 1},  {-1, 1, 1, 0, 1, -1}, {-1, -1, 0, -1, 0, 1},
+    constexpr int kWays[][6] = {{1, 1, 0, 1, 0, 1},   {-1, 1, 1, 0, 1, -1}, {-1, -1, 0, -1, 0, 1},
                                 {1, -1, 1, 0, -1, 0}, {0, 1, 2, 1, 1, 0},   {1, 0, 1, -1, -1, -1},
                                 {-1, 0, 2, 1, -1, 1}, {0, -1, 0, -1, 1, -1}};
     const RobotLimits& limits = geometry.limits();
