@@ -43,6 +43,7 @@ VALUE_HEADERS = {
     "engine/exchange/target_surfaces.h",
     "engine/control/robot_limits.h",
     "engine/session/experiment.h",
+    "engine/session/experiment_rig.h",
     "engine/session/mounting_check.h",
     "engine/session/vision_spec.h",
     "engine/session/session_file.h",

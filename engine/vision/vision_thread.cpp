@@ -95,6 +95,10 @@ void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& trac
         view.problem = frame.error().message;
         if (task.show)
             publish(std::move(view));
+        {
+            const std::lock_guard lock(m_mutex);
+            m_trackState = TrackState::Predicting;
+        }
         std::this_thread::sleep_for(kPollLost);
         return;
     }

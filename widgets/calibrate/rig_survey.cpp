@@ -41,6 +41,7 @@ std::vector<Vector6d> surveyPoses(const RigGeometry& geometry, const Vector6d& f
 
 void RigSurvey::begin(std::vector<Vector6d> goals, int frames) {
     m_goals = std::move(goals);
+    m_start = m_robot;
     m_frames = frames;
     m_goal = 0;
     m_views.clear();

@@ -24,6 +24,7 @@ public:
     /// Collects so many frames at each goal, or where the robot is when there is none.
     void begin(std::vector<Vector6d> goals, int frames);
     void cancel() { m_state = State::Idle; }
+    const Vector6d& start() const { return m_start; } ///< where the robot was at the beginning
 
     void setRobot(const Vector6d& coordinates, bool isMoving);
     void addFrame(double time_s, const MarkerFrame& frame);
@@ -49,6 +50,7 @@ private:
     bool m_goalTold = true;
     bool m_setOff = false;
     Vector6d m_robot = Vector6d::Zero();
+    Vector6d m_start = Vector6d::Zero();
     bool m_isMoving = false;
     std::optional<double> m_still_s; ///< camera's time since when nothing has moved
     std::optional<double> m_sent_s;

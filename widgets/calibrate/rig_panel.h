@@ -1,0 +1,108 @@
+#pragma once
+// Where the camera stands and where the source is, by markers: listed, measured, judged, checked.
+
+#include "engine/base/message_code.h"
+#include "engine/calibration/hand_eye.h"
+#include "engine/calibration/relative_pose.h"
+#include "engine/session/experiment.h"
+#include "engine/vision/vision_view.h"
+#include "widgets/calibrate/rig_survey.h"
+#include "widgets/common/latest_job.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace bask {
+
+class MarkerEditor;
+
+/// Object names: those of MarkerEditor; "placeHere", "placeTour", "placeCheck", "placeUse", "placeVerdict",
+/// "placeText"; "sourceMeasure", "sourceUse", "sourceVerdict", "sourceText"; "surveyProgress",
+/// "surveyCancel", "rigStatus".
+class RigPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int kFramesHere = 30;
+    static constexpr int kFramesOnTour = 8;
+
+    explicit RigPanel(QWidget* parent = nullptr);
+    ~RigPanel() override;
+
+    void setExperiment(const Experiment& experiment);
+    /// Each frame counts once.
+    void setView(const VisionView& view);
+    /// Coordinates of the end-effector in R; `mayMove`: no run is armed or on.
+    void setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove);
+
+signals:
+    void visionEdited(const bask::VisionSpec& vision);
+    /// Both at once: calibrations with their dates, and where the source is in R.
+    void sourceMeasured(const bask::VisionSpec& vision, const bask::Vector6d& pose);
+    void moveWanted(const bask::Vector6d& coordinates);
+    void holdWanted(); ///< the robot shall stop where it is
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum class Task { None, PlaceHere, PlaceTour, PlaceCheck, Source };
+    struct Outcome {
+        std::optional<HandEye> place;
+        std::optional<HandEyeCheck> check;
+        std::optional<RelativePose> source;
+        Pose X_RS = Pose::Identity(); ///< by `source`
+        Message trouble;              ///< code None: none
+    };
+
+    QWidget* buildPlace();
+    QWidget* buildSource();
+    void begin(Task task);
+    void cancel();
+    void advance();
+    void solve();
+    void take(Task task, Outcome outcome);
+    void usePlace();
+    void useSource();
+    void showProgress();
+    void showPlace();
+    void showSource();
+    void showEnabled();
+    QString whyNot() const; ///< measuring is not possible now
+    void retranslate();
+
+    Experiment m_experiment;
+    std::shared_ptr<const RigGeometry> m_geometry;
+    std::uint64_t m_frame = 0; ///< number of the last one
+    bool m_hasFrame = false;
+    Vector6d m_robot = Vector6d::Zero();
+    bool m_mayMove = false;
+    bool m_isReason = false; ///< the status says why nothing can be measured
+
+    Task m_task = Task::None;
+    RigSurvey m_survey;
+    LatestJob<Outcome> m_solving;
+    std::optional<HandEye> m_place;      ///< measured last
+    std::optional<HandEyeCheck> m_check; ///< of it, or of the one in use
+    std::optional<RelativePose> m_source;
+    Pose m_X_RS = Pose::Identity();
+
+    MarkerEditor* m_markers;
+    QLabel *m_markersTitle, *m_placeTitle, *m_sourceTitle;
+    QLabel *m_placeHint, *m_sourceHint;
+    QPushButton *m_here, *m_tour, *m_checkButton, *m_usePlace;
+    QLabel *m_placeIcon, *m_placeVerdict, *m_placeText;
+    QPushButton *m_measure, *m_useSource;
+    QLabel *m_sourceIcon, *m_sourceVerdict, *m_sourceText;
+    QLabel* m_status;
+    QProgressBar* m_progress;
+    QPushButton* m_cancel;
+};
+
+} // namespace bask
