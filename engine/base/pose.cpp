@@ -13,6 +13,16 @@ Pose poseFromRotationVector(const Eigen::Vector3d& translation_m, const Eigen::V
     return X;
 }
 
+Pose poseBetween(const Pose& from, const Pose& to, double share) {
+    Pose X = Pose::Identity();
+    X.linear() = Eigen::Quaterniond(from.linear())
+                     .slerp(share, Eigen::Quaterniond(to.linear()))
+                     .normalized()
+                     .toRotationMatrix();
+    X.translation() = (1.0 - share) * from.translation() + share * to.translation();
+    return X;
+}
+
 Pose poseFromCoordinates(const Vector6d& q) {
     using Eigen::AngleAxisd;
     using Eigen::Vector3d;

@@ -17,6 +17,9 @@ inline constexpr std::array<const char*, 6> kCoordinateNames{"x", "y", "z", "the
 /// Pose from translation (m) and rotation vector (rad, axis times angle).
 Pose poseFromRotationVector(const Eigen::Vector3d& translation_m, const Eigen::Vector3d& rotation_rad);
 
+/// The pose on the way from one to another, `share` of it (0 to 1) gone: evenly, turned about one axis.
+Pose poseBetween(const Pose& from, const Pose& to, double share);
+
 /// Pose from coordinates (x, y, z, theta_x, theta_y, theta_z): R = Rz(theta_z) Ry(theta_y) Rx(theta_x).
 Pose poseFromCoordinates(const Vector6d& q);
 

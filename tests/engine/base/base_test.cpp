@@ -60,6 +60,21 @@ TEST(Pose, RotationVectorOfZeroLengthIsTheIdentity) {
     EXPECT_EQ(X.translation(), Eigen::Vector3d(1.0, 2.0, 3.0));
 }
 
+// Catches: a way that turns about another axis, the long way round, or not evenly.
+TEST(Pose, TheWayBetweenPosesIsEven) {
+    const Eigen::Vector3d axis(0.3, -0.4, 1.2);
+    const Pose from = poseFromRotationVector({1.0, 2.0, 3.0}, {2.0, 0.1, -0.5});
+    const Pose turn = poseFromRotationVector(Eigen::Vector3d::Zero(), axis);
+    Pose to = from * turn;
+    to.translation() = Eigen::Vector3d(2.0, 0.0, 3.0);
+    const Pose quarter = poseBetween(from, to, 0.25);
+    EXPECT_LT((quarter.translation() - Eigen::Vector3d(1.25, 1.5, 3.0)).norm(), 1e-12);
+    const Pose turned = from * poseFromRotationVector(Eigen::Vector3d::Zero(), 0.25 * axis);
+    EXPECT_TRUE(quarter.linear().isApprox(turned.linear(), 1e-12));
+    EXPECT_TRUE(poseBetween(from, to, 0.0).isApprox(from, 1e-12));
+    EXPECT_TRUE(poseBetween(from, to, 1.0).isApprox(to, 1e-12));
+}
+
 TEST(Result, ReadingTheWrongSideIsABrokenContract) {
     const Result<int> good = 7;
     const Result<int> bad = Error(MessageCode::FileNotFound, "x.json");

@@ -1,0 +1,27 @@
+#pragma once
+// What a camera sees of the rig, as flat faces: source, objects, markers on cards, a hand, a board.
+
+#include "engine/calibration/board.h"
+#include "engine/calibration/marker_layout.h"
+#include "engine/simulation/scene_renderer.h"
+
+#include <vector>
+
+namespace bask {
+
+struct SimulatedCameraConfig;
+
+struct PartFace {
+    Part part = Part::Base;
+    Pose X_PF = Pose::Identity();
+    SceneFace face;
+};
+
+/// The source's plate and hot face, the objects, every marker on a card with a light margin of one module.
+std::vector<PartFace> rigFaces(const SimulatedCameraConfig& config);
+/// A hand before each of the source's markers.
+std::vector<PartFace> handFaces(const MarkerLayout& markers);
+/// In the frame of heldBoardPose with z turned towards the camera: x right, y up.
+SceneFace boardFace(const Board& board);
+
+} // namespace bask
