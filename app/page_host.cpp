@@ -2,7 +2,7 @@
 
 #include "app/actions.h"
 #include "app/error_text.h"
-#include "widgets/objects/message_bar.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/objects/objects_page.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/review_page.h"

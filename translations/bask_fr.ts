@@ -866,6 +866,58 @@
             <source>the robot cannot go there: outside of its workspace, or too near to the source</source>
             <translation>le robot ne peut pas y aller : hors de son espace de travail, ou trop près de la source</translation>
         </message>
+        <message>
+            <source>the calibration was cancelled</source>
+            <translation>l’étalonnage a été annulé</translation>
+        </message>
+        <message>
+            <source>good to %1 mm across the line of sight and %2 mm along it at %3 m</source>
+            <translation>juste à %1 mm près en travers de la ligne de visée et à %2 mm près le long de celle-ci, à %3 m</translation>
+        </message>
+        <message>
+            <source>good to %1 mm across the line of sight and %2 mm along it at %3 m; check that the board is flat, measured and sharp in the pictures, and leave out views that stand out</source>
+            <translation>juste à %1 mm près en travers de la ligne de visée et à %2 mm près le long de celle-ci, à %3 m ; vérifiez que la mire est plane, mesurée et nette sur les images, et écartez les vues qui se distinguent</translation>
+        </message>
+        <message>
+            <source>good to %1 mm across the line of sight and %2 mm along it at %3 m; take more views with the board tilted, near the camera and at the picture&apos;s edges</source>
+            <translation>juste à %1 mm près en travers de la ligne de visée et à %2 mm près le long de celle-ci, à %3 m ; prenez davantage de vues avec la mire inclinée, près de la caméra et aux bords de l’image</translation>
+        </message>
+        <message>
+            <source>%1 views cannot be checked against one another; take at least %2</source>
+            <translation>%1 vues ne se laissent pas vérifier les unes par les autres ; prenez-en au moins %2</translation>
+        </message>
+        <message>
+            <source>bring the board to the left edge of the picture</source>
+            <translation>amenez la mire au bord gauche de l’image</translation>
+        </message>
+        <message>
+            <source>bring the board to the right edge of the picture</source>
+            <translation>amenez la mire au bord droit de l’image</translation>
+        </message>
+        <message>
+            <source>bring the board to the upper edge of the picture</source>
+            <translation>amenez la mire au bord supérieur de l’image</translation>
+        </message>
+        <message>
+            <source>bring the board to the lower edge of the picture</source>
+            <translation>amenez la mire au bord inférieur de l’image</translation>
+        </message>
+        <message>
+            <source>bring the board nearer to the camera</source>
+            <translation>approchez la mire de la caméra</translation>
+        </message>
+        <message>
+            <source>tilt the board more, its left or right edge towards the camera</source>
+            <translation>inclinez davantage la mire, son bord gauche ou droit vers la caméra</translation>
+        </message>
+        <message>
+            <source>tilt the board more, its upper or lower edge towards the camera</source>
+            <translation>inclinez davantage la mire, son bord supérieur ou inférieur vers la caméra</translation>
+        </message>
+        <message>
+            <source>%1 views of %2 that are enough</source>
+            <translation>%1 vues sur les %2 qui suffisent</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

@@ -132,6 +132,19 @@ enum class MessageCode : int {
     CalibrationFailed,      ///< no args
     CalibrationUncertain,   ///< %1 percent, %2 allowed
     CalibrationContradicts, ///< %1 px, %2 allowed
+    CalibrationCancelled,   ///< no args
+    CameraGood,             ///< %1 mm across, %2 mm along, %3 m away
+    CameraMisfits,          ///< %1 mm across, %2 mm along, %3 m away
+    CameraFocalUncertain,   ///< %1 mm across, %2 mm along, %3 m away
+    CameraUnchecked,        ///< %1 views, %2 needed
+    CoverageLeft,           ///< no args
+    CoverageRight,          ///< no args
+    CoverageTop,            ///< no args
+    CoverageBottom,         ///< no args
+    CoverageNearer,         ///< no args
+    CoverageTiltSideways,   ///< no args
+    CoverageTiltUpDown,     ///< no args
+    CoverageViews,          ///< %1 views, %2 enough
     CameraNotOpened,        ///< %1 camera, %2 words
     CameraLost,             ///< %1 camera, %2 words
     SheetTooSmall,          ///< %1 mm needed, %2 paper, %3 mm of room

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace bask {
 namespace {
@@ -57,17 +58,23 @@ double squaredError(const Corners& view, const Solution& s) {
     return std::pow(cv::norm(shown, view.seen), 2);
 }
 
-std::optional<double> heldOut(const std::vector<Corners>& views, cv::Size size, int coefficients) {
-    constexpr std::size_t kParts = 5;
+constexpr std::size_t kParts = kLeastHeldOutViews; // of the views, each held out once
+
+// Nothing for too few views, or when it is stopped. `fitted` hears of each part.
+std::optional<double> heldOut(const std::vector<Corners>& views, cv::Size size, int coefficients,
+                              const std::stop_token& stop, const std::function<void()>& fitted) {
     if (views.size() < kParts)
         return std::nullopt;
     double sum = 0.0;
     std::size_t count = 0;
     for (std::size_t part = 0; part < kParts; ++part) {
+        if (stop.stop_requested())
+            return std::nullopt;
         std::vector<Corners> kept, out;
         for (std::size_t k = 0; k < views.size(); ++k)
             (k % kParts == part ? out : kept).push_back(views[k]);
         const Solution s = solve(kept, size, coefficients);
+        fitted();
         for (const Corners& view : out) {
             sum += squaredError(view, s);
             count += view.seen.size();
@@ -134,7 +141,9 @@ std::optional<Message> CameraCalibration::reasonAgainst() const {
 }
 
 Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& views, const Board& board,
-                                          int width, int height, int coefficients) {
+                                          int width, int height, int coefficients,
+                                          const std::stop_token& stop,
+                                          const std::function<void(int, int)>& progress) {
     if (views.size() < kLeastCalibrationViews)
         return Error{MessageCode::ViewsTooFew,
                      "",
@@ -143,10 +152,20 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& vi
     for (const CalibrationView& view : views)
         corners.push_back(cornersOf(view, board));
     const cv::Size size(width, height);
+    const int fits = views.size() < kParts ? 1 : 1 + static_cast<int>(kParts);
+    int done = 0;
+    const std::function<void()> fitted = [&] {
+        if (progress)
+            progress(++done, fits);
+    };
     try {
         const Solution solution = solve(corners, size, coefficients);
-        CameraCalibration result{cameraOf(solution, coefficients), heldOut(corners, size, coefficients),
+        fitted();
+        CameraCalibration result{cameraOf(solution, coefficients),
+                                 heldOut(corners, size, coefficients, stop, fitted),
                                  tiltOf(solution.rotations)};
+        if (stop.stop_requested())
+            return Error{MessageCode::CalibrationCancelled, ""};
         result.camera.width = width;
         result.camera.height = height;
         result.camera.board = boardText(board);
@@ -158,6 +177,43 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& vi
     } catch (const cv::Exception&) { // views that determine no camera
     }
     return Error{MessageCode::CalibrationFailed, ""};
+}
+
+std::vector<std::size_t> viewsStandingOut(const std::vector<ViewResidual>& views) {
+    constexpr double kOften = 2.0;
+    std::vector<std::size_t> out;
+    if (views.size() < kLeastHeldOutViews)
+        return out;
+    std::vector<double> residuals;
+    for (const ViewResidual& view : views)
+        residuals.push_back(view.rms_px);
+    const auto middle = residuals.begin() + static_cast<std::ptrdiff_t>(residuals.size() / 2);
+    std::ranges::nth_element(residuals, middle);
+    for (std::size_t k = 0; k < views.size(); ++k)
+        if (views[k].rms_px > kOften * *middle)
+            out.push_back(k);
+    return out;
+}
+
+Judgement judged(const CameraCalibration& calibration, double distance_m) {
+    if (auto reason = calibration.reasonAgainst())
+        return {Verdict::Redo, *reason};
+    const std::optional<double> across_m = calibration.heldOut_m(distance_m);
+    if (!across_m)
+        return {Verdict::Redo,
+                {MessageCode::CameraUnchecked,
+                 {std::to_string(calibration.camera.views.size()), std::to_string(kLeastHeldOutViews)}}};
+    const double along_m = calibration.focalError_m(distance_m), worse_m = std::max(*across_m, along_m);
+    const Verdict verdict = worse_m <= 1e-3   ? Verdict::Good
+                            : worse_m <= 3e-3 ? Verdict::Usable
+                                              : Verdict::Redo;
+    const MessageCode code = verdict == Verdict::Good ? MessageCode::CameraGood
+                             : *across_m > along_m    ? MessageCode::CameraMisfits
+                                                      : MessageCode::CameraFocalUncertain;
+    return {
+        verdict,
+        {code,
+         {formatNumber(1e3 * *across_m, 2), formatNumber(1e3 * along_m, 2), formatNumber(distance_m, 3)}}};
 }
 
 } // namespace bask

@@ -3,8 +3,11 @@
 
 #include "engine/calibration/board_finder.h"
 #include "engine/calibration/camera_model.h"
+#include "engine/calibration/verdict.h"
 
+#include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -26,6 +29,8 @@ struct CameraCalibration {
     std::optional<double> heldOut_m(double distance_m) const;
     /// Standard deviation of the focal lengths, the larger of the two, relative.
     double focalDeviation() const;
+    /// What two of them are as a length along the line of sight, so far from the camera.
+    double focalError_m(double distance_m) const { return 2.0 * focalDeviation() * distance_m; }
     /// Why the camera should not be used: ViewsStraightOn (boards tilted by less than 10 degrees tell no
     /// focal length, however small its deviation looks), CalibrationUncertain (focal length to 10 %),
     /// CalibrationContradicts (residuals above 0.3 % of the picture's width).
@@ -33,11 +38,24 @@ struct CameraCalibration {
 };
 
 inline constexpr std::size_t kLeastCalibrationViews = 3;
+inline constexpr std::size_t kLeastHeldOutViews = 5;
 
 /// By cv::calibrateCamera, all parameters free; `coefficients` is 5 (k1 k2 p1 p2 k3) or 8. All views have the
-/// size width x height. Residuals are distances between corners. Errors: ViewsTooFew, CalibrationFailed
-/// (views that no camera explains).
+/// size width x height. Residuals are distances between corners. `progress` hears after each fit how many of
+/// how many are done; `stop` is asked between them. Errors: ViewsTooFew, CalibrationFailed (views that no
+/// camera explains), CalibrationCancelled.
 Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& views, const Board& board,
-                                          int width, int height, int coefficients);
+                                          int width, int height, int coefficients,
+                                          const std::stop_token& stop = {},
+                                          const std::function<void(int, int)>& progress = {});
+
+/// Views that had better be left out: residuals above twice the median. None below five views.
+std::vector<std::size_t> viewsStandingOut(const std::vector<ViewResidual>& views);
+
+/// How far off the camera shows things so far away: across the line of sight as held-out views have it, and
+/// along it by two standard deviations of the focal length. Good: 1 mm each; Usable: 3 mm; Redo: worse, what
+/// reasonAgainst says, or too few views to hold some out. Reasons: CameraGood; CameraMisfits or
+/// CameraFocalUncertain, whichever is the larger; CameraUnchecked; those of reasonAgainst.
+Judgement judged(const CameraCalibration& calibration, double distance_m);
 
 } // namespace bask

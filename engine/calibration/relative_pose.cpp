@@ -68,7 +68,7 @@ std::optional<Matrix6d> predictedCovariance(const MarkerLayout& layout, Part a, 
     return ofA && ofB ? std::optional(covarianceBetween(X_CA, *ofA, X_CB, *ofB)) : std::nullopt;
 }
 
-PoseJudgement judged(const RelativePose& pose) {
+Judgement judged(const RelativePose& pose) {
     for (const PartPose* part : {&pose.a, &pose.b})
         if (part->mirrored)
             return {Verdict::Redo,

@@ -3,6 +3,7 @@
 // in the robot's base (X_RS).
 
 #include "engine/calibration/part_pose.h"
+#include "engine/calibration/verdict.h"
 
 namespace bask {
 
@@ -32,13 +33,8 @@ std::optional<Matrix6d> predictedCovariance(const MarkerLayout& layout, Part a, 
                                             double corner_px = kUsualCorner_px);
 
 /// Good: 1 mm and 0.3 degrees (2 sigma); Usable: 3 mm and 1 degree; Redo: worse, or one of two poses.
-enum class Verdict { Good, Usable, Redo };
-
-struct PoseJudgement {
-    Verdict verdict = Verdict::Redo;
-    /// PoseGood; PoseAmbiguous; PoseLimited (markers and camera allow no better); PoseUncertain (they do).
-    Message reason;
-};
-PoseJudgement judged(const RelativePose& pose);
+/// Reasons: PoseGood; PoseAmbiguous; PoseLimited (markers and camera allow no better); PoseUncertain (they
+/// do).
+Judgement judged(const RelativePose& pose);
 
 } // namespace bask

@@ -2,9 +2,9 @@
 // need the tick.
 
 #include "tests/app/window_fixture.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
-#include "widgets/objects/message_bar.h"
 #include "widgets/targets/reach_bar.h"
 #include "widgets/targets/reach_map.h"
 #include "widgets/targets/targets_page.h"

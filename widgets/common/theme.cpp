@@ -190,6 +190,14 @@ QColor hairline(bool dark) {
     return dark ? QColor(0x3c, 0x41, 0x46) : QColor(0xd5, 0xd9, 0xdc);
 }
 
+QColor mixed(const QColor& color, const QColor& ground, double weight) {
+    const auto blend = [weight](float a, float b) {
+        return static_cast<float>(weight * static_cast<double>(a) + (1.0 - weight) * static_cast<double>(b));
+    };
+    return QColor::fromRgbF(blend(color.redF(), ground.redF()), blend(color.greenF(), ground.greenF()),
+                            blend(color.blueF(), ground.blueF()));
+}
+
 QPalette captionPalette(const QPalette& palette) {
     QPalette caption = palette;
     caption.setColor(QPalette::WindowText, secondaryText(isDark(palette)));

@@ -43,6 +43,9 @@ QColor accentColor(bool dark);   ///< running, selected, changed: a quiet blue
 QColor secondaryText(bool dark); ///< captions; at least 4.5:1 on window and base
 QColor hairline(bool dark);      ///< borders and grid lines
 
+/// `color` over `ground` with the given weight, opaque.
+QColor mixed(const QColor& color, const QColor& ground, double weight);
+
 /// Palette for captions of a widget, from its own palette.
 QPalette captionPalette(const QPalette& palette);
 

@@ -3,9 +3,9 @@
 #include "engine/base/message_code.h"
 #include "engine/session/experiment.h"
 #include "widgets/common/display.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/import_questions.h"
-#include "widgets/objects/message_bar.h"
 #include "widgets/objects/outline_painting.h"
 #include "widgets/objects/outline_picker.h"
 

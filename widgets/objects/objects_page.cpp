@@ -2,11 +2,11 @@
 
 #include "engine/session/mounting_check.h"
 #include "widgets/common/display.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/harmonics_panel.h"
 #include "widgets/objects/import_panel.h"
 #include "widgets/objects/material_presets.h"
-#include "widgets/objects/message_bar.h"
 #include "widgets/objects/mounting_plan.h"
 #include "widgets/objects/object_list.h"
 #include "widgets/objects/object_properties.h"

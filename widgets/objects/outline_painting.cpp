@@ -77,12 +77,4 @@ void paintScaleBar(QPainter& painter, const QRectF& view, double pixelsPerMm) {
     painter.drawText(left + QPointF(0.0, -8.0), lengthText_mm(length_mm));
 }
 
-QColor mixed(const QColor& color, const QColor& ground, double weight) {
-    const auto blend = [weight](float a, float b) {
-        return static_cast<float>(weight * static_cast<double>(a) + (1.0 - weight) * static_cast<double>(b));
-    };
-    return QColor::fromRgbF(blend(color.redF(), ground.redF()), blend(color.greenF(), ground.greenF()),
-                            blend(color.blueF(), ground.blueF()));
-}
-
 } // namespace bask

@@ -39,7 +39,4 @@ QString lengthText_mm(double length_mm);
 /// Scale bar of about a fifth of `view`'s width in its lower left corner.
 void paintScaleBar(QPainter& painter, const QRectF& view, double pixelsPerMm);
 
-/// `color` over `ground` with the given weight, opaque.
-QColor mixed(const QColor& color, const QColor& ground, double weight);
-
 } // namespace bask

@@ -1,5 +1,6 @@
 #include "widgets/objects/residual_plot.h"
 
+#include "widgets/common/theme.h"
 #include "widgets/objects/outline_painting.h"
 
 #include <QEvent>

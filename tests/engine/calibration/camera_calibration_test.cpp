@@ -155,5 +155,70 @@ TEST(CameraCalibration, SaysWhyACameraIsNotToBeUsed) {
     EXPECT_EQ(contradicted.reasonAgainst().value().code, MessageCode::CalibrationContradicts);
 }
 
+// Catches: progress that does not end, and a cancelled calibration that goes on or hands out half a result.
+TEST(CameraCalibration, TellsItsProgressAndStopsBetweenFits) {
+    const auto some = views(test::sampleCamera(), kBoard, 8, 0.2);
+    std::vector<int> done;
+    const auto whole = calibrateCamera(some, kBoard, 1280, 720, 5, {}, [&](int count, int of) {
+        done.push_back(count);
+        EXPECT_EQ(of, 6);
+    });
+    EXPECT_EQ(done, (std::vector<int>{1, 2, 3, 4, 5, 6}));
+    ASSERT_TRUE(whole);
+    std::stop_source stop;
+    done.clear();
+    const auto cancelled = calibrateCamera(some, kBoard, 1280, 720, 5, stop.get_token(), [&](int count, int) {
+        done.push_back(count);
+        if (count == 2)
+            stop.request_stop();
+    });
+    ASSERT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.error().code(), MessageCode::CalibrationCancelled);
+    EXPECT_EQ(done.size(), 2U);
+}
+
+// Catches: a bad view that nobody points at, and good ones that are accused.
+TEST(CameraCalibration, ABadViewStandsOut) {
+    auto some = views(test::sampleCamera(), kBoard, 15, 0.2);
+    const auto good = calibrateCamera(some, kBoard, 1280, 720, 5);
+    ASSERT_TRUE(good);
+    EXPECT_TRUE(viewsStandingOut(good->camera.views).empty());
+    std::mt19937 random(9);
+    std::normal_distribution<double> blur(0.0, 1.5);
+    for (Eigen::Vector2d& p : some[6].board.corners_px)
+        p += Eigen::Vector2d(blur(random), blur(random));
+    const auto bad = calibrateCamera(some, kBoard, 1280, 720, 5);
+    ASSERT_TRUE(bad);
+    EXPECT_EQ(viewsStandingOut(bad->camera.views), std::vector<std::size_t>{6});
+    EXPECT_TRUE(viewsStandingOut({{"1", 0.1}, {"2", 0.1}, {"3", 9.0}}).empty()) << "three tell no usual";
+}
+
+// Catches: a verdict that is not in millimetres at the distance asked for, names the wrong one of two causes,
+// or is better than held-out views and the focal length allow.
+TEST(CameraCalibration, IsJudgedAtADistance) {
+    CameraCalibration result;
+    result.camera = test::sampleCamera();
+    result.camera.rms_px = 0.3;
+    result.camera.deviations = {0.5, 0.5, 0.5, 0.5, 0, 0, 0, 0, 0};
+    result.camera.views.resize(20);
+    result.tilt_rad = 0.6;
+    result.heldOut_px = 0.3;
+    EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Good);
+    EXPECT_EQ(judged(result, 0.6).reason, (Message{MessageCode::CameraGood, {"0.18", "0.6", "0.6"}}));
+    EXPECT_EQ(judged(result, 2.0).verdict, Verdict::Usable) << "2 mm along the line of sight";
+    EXPECT_EQ(judged(result, 2.0).reason.code, MessageCode::CameraFocalUncertain);
+    EXPECT_EQ(judged(result, 4.0).verdict, Verdict::Redo);
+    result.heldOut_px = 3.0;
+    EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Usable);
+    EXPECT_EQ(judged(result, 0.6).reason.code, MessageCode::CameraMisfits);
+    result.heldOut_px.reset();
+    EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Redo);
+    EXPECT_EQ(judged(result, 0.6).reason, (Message{MessageCode::CameraUnchecked, {"20", "5"}}));
+    result.heldOut_px = 0.3;
+    result.tilt_rad = 0.1;
+    EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Redo);
+    EXPECT_EQ(judged(result, 0.6).reason.code, MessageCode::ViewsStraightOn);
+}
+
 } // namespace
 } // namespace bask

@@ -3,8 +3,8 @@
 #include "engine/shape/hausdorff.h"
 #include "tests/support/longer_translator.h"
 #include "tests/support/wait_for.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
-#include "widgets/objects/message_bar.h"
 #include "widgets/objects/outline_picker.h"
 
 #include <QApplication>

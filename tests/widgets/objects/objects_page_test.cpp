@@ -2,10 +2,10 @@
 
 #include "tests/support/longer_translator.h"
 #include "widgets/common/display.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/fourier_fits.h"
-#include "widgets/objects/message_bar.h"
 #include "widgets/objects/object_list.h"
 #include "widgets/objects/outline_preview.h"
 

@@ -1,7 +1,6 @@
-#include "widgets/objects/message_bar.h"
+#include "widgets/common/message_bar.h"
 
 #include "widgets/common/theme.h"
-#include "widgets/objects/outline_painting.h"
 
 #include <QEvent>
 #include <QHBoxLayout>

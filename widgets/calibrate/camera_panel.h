@@ -1,0 +1,125 @@
+#pragma once
+// A camera's intrinsics: views of a board taken as they come, solved off the GUI thread, judged, kept as
+// files.
+
+#include "engine/calibration/view_collector.h"
+#include "engine/vision/vision_view.h"
+#include "widgets/common/latest_job.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QCheckBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QVBoxLayout;
+
+namespace bask {
+
+class BoardForm;
+class CameraResult;
+class CoverageView;
+class MessageBar;
+class ViewList;
+
+/// Hears of fits from the pool's thread.
+class FitProgress : public QObject {
+    Q_OBJECT
+signals:
+    void fitted(int done, int of);
+};
+
+/// Once a camera was asked for, every view added or left out solves it again, so that what is shown belongs
+/// to the views that are ticked. Object names: "captureStart", "captureAutomatic", "captureTake",
+/// "captureStatus", "captureAgain", "cameraMessage" (MessageBar), "solve", "solveProgress", "solveCancel",
+/// "leaveOut", and those of BoardForm, CoverageView, ViewList, CameraResult.
+class CameraPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit CameraPanel(QWidget* parent = nullptr);
+    ~CameraPanel() override;
+
+    /// What the camera shows; each frame counts once.
+    void setView(const VisionView& view);
+    /// From the camera to the source: where errors are told in mm. 0.6 m until it is set.
+    void setDistance(double distance_m);
+    /// The camera in use.
+    void setCamera(const std::optional<CameraModel>& camera);
+    /// The board at hand, such as one printed and measured. The views of another are dropped.
+    void setBoard(const Board& board);
+
+    /// Read and written off the GUI thread; what goes wrong is said in the panel.
+    void loadCamera(const QString& path);
+    void saveCamera(const QString& path, bool asRos);
+
+signals:
+    /// Look for this board in the pictures; none: look for no board.
+    void boardWanted(const std::optional<bask::Board>& board);
+    void cameraChosen(const bask::CameraModel& camera);
+    /// To be drawn over the picture; none: nothing.
+    void heatMapChanged(const std::optional<bask::HeatMap>& map);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QWidget* buildBoard();
+    QWidget* buildCapture();
+    QWidget* buildViews();
+    QWidget* buildResult();
+    void connectAll();
+    bool isCapturing() const;
+    void changeBoard();
+    void startAgain();
+    void capture(bool on);
+    bool startCollector(const GreyPicture& picture);
+    void look();
+    void take();
+    void added(QString said);
+    void showViews();
+    void solve();
+    void cancel();
+    void taken(Result<CameraCalibration> result, const std::vector<int>& rows);
+    void leaveOut();
+    void askWhereToSave();
+    void askWhatToLoad();
+    void sayOther();
+    void sayStatus(const QString& sentence);
+    QString nextText() const;
+    void updateEnabled();
+    void retranslate();
+
+    VisionView m_view; ///< newest
+    std::optional<ViewCollector> m_collector;
+    std::optional<Board> m_other; ///< offered instead of the one set
+    bool m_cameraWanted = false;  ///< solve again as views change
+    std::vector<int> m_outstanding;
+    QString m_folder;
+
+    LatestJob<Result<CameraCalibration>> m_solving;
+    LatestJob<Result<CameraModel>> m_loading;
+    LatestJob<Result<void>> m_saving;
+
+    BoardForm* m_board;
+    QPushButton* m_start;
+    QCheckBox* m_automatic;
+    QPushButton* m_take;
+    QLabel* m_status;
+    MessageBar* m_message;
+    CoverageView* m_coverage;
+    ViewList* m_list;
+    QPushButton* m_leaveOut;
+    QPushButton* m_again;
+    QPushButton* m_solve;
+    QProgressBar* m_progress;
+    QPushButton* m_cancel;
+    CameraResult* m_result;
+    QLabel* m_boardTitle;
+    QLabel* m_viewsTitle;
+    QLabel* m_resultTitle;
+};
+
+} // namespace bask

@@ -1,0 +1,186 @@
+#include "widgets/calibrate/live_picture.h"
+
+#include "engine/base/clock.h"
+#include "engine/base/message_code.h"
+#include "widgets/calibrate/live_overlay.h"
+#include "widgets/common/display.h"
+#include "widgets/common/theme.h"
+
+#include <QEvent>
+#include <QImage>
+#include <QLocale>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr double kGap = 6.0;
+
+QString number(double value, int decimals) {
+    return QLocale().toString(value, 'f', decimals);
+}
+
+QImage imageOf(const GreyPicture& picture) {
+    return QImage(picture.values.data(), picture.width, picture.height, picture.width,
+                  QImage::Format_Grayscale8);
+}
+
+} // namespace
+
+LivePicture::LivePicture(QWidget* parent) : QWidget(parent) {
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    retranslate();
+}
+
+void LivePicture::setView(const VisionView& view) {
+    m_view = view;
+    m_age_s = view.frame ? SteadyClock().now_s() - view.frame->caught_s : 0.0;
+    retranslate();
+    update();
+}
+
+void LivePicture::setCamera(const std::optional<CameraModel>& camera) {
+    m_camera = camera;
+    update();
+}
+
+void LivePicture::setBoard(const std::optional<Board>& board) {
+    m_board = board;
+    update();
+}
+
+void LivePicture::setHeatMap(const std::optional<HeatMap>& map) {
+    m_heatMap = map;
+    update();
+}
+
+QString LivePicture::sentence() const {
+    if (m_view.problem.code != MessageCode::None)
+        return messageText(m_view.problem);
+    return m_view.frame ? QString() : tr("No picture yet: no camera is running.");
+}
+
+QString LivePicture::statusText() const {
+    if (!m_view.frame)
+        return {};
+    QStringList words;
+    if (!m_view.cameraName.empty())
+        words << QString::fromStdString(m_view.cameraName);
+    const GreyPicture& picture = m_view.frame->picture;
+    words << tr("%1 \u00d7 %2").arg(picture.width).arg(picture.height);
+    if (m_view.problem.code == MessageCode::None) {
+        words << tr("%1 pictures/s").arg(number(m_view.rate_Hz, 1));
+        words << tr("latency %1 ms").arg(number(1000.0 * m_view.latency_s, 0));
+    }
+    words << tr("age %1 s").arg(number(m_age_s, 1));
+    if (m_view.tracking)
+        words << (*m_view.tracking == TrackState::Tracking     ? tr("source tracked")
+                  : *m_view.tracking == TrackState::Predicting ? tr("source predicted")
+                                                               : tr("source searched"));
+    return words.join(QStringLiteral("  \u00b7  "));
+}
+
+QString LivePicture::foundText() const {
+    QStringList words;
+    for (const ViewedMarker& viewed : m_view.markers)
+        words << (viewed.part ? tr("marker %1, %2").arg(viewed.marker.id).arg(partWord(*viewed.part))
+                              : tr("marker %1").arg(viewed.marker.id));
+    if (m_view.board && m_view.board->ok())
+        words << tr("the board");
+    return words.isEmpty() ? tr("Nothing is found in the picture") : words.join(QStringLiteral("; "));
+}
+
+void LivePicture::retranslate() {
+    const QString over = sentence();
+    setAccessibleName(tr("Live picture of the camera"));
+    if (const QString description = over.isEmpty() ? foundText() : over;
+        description != accessibleDescription())
+        setAccessibleDescription(description);
+}
+
+void LivePicture::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        update();
+    QWidget::changeEvent(event);
+}
+
+// Fitted into the room above the status line.
+QRectF LivePicture::pictureRect() const {
+    const QRectF room = QRectF(rect()).adjusted(0.0, 0.0, 0.0, -fontMetrics().height() - kGap);
+    if (!m_view.frame || m_view.frame->picture.width < 1 || m_view.frame->picture.height < 1)
+        return room;
+    QSizeF size(m_view.frame->picture.width, m_view.frame->picture.height);
+    size.scale(room.size(), Qt::KeepAspectRatio);
+    return QRectF(QPointF(room.center().x() - 0.5 * size.width(), room.top()), size);
+}
+
+void LivePicture::paintFound(QPainter& painter, const QRectF& place) const {
+    const GreyPicture& picture = m_view.frame->picture;
+    const double scale = place.width() / picture.width;
+    QTransform map = QTransform::fromTranslate(place.left(), place.top());
+    map.scale(scale, scale).translate(0.5, 0.5);
+    const OverlayPlace overlay{map, place};
+    painter.setClipRect(place);
+    if (m_heatMap)
+        paintHeatMap(painter, overlay, *m_heatMap);
+    if (m_view.board && m_view.board->ok())
+        paintBoard(painter, overlay, **m_view.board, m_board ? squareColumns(*m_board) - 1 : 1);
+    paintMarkers(painter, overlay, m_view.markers, m_camera);
+    constexpr double kSourceAxes_m = 0.05;
+    if (m_view.source && m_camera)
+        bask::paintAxes(painter, overlay, m_view.source->X_CP, kSourceAxes_m, *m_camera,
+                        m_view.source->isAmbiguous || m_view.tracking == TrackState::Predicting);
+    painter.setClipping(false);
+}
+
+void LivePicture::paintSentence(QPainter& painter, const QRectF& place) const {
+    const QString text = sentence();
+    const bool isProblem = m_view.problem.code != MessageCode::None;
+    if (m_view.frame) {
+        painter.fillRect(place, QColor(0, 0, 0, 130));
+        painter.fillRect(place, QBrush(QColor(255, 255, 255, 60), Qt::BDiagPattern));
+    }
+    constexpr int kIcon = 22;
+    constexpr double kPad = 14.0;
+    const double widest = std::min(440.0, place.width() - 4.0 * kPad - (isProblem ? kIcon + kPad : 0.0));
+    const QRectF words = painter.boundingRect(QRectF(0, 0, widest, place.height()), Qt::TextWordWrap, text);
+    QRectF box(0, 0, words.width() + 2.0 * kPad + (isProblem ? kIcon + kPad : 0.0),
+               std::max<double>(words.height(), kIcon) + 2.0 * kPad);
+    box.moveCenter(place.center());
+    painter.setPen(hairline(isDark(this)));
+    painter.setBrush(palette().color(QPalette::Window));
+    painter.drawRoundedRect(box, 4.0, 4.0);
+    QRectF inside = box.adjusted(kPad, kPad, -kPad, -kPad);
+    if (isProblem) {
+        const QPixmap icon = alarmPixmap(2, isDark(this), kIcon, devicePixelRatioF());
+        painter.drawPixmap(QPointF(inside.left(), inside.center().y() - 0.5 * kIcon), icon);
+        inside.adjust(kIcon + kPad, 0.0, 0.0, 0.0);
+    }
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(inside, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text);
+}
+
+void LivePicture::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QRectF place = pictureRect();
+    if (m_view.frame) {
+        painter.setRenderHint(QPainter::SmoothPixmapTransform, place.width() != m_view.frame->picture.width);
+        painter.drawImage(place, imageOf(m_view.frame->picture));
+    } else {
+        painter.fillRect(place, palette().color(QPalette::Base));
+    }
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (m_view.frame && m_view.problem.code == MessageCode::None)
+        paintFound(painter, place);
+    if (!sentence().isEmpty())
+        paintSentence(painter, place);
+    painter.setPen(secondaryText(isDark(this)));
+    painter.drawText(QRectF(rect()).adjusted(2.0, 0.0, -2.0, 0.0), Qt::AlignLeft | Qt::AlignBottom,
+                     statusText());
+}
+
+} // namespace bask
