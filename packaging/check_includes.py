@@ -252,7 +252,7 @@ class Checker:
         elif target.startswith("opencv2/") or target == "opencv.hpp":
             if home not in OPENCV_FOLDERS or header:
                 self.report(path, line, "opencv", f"{name}: OpenCV only in the .cpp files of "
-                                                  "engine/shape and engine/calibration")
+                                                  "engine/shape, engine/calibration and engine/devices")
         elif re.match(r"vtk[A-Z]", target) or target.startswith("QVTK"):
             if home not in VTK_FOLDERS or (header and home[0] == "engine"):
                 self.report(path, line, "vtk", f"{name}: VTK only in widgets/scene and the .cpp files of "

@@ -851,6 +851,10 @@
             <translation>la pose %1 du robot a été écartée : les marqueurs sont vus à %2 mm et %3 degrés de l’endroit où le robot les place</translation>
         </message>
         <message>
+            <source>camera "%1" is being opened</source>
+            <translation>la caméra « %1 » est en cours d’ouverture</translation>
+        </message>
+        <message>
             <source>camera "%1" cannot be opened (%2); a camera is a number, a device, a video file, a folder of pictures or an address such as rtsp://host/stream</source>
             <translation>impossible d’ouvrir la caméra « %1 » (%2) ; une caméra est un numéro, un périphérique, un fichier vidéo, un dossier d’images ou une adresse telle que rtsp://hôte/flux</translation>
         </message>

@@ -145,6 +145,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(CalibrationFailed, QT_TRANSLATE_NOOP("Message", "no camera explains these pictures; tilt the board in different ways and check its setting")),
     Entry BASK_MESSAGE(CalibrationUncertain, QT_TRANSLATE_NOOP("Message", "the focal length is known to %1 % only; at most %2 % can be used, so add pictures with the board tilted in different ways")),
     Entry BASK_MESSAGE(CalibrationContradicts, QT_TRANSLATE_NOOP("Message", "the pictures contradict one another by %1 px; at most %2 px can be used, so check that the board is flat, its setting right and all pictures from one camera")),
+    Entry BASK_MESSAGE(CameraOpening, QT_TRANSLATE_NOOP("Message", "camera \"%1\" is being opened")),
     Entry BASK_MESSAGE(CameraNotOpened, QT_TRANSLATE_NOOP("Message", "camera \"%1\" cannot be opened (%2); a camera is a number, a device, a video file, a folder of pictures or an address such as rtsp://host/stream")),
     Entry BASK_MESSAGE(CameraLost, QT_TRANSLATE_NOOP("Message", "no picture from camera \"%1\" for a second (%2); check cable and power. It is taken up again as soon as it answers")),
     Entry BASK_MESSAGE(SheetTooSmall, QT_TRANSLATE_NOOP("Message", "%1 mm are needed with margins, %2 has room for %3 mm; take larger paper or a smaller pattern")),

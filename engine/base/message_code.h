@@ -131,6 +131,7 @@ enum class MessageCode : int {
     CalibrationFailed,      ///< no args
     CalibrationUncertain,   ///< %1 percent, %2 allowed
     CalibrationContradicts, ///< %1 px, %2 allowed
+    CameraOpening,          ///< %1 camera
     CameraNotOpened,        ///< %1 camera, %2 words
     CameraLost,             ///< %1 camera, %2 words
     SheetTooSmall,          ///< %1 mm needed, %2 paper, %3 mm of room
