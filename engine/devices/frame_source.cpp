@@ -114,7 +114,7 @@ Result<std::unique_ptr<FrameSource>> openFolder(const std::string& name,
     return Result<std::unique_ptr<FrameSource>>(std::move(source));
 }
 
-enum class VideoKind { Device, Stream, File };
+enum class VideoKind { Device, Stream, Fifo, File };
 
 class VideoSource final : public FrameSource {
 public:
@@ -123,9 +123,9 @@ public:
     Result<void> open() {
         silenceLibraries();
         if (!(m_kind == VideoKind::Device ? openDevice() : openByFfmpeg()))
-            return refusal(m_name, m_kind == VideoKind::Device   ? "no camera answers there"
-                                   : m_kind == VideoKind::Stream ? "no video comes from there"
-                                                                 : "not a video that can be read");
+            return refusal(m_name, m_kind == VideoKind::Device ? "no camera answers there"
+                                   : m_kind == VideoKind::File ? "not a video that can be read"
+                                                               : "no video comes from there");
         const double rate_Hz = m_capture.get(cv::CAP_PROP_FPS);
         m_period_s = m_kind != VideoKind::File            ? 0.0
                      : rate_Hz >= 1.0 && rate_Hz <= 240.0 ? 1.0 / rate_Hz
@@ -159,6 +159,8 @@ public:
     }
 
     double period_s() const override { return m_period_s; }
+    /// A second reader of a FIFO would get halves of pictures.
+    bool isWaitedFor() const override { return m_kind == VideoKind::Fifo; }
 
 private:
     bool openDevice() {
@@ -217,7 +219,7 @@ Result<std::unique_ptr<FrameSource>> openFifo(const std::string& name,
             ::poll(nullptr, 0, kLook_ms);
     }
     auto source = isStopped() ? Result<std::unique_ptr<FrameSource>>(refusal(name, "not wanted any more"))
-                              : openVideo(name, VideoKind::Stream);
+                              : openVideo(name, VideoKind::Fifo);
     ::close(fifo.fd);
     return source;
 }

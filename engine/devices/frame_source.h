@@ -23,6 +23,8 @@ public:
     virtual Result<CaughtPicture> next() = 0;
     /// Time between the pictures of what is played; 0: live, where two are never the same for their noise.
     virtual double period_s() const { return 0.0; }
+    /// Whether a next() that does not return is best waited for: it goes on where it stopped.
+    virtual bool isWaitedFor() const { return false; }
 };
 
 /// "0" (number of a camera), "/dev/video0", "rtsp://host/stream", a FIFO with a video in it; a video file, at

@@ -133,7 +133,8 @@ private:
     }
 
     Result<CaughtPicture> read(FrameSource& source) {
-        markReading(m_clock.now_s());
+        if (!source.isWaitedFor())
+            markReading(m_clock.now_s());
         auto caught = source.next();
         markReading({});
         return caught;
