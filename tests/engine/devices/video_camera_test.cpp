@@ -45,7 +45,7 @@ double timeToLoss(VideoCamera& camera) {
 /// What a scripted source does next.
 struct Script {
     std::atomic<bool> hangs{false}, repeats{false}, fails{false};
-    std::atomic<int> openings{0};
+    std::atomic<int> openings{0}, hung{0};
     std::promise<void> release; ///< of what hangs
     std::shared_future<void> released = release.get_future().share();
 };
@@ -55,8 +55,10 @@ class ScriptedSource final : public FrameSource {
 public:
     explicit ScriptedSource(std::shared_ptr<Script> script) : m_script(std::move(script)) {}
     Result<CaughtPicture> next() override {
-        if (m_script->hangs)
+        if (m_script->hangs) {
+            ++m_script->hung;
             m_script->released.wait();
+        }
         ::poll(nullptr, 0, 5);
         if (m_script->fails)
             return Error{MessageCode::CameraNotOpened, "", {"scripted", "pulled out"}};
@@ -258,8 +260,8 @@ TEST(VideoCamera, GoesInTimeWhileItHangsAndIsBounded) {
     const int before = VideoCamera::hanging();
     for (int k = 0; k < VideoCamera::kMostHanging + 2; ++k) {
         auto camera = std::make_unique<VideoCamera>("scripted", kClock, openerOf(script));
-        const int openings = std::min(k + 1, VideoCamera::kMostHanging - before);
-        EXPECT_TRUE(waitUntil([&] { return script->openings >= openings; }));
+        const int hung = std::min(k + 1, VideoCamera::kMostHanging - before);
+        EXPECT_TRUE(waitUntil([&] { return script->hung == hung; }));
         if (k >= VideoCamera::kMostHanging - before) {
             EXPECT_EQ(codeOf(*camera), MessageCode::CameraNotOpened);
         }
