@@ -851,6 +851,10 @@
             <translation>la pose %1 du robot a été écartée : les marqueurs sont vus à %2 mm et %3 degrés de l’endroit où le robot les place</translation>
         </message>
         <message>
+            <source>camera "%1" is being opened</source>
+            <translation>la caméra « %1 » est en cours d’ouverture</translation>
+        </message>
+        <message>
             <source>camera "%1" cannot be opened (%2); a camera is a number, a device, a video file, a folder of pictures or an address such as rtsp://host/stream</source>
             <translation>impossible d’ouvrir la caméra « %1 » (%2) ; une caméra est un numéro, un périphérique, un fichier vidéo, un dossier d’images ou une adresse telle que rtsp://hôte/flux</translation>
         </message>
@@ -3324,6 +3328,97 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>the folder cannot be made</source>
             <translation>le dossier ne peut pas être créé</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SheetPanel</name>
+        <message>
+            <source>A marker's side is truly %1.</source>
+            <translation>Le côté d’un marqueur mesure en réalité %1.</translation>
+        </message>
+        <message>
+            <source>A square's side is truly %1.</source>
+            <translation>Le côté d’une case mesure en réalité %1.</translation>
+        </message>
+        <message>
+            <source>&amp;Dictionary</source>
+            <translation>&amp;Dictionnaire</translation>
+        </message>
+        <message>
+            <source>Calibration board</source>
+            <translation>Mire d’étalonnage</translation>
+        </message>
+        <message>
+            <source>Give the markers' numbers such as 1-4, 11.</source>
+            <translation>Donnez les numéros des marqueurs, par exemple 1-4, 11.</translation>
+        </message>
+        <message>
+            <source>Markers</source>
+            <translation>Marqueurs</translation>
+        </message>
+        <message>
+            <source>Measured &amp;length</source>
+            <translation>&amp;Longueur mesurée</translation>
+        </message>
+        <message>
+            <source>&amp;Numbers</source>
+            <translation>&amp;Numéros</translation>
+        </message>
+        <message>
+            <source>Of the ruler on the print, which is 100 mm long.</source>
+            <translation>De la règle imprimée, longue de 100 mm.</translation>
+        </message>
+        <message>
+            <source>&amp;Paper</source>
+            <translation>&amp;Papier</translation>
+        </message>
+        <message>
+            <source>Printers scale, and no picture tells how large a square is: measure the ruler on the print, from 0 to 100 mm.</source>
+            <translation>Les imprimantes changent l’échelle, et aucune image ne dit la taille d’une case : mesurez la règle imprimée, de 0 à 100 mm.</translation>
+        </message>
+        <message>
+            <source>Save as PDF…</source>
+            <translation>Enregistrer en PDF…</translation>
+        </message>
+        <message>
+            <source>Save the sheet</source>
+            <translation>Enregistrer la feuille</translation>
+        </message>
+        <message>
+            <source>Saved. Print it at 100 % (actual size) and measure its ruler.</source>
+            <translation>Enregistré. Imprimez-la à 100 % (taille réelle) et mesurez sa règle.</translation>
+        </message>
+        <message>
+            <source>S&amp;heet</source>
+            <translation>&amp;Feuille</translation>
+        </message>
+        <message>
+            <source>Sheets to be printed</source>
+            <translation>Feuilles à imprimer</translation>
+        </message>
+        <message>
+            <source>&amp;Side of a marker</source>
+            <translation>&amp;Côté d’un marqueur</translation>
+        </message>
+        <message>
+            <source>Such as 1-4, 11</source>
+            <translation>Par exemple 1-4, 11</translation>
+        </message>
+        <message>
+            <source>The first of %1 pages</source>
+            <translation>La première de %1 pages</translation>
+        </message>
+        <message>
+            <source>The sheet as it is printed</source>
+            <translation>La feuille telle qu’elle est imprimée</translation>
+        </message>
+        <message>
+            <source>Use the true lengths</source>
+            <translation>Utiliser les longueurs réelles</translation>
+        </message>
+        <message>
+            <source>With its black border.</source>
+            <translation>Avec son bord noir.</translation>
         </message>
     </context>
     <context>

@@ -159,6 +159,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(CoverageTiltSideways, QT_TRANSLATE_NOOP("Message", "tilt the board more, its left or right edge towards the camera")),
     Entry BASK_MESSAGE(CoverageTiltUpDown, QT_TRANSLATE_NOOP("Message", "tilt the board more, its upper or lower edge towards the camera")),
     Entry BASK_MESSAGE(CoverageViews, QT_TRANSLATE_NOOP("Message", "%1 views of %2 that are enough")),
+    Entry BASK_MESSAGE(CameraOpening, QT_TRANSLATE_NOOP("Message", "camera \"%1\" is being opened")),
     Entry BASK_MESSAGE(CameraNotOpened, QT_TRANSLATE_NOOP("Message", "camera \"%1\" cannot be opened (%2); a camera is a number, a device, a video file, a folder of pictures or an address such as rtsp://host/stream")),
     Entry BASK_MESSAGE(CameraLost, QT_TRANSLATE_NOOP("Message", "no picture from camera \"%1\" for a second (%2); check cable and power. It is taken up again as soon as it answers")),
     Entry BASK_MESSAGE(SheetTooSmall, QT_TRANSLATE_NOOP("Message", "%1 mm are needed with margins, %2 has room for %3 mm; take larger paper or a smaller pattern")),

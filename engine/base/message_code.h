@@ -145,6 +145,7 @@ enum class MessageCode : int {
     CoverageTiltSideways,   ///< no args
     CoverageTiltUpDown,     ///< no args
     CoverageViews,          ///< %1 views, %2 enough
+    CameraOpening,          ///< %1 camera
     CameraNotOpened,        ///< %1 camera, %2 words
     CameraLost,             ///< %1 camera, %2 words
     SheetTooSmall,          ///< %1 mm needed, %2 paper, %3 mm of room

@@ -21,8 +21,9 @@ struct CameraFrame {
 class Camera {
 public:
     virtual ~Camera() = default;
-    /// The newest frame, the same again while there is no newer one. Errors: CameraLost when none came for a
-    /// second (it is sought again meanwhile), with the reason as far as the system told it.
+    /// The newest frame, the same again while there is no newer one. Errors: CameraOpening before the first;
+    /// CameraNotOpened when it cannot be had; CameraLost when none came for a second; both with the reason as
+    /// far as the system told it, and it is sought again meanwhile.
     virtual Result<std::shared_ptr<const CameraFrame>> newest() = 0;
 };
 

@@ -1,13 +1,13 @@
 // `bask detect-markers`, `bask calibrate-camera` and `bask make-board`: their files, figures, words and exit
 // codes.
 
-#include "app/commands/board_sheet.h"
 #include "app/commands/command_line.h"
 #include "engine/base/message_code.h"
 #include "engine/calibration/board_finder.h"
 #include "engine/calibration/camera_file.h"
 #include "tests/engine/calibration/calibration_samples.h"
 #include "tests/support/captured_command.h"
+#include "widgets/calibrate/board_sheet.h"
 
 #include <QFile>
 #include <QImage>
@@ -16,6 +16,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <map>
 #include <sstream>
@@ -335,10 +336,10 @@ std::string firstPage(const std::string& pdf) {
 TEST_F(MakeBoard, BoardsAreFoundInTheirSize) {
     for (const char* text : {"chessboard:9x6:0.025", "chessboard:5x7:0.025",
                              "charuco:5x7:0.025:0.0175:4X4_50", "charuco:5x6:0.03:0.02:6X6_250:legacy"}) {
-        const auto sheet = boardSheet(text, QPageSize::A4);
+        const auto sheet = boardSheets(text, QPageSize::A4);
         ASSERT_TRUE(sheet) << describe(sheet.error());
         const Board board = *parseBoard(text);
-        const GreyPicture picture = painted(*sheet);
+        const GreyPicture picture = painted(sheet->front());
         const auto view = findBoard(picture, board, text);
         ASSERT_TRUE(view) << describe(view.error());
         ASSERT_EQ(static_cast<int>(view->corners.size()), cornerCount(board)) << text;
@@ -347,20 +348,35 @@ TEST_F(MakeBoard, BoardsAreFoundInTheirSize) {
         for (std::size_t k = 0; k < view->corners.size(); ++k) {
             const int corner = isTurned ? cornerCount(board) - 1 - view->corners[k] : view->corners[k];
             const Eigen::Vector2d at_m = cornerOf(board, corner) + Eigen::Vector2d(first_m, first_m);
-            const Eigen::Vector2d at_px =
-                ((sheet->corner_mm + 1e3 * at_m) * kDots_mm).array() - 0.5; // pixel centres at whole numbers
+            const Eigen::Vector2d at_px = ((sheet->front().corner_mm + 1e3 * at_m) * kDots_mm).array() -
+                                          0.5; // pixel centres at whole numbers
             EXPECT_LT((view->corners_px[k] - at_px).norm(), 0.2) << text << " " << corner;
         }
     }
 }
 
 TEST_F(MakeBoard, MarkersAreFoundInTheirSize) {
-    const auto sheet = boardSheet("marker:6X6_250:23:0.05", QPageSize::A4);
+    const auto sheet = boardSheets("marker:6X6_250:23:0.05", QPageSize::A4);
     ASSERT_TRUE(sheet) << describe(sheet.error());
-    const auto markers = findMarkers(painted(*sheet), {"6X6_250"});
+    const auto markers = findMarkers(painted(sheet->front()), {"6X6_250"});
     ASSERT_EQ(markers.size(), 1U);
     EXPECT_EQ(markers[0].id, 23);
     EXPECT_NEAR(markers[0].side_px(), 50.0 * kDots_mm, 0.2);
+}
+
+// Catches: markers of one page that overlap, lack their light margin or are not those that were asked for;
+// letters that spoil one.
+TEST_F(MakeBoard, SeveralMarkersAreFoundOnOnePage) {
+    const auto sheets = boardSheets("marker:6X6_250:1-4, 11:0.06", QPageSize::Letter);
+    ASSERT_TRUE(sheets) << describe(sheets.error());
+    ASSERT_EQ(sheets->size(), 1U);
+    std::vector<int> ids;
+    for (const FoundMarker& marker : findMarkers(painted(sheets->front()), {"6X6_250"})) {
+        ids.push_back(marker.id);
+        EXPECT_NEAR(marker.side_px(), 60.0 * kDots_mm, 0.2);
+    }
+    std::ranges::sort(ids);
+    EXPECT_EQ(ids, (std::vector{1, 2, 3, 4, 11}));
 }
 
 // Catches: a PDF on paper of another size, or scaled: the page's box in points, and the units of its content,
@@ -372,6 +388,10 @@ TEST_F(MakeBoard, WritesPagesOfTheirSize) {
     const std::string pdf = test::textOf(path("s.pdf").toStdString());
     EXPECT_TRUE(pdf.starts_with("%PDF-"));
     EXPECT_NE(pdf.find("/Count 2"), std::string::npos);
+    ASSERT_EQ(make({"marker:4X4_50:1-14:0.06", "--paper", "Letter", "-o", path("m.pdf")}).code, kExitDone);
+    const std::string many = test::textOf(path("m.pdf").toStdString());
+    EXPECT_NE(many.find("/Count 2"), std::string::npos);
+    EXPECT_NE(many.find("0 0 612.000000 792.000000"), std::string::npos);
     EXPECT_NE(pdf.find("0 0 842.000000 595.000000"), std::string::npos);
     EXPECT_NE(pdf.find("0 0 595.000000 842.000000"), std::string::npos);
     // The first upper side that is drawn: "0.06 0 0 -0.06 0 595 cm" and then "x y m", "x y l".
@@ -401,7 +421,7 @@ TEST_F(MakeBoard, RefusesInWords) {
         {{"marker:6X6_250:250:0.05", "-o", path("s.pdf")}, "allowed: 0 to 249"},
         {{"marker:6X6_250:1:nan", "-o", path("s.pdf")}, "allowed: 0.001 to 1 m"},
         {{"charuco:5x7:0.04:0.02:6X6_250", "-o", path("s.pdf")}, "A4 has room for 190 x 263 mm"},
-        {{"chessboard:9x6:0.025", "--paper", "A5", "-o", path("s.pdf")}, "known: A4, A3"},
+        {{"chessboard:9x6:0.025", "--paper", "A5", "-o", path("s.pdf")}, "known: A4, A3, Letter"},
         {{"chessboard:9x6:0.025", "-o", path("other.pdf")}, "is not a sheet written by Bask"},
     };
     for (const auto& [arguments, words] : cases) {
