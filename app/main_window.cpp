@@ -173,6 +173,8 @@ void MainWindow::showReason(int index) {
     case MessageCode::ReasonTargetInfeasible:
     case MessageCode::EventCompromise:
         return m_pages->show(Page::Targets);
+    case MessageCode::ReasonSourcePoseLost:
+        return m_pages->show(Page::Calibrate);
     case MessageCode::ReasonNoExperiment:
         return m_pages->show(Page::Objects);
     default:

@@ -103,6 +103,8 @@ void MainWindow::connectActions() {
 void MainWindow::connectParts() {
     m_files.setRunGuard([this] { return !allowsEdits(m_last.state); });
     connect(&m_engine, &EngineClient::snapshot, this, &MainWindow::apply);
+    connect(&m_engine, &EngineClient::looked, m_pages,
+            [this](const std::shared_ptr<const VisionView>& view) { m_pages->show(*view); });
     connect(&m_engine, &EngineClient::answeringChanged, m_stateBar, &StateBar::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
     connect(m_pages, &PageHost::commandIssued, &m_engine, &EngineClient::send);

@@ -2,6 +2,7 @@
 
 #include "app/actions.h"
 #include "app/error_text.h"
+#include "widgets/calibrate/calibrate_page.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/objects/objects_page.h"
 #include "widgets/review/identified_table.h"
@@ -18,11 +19,11 @@ namespace bask {
 
 PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     : QWidget(parent), m_document(document), m_files(files), m_bar(new MessageBar(this)),
-      m_pages(new QStackedWidget(this)), m_objects(new ObjectsPage), m_targets(new TargetsPage),
-      m_run(new RunPage), m_review(new ReviewPage) {
+      m_pages(new QStackedWidget(this)), m_objects(new ObjectsPage), m_calibrate(new CalibratePage),
+      m_targets(new TargetsPage), m_run(new RunPage), m_review(new ReviewPage) {
     m_bar->setObjectName(QStringLiteral("messageBar"));
     m_pages->setObjectName(QStringLiteral("pages"));
-    for (QWidget* page : std::initializer_list<QWidget*>{m_objects, m_targets, m_run, m_review})
+    for (QWidget* page : std::initializer_list<QWidget*>{m_objects, m_calibrate, m_targets, m_run, m_review})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -31,6 +32,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     column->addWidget(m_pages, 1);
 
     connectObjects();
+    connectCalibrate();
     connectDocument();
     connectJudge();
     connect(m_targets, &TargetsPage::targetsEdited, this, [this](const std::vector<double>& targets_K) {
@@ -72,6 +74,44 @@ void PageHost::connectObjects() {
     });
 }
 
+void PageHost::connectCalibrate() {
+    connect(m_calibrate, &CalibratePage::watchWanted, this,
+            [this](bool show, const std::optional<Board>& board) {
+                emit commandIssued(WatchCamera{show, board});
+            });
+    connect(m_calibrate, &CalibratePage::cameraWanted, this,
+            [this](const QString& name) { emit commandIssued(ChooseCamera{name.toStdString()}); });
+    connect(m_calibrate, &CalibratePage::moveWanted, this,
+            [this](const Vector6d& goal) { emit commandIssued(MoveTo{goal}); });
+    connect(m_calibrate, &CalibratePage::holdWanted, this, [this] { emit commandIssued(Hold{}); });
+    const auto edit = [this](const Experiment& changed) {
+        if (const auto edited = m_document.edit(changed); !edited)
+            showProblem(sentence(edited.error()));
+        m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
+        m_calibrate->setExperiment(m_document.experiment());
+    };
+    connect(m_calibrate, &CalibratePage::visionEdited, this, [this](const VisionSpec& vision) {
+        if (const auto set = m_document.setVision(vision); !set) {
+            showProblem(sentence(set.error()));
+            m_calibrate->setExperiment(m_document.experiment());
+        }
+    });
+    connect(m_calibrate, &CalibratePage::sourceMeasured, this,
+            [this, edit](const VisionSpec& vision, const Vector6d& pose) {
+                Experiment changed = m_document.experiment();
+                if (!changed.simulation.sourcePose) // what is believed moves, not the source
+                    changed.simulation.sourcePose = changed.source.pose;
+                changed.source.pose = pose;
+                changed.vision = vision;
+                edit(changed);
+            });
+    connect(m_calibrate, &CalibratePage::followWanted, this, [this, edit](bool follow) {
+        Experiment changed = m_document.experiment();
+        changed.source.tracked = follow;
+        edit(changed);
+    });
+}
+
 void PageHost::connectDocument() {
     connect(&m_document, &Document::opened, this, [this] {
         m_bar->clear();
@@ -79,7 +119,13 @@ void PageHost::connectDocument() {
         showDocument();
         emit commandIssued(LoadExperiment{m_document.experiment()});
     });
+    connect(&m_document, &Document::visionChanged, this, [this] {
+        m_objects->setExperiment(m_document.experiment());
+        m_calibrate->setExperiment(m_document.experiment());
+        emit commandIssued(SetVision{m_document.experiment().vision});
+    });
     connect(&m_document, &Document::edited, this, [this] {
+        m_calibrate->setExperiment(m_document.experiment());
         m_targets->setExperiment(m_document.experiment());
         m_run->setExperiment(m_document.experiment());
         emit commandIssued(LoadExperiment{m_document.experiment()});
@@ -156,6 +202,7 @@ void PageHost::reportInfeasible() {
 
 void PageHost::showDocument() {
     m_objects->setExperiment(m_document.experiment());
+    m_calibrate->setExperiment(m_document.experiment());
     m_targets->setExperiment(m_document.experiment());
     m_run->setExperiment(m_document.experiment());
 }
@@ -240,8 +287,13 @@ Page PageHost::page() const {
     return static_cast<Page>(m_pages->currentIndex());
 }
 
+void PageHost::show(const VisionView& view) {
+    m_calibrate->setView(view);
+}
+
 void PageHost::apply(const Snapshot& snapshot) {
     m_run->apply(snapshot);
+    m_calibrate->setRobot(snapshot.latest.coordinates, snapshot.isMoving, allowsEdits(snapshot.state));
     const bool editable = allowsEdits(snapshot.state);
     const bool targetsEditable = snapshot.state != RunState::Stopping; // the engine refuses them then
     if (editable != m_editable || targetsEditable != m_targetsEditable) {

@@ -1,5 +1,5 @@
 #pragma once
-// The four pages with the message bar over them, wired to the document and the engine.
+// The five pages with the message bar over them, wired to the document and the engine.
 
 #include "app/document.h"
 #include "app/session_actions.h"
@@ -8,6 +8,7 @@
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
+#include "engine/vision/vision_view.h"
 
 #include <QWidget>
 
@@ -18,6 +19,7 @@ class QStackedWidget;
 
 namespace bask {
 
+class CalibratePage;
 class MessageBar;
 class ObjectsPage;
 class ReviewPage;
@@ -37,6 +39,7 @@ public:
     void show(Page page);
     Page page() const;
     void apply(const Snapshot& snapshot);
+    void show(const VisionView& view);
     void setTemperatureUnit(TemperatureUnit unit);
     void showMoment(double time_s);
 
@@ -58,6 +61,7 @@ protected:
 
 private:
     void connectObjects();
+    void connectCalibrate();
     void connectDocument();
     void connectJudge();
     void reportInfeasible();
@@ -74,6 +78,7 @@ private:
     MessageBar* m_bar;
     QStackedWidget* m_pages;
     ObjectsPage* m_objects;
+    CalibratePage* m_calibrate;
     TargetsPage* m_targets;
     RunPage* m_run;
     ReviewPage* m_review;

@@ -13,7 +13,8 @@ namespace bask {
 
 StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     : QStatusBar(parent), m_ageLabel(new QLabel(this)), m_loopLabel(new QLabel(this)),
-      m_trackingLabel(new QLabel(this)), m_recordingLabel(new QLabel(this)), m_unit(new QToolButton(this)), m_language(new QToolButton(this)) {
+      m_trackingLabel(new QLabel(this)), m_recordingLabel(new QLabel(this)), m_unit(new QToolButton(this)),
+      m_language(new QToolButton(this)) {
     m_ageLabel->setObjectName(QStringLiteral("sampleAge"));
     m_loopLabel->setObjectName(QStringLiteral("loopRate"));
     m_trackingLabel->setObjectName(QStringLiteral("tracking"));

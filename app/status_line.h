@@ -1,6 +1,6 @@
 #pragma once
-// The line at the window's foot: age of the readings, loop rate and late steps, how the source is followed, recording, unit,
-// language.
+// The line at the window's foot: age of the readings, loop rate and late steps, how the source is followed,
+// recording, unit, language.
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"

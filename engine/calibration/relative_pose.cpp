@@ -8,13 +8,6 @@
 namespace bask {
 namespace {
 
-Verdict verdictOn(const PoseSpread& spread) {
-    const auto within = [&](double most_mm, double most_deg) {
-        return spread.position_m <= 1e-3 * most_mm && spread.angle_rad <= radFromDeg(most_deg);
-    };
-    return within(1.0, 0.3) ? Verdict::Good : within(3.0, 1.0) ? Verdict::Usable : Verdict::Redo;
-}
-
 std::vector<std::string> numbersOf(const PoseSpread& spread) {
     return {formatNumber(1e3 * spread.position_m, 2), formatNumber(degFromRad(spread.angle_rad), 2)};
 }
@@ -66,6 +59,13 @@ std::optional<Matrix6d> predictedCovariance(const MarkerLayout& layout, Part a, 
     const auto ofA = predictedCovariance(layout, a, camera, X_CA, frames, corner_px);
     const auto ofB = predictedCovariance(layout, b, camera, X_CB, frames, corner_px);
     return ofA && ofB ? std::optional(covarianceBetween(X_CA, *ofA, X_CB, *ofB)) : std::nullopt;
+}
+
+Verdict verdictOn(const PoseSpread& spread) {
+    const auto within = [&](double most_mm, double most_deg) {
+        return spread.position_m <= 1e-3 * most_mm && spread.angle_rad <= radFromDeg(most_deg);
+    };
+    return within(1.0, 0.3) ? Verdict::Good : within(3.0, 1.0) ? Verdict::Usable : Verdict::Redo;
 }
 
 Judgement judged(const RelativePose& pose) {

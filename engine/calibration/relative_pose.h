@@ -32,9 +32,10 @@ std::optional<Matrix6d> predictedCovariance(const MarkerLayout& layout, Part a, 
                                             const Pose& X_CB, const CameraModel& camera, int frames,
                                             double corner_px = kUsualCorner_px);
 
-/// Good: 1 mm and 0.3 degrees (2 sigma); Usable: 3 mm and 1 degree; Redo: worse, or one of two poses.
-/// Reasons: PoseGood; PoseAmbiguous; PoseLimited (markers and camera allow no better); PoseUncertain (they
-/// do).
+/// Good: 1 mm and 0.3 degrees (2 sigma); Usable: 3 mm and 1 degree; Redo: worse.
+Verdict verdictOn(const PoseSpread& spread);
+/// By its spread; Redo, too, for one of two poses. Reasons: PoseGood; PoseAmbiguous; PoseLimited (markers and
+/// camera allow no better); PoseUncertain (they do).
 Judgement judged(const RelativePose& pose);
 
 } // namespace bask

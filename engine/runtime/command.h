@@ -58,6 +58,11 @@ struct WatchCamera {
     bool show = false;
     std::optional<Board> board;
 };
+/// The camera that is watched: a device, file, folder or address as VideoCamera has it; empty: the simulated
+/// one, which also follows the source.
+struct ChooseCamera {
+    std::string name;
+};
 /// End-effector to these coordinates in R, while no run is on; Hold ends it where it is.
 struct MoveTo {
     Vector6d coordinates = Vector6d::Zero();
@@ -65,6 +70,6 @@ struct MoveTo {
 
 using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
                              SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
-                             SimulateFault, SetVision, WatchCamera, MoveTo>;
+                             SimulateFault, SetVision, WatchCamera, ChooseCamera, MoveTo>;
 
 } // namespace bask

@@ -1,6 +1,7 @@
 #include "engine/runtime/engine_worker.h"
 
 #include "engine/base/message_code.h"
+#include "engine/devices/video_camera.h"
 #include "engine/runtime/rig_setup.h"
 
 #include <algorithm>
@@ -42,6 +43,13 @@ struct EngineWorker::Session {
     VisionThread vision;
     Tracker tracker;
     ServoLoop loop;
+};
+
+struct EngineWorker::RealCamera {
+    explicit RealCamera(const std::string& name) : camera(name, clock), vision(camera, name, clock) {}
+    SteadyClock clock;
+    VideoCamera camera;
+    VisionThread vision;
 };
 
 EngineWorker::EngineWorker() {
@@ -111,7 +119,7 @@ Result<void> EngineWorker::setVision(const VisionSpec& vision) {
 
 void EngineWorker::watch(const WatchCamera& wanted) {
     m_watch = wanted;
-    m_session->rig.simulatedCamera().setBoard(wanted.show ? wanted.board : std::nullopt);
+    m_session->rig.simulatedCamera().setBoard(wanted.show && !m_camera ? wanted.board : std::nullopt);
     setTask();
 }
 
@@ -124,13 +132,23 @@ void EngineWorker::setTask() {
     if (vision.cameraPose)
         task.X_RC = poseFromCoordinates(*vision.cameraPose);
     task.follow = experiment.source.tracked && vision.followsSource();
-    task.show = m_watch.show;
     task.board = m_watch.board;
+    task.show = m_watch.show && !m_camera;
     m_session->vision.setTask(task);
+    if (m_camera) {
+        task.follow = false;
+        task.show = m_watch.show;
+        m_camera->vision.setTask(task);
+    }
+}
+
+void EngineWorker::choose(const std::string& camera) {
+    m_camera = camera.empty() ? nullptr : std::make_unique<RealCamera>(camera);
+    watch(m_watch);
 }
 
 void EngineWorker::handOnView() {
-    auto view = m_session ? m_session->vision.newest() : nullptr;
+    auto view = m_camera ? m_camera->vision.newest() : m_session ? m_session->vision.newest() : nullptr;
     if (view == m_view)
         return;
     m_view = std::move(view);
@@ -168,11 +186,16 @@ Result<void> EngineWorker::apply(const Command& command) {
         watch(*watched);
         return {};
     }
+    if (const auto* camera = std::get_if<ChooseCamera>(&command)) {
+        choose(camera->name);
+        return {};
+    }
     ServoLoop& loop = m_session->loop;
     return std::visit(Overloaded{
                           [](const LoadExperiment&) { return Result<void>(); },
                           [](const SetSimulationSpeed&) { return Result<void>(); },
                           [](const WatchCamera&) { return Result<void>(); },
+                          [](const ChooseCamera&) { return Result<void>(); },
                           [&](const SetVision& set) { return setVision(set.vision); },
                           [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
                           [&](const Arm& arm) { return armWith(arm.recordingPath); },

@@ -55,6 +55,7 @@ private:
     void applyFault(const SimulateFault& fault);
     Result<void> setVision(const VisionSpec& vision);
     void watch(const WatchCamera& wanted);
+    void choose(const std::string& camera);
     void setTask();
     void handOnView();
 
@@ -63,6 +64,10 @@ private:
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
     WatchCamera m_watch;
+    /// Chosen instead of the simulated camera: watched, never followed by, since it does not see the
+    /// simulated rig.
+    struct RealCamera;
+    std::unique_ptr<RealCamera> m_camera;
     std::shared_ptr<const VisionView> m_view; ///< handed on last
     double m_speed = 1.0;
     double m_untilTick_s = 0.0;

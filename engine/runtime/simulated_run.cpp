@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/runtime/rig_setup.h"
+#include "engine/vision/camera_source_tracker.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,14 +37,24 @@ private:
     std::vector<std::optional<double>> m_since_s;
 };
 
+/// The camera, looked at once a period of the loop; null where the source is not followed by one.
+std::unique_ptr<SourceTracker> cameraTracker(const Experiment& experiment, SimulatedRig& rig) {
+    const VisionSpec& vision = experiment.vision;
+    if (!experiment.source.tracked || !vision.followsSource())
+        return nullptr;
+    return std::make_unique<CameraSourceTracker>(rig.camera(), rig.clock(), markerLayout(vision),
+                                                 *vision.camera, poseFromCoordinates(*vision.cameraPose));
+}
+
 /// Advances rig and loop together by whole periods.
 class Drive {
 public:
     Drive(const Experiment& experiment, SimulatedRig& rig)
-        : m_period_s(experiment.sampling.period_s), m_rig(rig),
+        : m_period_s(experiment.sampling.period_s), m_rig(rig), m_camera(cameraTracker(experiment, rig)),
           m_loop(experiment,
                  {rig.robot(), rig.thermometer(), rig.heatSource(),
-                  [&rig] { return rig.trueTemperatures_K(); }, &rig.sourceTracker()},
+                  [&rig] { return rig.trueTemperatures_K(); },
+                  m_camera ? m_camera.get() : &rig.sourceTracker()},
                  rig.clock()) {}
 
     ServoLoop& loop() { return m_loop; }
@@ -59,6 +70,7 @@ public:
 private:
     double m_period_s;
     SimulatedRig& m_rig;
+    std::unique_ptr<SourceTracker> m_camera; ///< where the camera follows the source
     ServoLoop m_loop;
 };
 
@@ -67,7 +79,9 @@ private:
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options) {
     if (const auto valid = validate(experiment); !valid)
         return valid.error();
-    SimulatedRig rig(simulatedRigConfig(experiment));
+    SimulatedRigConfig config = simulatedRigConfig(experiment);
+    config.camera.isWallLimited = false;
+    SimulatedRig rig(config);
     Drive drive(experiment, rig);
     ServoLoop& loop = drive.loop();
     const int patience = kFillingWindows * experiment.sampling.window; // readings drop out

@@ -6,12 +6,14 @@
 #include <algorithm>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace bask {
 namespace {
 
 SimulatedCameraConfig checked(SimulatedCameraConfig config) {
-    if (!checkLayout(config.markers) || !(config.frameRate_Hz > 0.0))
+    if (!checkLayout(config.markers) || !(config.frameRate_Hz > 0.0) || config.camera.width < 1 ||
+        config.camera.height < 1)
         throw std::invalid_argument("SimulatedCamera: a layout and a frame rate that can be used are needed");
     return config;
 }
@@ -51,9 +53,30 @@ Pose usualCameraPose() {
 }
 
 SimulatedCamera::SimulatedCamera(SimulatedCameraConfig config)
-    : m_config(checked(std::move(config))), m_rig(rigFaces(m_config)), m_hands(handFaces(m_config.markers)),
-      m_renderer(m_config.camera, m_config.X_RC,
-                 {m_config.noise_grey, m_config.blur_px, m_config.lightFall, m_config.seed}) {}
+    : m_config(checked(std::move(config))), m_markers(m_config.markers) {}
+
+void SimulatedCamera::setMarkers(const MarkerLayout& markers) {
+    if (!checkLayout(markers))
+        throw std::invalid_argument("SimulatedCamera: a layout that can be used is needed");
+    const std::scoped_lock lock(m_mutex);
+    m_markers = markers;
+    m_areMarkersNew = true;
+}
+
+void SimulatedCamera::prepare() {
+    SimulatedCameraConfig now = m_config;
+    {
+        const std::scoped_lock lock(m_mutex);
+        if (!std::exchange(m_areMarkersNew, false))
+            return;
+        now.markers = m_markers;
+    }
+    m_rig = rigFaces(now);
+    m_hands = handFaces(now.markers);
+    if (!m_renderer)
+        m_renderer.emplace(now.camera, now.X_RC,
+                           PictureQuality{now.noise_grey, now.blur_px, now.lightFall, now.seed});
+}
 
 void SimulatedCamera::observe(const SceneMoment& moment) {
     const std::scoped_lock lock(m_mutex);
@@ -132,7 +155,7 @@ GreyPicture SimulatedCamera::rendered(const View& view, std::uint64_t number) {
             boardPoseAt(view.board->board, m_config.camera, view.now.moment.time_s - view.board->since_s);
         onTop.push_back({&board, X_CB * Eigen::AngleAxisd(std::numbers::pi, Eigen::Vector3d::UnitX())});
     }
-    return m_renderer.render(faces, onTop, number);
+    return m_renderer->render(faces, onTop, number);
 }
 
 Result<std::shared_ptr<const CameraFrame>> SimulatedCamera::newest() {
@@ -147,6 +170,7 @@ Result<std::shared_ptr<const CameraFrame>> SimulatedCamera::newest() {
         return lost("not started");
     const double wall_s = m_wall.now_s();
     if (isDue(seen->now, wall_s)) {
+        prepare();
         const std::uint64_t number = m_frame ? m_frame->number + 1 : 1;
         m_frame = std::make_shared<CameraFrame>(
             CameraFrame{seen->now.moment.time_s, seen->now.caught_s, number, rendered(*seen, number)});

@@ -55,13 +55,16 @@ struct SceneMoment {
 /// observe() and the setters from one thread (the engine's), newest() from one, which renders.
 class SimulatedCamera final : public Camera {
 public:
-    /// Throws std::invalid_argument for a camera without size and a layout that checkLayout refuses.
+    /// Throws std::invalid_argument for a camera without size and a layout that checkLayout refuses. What
+    /// takes time is made with the first picture: most runs have none.
     explicit SimulatedCamera(SimulatedCameraConfig config);
 
     /// Of the moment that is delay_s older than the newest observed; CameraLost before the first.
     Result<std::shared_ptr<const CameraFrame>> newest() override;
 
     void observe(const SceneMoment& moment);
+    /// Other markers on the rig; throws as the constructor.
+    void setMarkers(const MarkerLayout& markers);
     /// A board that is held before the camera, moved by itself from one view that calibrates to the next and
     /// still for a while at each, as a patient person would; empty: none.
     void setBoard(std::optional<Board> board);
@@ -87,20 +90,23 @@ private:
 
     std::optional<View> view() const;
     bool isDue(const Observed& now, double wall_s) const;
+    void prepare();
     GreyPicture rendered(const View& view, std::uint64_t number);
 
     const SimulatedCameraConfig m_config;
     const SteadyClock m_wall;
 
-    mutable std::mutex m_mutex; // of the next four
+    mutable std::mutex m_mutex; // of the next six
+    MarkerLayout m_markers;
+    bool m_areMarkersNew = true;
     std::deque<Observed> m_observed;
     std::optional<HeldBoard> m_board;
     bool m_isCovered = false;
     bool m_isUnplugged = false;
 
     // Of newest()'s thread.
-    const std::vector<PartFace> m_rig, m_hands;
-    SceneRenderer m_renderer;
+    std::vector<PartFace> m_rig, m_hands;
+    std::optional<SceneRenderer> m_renderer;
     std::shared_ptr<const CameraFrame> m_frame;
     double m_rendered_s = 0.0; // the computer's time of m_frame
 };

@@ -1,42 +1,103 @@
 #include "widgets/calibrate/calibrate_page.h"
 
+#include "widgets/calibrate/calibration_age.h"
 #include "widgets/calibrate/camera_panel.h"
 #include "widgets/calibrate/live_picture.h"
+#include "widgets/calibrate/rig_panel.h"
+#include "widgets/calibrate/sheet_panel.h"
 
+#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
 #include <QScrollArea>
 #include <QTabWidget>
+
+#include <algorithm>
 
 namespace bask {
 namespace {
 
-constexpr int kPanelWidth = 400;
+constexpr int kPanelWidth = 420;
+constexpr double kUsualDistance_m = 0.6;
+
+/// From the camera to the source, as far as the experiment tells.
+double distanceOf(const Experiment& experiment) {
+    const auto& camera = experiment.vision.cameraPose;
+    return camera ? (camera->head<3>() - experiment.source.pose.head<3>()).norm() : kUsualDistance_m;
+}
 
 } // namespace
 
 CalibratePage::CalibratePage(QWidget* parent)
-    : QWidget(parent), m_picture(new LivePicture(this)), m_tabs(new QTabWidget(this)),
-      m_cameraPanel(new CameraPanel(this)) {
+    : QWidget(parent), m_choiceLabel(new QLabel(this)), m_choice(new QComboBox(this)),
+      m_picture(new LivePicture(this)), m_tabs(new QTabWidget(this)), m_cameraPanel(new CameraPanel),
+      m_rigPanel(new RigPanel), m_sheetPanel(new SheetPanel) {
     m_picture->setObjectName("livePicture");
+    m_choice->setObjectName("cameraChoice");
+    m_choice->setEditable(true);
+    m_choice->setInsertPolicy(QComboBox::NoInsert);
+    m_choice->addItem(QString());
+    m_choiceLabel->setBuddy(m_choice);
     m_tabs->setObjectName("calibrateTabs");
-    m_cameraPanel->setObjectName("cameraPanel");
     m_tabs->setDocumentMode(true);
     m_tabs->setFixedWidth(kPanelWidth);
-    addPanel(m_cameraPanel);
+    addPanel(m_cameraPanel, "cameraPanel");
+    addPanel(m_rigPanel, "rigPanel");
+    addPanel(m_sheetPanel, "sheetPanel");
+
+    auto* choice = new QHBoxLayout;
+    choice->addWidget(m_choiceLabel);
+    choice->addWidget(m_choice, 1);
+    auto* left = new QVBoxLayout;
+    left->setSpacing(8);
+    left->addLayout(choice);
+    left->addWidget(m_picture, 1);
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(12);
-    layout->addWidget(m_picture, 1);
+    layout->addLayout(left, 1);
     layout->addWidget(m_tabs);
-    connect(m_cameraPanel, &CameraPanel::boardWanted, m_picture, &LivePicture::setBoard);
-    connect(m_cameraPanel, &CameraPanel::boardWanted, this, &CalibratePage::boardWanted);
-    connect(m_cameraPanel, &CameraPanel::heatMapChanged, m_picture, &LivePicture::setHeatMap);
-    connect(m_cameraPanel, &CameraPanel::cameraChosen, this, &CalibratePage::cameraChosen);
+    connectAll();
     retranslate();
 }
 
-void CalibratePage::addPanel(QWidget* panel) {
+void CalibratePage::connectAll() {
+    connect(m_choice, &QComboBox::activated, this, &CalibratePage::choose);
+    connect(m_choice->lineEdit(), &QLineEdit::returnPressed, this, &CalibratePage::choose);
+    connect(m_cameraPanel, &CameraPanel::boardWanted, this, [this](const std::optional<Board>& board) {
+        m_board = board;
+        m_picture->setBoard(board);
+        watch();
+    });
+    connect(m_cameraPanel, &CameraPanel::heatMapChanged, m_picture, &LivePicture::setHeatMap);
+    connect(m_cameraPanel, &CameraPanel::cameraChosen, this, [this](const CameraModel& camera) {
+        VisionSpec vision = m_experiment.vision;
+        vision.camera = camera;
+        vision.camera->views.clear(); // a residual each: they are in the camera's own file
+        vision.cameraDate = calibrationDate();
+        emit visionEdited(vision);
+    });
+    connect(m_rigPanel, &RigPanel::visionEdited, this, &CalibratePage::visionEdited);
+    connect(m_rigPanel, &RigPanel::sourceMeasured, this, &CalibratePage::sourceMeasured);
+    connect(m_rigPanel, &RigPanel::followWanted, this, &CalibratePage::followWanted);
+    connect(m_rigPanel, &RigPanel::moveWanted, this, &CalibratePage::moveWanted);
+    connect(m_rigPanel, &RigPanel::holdWanted, this, &CalibratePage::holdWanted);
+    connect(m_sheetPanel, &SheetPanel::boardMeasured, m_cameraPanel, &CameraPanel::setBoard);
+    connect(m_sheetPanel, &SheetPanel::markersMeasured, this,
+            [this](const std::string& dictionary, const std::vector<int>& ids, double side_m) {
+                VisionSpec vision = m_experiment.vision;
+                vision.dictionary = dictionary;
+                for (MarkerSpec& marker : vision.markers)
+                    if (std::ranges::find(ids, marker.id) != ids.end())
+                        marker.side_m = side_m;
+                emit visionEdited(vision);
+            });
+}
+
+void CalibratePage::addPanel(QWidget* panel, const char* name) {
+    panel->setObjectName(QLatin1String(name));
     auto* content = new QWidget(this);
     auto* inside = new QVBoxLayout(content);
     inside->setContentsMargins(8, 10, 8, 8);
@@ -52,21 +113,44 @@ void CalibratePage::addPanel(QWidget* panel) {
             [this, scroll](const QString& title) { m_tabs->setTabText(m_tabs->indexOf(scroll), title); });
 }
 
+void CalibratePage::setExperiment(const Experiment& experiment) {
+    m_experiment = experiment;
+    m_picture->setCamera(experiment.vision.camera);
+    m_cameraPanel->setCamera(experiment.vision.camera);
+    m_cameraPanel->setDistance(distanceOf(experiment));
+    m_rigPanel->setExperiment(experiment);
+}
+
 void CalibratePage::setView(const VisionView& view) {
     m_picture->setView(view);
     m_cameraPanel->setView(view);
+    m_rigPanel->setView(view);
 }
 
-void CalibratePage::setDistance(double distance_m) {
-    m_cameraPanel->setDistance(distance_m);
+void CalibratePage::setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove) {
+    m_rigPanel->setRobot(coordinates, isMoving, mayMove);
 }
 
-void CalibratePage::setCamera(const std::optional<CameraModel>& camera) {
-    m_picture->setCamera(camera);
-    m_cameraPanel->setCamera(camera);
+void CalibratePage::choose() {
+    const QString text = m_choice->currentText().trimmed();
+    const QString name = text == m_choice->itemText(0) ? QString() : text;
+    if (name == m_camera)
+        return;
+    m_camera = name;
+    emit cameraWanted(name);
+}
+
+void CalibratePage::watch() {
+    emit watchWanted(isVisible(), m_board);
 }
 
 void CalibratePage::retranslate() {
+    m_choiceLabel->setText(tr("&Camera"));
+    m_choice->setItemText(0, tr("Simulated camera"));
+    m_choice->setToolTip(
+        tr("Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or "
+           "an address (rtsp://\u2026), and Enter"));
+    m_choice->setAccessibleName(tr("Camera"));
     m_tabs->setAccessibleName(tr("What is calibrated"));
     setAccessibleName(tr("Calibrate"));
 }
@@ -75,6 +159,16 @@ void CalibratePage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     QWidget::changeEvent(event);
+}
+
+void CalibratePage::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    emit watchWanted(true, m_board);
+}
+
+void CalibratePage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    emit watchWanted(false, m_board);
 }
 
 } // namespace bask

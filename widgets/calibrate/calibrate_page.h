@@ -1,48 +1,70 @@
 #pragma once
 // The Calibrate page: the live picture, and beside it what can be calibrated, a tab each.
 
-#include "engine/calibration/view_collector.h"
+#include "engine/session/experiment.h"
 #include "engine/vision/vision_view.h"
 
 #include <QWidget>
 
 #include <optional>
 
+class QComboBox;
+class QLabel;
 class QTabWidget;
 
 namespace bask {
 
 class CameraPanel;
 class LivePicture;
+class RigPanel;
+class SheetPanel;
 
-/// Object names: "livePicture", "calibrateTabs", "cameraPanel".
+/// Object names: "livePicture", "cameraChoice", "calibrateTabs", "cameraPanel", "rigPanel", "sheetPanel".
 class CalibratePage : public QWidget {
     Q_OBJECT
 
 public:
     explicit CalibratePage(QWidget* parent = nullptr);
 
-    /// Another tab, named by the panel's window title (also when that changes).
-    void addPanel(QWidget* panel);
-
+    void setExperiment(const Experiment& experiment);
     void setView(const VisionView& view);
-    void setDistance(double distance_m); ///< from the camera to the source
-    void setCamera(const std::optional<CameraModel>& camera);
+    /// End-effector in R; `mayMove`: no run is armed or on.
+    void setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove);
     CameraPanel* cameraPanel() const { return m_cameraPanel; }
 
 signals:
-    void boardWanted(const std::optional<bask::Board>& board);
-    void cameraChosen(const bask::CameraModel& camera);
+    /// Pictures are wanted while the page is seen, with this board looked for.
+    void watchWanted(bool show, const std::optional<bask::Board>& board);
+    /// A device, file, folder or address; empty: the simulated one.
+    void cameraWanted(const QString& name);
+    void visionEdited(const bask::VisionSpec& vision);
+    void sourceMeasured(const bask::VisionSpec& vision, const bask::Vector6d& pose);
+    void followWanted(bool follow);
+    void moveWanted(const bask::Vector6d& coordinates);
+    void holdWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
+    void addPanel(QWidget* panel, const char* name);
+    void connectAll();
+    void choose();
+    void watch();
     void retranslate();
 
+    Experiment m_experiment;
+    std::optional<Board> m_board; ///< looked for
+    QString m_camera;             ///< chosen
+    QLabel* m_choiceLabel;
+    QComboBox* m_choice;
     LivePicture* m_picture;
     QTabWidget* m_tabs;
     CameraPanel* m_cameraPanel;
+    RigPanel* m_rigPanel;
+    SheetPanel* m_sheetPanel;
 };
 
 } // namespace bask

@@ -8,6 +8,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -75,9 +76,9 @@ RigPanel::RigPanel(QWidget* parent)
       m_sourceHint(wrapped(this)), m_here(new QPushButton(this)), m_tour(new QPushButton(this)),
       m_checkButton(new QPushButton(this)), m_usePlace(new QPushButton(this)), m_placeIcon(new QLabel(this)),
       m_placeVerdict(titleLabel(this)), m_placeText(wrapped(this)), m_measure(new QPushButton(this)),
-      m_useSource(new QPushButton(this)), m_sourceIcon(new QLabel(this)), m_sourceVerdict(titleLabel(this)),
-      m_sourceText(wrapped(this)), m_status(wrapped(this)), m_progress(new QProgressBar(this)),
-      m_cancel(new QPushButton(this)) {
+      m_useSource(new QPushButton(this)), m_follow(new QCheckBox(this)), m_sourceIcon(new QLabel(this)),
+      m_sourceVerdict(titleLabel(this)), m_sourceText(wrapped(this)), m_status(wrapped(this)),
+      m_progress(new QProgressBar(this)), m_cancel(new QPushButton(this)) {
     m_here->setObjectName("placeHere");
     m_tour->setObjectName("placeTour");
     m_checkButton->setObjectName("placeCheck");
@@ -87,6 +88,7 @@ RigPanel::RigPanel(QWidget* parent)
     m_measure->setObjectName("sourceMeasure");
     m_useSource->setObjectName("sourceUse");
     m_sourceVerdict->setObjectName("sourceVerdict");
+    m_follow->setObjectName("sourceFollow");
     m_sourceText->setObjectName("sourceText");
     m_status->setObjectName("rigStatus");
     m_progress->setObjectName("surveyProgress");
@@ -117,6 +119,7 @@ RigPanel::RigPanel(QWidget* parent)
     connect(m_measure, &QPushButton::clicked, this, [this] { begin(Task::Source); });
     connect(m_usePlace, &QPushButton::clicked, this, &RigPanel::usePlace);
     connect(m_useSource, &QPushButton::clicked, this, &RigPanel::useSource);
+    connect(m_follow, &QCheckBox::clicked, this, &RigPanel::followWanted);
     connect(m_cancel, &QPushButton::clicked, this, &RigPanel::cancel);
     retranslate();
 }
@@ -158,6 +161,7 @@ QWidget* RigPanel::buildSource() {
     layout->addLayout(buttons);
     layout->addLayout(head);
     layout->addWidget(m_sourceText);
+    layout->addWidget(m_follow);
     return part;
 }
 
@@ -331,7 +335,7 @@ void RigPanel::showPlace() {
         return;
     }
     const PoseSpread spread = spreadAt(*m_place, poseFromCoordinates(m_experiment.source.pose).translation());
-    const Verdict verdict = verdictFor(spread);
+    const Verdict verdict = verdictOn(spread);
     const bool isUsed = vision.cameraPose && *vision.cameraPose == coordinatesFromPose(m_place->X_RC);
     m_placeVerdict->setText(isUsed ? tr("%1, in use").arg(verdictWord(verdict)) : verdictWord(verdict));
     const int priority = priorityOf(verdict);
@@ -417,6 +421,8 @@ void RigPanel::showEnabled() {
     for (QPushButton* button : {m_here, m_tour, m_measure, m_checkButton})
         button->setEnabled(isFree);
     m_checkButton->setEnabled(isFree && m_place);
+    m_follow->setChecked(m_experiment.source.tracked);
+    m_follow->setEnabled(m_mayMove && (m_experiment.source.tracked || m_experiment.vision.followsSource()));
     m_measure->setEnabled(isFree && hasSource);
     m_usePlace->setEnabled(m_place && m_mayMove &&
                            m_experiment.vision.cameraPose != coordinatesFromPose(m_place->X_RC));
@@ -451,6 +457,10 @@ void RigPanel::retranslate() {
                              "pictures."));
     m_measure->setText(tr("&Measure"));
     m_useSource->setText(tr("&Use this pose"));
+    m_follow->setText(tr("&Follow the source during runs"));
+    m_follow->setToolTip(
+        tr("The camera tells the controllers where the source is. Takes markers on the source, "
+           "a calibrated camera and its place."));
     m_cancel->setText(tr("Cancel"));
     showPlace();
     showSource();

@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 
+class QCheckBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
@@ -23,8 +24,8 @@ namespace bask {
 class MarkerEditor;
 
 /// Object names: those of MarkerEditor; "placeHere", "placeTour", "placeCheck", "placeUse", "placeVerdict",
-/// "placeText"; "sourceMeasure", "sourceUse", "sourceVerdict", "sourceText"; "surveyProgress",
-/// "surveyCancel", "rigStatus".
+/// "placeText"; "sourceMeasure", "sourceUse", "sourceFollow", "sourceVerdict", "sourceText";
+/// "surveyProgress", "surveyCancel", "rigStatus".
 class RigPanel : public QWidget {
     Q_OBJECT
 
@@ -45,6 +46,7 @@ signals:
     void visionEdited(const bask::VisionSpec& vision);
     /// Both at once: calibrations with their dates, and where the source is in R.
     void sourceMeasured(const bask::VisionSpec& vision, const bask::Vector6d& pose);
+    void followWanted(bool follow); ///< the source, during runs
     void moveWanted(const bask::Vector6d& coordinates);
     void holdWanted(); ///< the robot shall stop where it is
 
@@ -99,6 +101,7 @@ private:
     QPushButton *m_here, *m_tour, *m_checkButton, *m_usePlace;
     QLabel *m_placeIcon, *m_placeVerdict, *m_placeText;
     QPushButton *m_measure, *m_useSource;
+    QCheckBox* m_follow;
     QLabel *m_sourceIcon, *m_sourceVerdict, *m_sourceText;
     QLabel* m_status;
     QProgressBar* m_progress;
