@@ -45,7 +45,7 @@ PartTracker::PartTracker(MarkerLayout layout, Part part, CameraModel camera)
 void PartTracker::lose() {
     m_filter.reset();
     m_mirrored.reset();
-    m_confirmed = false;
+    m_isOpen = m_confirmed = false;
     m_rejected = 0;
 }
 
@@ -128,7 +128,9 @@ bool PartTracker::follow(double time_s, const Seen& seen, TrackStep& step) {
     FilterStep taken = m_filter->take(time_s, seen.corners, m_camera);
     if (m_mirrored)
         weighMirrored(time_s, seen, taken);
-    else if (taken.believed && seen.ids.size() == 1)
+    else if (seen.ids.size() > 1)
+        m_isOpen = false;
+    else if (taken.believed)
         seekMirrored(time_s, seen, predicted);
     if (!taken.believed) {
         ++m_rejected;
@@ -155,8 +157,9 @@ void PartTracker::weighMirrored(double time_s, const Seen& seen, FilterStep& tak
         m_filter = m_mirrored;
         taken = other;
     }
-    if (isOther || isThis ||
-        angleBetween(m_filter->at(time_s).X_CP, m_mirrored->at(time_s).X_CP) < kOther_rad)
+    const bool isDecided = isOther || isThis;
+    m_isOpen = !isDecided;
+    if (isDecided || angleBetween(m_filter->at(time_s).X_CP, m_mirrored->at(time_s).X_CP) < kOther_rad)
         m_mirrored.reset();
 }
 
@@ -174,7 +177,7 @@ void PartTracker::seekMirrored(double time_s, const Seen& seen, const MotionStat
         const Pose X_CP = pose.X_CM() * marker.X_PM.inverse();
         const Vector6d way = displacementBetween(predicted.X_CP, X_CP);
         if (angleBetween(m_filter->at(time_s).X_CP, X_CP) < kOther_rad ||
-            way.dot(covariance.ldlt().solve(way)) > chiSquareBound(6.0))
+            (!m_isOpen && way.dot(covariance.ldlt().solve(way)) > chiSquareBound(6.0)))
             continue;
         m_mirrored = filterAt(time_s, X_CP, seen.corners, m_camera, m_filter->corner_px());
         m_evidence = 0.0;
@@ -204,6 +207,7 @@ bool PartTracker::begin(double time_s, const Seen& seen, TrackStep& step) {
     }
     m_filter = PoseFilter(time_s, X_CP, pose->covariance, cornerDeviation(*pose));
     m_mirrored.reset();
+    m_isOpen = false;
     if (other)
         m_mirrored = filterAt(time_s, *other, seen.corners, m_camera, m_filter->corner_px());
     m_evidence = 0.0;

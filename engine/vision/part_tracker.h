@@ -70,6 +70,7 @@ private:
     std::optional<PoseFilter> m_filter;
     std::optional<PoseFilter> m_mirrored; ///< the other pose that one marker allows, followed beside it
     double m_evidence = 0.0;              ///< against m_filter and for m_mirrored, in variances
+    bool m_isOpen = false;                ///< which of two poses was never decided, also when they have met
     bool m_confirmed = false;
     int m_rejected = 0; ///< frames one after the other
     double m_seen_s = 0.0, m_last_s = -1e300;

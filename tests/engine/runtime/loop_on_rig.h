@@ -28,11 +28,12 @@ inline Experiment twoDisks(double target_degC) {
 }
 
 struct LoopOnRig {
-    explicit LoopOnRig(const Experiment& from)
+    /// `tracker`: instead of the rig's.
+    explicit LoopOnRig(const Experiment& from, SourceTracker* tracker = nullptr)
         : experiment(from), rig(simulatedRigConfig(experiment)),
           loop(experiment,
                {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); },
-                &rig.sourceTracker()},
+                tracker ? tracker : &rig.sourceTracker()},
                rig.clock()) {}
 
     void periods(int count) {

@@ -127,6 +127,32 @@ TEST(MovingSource, LostFromViewHoldsAndThenEndsTheRun) {
     EXPECT_FALSE(run.loop.heatOn());
 }
 
+// Catches a prediction that keeps a run going for ever: poses of now, of a source that is hidden.
+TEST(MovingSource, APredictionIsNoSight) {
+    struct Predicting final : SourceTracker {
+        PoseReading reading{0.0, Pose::Identity(), true};
+        bool hidden = false;
+        Result<PoseReading> read() override {
+            reading.time_s += 1.0;
+            reading.predicted = hidden;
+            if (!hidden)
+                reading.seen_s = reading.time_s;
+            return reading;
+        }
+    } tracker;
+    LoopOnRig run(movedSource(true), &tracker);
+    ASSERT_EQ(run.experiment.sampling.period_s, 1.0);
+    run.startRun(true);
+    run.periods(10);
+    EXPECT_EQ(run.loop.state(), RunState::Running);
+    tracker.hidden = true;
+    run.periods(3);
+    EXPECT_EQ(run.loop.state(), RunState::Running);
+    run.periods(1);
+    EXPECT_EQ(run.loop.state(), RunState::Holding);
+    EXPECT_TRUE(run.reasonGiven(MessageCode::ReasonSourcePoseLost));
+}
+
 // Catches an Arm on a pose that nobody has measured.
 TEST(MovingSource, IsNotReadyWhileATrackedSourceIsNotSeen) {
     LoopOnRig run(movedSource(true));
