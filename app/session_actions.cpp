@@ -80,7 +80,7 @@ void SessionActions::openExample(const QString& name, bool remember) {
     if (refusedByRun() || (remember && !mayDiscard()))
         return;
     m_readExperiment.run([name] { return readExample(name); },
-                         [this](Result<Experiment> read) { adopt(std::move(read), {}); });
+                         [this](const Result<Experiment>& read) { adopt(read, {}); });
 }
 
 void SessionActions::askAndOpen() {
@@ -113,10 +113,10 @@ void SessionActions::open(const QString& path) {
 
 void SessionActions::openExperiment(const QString& path) {
     m_readExperiment.run([file = path.toStdString()] { return readExperiment(file); },
-                         [this, path](Result<Experiment> read) { adopt(std::move(read), path); });
+                         [this, path](const Result<Experiment>& read) { adopt(read, path); });
 }
 
-void SessionActions::adopt(Result<Experiment> read, const QString& path) {
+void SessionActions::adopt(const Result<Experiment>& read, const QString& path) {
     if (!read) {
         emit problem(sentence(read.error()));
         m_settings.removeRecentFile(path);

@@ -72,7 +72,7 @@ signals:
 private:
     QString ask(const FileQuestion& question);
     bool refusedByRun();
-    void adopt(Result<Experiment> read, const QString& path);
+    void adopt(const Result<Experiment>& read, const QString& path);
     void openExperiment(const QString& path);
     void openSession(const QString& path);
     bool write(const QString& path);
