@@ -207,8 +207,9 @@ Judgement judged(const CameraCalibration& calibration, double distance_m) {
     const Verdict verdict = worse_m <= 1e-3   ? Verdict::Good
                             : worse_m <= 3e-3 ? Verdict::Usable
                                               : Verdict::Redo;
+    const bool isMisfit = *across_m > along_m || !viewsStandingOut(calibration.camera.views).empty();
     const MessageCode code = verdict == Verdict::Good ? MessageCode::CameraGood
-                             : *across_m > along_m    ? MessageCode::CameraMisfits
+                             : isMisfit               ? MessageCode::CameraMisfits
                                                       : MessageCode::CameraFocalUncertain;
     return {
         verdict,

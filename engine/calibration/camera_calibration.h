@@ -55,7 +55,8 @@ std::vector<std::size_t> viewsStandingOut(const std::vector<ViewResidual>& views
 /// How far off the camera shows things so far away: across the line of sight as held-out views have it, and
 /// along it by two standard deviations of the focal length. Good: 1 mm each; Usable: 3 mm; Redo: worse, what
 /// reasonAgainst says, or too few views to hold some out. Reasons: CameraGood; CameraMisfits or
-/// CameraFocalUncertain, whichever is the larger; CameraUnchecked; those of reasonAgainst.
+/// CameraFocalUncertain, whichever is the larger (views that stand out are the former); CameraUnchecked;
+/// those of reasonAgainst.
 Judgement judged(const CameraCalibration& calibration, double distance_m);
 
 } // namespace bask

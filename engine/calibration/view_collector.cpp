@@ -198,12 +198,15 @@ ViewCollector::Look ViewCollector::look(const BoardView& view, double time_s) {
         return Look::Useless;
     }
     const bool isStill = m_last && motionBetween(m_last->view, view) < kStill_px;
-    m_last = LastLook{view, isStill ? m_last->still_s : time_s};
-    if (isKnown(*place))
+    m_last = isStill ? LastLook{view, m_last->still_s, m_last->isTaken} : LastLook{view, time_s};
+    // A far board's tilt may seem to change sides while it keeps still.
+    if (m_last->isTaken || isKnown(*place))
         return Look::Known;
     if (time_s - m_last->still_s < kStill_s)
         return Look::Moving;
-    return keep(view) ? Look::Kept : Look::Useless;
+    m_last->isTaken = true;
+    m_views.push_back({{std::to_string(m_views.size() + 1), view}, *place});
+    return Look::Kept;
 }
 
 bool ViewCollector::keep(const BoardView& view) {

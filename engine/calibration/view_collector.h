@@ -60,7 +60,7 @@ public:
     ViewCollector(Board board, int width, int height);
 
     /// The board in the next picture. Still is: moved by less than 0.5 px from look to look (mean over the
-    /// corners), for 0.3 s.
+    /// corners), for 0.3 s. Before the next view it has to move.
     Look look(const BoardView& view, double time_s);
     /// The next picture does not show it.
     void lookedInVain() { m_last.reset(); }
@@ -88,6 +88,7 @@ private:
     struct LastLook {
         BoardView view;
         double still_s = 0.0; ///< since when
+        bool isTaken = false; ///< since then
     };
 
     Board m_board;

@@ -23,7 +23,11 @@ CalibratePage::CalibratePage(QWidget* parent)
     m_cameraPanel->setObjectName("cameraPanel");
     m_tabs->setDocumentMode(true);
     m_tabs->setFixedWidth(kPanelWidth);
-    addPanel(m_cameraPanel);
+    QScrollArea* scroll = addPanel(m_cameraPanel);
+    connect(m_cameraPanel, &CameraPanel::attentionWanted, scroll, [scroll](QWidget* part) {
+        scroll->widget()->layout()->activate(); // it may have grown
+        scroll->ensureWidgetVisible(part);
+    });
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(12, 12, 12, 12);
     layout->setSpacing(12);
@@ -36,7 +40,7 @@ CalibratePage::CalibratePage(QWidget* parent)
     retranslate();
 }
 
-void CalibratePage::addPanel(QWidget* panel) {
+QScrollArea* CalibratePage::addPanel(QWidget* panel) {
     auto* content = new QWidget(this);
     auto* inside = new QVBoxLayout(content);
     inside->setContentsMargins(8, 10, 8, 8);
@@ -50,6 +54,7 @@ void CalibratePage::addPanel(QWidget* panel) {
     m_tabs->addTab(scroll, panel->windowTitle());
     connect(panel, &QWidget::windowTitleChanged, m_tabs,
             [this, scroll](const QString& title) { m_tabs->setTabText(m_tabs->indexOf(scroll), title); });
+    return scroll;
 }
 
 void CalibratePage::setView(const VisionView& view) {

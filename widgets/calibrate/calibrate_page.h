@@ -8,6 +8,7 @@
 
 #include <optional>
 
+class QScrollArea;
 class QTabWidget;
 
 namespace bask {
@@ -23,7 +24,7 @@ public:
     explicit CalibratePage(QWidget* parent = nullptr);
 
     /// Another tab, named by the panel's window title (also when that changes).
-    void addPanel(QWidget* panel);
+    QScrollArea* addPanel(QWidget* panel);
 
     void setView(const VisionView& view);
     void setDistance(double distance_m); ///< from the camera to the source

@@ -208,6 +208,8 @@ TEST(CameraCalibration, IsJudgedAtADistance) {
     EXPECT_EQ(judged(result, 2.0).verdict, Verdict::Usable) << "2 mm along the line of sight";
     EXPECT_EQ(judged(result, 2.0).reason.code, MessageCode::CameraFocalUncertain);
     EXPECT_EQ(judged(result, 4.0).verdict, Verdict::Redo);
+    result.camera.views[3].rms_px = 2.0;
+    EXPECT_EQ(judged(result, 2.0).reason.code, MessageCode::CameraMisfits) << "a view stands out";
     result.heldOut_px = 3.0;
     EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Usable);
     EXPECT_EQ(judged(result, 0.6).reason.code, MessageCode::CameraMisfits);
