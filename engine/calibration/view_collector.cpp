@@ -132,7 +132,10 @@ std::optional<ViewPlace> placeOf(const BoardView& view, const Board& board, int 
     const auto fit = planeFit(view, board);
     if (!fit)
         return std::nullopt;
-    const Box box = boxOf(view);
+    Box box = boxOf(view);
+    const Eigen::Vector2d square_px = board.square_m * fit->px_m.cwiseAbs().rowwise().sum(); // around them
+    box.least = (box.least - square_px).cwiseMax(Eigen::Vector2d::Zero());
+    box.most = (box.most + square_px).cwiseMin(Eigen::Vector2d(width, height));
     const int columns = squareColumns(board) - 2, rows = squareRows(board) - 2; // between the inner corners
     const double area_px =
         std::abs(fit->px_m.determinant()) * columns * rows * board.square_m * board.square_m;

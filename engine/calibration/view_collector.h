@@ -12,7 +12,8 @@ namespace bask {
 
 /// How a view shows its board, without a camera being known.
 struct ViewPlace {
-    /// Of the seen corners' box: 0 at the left or upper edge of the picture, 1 at the other.
+    /// Of the box of the seen corners and a square around them: 0 at the left or upper edge of the picture,
+    /// 1 at the other.
     double x = 0.0, y = 0.0;
     /// Square root of what all inner corners would take of the picture's area, seen as near as those are.
     double size = 0.0;

@@ -127,11 +127,13 @@ void paintBoard(QPainter& painter, const OverlayPlace& place, const BoardView& b
     const auto colour = [&](std::size_t k) {
         return mapColour(0.4 + 0.6 * (board.corners[k] / columns) / std::max(1, rows - 1), kOnDark);
     };
-    for (std::size_t k = 1; k < board.corners.size(); ++k) {
-        const bool isNext = board.corners[k] == board.corners[k - 1] + 1;
-        if (isNext && board.corners[k] / columns == board.corners[k - 1] / columns)
-            cased(painter, {at(place, board.corners_px[k - 1]), at(place, board.corners_px[k])}, colour(k),
-                  1.6);
+    QPolygonF line; // corners in a row without a gap
+    for (std::size_t k = 0; k < board.corners.size(); ++k) {
+        line << at(place, board.corners_px[k]);
+        const bool goesOn = k + 1 < board.corners.size() && board.corners[k + 1] == board.corners[k] + 1 &&
+                            board.corners[k + 1] / columns == board.corners[k] / columns;
+        if (!goesOn)
+            cased(painter, std::exchange(line, {}), colour(k), 1.6);
     }
     for (std::size_t k = 0; k < board.corners.size(); ++k)
         dot(painter, at(place, board.corners_px[k]), colour(k), k == 0 ? 5.0 : 3.0);
