@@ -208,15 +208,19 @@ ViewCollector::Look ViewCollector::look(const BoardView& view, double time_s) {
     if (time_s - m_last->still_s < kStill_s)
         return Look::Moving;
     m_last->isTaken = true;
-    m_views.push_back({{std::to_string(m_views.size() + 1), view}, *place});
+    add(view, *place);
     return Look::Kept;
 }
 
 bool ViewCollector::keep(const BoardView& view) {
     const auto place = placeOf(view, m_board, m_width, m_height);
     if (place)
-        m_views.push_back({{std::to_string(m_views.size() + 1), view}, *place});
+        add(view, *place);
     return place.has_value();
+}
+
+void ViewCollector::add(const BoardView& view, const ViewPlace& place) {
+    m_views.push_back({{std::to_string(m_views.size() + 1), view}, place});
 }
 
 // By the sum of the differences, like camera_calibration of ROS.

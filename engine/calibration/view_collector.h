@@ -84,6 +84,7 @@ public:
     std::optional<Board> otherBoard() const;
 
 private:
+    void add(const BoardView& view, const ViewPlace& place);
     bool isKnown(const ViewPlace& place) const;
 
     struct LastLook {
