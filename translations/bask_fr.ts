@@ -875,16 +875,16 @@
             <translation>l’étalonnage a été annulé</translation>
         </message>
         <message>
-            <source>good to %1 mm across the line of sight and %2 mm along it at %3 m</source>
-            <translation>juste à %1 mm près en travers de la ligne de visée et à %2 mm près le long de celle-ci, à %3 m</translation>
+            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it</source>
+            <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci</translation>
         </message>
         <message>
-            <source>good to %1 mm across the line of sight and %2 mm along it at %3 m; check that the board is flat, measured and sharp in the pictures, and leave out views that stand out</source>
-            <translation>juste à %1 mm près en travers de la ligne de visée et à %2 mm près le long de celle-ci, à %3 m ; vérifiez que la mire est plane, mesurée et nette sur les images, et écartez les vues qui se distinguent</translation>
+            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; check that the board is flat, measured and sharp in the pictures, and leave out views that stand out</source>
+            <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; vérifiez que la mire est plane, mesurée et nette sur les images, et écartez les vues qui se distinguent</translation>
         </message>
         <message>
-            <source>good to %1 mm across the line of sight and %2 mm along it at %3 m; take more views with the board tilted, near the camera and at the picture&apos;s edges</source>
-            <translation>juste à %1 mm près en travers de la ligne de visée et à %2 mm près le long de celle-ci, à %3 m ; prenez davantage de vues avec la mire inclinée, près de la caméra et aux bords de l’image</translation>
+            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; take more views with the board tilted, near the camera and at the picture&apos;s edges</source>
+            <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; prenez davantage de vues avec la mire inclinée, près de la caméra et aux bords de l’image</translation>
         </message>
         <message>
             <source>%1 views cannot be checked against one another; take at least %2</source>
@@ -3921,6 +3921,467 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>workspace %1</source>
             <translation>espace de travail %1</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::BoardForm</name>
+        <message>
+            <source>&amp;Board</source>
+            <translation>&amp;Mire</translation>
+        </message>
+        <message>
+            <source>&amp;Dictionary</source>
+            <translation>&amp;Dictionnaire</translation>
+        </message>
+        <message>
+            <source>As measured on the print: over ten squares, divided by ten.</source>
+            <translation>Tel que mesuré sur l’impression : sur dix cases, divisé par dix.</translation>
+        </message>
+        <message>
+            <source>Boards made by OpenCV before 4.6 with an even number of rows.</source>
+            <translation>Mires faites par OpenCV avant 4.6 avec un nombre pair de rangées.</translation>
+        </message>
+        <message>
+            <source>ChArUco board</source>
+            <translation>Mire ChArUco</translation>
+        </message>
+        <message>
+            <source>Chessboard</source>
+            <translation>Échiquier</translation>
+        </message>
+        <message>
+            <source>Dictionary of the markers</source>
+            <translation>Dictionnaire des marqueurs</translation>
+        </message>
+        <message>
+            <source>Inner cor&amp;ners</source>
+            <translation>Coi&amp;ns intérieurs</translation>
+        </message>
+        <message>
+            <source>Inner corners across</source>
+            <translation>Coins intérieurs en largeur</translation>
+        </message>
+        <message>
+            <source>Inner corners down</source>
+            <translation>Coins intérieurs en hauteur</translation>
+        </message>
+        <message>
+            <source>Kind of board</source>
+            <translation>Type de mire</translation>
+        </message>
+        <message>
+            <source>Lower left square is black</source>
+            <translation>La case en bas à gauche est noire</translation>
+        </message>
+        <message>
+            <source>S&amp;ide of a square</source>
+            <translation>Côté d’une ca&amp;se</translation>
+        </message>
+        <message>
+            <source>S&amp;quares</source>
+            <translation>Cas&amp;es</translation>
+        </message>
+        <message>
+            <source>Side of a &amp;marker</source>
+            <translation>Côté d’un ma&amp;rqueur</translation>
+        </message>
+        <message>
+            <source>Side of a marker</source>
+            <translation>Côté d’un marqueur</translation>
+        </message>
+        <message>
+            <source>Side of a square</source>
+            <translation>Côté d’une case</translation>
+        </message>
+        <message>
+            <source>Squares across</source>
+            <translation>Cases en largeur</translation>
+        </message>
+        <message>
+            <source>Squares down</source>
+            <translation>Cases en hauteur</translation>
+        </message>
+        <message>
+            <source>With its black border, as measured on the print.</source>
+            <translation>Avec sa bordure noire, tel que mesuré sur l’impression.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::CalibratePage</name>
+        <message>
+            <source>Calibrate</source>
+            <translation>Étalonner</translation>
+        </message>
+        <message>
+            <source>What is calibrated</source>
+            <translation>Ce qui est étalonné</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::CameraPanel</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1 : %2</translation>
+        </message>
+        <message>
+            <source>&amp;Calibrate</source>
+            <translation>É&amp;talonner</translation>
+        </message>
+        <message>
+            <source>&amp;Start looking</source>
+            <translation>&amp;Chercher</translation>
+        </message>
+        <message>
+            <source>&amp;Stop looking</source>
+            <translation>Arrêter de &amp;chercher</translation>
+        </message>
+        <message>
+            <source>Calibration board</source>
+            <translation>Mire d’étalonnage</translation>
+        </message>
+        <message>
+            <source>Calibration of the camera</source>
+            <translation>Étalonnage de la caméra</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>Caméra</translation>
+        </message>
+        <message>
+            <source>Cameras (%1);;All files (*)</source>
+            <translation>Caméras (%1);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Drops all views. The board can be set again.</source>
+            <translation>Abandonne toutes les vues. La mire peut de nouveau être réglée.</translation>
+        </message>
+        <message>
+            <source>Hold the board still.</source>
+            <translation>Tenez la mire immobile.</translation>
+        </message>
+        <message>
+            <source>Leave &amp;out the views that stand out</source>
+            <translation>Écarter les vues qui se d&amp;istinguent</translation>
+        </message>
+        <message>
+            <source>Load a camera</source>
+            <translation>Charger une caméra</translation>
+        </message>
+        <message>
+            <source>Looks for the board in the live picture.</source>
+            <translation>Cherche la mire dans l’image en direct.</translation>
+        </message>
+        <message>
+            <source>OpenCV YAML (%1)</source>
+            <translation>YAML d’OpenCV (%1)</translation>
+        </message>
+        <message>
+            <source>Progress of the calibration</source>
+            <translation>Avancement de l’étalonnage</translation>
+        </message>
+        <message>
+            <source>ROS camera_info (%1)</source>
+            <translation>camera_info de ROS (%1)</translation>
+        </message>
+        <message>
+            <source>Save the camera</source>
+            <translation>Enregistrer la caméra</translation>
+        </message>
+        <message>
+            <source>Start again</source>
+            <translation>Recommencer</translation>
+        </message>
+        <message>
+            <source>Start looking, then show the board to the camera from near and far, at all edges of the picture and tilted to all sides.</source>
+            <translation>Lancez la recherche, puis montrez la mire à la caméra de près et de loin, à tous les bords de l’image et inclinée de tous les côtés.</translation>
+        </message>
+        <message>
+            <source>Ta&amp;ke this view</source>
+            <translation>&amp;Prendre cette vue</translation>
+        </message>
+        <message>
+            <source>Take still, new views &amp;automatically</source>
+            <translation>Prendre seul les vues nouvelles et immo&amp;biles</translation>
+        </message>
+        <message>
+            <source>The board is seen: hold it still and take the view.</source>
+            <translation>La mire est vue : tenez-la immobile et prenez la vue.</translation>
+        </message>
+        <message>
+            <source>The camera is saved in %1.</source>
+            <translation>La caméra est enregistrée dans %1.</translation>
+        </message>
+        <message>
+            <source>The views are of this board: start again to set another.</source>
+            <translation>Les vues sont de cette mire : recommencez pour en régler une autre.</translation>
+        </message>
+        <message>
+            <source>There is such a view: move the board on.</source>
+            <translation>Cette vue existe déjà : déplacez la mire.</translation>
+        </message>
+        <message>
+            <source>Too little of the board is seen for a view.</source>
+            <translation>La mire est trop peu visible pour une vue.</translation>
+        </message>
+        <message>
+            <source>Use the board seen</source>
+            <translation>Prendre la mire vue</translation>
+        </message>
+        <message>
+            <source>View %1 is taken: move the board on.</source>
+            <translation>La vue %1 est prise : déplacez la mire.</translation>
+        </message>
+        <message>
+            <source>Views</source>
+            <translation>Vues</translation>
+        </message>
+        <message>
+            <source>Waiting for the camera&apos;s pictures.</source>
+            <translation>En attente des images de la caméra.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::CameraResult</name>
+        <message>
+            <source>%1 px</source>
+            <translation>%1 px</translation>
+        </message>
+        <message>
+            <source>%1 views</source>
+            <translation>%1 vues</translation>
+        </message>
+        <message>
+            <source>%1 × %2 pixels</source>
+            <translation>%1 × %2 pixels</translation>
+        </message>
+        <message>
+            <source>%1, in use</source>
+            <translation>%1, en service</translation>
+        </message>
+        <message>
+            <source>&amp;Use this camera</source>
+            <translation>&amp;Utiliser cette caméra</translation>
+        </message>
+        <message>
+            <source>Calibrate it by views of a board, or load its file.</source>
+            <translation>Étalonnez-la par des vues d’une mire, ou chargez son fichier.</translation>
+        </message>
+        <message>
+            <source>Good</source>
+            <translation>Bon</translation>
+        </message>
+        <message>
+            <source>Load a camera from a file</source>
+            <translation>Charger une caméra depuis un fichier</translation>
+        </message>
+        <message>
+            <source>Load…</source>
+            <translation>Charger…</translation>
+        </message>
+        <message>
+            <source>No camera yet</source>
+            <translation>Pas encore de caméra</translation>
+        </message>
+        <message>
+            <source>Parameter</source>
+            <translation>Paramètre</translation>
+        </message>
+        <message>
+            <source>Parameters of the camera</source>
+            <translation>Paramètres de la caméra</translation>
+        </message>
+        <message>
+            <source>Poses of markers are computed by it from now on.</source>
+            <translation>Les poses des marqueurs sont désormais calculées par elle.</translation>
+        </message>
+        <message>
+            <source>Read from a file: how far it holds was not checked here.</source>
+            <translation>Lue dans un fichier : sa justesse n’a pas été vérifiée ici.</translation>
+        </message>
+        <message>
+            <source>Redo</source>
+            <translation>À refaire</translation>
+        </message>
+        <message>
+            <source>Save the camera in a file</source>
+            <translation>Enregistrer la caméra dans un fichier</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Enregistrer…</translation>
+        </message>
+        <message>
+            <source>Standard deviation</source>
+            <translation>Écart type</translation>
+        </message>
+        <message>
+            <source>The camera in use</source>
+            <translation>La caméra en service</translation>
+        </message>
+        <message>
+            <source>Usable</source>
+            <translation>Utilisable</translation>
+        </message>
+        <message>
+            <source>Value</source>
+            <translation>Valeur</translation>
+        </message>
+        <message>
+            <source>held-out views %1 px</source>
+            <translation>vues mises de côté %1 px</translation>
+        </message>
+        <message>
+            <source>residual %1 px</source>
+            <translation>résidu %1 px</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::CoverageView</name>
+        <message>
+            <source>%1 of %2 views</source>
+            <translation>%1 vues sur %2</translation>
+        </message>
+        <message>
+            <source>%1 views</source>
+            <translation>%1 vues</translation>
+        </message>
+        <message>
+            <source>Colours the picture by how many corners were seen where.</source>
+            <translation>Colore l’image selon le nombre de coins vus à chaque endroit.</translation>
+        </message>
+        <message>
+            <source>Covered: %1</source>
+            <translation>Couvert : %1</translation>
+        </message>
+        <message>
+            <source>Left to right</source>
+            <translation>De gauche à droite</translation>
+        </message>
+        <message>
+            <source>Nearness</source>
+            <translation>Proximité</translation>
+        </message>
+        <message>
+            <source>Show on the &amp;picture</source>
+            <translation>Montrer sur l’ima&amp;ge</translation>
+        </message>
+        <message>
+            <source>This is enough: calibrate.</source>
+            <translation>Cela suffit : étalonnez.</translation>
+        </message>
+        <message>
+            <source>Tilt</source>
+            <translation>Inclinaison</translation>
+        </message>
+        <message>
+            <source>Top to bottom</source>
+            <translation>De haut en bas</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::LivePicture</name>
+        <message>
+            <source>%1 pictures/s</source>
+            <translation>%1 images/s</translation>
+        </message>
+        <message>
+            <source>%1 px</source>
+            <translation>%1 px</translation>
+        </message>
+        <message>
+            <source>%1 × %2</source>
+            <translation>%1 × %2</translation>
+        </message>
+        <message>
+            <source>Live picture of the camera</source>
+            <translation>Image en direct de la caméra</translation>
+        </message>
+        <message>
+            <source>No picture yet: no camera is running.</source>
+            <translation>Pas encore d’image : aucune caméra n’est en marche.</translation>
+        </message>
+        <message>
+            <source>Nothing is found in the picture</source>
+            <translation>Rien n’est trouvé dans l’image</translation>
+        </message>
+        <message>
+            <source>age %1 s</source>
+            <translation>âge %1 s</translation>
+        </message>
+        <message>
+            <source>base</source>
+            <translation>base</translation>
+        </message>
+        <message>
+            <source>end-effector</source>
+            <translation>effecteur</translation>
+        </message>
+        <message>
+            <source>latency %1 ms</source>
+            <translation>latence %1 ms</translation>
+        </message>
+        <message>
+            <source>marker %1</source>
+            <translation>marqueur %1</translation>
+        </message>
+        <message>
+            <source>marker %1, %2</source>
+            <translation>marqueur %1, %2</translation>
+        </message>
+        <message>
+            <source>source</source>
+            <translation>source</translation>
+        </message>
+        <message>
+            <source>source predicted</source>
+            <translation>source prédite</translation>
+        </message>
+        <message>
+            <source>source searched</source>
+            <translation>source recherchée</translation>
+        </message>
+        <message>
+            <source>source tracked</source>
+            <translation>source suivie</translation>
+        </message>
+        <message>
+            <source>the board</source>
+            <translation>la mire</translation>
+        </message>
+        <message>
+            <source>two poses</source>
+            <translation>deux poses</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ViewList</name>
+        <message>
+            <source>%1 px</source>
+            <translation>%1 px</translation>
+        </message>
+        <message>
+            <source>%1, stands out</source>
+            <translation>%1, se distingue</translation>
+        </message>
+        <message>
+            <source>A view that is not ticked is left out.</source>
+            <translation>Une vue non cochée est écartée.</translation>
+        </message>
+        <message>
+            <source>Residual</source>
+            <translation>Résidu</translation>
+        </message>
+        <message>
+            <source>View</source>
+            <translation>Vue</translation>
+        </message>
+        <message>
+            <source>Views of the calibration</source>
+            <translation>Vues de l’étalonnage</translation>
         </message>
     </context>
 </TS>

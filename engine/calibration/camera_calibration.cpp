@@ -203,12 +203,15 @@ Judgement judged(const CameraCalibration& calibration, double distance_m) {
         return {Verdict::Redo,
                 {MessageCode::CameraUnchecked,
                  {std::to_string(calibration.camera.views.size()), std::to_string(kLeastHeldOutViews)}}};
-    const double along_m = calibration.focalError_m(distance_m), worse_m = std::max(*across_m, along_m);
+    // Source and end-effector are seen by the same camera and share most of an error along the line of sight.
+    const double along_m = calibration.focalError_m(distance_m), counted_m = 0.5 * along_m;
+    const double worse_m = std::max(*across_m, counted_m);
     const Verdict verdict = worse_m <= 1e-3   ? Verdict::Good
                             : worse_m <= 3e-3 ? Verdict::Usable
                                               : Verdict::Redo;
+    const bool isMisfit = *across_m > counted_m || !viewsStandingOut(calibration.camera.views).empty();
     const MessageCode code = verdict == Verdict::Good ? MessageCode::CameraGood
-                             : *across_m > along_m    ? MessageCode::CameraMisfits
+                             : isMisfit               ? MessageCode::CameraMisfits
                                                       : MessageCode::CameraFocalUncertain;
     return {
         verdict,

@@ -53,9 +53,10 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& vi
 std::vector<std::size_t> viewsStandingOut(const std::vector<ViewResidual>& views);
 
 /// How far off the camera shows things so far away: across the line of sight as held-out views have it, and
-/// along it by two standard deviations of the focal length. Good: 1 mm each; Usable: 3 mm; Redo: worse, what
-/// reasonAgainst says, or too few views to hold some out. Reasons: CameraGood; CameraMisfits or
-/// CameraFocalUncertain, whichever is the larger; CameraUnchecked; those of reasonAgainst.
+/// along it by two standard deviations of the focal length. Good: 1 mm across and 2 mm along; Usable: 3 and
+/// 6 mm; Redo: worse, what reasonAgainst says, or too few views to hold some out. Reasons: CameraGood;
+/// CameraMisfits (across, or views stand out) or CameraFocalUncertain (along); CameraUnchecked; those of
+/// reasonAgainst.
 Judgement judged(const CameraCalibration& calibration, double distance_m);
 
 } // namespace bask

@@ -132,7 +132,10 @@ std::optional<ViewPlace> placeOf(const BoardView& view, const Board& board, int 
     const auto fit = planeFit(view, board);
     if (!fit)
         return std::nullopt;
-    const Box box = boxOf(view);
+    Box box = boxOf(view);
+    const Eigen::Vector2d square_px = board.square_m * fit->px_m.cwiseAbs().rowwise().sum(); // around them
+    box.least = (box.least - square_px).cwiseMax(Eigen::Vector2d::Zero());
+    box.most = (box.most + square_px).cwiseMin(Eigen::Vector2d(width, height));
     const int columns = squareColumns(board) - 2, rows = squareRows(board) - 2; // between the inner corners
     const double area_px =
         std::abs(fit->px_m.determinant()) * columns * rows * board.square_m * board.square_m;
@@ -198,19 +201,26 @@ ViewCollector::Look ViewCollector::look(const BoardView& view, double time_s) {
         return Look::Useless;
     }
     const bool isStill = m_last && motionBetween(m_last->view, view) < kStill_px;
-    m_last = LastLook{view, isStill ? m_last->still_s : time_s};
-    if (isKnown(*place))
+    m_last = isStill ? LastLook{view, m_last->still_s, m_last->isTaken} : LastLook{view, time_s};
+    // A far board's tilt may seem to change sides while it keeps still.
+    if (m_last->isTaken || isKnown(*place))
         return Look::Known;
     if (time_s - m_last->still_s < kStill_s)
         return Look::Moving;
-    return keep(view) ? Look::Kept : Look::Useless;
+    m_last->isTaken = true;
+    add(view, *place);
+    return Look::Kept;
 }
 
 bool ViewCollector::keep(const BoardView& view) {
     const auto place = placeOf(view, m_board, m_width, m_height);
     if (place)
-        m_views.push_back({{std::to_string(m_views.size() + 1), view}, *place});
+        add(view, *place);
     return place.has_value();
+}
+
+void ViewCollector::add(const BoardView& view, const ViewPlace& place) {
+    m_views.push_back({{std::to_string(m_views.size() + 1), view}, place});
 }
 
 // By the sum of the differences, like camera_calibration of ROS.

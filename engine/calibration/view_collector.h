@@ -12,7 +12,8 @@ namespace bask {
 
 /// How a view shows its board, without a camera being known.
 struct ViewPlace {
-    /// Of the seen corners' box: 0 at the left or upper edge of the picture, 1 at the other.
+    /// Of the box of the seen corners and a square around them: 0 at the left or upper edge of the picture,
+    /// 1 at the other.
     double x = 0.0, y = 0.0;
     /// Square root of what all inner corners would take of the picture's area, seen as near as those are.
     double size = 0.0;
@@ -60,7 +61,7 @@ public:
     ViewCollector(Board board, int width, int height);
 
     /// The board in the next picture. Still is: moved by less than 0.5 px from look to look (mean over the
-    /// corners), for 0.3 s.
+    /// corners), for 0.3 s. Before the next view it has to move.
     Look look(const BoardView& view, double time_s);
     /// The next picture does not show it.
     void lookedInVain() { m_last.reset(); }
@@ -83,11 +84,13 @@ public:
     std::optional<Board> otherBoard() const;
 
 private:
+    void add(const BoardView& view, const ViewPlace& place);
     bool isKnown(const ViewPlace& place) const;
 
     struct LastLook {
         BoardView view;
         double still_s = 0.0; ///< since when
+        bool isTaken = false; ///< since then
     };
 
     Board m_board;

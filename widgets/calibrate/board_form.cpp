@@ -116,7 +116,7 @@ void BoardForm::showKind() {
     for (QWidget* widget :
          std::initializer_list<QWidget*>{m_markerLabel, m_marker, m_dictionaryLabel, m_dictionary, m_legacy})
         widget->setVisible(isCharuco());
-    m_countsLabel->setText(isCharuco() ? tr("S&quares") : tr("Inner &corners"));
+    m_countsLabel->setText(isCharuco() ? tr("S&quares") : tr("Inner cor&ners"));
     m_columns->setAccessibleName(isCharuco() ? tr("Squares across") : tr("Inner corners across"));
     m_rows->setAccessibleName(isCharuco() ? tr("Squares down") : tr("Inner corners down"));
 }

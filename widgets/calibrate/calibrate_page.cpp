@@ -43,7 +43,11 @@ CalibratePage::CalibratePage(QWidget* parent)
     m_tabs->setObjectName("calibrateTabs");
     m_tabs->setDocumentMode(true);
     m_tabs->setFixedWidth(kPanelWidth);
-    addPanel(m_cameraPanel, "cameraPanel");
+    QScrollArea* scroll = addPanel(m_cameraPanel, "cameraPanel");
+    connect(m_cameraPanel, &CameraPanel::attentionWanted, scroll, [scroll](QWidget* part) {
+        scroll->widget()->layout()->activate(); // it may have grown
+        scroll->ensureWidgetVisible(part);
+    });
     addPanel(m_rigPanel, "rigPanel");
     addPanel(m_sheetPanel, "sheetPanel");
 
@@ -96,7 +100,7 @@ void CalibratePage::connectAll() {
             });
 }
 
-void CalibratePage::addPanel(QWidget* panel, const char* name) {
+QScrollArea* CalibratePage::addPanel(QWidget* panel, const char* name) {
     panel->setObjectName(QLatin1String(name));
     auto* content = new QWidget(this);
     auto* inside = new QVBoxLayout(content);
@@ -111,6 +115,7 @@ void CalibratePage::addPanel(QWidget* panel, const char* name) {
     m_tabs->addTab(scroll, panel->windowTitle());
     connect(panel, &QWidget::windowTitleChanged, m_tabs,
             [this, scroll](const QString& title) { m_tabs->setTabText(m_tabs->indexOf(scroll), title); });
+    return scroll;
 }
 
 void CalibratePage::setExperiment(const Experiment& experiment) {

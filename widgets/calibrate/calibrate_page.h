@@ -10,6 +10,7 @@
 
 class QComboBox;
 class QLabel;
+class QScrollArea;
 class QTabWidget;
 
 namespace bask {
@@ -49,7 +50,7 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void addPanel(QWidget* panel, const char* name);
+    QScrollArea* addPanel(QWidget* panel, const char* name);
     void connectAll();
     void choose();
     void watch();

@@ -70,7 +70,7 @@ CameraPanel::CameraPanel(QWidget* parent)
     m_status->setObjectName("captureStatus");
     m_status->setWordWrap(true);
     m_status->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    m_status->setMinimumHeight(3 * fontMetrics().lineSpacing()); // what is said does not move the buttons
+    m_status->setMinimumHeight(2 * fontMetrics().lineSpacing()); // what is said does not move the buttons
     m_again->setObjectName("captureAgain");
     m_message->setObjectName("cameraMessage");
     m_leaveOut->setObjectName("leaveOut");
@@ -79,7 +79,7 @@ CameraPanel::CameraPanel(QWidget* parent)
     m_progress->setTextVisible(false);
     m_progress->setFixedHeight(10);
     m_cancel->setObjectName("solveCancel");
-    m_list->setMinimumHeight(170);
+    m_list->setMinimumHeight(130);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -162,7 +162,10 @@ void CameraPanel::connectAll() {
             solve();
     });
     connect(m_leaveOut, &QPushButton::clicked, this, &CameraPanel::leaveOut);
-    connect(m_solve, &QPushButton::clicked, this, &CameraPanel::solve);
+    connect(m_solve, &QPushButton::clicked, this, [this] {
+        m_isAsked = true;
+        solve();
+    });
     connect(m_cancel, &QPushButton::clicked, this, &CameraPanel::cancel);
     connect(m_result, &CameraResult::useClicked, this, [this] { emit cameraChosen(*m_result->camera()); });
     connect(m_result, &CameraResult::saveClicked, this, &CameraPanel::askWhereToSave);
@@ -251,7 +254,7 @@ void CameraPanel::look() {
         return;
     if (!*m_view.board) {
         m_collector->lookedInVain();
-        return sayStatus(messageText(m_view.board->error().message));
+        return sayStatus(sentenceText(m_view.board->error().message) + QLatin1Char('.'));
     }
     if (!m_automatic->isChecked())
         return sayStatus(tr("The board is seen: hold it still and take the view."));
@@ -261,9 +264,9 @@ void CameraPanel::look() {
     case ViewCollector::Look::Moving:
         return sayStatus(tr("Hold the board still."));
     case ViewCollector::Look::Known:
-        return sayStatus(tr("There is such a view. %1").arg(nextText()));
+        return sayStatus(tr("There is such a view: move the board on."));
     case ViewCollector::Look::Kept:
-        return added(tr("View %1 is taken. %2"));
+        return added();
     }
 }
 
@@ -271,26 +274,17 @@ void CameraPanel::take() {
     if (!startCollector(m_view.frame->picture))
         return;
     if (m_collector->keep(**m_view.board))
-        added(tr("View %1 is taken. %2"));
+        added();
     else
         sayStatus(tr("Too little of the board is seen for a view."));
 }
 
-void CameraPanel::added(QString said) {
+void CameraPanel::added() {
     m_list->add(thumbnailOf(m_view.frame->picture));
     showViews();
-    sayStatus(said.arg(m_collector->views().size()).arg(nextText()));
+    sayStatus(tr("View %1 is taken: move the board on.").arg(m_list->count()));
     if (m_cameraWanted)
         solve();
-}
-
-QString CameraPanel::nextText() const {
-    const Coverage coverage = m_collector ? m_collector->coverage() : coverageOf({});
-    if (coverage.missing.empty())
-        return tr("The views are enough: calibrate.");
-    if (coverage.missing.front().code == MessageCode::CoverageViews)
-        return tr("Move on, to places and tilts not seen yet.");
-    return tr("Next: %1.").arg(messageText(coverage.missing.front()));
 }
 
 void CameraPanel::showViews() {
@@ -353,6 +347,8 @@ void CameraPanel::taken(Result<CameraCalibration> result, const std::vector<int>
             m_list->setResidual(rows[k], views[k].rms_px, true);
         }
         m_result->setCalibration(*result);
+        if (std::exchange(m_isAsked, false))
+            emit attentionWanted(m_result);
     }
     updateEnabled();
 }
@@ -442,9 +438,9 @@ void CameraPanel::retranslate() {
     m_resultTitle->setText(tr("Camera"));
     m_start->setText(isCapturing() ? tr("&Stop looking") : tr("&Start looking"));
     m_start->setToolTip(tr("Looks for the board in the live picture."));
-    m_take->setText(tr("&Take this view"));
+    m_take->setText(tr("Ta&ke this view"));
     m_automatic->setText(tr("Take still, new views &automatically"));
-    m_again->setText(tr("Start a&gain"));
+    m_again->setText(tr("Start again"));
     m_again->setToolTip(tr("Drops all views. The board can be set again."));
     m_board->setToolTip(
         m_list->count() == 0 ? QString() : tr("The views are of this board: start again to set another."));

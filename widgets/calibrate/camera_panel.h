@@ -61,6 +61,8 @@ signals:
     void cameraChosen(const bask::CameraModel& camera);
     /// To be drawn over the picture; none: nothing.
     void heatMapChanged(const std::optional<bask::HeatMap>& map);
+    /// This part of the panel must be seen.
+    void attentionWanted(QWidget* part);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -78,7 +80,7 @@ private:
     bool startCollector(const GreyPicture& picture);
     void look();
     void take();
-    void added(QString said);
+    void added();
     void showViews();
     void solve();
     void cancel();
@@ -88,7 +90,6 @@ private:
     void askWhatToLoad();
     void sayOther();
     void sayStatus(const QString& sentence);
-    QString nextText() const;
     void updateEnabled();
     void retranslate();
 
@@ -96,6 +97,7 @@ private:
     std::optional<ViewCollector> m_collector;
     std::optional<Board> m_other; ///< offered instead of the one set
     bool m_cameraWanted = false;  ///< solve again as views change
+    bool m_isAsked = false;       ///< the answer is waited for: show it
     std::vector<int> m_outstanding;
     QString m_folder;
 

@@ -139,10 +139,7 @@ QString CameraResult::factsText() const {
     if (m_camera->rms_px)
         facts << tr("residual %1 px").arg(number(*m_camera->rms_px, 2));
     if (m_calibration && m_calibration->heldOut_px)
-        facts << tr("held-out views %1 px, which is %2 mm at %3 m")
-                     .arg(number(*m_calibration->heldOut_px, 2),
-                          number(1000.0 * *m_calibration->heldOut_m(m_distance_m), 2),
-                          number(m_distance_m, 2));
+        facts << tr("held-out views %1 px").arg(number(*m_calibration->heldOut_px, 2));
     return facts.join(QStringLiteral(", "));
 }
 
@@ -153,7 +150,7 @@ void CameraResult::showVerdict() {
     if (m_calibration) {
         const Judgement judgement = judged(*m_calibration, m_distance_m);
         head = verdictWord(judgement.verdict);
-        reason = messageText(judgement.reason);
+        reason = sentenceText(judgement.reason) + QLatin1Char('.');
         priority = judgement.verdict == Verdict::Redo ? 2 : judgement.verdict == Verdict::Usable ? 3 : 0;
     } else if (m_camera) {
         head = m_file.isEmpty() ? tr("The camera in use") : m_file;
@@ -213,9 +210,9 @@ void CameraResult::showAll() {
     m_numbers->setAccessibleName(tr("Parameters of the camera"));
     m_use->setText(tr("&Use this camera"));
     m_use->setToolTip(tr("Poses of markers are computed by it from now on."));
-    m_save->setText(tr("Sa&ve\u2026"));
+    m_save->setText(tr("Save\u2026"));
     m_save->setAccessibleName(tr("Save the camera in a file"));
-    m_load->setText(tr("&Load\u2026"));
+    m_load->setText(tr("Load\u2026"));
     m_load->setAccessibleName(tr("Load a camera from a file"));
     showVerdict();
     showNumbers();

@@ -44,7 +44,7 @@ CoverageView::CoverageView(QWidget* parent)
     m_missing->setWordWrap(true);
     m_missing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     // Always of one height: what comes and goes would move the buttons.
-    m_missing->setMinimumHeight(2 * kMostSentences * fontMetrics().lineSpacing());
+    m_missing->setMinimumHeight((1 + kMostSentences) * fontMetrics().lineSpacing());
     m_map->setObjectName("coverageShown");
     grid->addWidget(m_views, 4, 0, 1, 2);
     grid->addWidget(m_map, 4, 1, 1, 2, Qt::AlignRight);
@@ -73,13 +73,15 @@ void CoverageView::retranslate() {
         m_rows[k].word->setText(percent == 100 ? QStringLiteral("\u2713")
                                                : QStringLiteral("%1\u00a0%").arg(percent));
     }
-    m_views->setText(tr("%1 of %2 views").arg(m_coverage.views).arg(Coverage::kEnoughViews));
-    m_map->setText(tr("Show on the pic&ture"));
+    m_views->setText(m_coverage.views < Coverage::kEnoughViews
+                         ? tr("%1 of %2 views").arg(m_coverage.views).arg(Coverage::kEnoughViews)
+                         : tr("%1 views").arg(m_coverage.views));
+    m_map->setText(tr("Show on the &picture"));
     m_map->setToolTip(tr("Colours the picture by how many corners were seen where."));
     QStringList sentences;
     for (const Message& message : m_coverage.missing)
         if (sentences.size() < kMostSentences)
-            sentences << QStringLiteral("\u2022 ") + messageText(message);
+            sentences << sentenceText(message) + QLatin1Char('.');
     m_missing->setText(sentences.isEmpty() ? tr("This is enough: calibrate.")
                                            : sentences.join(QLatin1Char('\n')));
 }

@@ -55,6 +55,21 @@ void plate(QPainter& painter, const OverlayPlace& place, const QPointF& bottomLe
     painter.drawText(box.adjusted(8.0, 0.0, 0.0, 0.0), Qt::AlignLeft | Qt::AlignVCenter, text);
 }
 
+// Behind the end of an axis.
+void letter(QPainter& painter, const QLineF& axis, QChar text, const QColor& colour) {
+    constexpr double kSide = 14.0;
+    if (axis.length() < kSide)
+        return;
+    QRectF box(0.0, 0.0, kSide, kSide);
+    box.moveCenter(axis.pointAt(1.0 + 0.6 * kSide / axis.length()));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(kCasing);
+    painter.drawEllipse(box);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(colour);
+    painter.drawText(box.adjusted(0.0, -1.0, 0.0, -1.0), Qt::AlignCenter, QString(text));
+}
+
 QColor partColour(const std::optional<Part>& part) {
     return part ? seriesColor(static_cast<int>(*part), kOnDark) : QColor(0xd0, 0xd0, 0xd0);
 }
@@ -110,13 +125,15 @@ void paintHeatMap(QPainter& painter, const OverlayPlace& place, const HeatMap& m
 void paintBoard(QPainter& painter, const OverlayPlace& place, const BoardView& board, int columns) {
     const int rows = board.corners.empty() ? 1 : *std::ranges::max_element(board.corners) / columns + 1;
     const auto colour = [&](std::size_t k) {
-        return mapColour(0.15 + 0.85 * (board.corners[k] / columns) / std::max(1, rows - 1), kOnDark);
+        return mapColour(0.4 + 0.6 * (board.corners[k] / columns) / std::max(1, rows - 1), kOnDark);
     };
-    for (std::size_t k = 1; k < board.corners.size(); ++k) {
-        const bool isNext = board.corners[k] == board.corners[k - 1] + 1;
-        if (isNext && board.corners[k] / columns == board.corners[k - 1] / columns)
-            cased(painter, {at(place, board.corners_px[k - 1]), at(place, board.corners_px[k])}, colour(k),
-                  1.6);
+    QPolygonF line; // corners in a row without a gap
+    for (std::size_t k = 0; k < board.corners.size(); ++k) {
+        line << at(place, board.corners_px[k]);
+        const bool goesOn = k + 1 < board.corners.size() && board.corners[k + 1] == board.corners[k] + 1 &&
+                            board.corners[k + 1] / columns == board.corners[k] / columns;
+        if (!goesOn)
+            cased(painter, std::exchange(line, {}), colour(k), 1.6);
     }
     for (std::size_t k = 0; k < board.corners.size(); ++k)
         dot(painter, at(place, board.corners_px[k]), colour(k), k == 0 ? 5.0 : 3.0);
@@ -133,12 +150,13 @@ void paintMarkers(QPainter& painter, const OverlayPlace& place, const std::vecto
         outline << first;
         cased(painter, outline, colour, 2.0);
         dot(painter, first, colour, 4.0);
-        if (viewed.poses && camera)
-            paintAxes(painter, place, viewed.poses->best.X_CM(), 0.6 * viewed.side_m, *camera,
-                      viewed.poses->isAmbiguous);
         plate(painter, place, outline.boundingRect().topLeft() - QPointF(0.0, 6.0), markerText(viewed),
               colour);
     }
+    for (const ViewedMarker& viewed : markers) // not hidden by the words
+        if (viewed.poses && camera)
+            paintAxes(painter, place, viewed.poses->best.X_CM(), 0.4 * viewed.side_m, *camera,
+                      viewed.poses->isAmbiguous);
 }
 
 void paintAxes(QPainter& painter, const OverlayPlace& place, const Pose& X_CF, double length_m,
@@ -154,8 +172,7 @@ void paintAxes(QPainter& painter, const OverlayPlace& place, const Pose& X_CF, d
         const QColor colour = seriesColor(kColours[axis], kOnDark);
         const QLineF line(at(place, shownAt(lens, origin)), at(place, shownAt(lens, end)));
         cased(painter, {line.p1(), line.p2()}, colour, 2.4, isUncertain ? Qt::DotLine : Qt::SolidLine);
-        painter.setPen(colour);
-        painter.drawText(line.p2() + QPointF(3.0, -3.0), QString(QChar('x' + axis)));
+        letter(painter, line, QChar('x' + axis), colour);
     }
 }
 

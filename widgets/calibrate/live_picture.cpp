@@ -58,7 +58,7 @@ void LivePicture::setHeatMap(const std::optional<HeatMap>& map) {
 
 QString LivePicture::sentence() const {
     if (m_view.problem.code != MessageCode::None)
-        return messageText(m_view.problem);
+        return sentenceText(m_view.problem);
     return m_view.frame ? QString() : tr("No picture yet: no camera is running.");
 }
 
@@ -74,8 +74,8 @@ QString LivePicture::statusText() const {
         words << tr("%1 pictures/s").arg(number(m_view.rate_Hz, 1));
         words << tr("latency %1 ms").arg(number(1000.0 * m_view.latency_s, 0));
     }
-    words << tr("age %1 s").arg(number(m_age_s, 1));
-    if (m_view.tracking)
+    words << tr("age %1 s").arg(number(m_age_s, m_age_s < 1.0 ? 2 : 1));
+    if (m_view.tracking && m_view.problem.code == MessageCode::None)
         words << (*m_view.tracking == TrackState::Tracking     ? tr("source tracked")
                   : *m_view.tracking == TrackState::Predicting ? tr("source predicted")
                                                                : tr("source searched"));
@@ -179,8 +179,9 @@ void LivePicture::paintEvent(QPaintEvent*) {
     if (!sentence().isEmpty())
         paintSentence(painter, place);
     painter.setPen(secondaryText(isDark(this)));
-    painter.drawText(QRectF(rect()).adjusted(2.0, 0.0, -2.0, 0.0), Qt::AlignLeft | Qt::AlignBottom,
-                     statusText());
+    const QRectF line(place.left() + 2.0, place.bottom() + kGap, place.width() - 4.0, fontMetrics().height());
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter,
+                     fontMetrics().elidedText(statusText(), Qt::ElideRight, static_cast<int>(line.width())));
 }
 
 } // namespace bask

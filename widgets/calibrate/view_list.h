@@ -22,7 +22,7 @@ public:
     bool isUsed(int view) const;
     void setUsed(int view, bool isUsed);
 
-    static constexpr int kPictureWidth = 64, kPictureHeight = 36;
+    static constexpr int kPictureWidth = 48, kPictureHeight = 27;
 
 signals:
     void usedChanged(int view, bool isUsed);

@@ -159,6 +159,11 @@ QString messageText(const Message& message) {
     return out;
 }
 
+QString sentenceText(const Message& message) {
+    QString text = messageText(message);
+    return text.isEmpty() ? text : text.replace(0, 1, text[0].toUpper());
+}
+
 QString inUnit(const QString& sentence, TemperatureUnit unit) {
     static const QRegularExpression quantity(
         QStringLiteral("([-\u2212]?\\d+(?:\\.\\d+)?)[ \u00a0](\u00b0C|K)\\b"));

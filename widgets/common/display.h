@@ -37,6 +37,8 @@ QString controllerWord(ControllerKind kind); ///< "Level servo"
 
 /// Translated sentence of a message (context "Message") with its arguments put in.
 QString messageText(const Message& message);
+/// The same with a capital letter in front: where it stands by itself.
+QString sentenceText(const Message& message);
 /// A sentence that speaks of "94.83 °C" and "12.4 K" in the unit shown, temperatures to a tenth.
 QString inUnit(const QString& sentence, TemperatureUnit unit);
 

@@ -205,9 +205,11 @@ TEST(CameraCalibration, IsJudgedAtADistance) {
     result.heldOut_px = 0.3;
     EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Good);
     EXPECT_EQ(judged(result, 0.6).reason, (Message{MessageCode::CameraGood, {"0.18", "0.6", "0.6"}}));
-    EXPECT_EQ(judged(result, 2.0).verdict, Verdict::Usable) << "2 mm along the line of sight";
-    EXPECT_EQ(judged(result, 2.0).reason.code, MessageCode::CameraFocalUncertain);
-    EXPECT_EQ(judged(result, 4.0).verdict, Verdict::Redo);
+    EXPECT_EQ(judged(result, 2.5).verdict, Verdict::Usable) << "2.5 mm along the line of sight";
+    EXPECT_EQ(judged(result, 2.5).reason.code, MessageCode::CameraFocalUncertain);
+    EXPECT_EQ(judged(result, 7.0).verdict, Verdict::Redo);
+    result.camera.views[3].rms_px = 2.0;
+    EXPECT_EQ(judged(result, 2.5).reason.code, MessageCode::CameraMisfits) << "a view stands out";
     result.heldOut_px = 3.0;
     EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Usable);
     EXPECT_EQ(judged(result, 0.6).reason.code, MessageCode::CameraMisfits);

@@ -114,6 +114,16 @@ TEST_F(ViewCollectorTest, OnlyNewViewsAreKept) {
     EXPECT_EQ(collector.views().back().view.name, "6");
 }
 
+// Catches: a far board, whose tilt noise turns over, taken twice where it is held.
+TEST_F(ViewCollectorTest, OneViewForEachRest) {
+    for (const Pose& X_CB : test::patientPoses()) {
+        const std::size_t before = collector.views().size();
+        for (int k = 0; k < 60; ++k)
+            collector.look(view(X_CB, 0.18), time_s += 1.0 / 30.0);
+        EXPECT_LE(collector.views().size(), before + 1);
+    }
+}
+
 // Catches: an operator told to go where he was, or sent away before all is covered.
 TEST_F(ViewCollectorTest, WhatIsMissingIsSaid) {
     EXPECT_EQ(collector.coverage().missing.size(), 8U) << "everything";

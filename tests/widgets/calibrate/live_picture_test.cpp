@@ -145,11 +145,13 @@ TEST(LivePicture, PicturesInBothThemes) {
     view.tracking = TrackState::Tracking;
     LivePicture picture;
     picture.resize(900, 540);
+    picture.show();
     picture.setCamera(camera);
     VisionView lost = view;
     lost.problem = {MessageCode::CameraLost, {"camera 0", "no answer from the device"}};
     for (const bool dark : {false, true}) {
         applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
+        QApplication::processEvents();
         const QString theme = dark ? "dark" : "light";
         picture.setView(view);
         EXPECT_TRUE(picture.grab().save("live_markers_" + theme + ".png"));
