@@ -39,7 +39,7 @@ std::vector<std::string> exampleNames() {
 }
 
 TEST(Examples, AllAreReadAndValid) {
-    EXPECT_EQ(exampleNames().size(), 7u);
+    EXPECT_EQ(exampleNames().size(), 8u);
     for (const std::string& name : exampleNames()) {
         const Experiment e = example(name);
         EXPECT_FALSE(e.objects.empty()) << name;

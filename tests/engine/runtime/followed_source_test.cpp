@@ -1,0 +1,159 @@
+// A source that moves and is followed by the camera: whole runs with pictures rendered, markers found, poses
+// filtered.
+
+#include "engine/base/message_code.h"
+#include "engine/runtime/simulated_run.h"
+#include "engine/vision/camera_source_tracker.h"
+#include "tests/engine/runtime/loop_on_rig.h"
+
+#include <cmath>
+#include <memory>
+
+namespace bask {
+namespace {
+
+Experiment movingSource() {
+    return readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+}
+
+double worstError_K(const RunOutcome& outcome) {
+    double worst_K = 0.0;
+    for (const ObjectOutcome& object : outcome.objects)
+        worst_K = std::max(worst_K, std::abs(object.final_K - object.target_K));
+    return worst_K;
+}
+
+struct Followed {
+    explicit Followed(const Experiment& experiment)
+        : run(experiment, &tracker), camera(quickCamera(experiment)) {
+        const VisionSpec& vision = experiment.vision;
+        tracker.inner =
+            std::make_unique<CameraSourceTracker>(camera, run.rig.clock(), markerLayout(vision),
+                                                  *vision.camera, poseFromCoordinates(*vision.cameraPose));
+    }
+    static SimulatedCameraConfig quickCamera(const Experiment& experiment) {
+        SimulatedCameraConfig config = simulatedRigConfig(experiment).camera;
+        config.isWallLimited = false; // the test's clock runs ahead of the computer's
+        return config;
+    }
+    void periods(int count) {
+        for (int i = 0; i < count; ++i) {
+            run.rig.advance(run.experiment.sampling.period_s);
+            camera.observe({run.rig.clock().now_s(),
+                            poseFromCoordinates(run.rig.simulatedRobot().coordinates()), run.rig.X_RS()});
+            run.loop.tick();
+        }
+    }
+    struct Late final : SourceTracker {
+        Result<PoseReading> read() override { return inner ? inner->read() : PoseReading(); }
+        std::unique_ptr<CameraSourceTracker> inner;
+    } tracker;
+    LoopOnRig run;
+    SimulatedCamera camera;
+};
+
+// The paper's experiment. Catches a pose that does not reach the controllers, in wrong axes or too late.
+TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
+    for (const double end_s : {590.0, 900.0}) { // 10 cm away and turned by 20 degrees; back
+        const auto followed = runSimulated(movingSource(), {end_s, {}, {}});
+        ASSERT_TRUE(followed) << describe(followed.error());
+        EXPECT_LT(worstError_K(*followed), 0.5) << end_s;
+        EXPECT_TRUE(followed->settled) << end_s;
+        Experiment blind = movingSource();
+        blind.source.tracked = false;
+        const auto unfollowed = runSimulated(blind, {end_s, {}, {}});
+        ASSERT_TRUE(unfollowed);
+        EXPECT_GT(worstError_K(*unfollowed), 0.5) << end_s;
+        EXPECT_FALSE(unfollowed->settled) << end_s;
+    }
+}
+
+// Catches a tracked pose that drifts, is late, or is not told as sure as it is.
+TEST(FollowedSource, IsWhereItIsTakenToBe) {
+    Followed followed(movingSource());
+    followed.periods(10);
+    ASSERT_TRUE(followed.run.loop.arm());
+    ASSERT_TRUE(followed.run.loop.start(true));
+    double worst_m = 0.0;
+    for (int i = 0; i < 400; ++i) {
+        followed.periods(1);
+        const Vector6d truth = coordinatesFromPose(followed.run.rig.X_RS());
+        worst_m = std::max(worst_m, (followed.run.loop.latest().source - truth).head<3>().norm());
+    }
+    EXPECT_LT(worst_m, 1.5e-3);
+    const auto tracking = followed.run.loop.tracking();
+    ASSERT_TRUE(tracking);
+    EXPECT_TRUE(tracking->isSeen);
+    EXPECT_FALSE(tracking->isPredicted);
+    EXPECT_LT(tracking->age_s, 0.2);
+    EXPECT_GT(tracking->latency_s, 0.0);
+    EXPECT_GT(tracking->position_m, 0.0);
+    EXPECT_LT(tracking->position_m, 2e-3);
+}
+
+// Catches a run that goes on with a source that nobody sees, or one that ends by a hand that is soon gone.
+TEST(FollowedSource, ThatIsHiddenHoldsTheRunUntilItIsSeenAgain) {
+    Followed followed(movingSource());
+    followed.periods(10);
+    ASSERT_TRUE(followed.run.loop.arm());
+    ASSERT_TRUE(followed.run.loop.start(true));
+    followed.periods(20);
+    followed.camera.setCovered(true);
+    followed.periods(2);
+    EXPECT_EQ(followed.run.loop.state(), RunState::Running); // predicted, then the last pose
+    followed.periods(4);
+    EXPECT_EQ(followed.run.loop.state(), RunState::Holding);
+    EXPECT_TRUE(followed.run.reasonGiven(MessageCode::ReasonSourcePoseLost));
+    EXPECT_FALSE(followed.run.loop.tracking()->isSeen);
+    EXPECT_FALSE(followed.run.loop.resume());
+    followed.camera.setCovered(false);
+    followed.periods(3);
+    EXPECT_TRUE(followed.run.loop.tracking()->isSeen);
+    ASSERT_TRUE(followed.run.loop.resume());
+    followed.camera.setUnplugged(true);
+    followed.periods(25);
+    EXPECT_EQ(followed.run.loop.state(), RunState::Stopping); // 15 s of Hold, then retreat
+}
+
+// The engine's answer to "go there", by which a camera is calibrated. Catches moves without limits and moves
+// during a run.
+TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
+    LoopOnRig run(twoDisks(40.0));
+    run.periods(10);
+    Vector6d goal = run.experiment.start;
+    goal[kX] += 0.05;
+    goal[kThetaX] += 0.1;
+    ASSERT_TRUE(run.loop.moveTo(goal));
+    EXPECT_TRUE(run.loop.isMoving());
+    run.periods(1);
+    EXPECT_FALSE(run.rig.heatSource().heating());
+    run.periods(20);
+    EXPECT_FALSE(run.loop.isMoving());
+    EXPECT_LT((run.rig.simulatedRobot().coordinates() - goal).cwiseAbs().maxCoeff(), 2e-3);
+
+    Vector6d outside = goal;
+    outside[kZ] = 0.001; // nearer than the clearance
+    const auto refused = run.loop.moveTo(outside);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::MoveOutside);
+
+    ASSERT_TRUE(run.loop.moveTo(run.experiment.start));
+    run.periods(1);
+    ASSERT_TRUE(run.loop.hold()); // where it is
+    EXPECT_FALSE(run.loop.isMoving());
+    const Vector6d held = run.rig.simulatedRobot().coordinates();
+    run.periods(3);
+    EXPECT_LT((run.rig.simulatedRobot().coordinates() - held).cwiseAbs().maxCoeff(), 5e-3);
+
+    ASSERT_TRUE(run.loop.moveTo(goal));
+    run.periods(1);
+    run.loop.emergencyStop();
+    EXPECT_FALSE(run.loop.isMoving());
+    ASSERT_TRUE(run.loop.reset());
+    run.periods(2);
+    EXPECT_FALSE(run.loop.isMoving());
+    ASSERT_TRUE(run.loop.arm());
+    EXPECT_FALSE(run.loop.moveTo(goal));
+}
+
+} // namespace bask
