@@ -8,11 +8,6 @@ namespace {
 
 constexpr int kLabelOutline = 24;
 
-QColor mixed(const QColor& a, const QColor& b, double weight) {
-    const auto mix = [weight](float x, float y) { return x + (y - x) * static_cast<float>(weight); };
-    return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
-}
-
 } // namespace
 
 std::vector<Eigen::Vector3d> labelOutline(const Shape& shape) {
@@ -41,8 +36,8 @@ Box frameOf(const Experiment& experiment) {
 SceneColours sceneColours(const QPalette& palette) {
     const QColor ground = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::Text);
-    return {isDark(palette), ground, mixed(ground, text, 0.10), mixed(ground, text, 0.34),
-            mixed(ground, text, 0.5)};
+    return {isDark(palette), ground, mixed(text, ground, 0.10), mixed(text, ground, 0.34),
+            mixed(text, ground, 0.5)};
 }
 
 } // namespace bask
