@@ -250,7 +250,7 @@ TEST(RelativePose, ASingleMarkerIsSaidToBePoor) {
     std::mt19937 random(15);
     const auto pose = poseOf(scene.frames(1, random), scene, scene.layout);
     ASSERT_TRUE(pose);
-    const PoseJudgement judgement = judged(*pose);
+    const Judgement judgement = judged(*pose);
     EXPECT_EQ(judgement.verdict, Verdict::Redo);
     EXPECT_EQ(judgement.reason.code, MessageCode::PoseLimited) << describe(judgement.reason);
     EXPECT_GT(1e3 * pose->spread.position_m, 1.0);
