@@ -217,6 +217,7 @@ void SheetPanel::use() {
 }
 
 void SheetPanel::retranslate() {
+    setWindowTitle(tr("Print"));
     m_kind->setItemText(0, tr("Calibration board"));
     m_kind->setItemText(1, tr("Markers"));
     setLabel(m_form, m_kind, tr("S&heet"));
