@@ -3389,8 +3389,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Enregistré. Imprimez-la à 100 % (taille réelle) et mesurez sa règle.</translation>
         </message>
         <message>
-            <source>S&amp;heet</source>
-            <translation>&amp;Feuille</translation>
+            <source>Sheet</source>
+            <translation>Feuille</translation>
         </message>
         <message>
             <source>Sheets to be printed</source>

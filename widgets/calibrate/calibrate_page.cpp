@@ -150,7 +150,7 @@ void CalibratePage::watch() {
 }
 
 void CalibratePage::retranslate() {
-    m_choiceLabel->setText(tr("&Camera"));
+    m_choiceLabel->setText(tr("Camera"));
     m_choice->setItemText(0, tr("Simulated camera"));
     m_choice->setToolTip(
         tr("Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or "

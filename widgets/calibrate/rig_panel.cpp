@@ -38,12 +38,17 @@ QLabel* wrapped(QWidget* parent) {
     return label;
 }
 
+/// With a true minus sign, and none before a zero.
+QString plainNumber(double value, int decimals) {
+    return formatSigned(value, decimals).remove(QLatin1Char('+'));
+}
+
 QString mm(double length_m, int decimals = 1) {
-    return RigPanel::tr("%1 mm").arg(QLocale().toString(1000.0 * length_m, 'f', decimals));
+    return RigPanel::tr("%1 mm").arg(plainNumber(1000.0 * length_m, decimals));
 }
 
 QString degrees(double angle_rad, int decimals = 2) {
-    return RigPanel::tr("%1\u00b0").arg(QLocale().toString(degFromRad(angle_rad), 'f', decimals));
+    return RigPanel::tr("%1\u00b0").arg(plainNumber(degFromRad(angle_rad), decimals));
 }
 
 /// "x 1.2 mm, y ..., turned ... about x, y, z".
@@ -58,10 +63,18 @@ PoseDifference differenceOf(const Pose& a, const Pose& b) {
     return {between.translation().norm(), Eigen::AngleAxisd(between.linear()).angle()};
 }
 
-/// How far a thing at `p_R` is displaced by what X_RC may be off: two standard deviations.
-PoseSpread spreadAt(const HandEye& place, const Eigen::Vector3d& p_R) {
+/// How far a thing at `p_R` is displaced by what X_RC may be off: two standard deviations, with what every
+/// picture of the end-effector's markers at X_RE has in common.
+PoseSpread spreadAt(const HandEye& place, const Eigen::Vector3d& p_R, const MarkerLayout& layout,
+                    const CameraModel& camera, const Pose& X_RE) {
     const Matrix6d carried = carriedBy(p_R - place.X_RC.translation());
-    return spreadOf(carried * place.covariance.topLeftCorner<6, 6>() * carried.transpose());
+    const Pose X_CE = place.X_RC.inverse() * X_RE;
+    Matrix6d lasting = predictedCovariance(layout, Part::EndEffector, camera, X_CE, 1, kLastingCorner_px)
+                           .value_or(Matrix6d::Zero());
+    Matrix6d turn = Matrix6d::Zero(); // C axes into R's
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = place.X_RC.linear();
+    return spreadOf(carried * place.covariance.topLeftCorner<6, 6>() * carried.transpose() +
+                    turn * lasting * turn.transpose());
 }
 
 int priorityOf(Verdict verdict) {
@@ -96,9 +109,6 @@ RigPanel::RigPanel(QWidget* parent)
     m_progress->setFixedHeight(10);
     m_cancel->setObjectName("surveyCancel");
 
-    auto* busy = new QHBoxLayout;
-    busy->addWidget(m_progress, 1);
-    busy->addWidget(m_cancel);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
@@ -107,9 +117,9 @@ RigPanel::RigPanel(QWidget* parent)
     layout->addSpacing(8);
     layout->addWidget(buildPlace());
     layout->addSpacing(8);
+    layout->addWidget(buildBusy()); // between what it belongs to
+    layout->addSpacing(8);
     layout->addWidget(buildSource());
-    layout->addWidget(m_status);
-    layout->addLayout(busy);
     layout->addStretch(1);
 
     connect(m_markers, &MarkerEditor::visionEdited, this, &RigPanel::visionEdited);
@@ -142,6 +152,18 @@ QWidget* RigPanel::buildPlace() {
     layout->addLayout(buttons);
     layout->addLayout(head);
     layout->addWidget(m_placeText);
+    return part;
+}
+
+QWidget* RigPanel::buildBusy() {
+    auto* part = new QWidget(this);
+    auto* busy = new QHBoxLayout;
+    busy->addWidget(m_progress, 1);
+    busy->addWidget(m_cancel);
+    auto* layout = new QVBoxLayout(part);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_status);
+    layout->addLayout(busy);
     return part;
 }
 
@@ -244,7 +266,8 @@ void RigPanel::advance() {
 void RigPanel::solve() {
     const Task task = m_task;
     const auto work = [task, views = m_survey.views(), layout = markerLayout(m_experiment.vision),
-                       camera = *m_experiment.vision.camera, place = m_place]() {
+                       camera = *m_experiment.vision.camera, place = m_place,
+                       p_RS = Eigen::Vector3d(m_experiment.source.pose.head<3>())]() {
         Outcome outcome;
         const auto keep = [&outcome](auto&& result, auto& into) {
             if (result)
@@ -261,6 +284,8 @@ void RigPanel::solve() {
             keep(checkHandEye(*place, views.front(), layout, camera), outcome.check);
         } else {
             keep(calibrateHandEye(views, layout, camera, Mounting::Known), outcome.place);
+            if (outcome.place)
+                outcome.spread = spreadAt(*outcome.place, p_RS, layout, camera, views.front().X_RE);
         }
         return outcome;
     };
@@ -271,9 +296,10 @@ void RigPanel::solve() {
 void RigPanel::take(Task task, Outcome outcome) {
     m_task = Task::None;
     if (outcome.trouble.code != MessageCode::None)
-        m_status->setText(messageText(outcome.trouble));
+        m_status->setText(sentenceText(outcome.trouble));
     if (outcome.place) {
         m_place = std::move(outcome.place);
+        m_placeSpread = outcome.spread;
         m_check.reset();
     }
     if (outcome.check)
@@ -334,7 +360,7 @@ void RigPanel::showPlace() {
         m_placeText->setVisible(vision.cameraPose.has_value());
         return;
     }
-    const PoseSpread spread = spreadAt(*m_place, poseFromCoordinates(m_experiment.source.pose).translation());
+    const PoseSpread& spread = m_placeSpread;
     const Verdict verdict = verdictOn(spread);
     const bool isUsed = vision.cameraPose && *vision.cameraPose == coordinatesFromPose(m_place->X_RC);
     m_placeVerdict->setText(isUsed ? tr("%1, in use").arg(verdictWord(verdict)) : verdictWord(verdict));
@@ -349,14 +375,14 @@ void RigPanel::showPlace() {
         tr("The camera stands at %1.").arg(poseWords(m_place->X_RC)),
         tr("What it sees at the source is known to \u00b1%1 and \u00b1%2 (two standard deviations), by %3 "
            "pose(s) of the robot; residual %4 px.")
-            .arg(mm(spread.position_m), degrees(spread.angle_rad))
+            .arg(mm(spread.position_m, 2), degrees(spread.angle_rad))
             .arg(used)
             .arg(QLocale().toString(m_place->rms_px, 'f', 2))};
     if (m_place->views.size() > 1)
         lines << tr("The robot says where it is to %1 and %2 (one standard deviation).")
                      .arg(mm(m_place->robot_m, 2), degrees(m_place->robot_rad));
     for (const Message& remark : m_place->remarks)
-        lines << messageText(remark);
+        lines << sentenceText(remark);
     if (m_check)
         lines << tr("Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.")
                      .arg(mm(m_check->difference.distance_m, 2), degrees(m_check->difference.angle_rad),
@@ -385,7 +411,7 @@ void RigPanel::showSource() {
     if (priority > 0)
         m_sourceIcon->setPixmap(alarmPixmap(priority, isDark(this), kIcon, devicePixelRatio()));
     const PoseDifference off = differenceOf(believed, m_X_RS);
-    QStringList lines{messageText(judgement.reason),
+    QStringList lines{sentenceText(judgement.reason),
                       tr("The end-effector in the source: %1.").arg(poseWords(m_source->X_AB)),
                       tr("The source in the robot's base: %1.").arg(poseWords(m_X_RS))};
     if (!isUsed)
@@ -393,7 +419,7 @@ void RigPanel::showSource() {
                      .arg(mm(off.distance_m), degrees(off.angle_rad));
     for (const PartPose* part : {&m_source->a, &m_source->b})
         for (const Message& remark : part->remarks)
-            lines << messageText(remark);
+            lines << sentenceText(remark);
     m_sourceText->setText(lines.join(QLatin1Char('\n')));
 }
 
@@ -442,7 +468,7 @@ void RigPanel::retranslate() {
     m_placeTitle->setText(tr("Where the camera stands"));
     m_placeHint->setText(tr("By the end-effector's markers, in the robot's base. Several poses of the robot "
                             "are surer than one."));
-    m_here->setText(tr("From &here"));
+    m_here->setText(tr("Fr&om here"));
     m_here->setToolTip(tr("The robot stays where it is."));
     m_tour->setText(tr("&Several poses"));
     m_tour->setToolTip(tr("The robot moves to some poses within its workspace, never nearer to the source, "
@@ -457,7 +483,7 @@ void RigPanel::retranslate() {
                              "pictures."));
     m_measure->setText(tr("&Measure"));
     m_useSource->setText(tr("&Use this pose"));
-    m_follow->setText(tr("&Follow the source during runs"));
+    m_follow->setText(tr("Follo&w the source during runs"));
     m_follow->setToolTip(
         tr("The camera tells the controllers where the source is. Takes markers on the source, "
            "a calibrated camera and its place."));

@@ -57,6 +57,7 @@ private:
     enum class Task { None, PlaceHere, PlaceTour, PlaceCheck, Source };
     struct Outcome {
         std::optional<HandEye> place;
+        PoseSpread spread; ///< of `place`, at the source
         std::optional<HandEyeCheck> check;
         std::optional<RelativePose> source;
         Pose X_RS = Pose::Identity(); ///< by `source`
@@ -64,6 +65,7 @@ private:
     };
 
     QWidget* buildPlace();
+    QWidget* buildBusy();
     QWidget* buildSource();
     void begin(Task task);
     void cancel();
@@ -91,6 +93,7 @@ private:
     RigSurvey m_survey;
     LatestJob<Outcome> m_solving;
     std::optional<HandEye> m_place;      ///< measured last
+    PoseSpread m_placeSpread;            ///< of it, at the source
     std::optional<HandEyeCheck> m_check; ///< of it, or of the one in use
     std::optional<RelativePose> m_source;
     Pose m_X_RS = Pose::Identity();

@@ -220,7 +220,7 @@ void SheetPanel::retranslate() {
     setWindowTitle(tr("Print"));
     m_kind->setItemText(0, tr("Calibration board"));
     m_kind->setItemText(1, tr("Markers"));
-    setLabel(m_form, m_kind, tr("S&heet"));
+    setLabel(m_form, m_kind, tr("Sheet"));
     setLabel(m_form, m_dictionary, tr("&Dictionary"));
     setLabel(m_form, m_ids, tr("&Numbers"));
     m_ids->setToolTip(tr("Such as 1-4, 11"));
