@@ -7,10 +7,13 @@
 #include "widgets/scene/target_scene.h"
 #include "widgets/scene/vtk_view.h"
 
+#include <QAbstractButton>
 #include <QDeadlineTimer>
+#include <QLabel>
 #include <QLocale>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <benchmark/benchmark.h>
 
@@ -147,6 +150,35 @@ void keyToPicture(benchmark::State& state) {
     closeWindow(*window);
 }
 BENCHMARK(keyToPicture)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
+
+/// The longest block of the GUI thread while views of a board come live, are taken, and the camera is solved
+/// from fifteen of them.
+void guiWhileCalibrating(benchmark::State& state) {
+    for (auto _ : state) {
+        const auto window = openWindow();
+        if (!window)
+            return state.SkipWithError("no readings came");
+        window->pages().show(Page::Calibrate);
+        const auto button = [&](const char* name) {
+            return window->findChild<QAbstractButton*>(QLatin1String(name));
+        };
+        auto* verdict = window->findChild<QLabel*>(QStringLiteral("cameraVerdict"));
+        const auto* views = window->findChild<QTreeWidget*>(QStringLiteral("viewList"));
+        GuiWatchdog live;
+        button("captureStart")->click();
+        if (!waitFor([&] { return views->topLevelItemCount() >= 15; }, 90000))
+            return state.SkipWithError("no fifteen views");
+        state.counters["live_block_ms"] = live.longestBlock_s() * 1e3;
+        const QString before = verdict->text();
+        GuiWatchdog solving;
+        button("solve")->click();
+        if (!waitFor([&] { return verdict->text() != before; }, 60000))
+            return state.SkipWithError("no camera");
+        state.counters["solving_block_ms"] = solving.longestBlock_s() * 1e3;
+        closeWindow(*window);
+    }
+}
+BENCHMARK(guiWhileCalibrating)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(1);
 
 } // namespace
 } // namespace bask
