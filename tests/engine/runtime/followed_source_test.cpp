@@ -52,6 +52,8 @@ struct Followed {
     SimulatedCamera camera;
 };
 
+} // namespace
+
 // The paper's experiment. Catches a pose that does not reach the controllers, in wrong axes or too late.
 TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
     for (const double end_s : {590.0, 900.0}) { // 10 cm away and turned by 20 degrees; back
