@@ -27,14 +27,15 @@ QString plain(QString text) {
 
 } // namespace
 
-bool allows(RunState state, Verb verb) {
+bool allows(const Snapshot& snapshot, Verb verb) {
+    const RunState state = snapshot.state;
     switch (verb) {
     case Verb::Arm:
         return state == RunState::Ready || state == RunState::Stopped;
     case Verb::Start:
         return state == RunState::Armed;
     case Verb::Hold:
-        return state == RunState::Running || state == RunState::Settled;
+        return state == RunState::Running || state == RunState::Settled || snapshot.isMoving;
     case Verb::Resume:
         return state == RunState::Holding;
     case Verb::Stop:
@@ -283,7 +284,7 @@ void Actions::restyle(const QPalette& palette) {
 
 void Actions::apply(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < m_verbs.size(); ++i)
-        m_verbs[i]->setEnabled(allows(snapshot.state, static_cast<Verb>(i)));
+        m_verbs[i]->setEnabled(allows(snapshot, static_cast<Verb>(i)));
     const bool edits = allowsEdits(snapshot.state);
     newExperiment->setEnabled(edits);
     m_exampleMenu->setEnabled(edits);

@@ -24,8 +24,8 @@ enum class Verb { Arm, Start, Hold, Resume, Stop, EmergencyStop, Reset };
 inline constexpr int kVerbs = 7;
 inline constexpr int kPages = 5;
 
-/// Whether the engine in this state takes the verb; nothing else enables a button.
-bool allows(RunState state, Verb verb);
+/// Whether the engine takes the verb now; nothing else enables a button.
+bool allows(const Snapshot& snapshot, Verb verb);
 
 /// Sensors, robot or source of another experiment may be put in: no run is on and none is armed.
 bool allowsEdits(RunState state);

@@ -32,6 +32,7 @@ constexpr double kMaxTime_s = 1e7;         // of a run
 constexpr double kSamePlace = 1e-9;        // m, rad
 constexpr double kMaxDropout = 0.5;
 constexpr double kMaxPicture_px = 16384.0;
+constexpr double kMaxRendered_px = 4096.0; // of a simulated camera, whose pictures are painted one by one
 constexpr double kMostMarkers = 64.0;
 
 /// Collects the first complaint; later checks are skipped.
@@ -400,8 +401,11 @@ void checkVision(Checker& check, const Experiment& e) {
 
 void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
     const std::string path = "simulation.camera.";
-    if (camera.model)
+    if (camera.model) {
         checkCameraModel(check, path + "model.", *camera.model);
+        check.range(path + "model.width_px", camera.model->width, 16.0, kMaxRendered_px, "px");
+        check.range(path + "model.height_px", camera.model->height, 16.0, kMaxRendered_px, "px");
+    }
     if (camera.pose)
         checkCoordinates(check, path + "pose.", *camera.pose, kMaxPlace_cm, false);
     check.range(path + "rate_Hz", camera.rate_Hz, 1.0, 120.0, "Hz");

@@ -9,7 +9,7 @@ PoseReading readingOf(const std::optional<TrackedPose>& pose, TrackState state, 
     PoseReading reading;
     reading.time_s = time_s;
     reading.latency_s = latency_s;
-    if (!pose)
+    if (!pose || pose->isAmbiguous)
         return reading;
     reading.valid = true;
     reading.X_RS = X_RC * pose->X_CP;

@@ -7,7 +7,8 @@
 
 namespace bask {
 
-/// A source followed in C, as a reading in R at `time_s`; invalid where it is not followed.
+/// A source followed in C, as a reading in R at `time_s`; invalid where it is not followed, and where the
+/// mirrored pose may be the true one: the robot would be led by a guess.
 PoseReading readingOf(const std::optional<TrackedPose>& pose, TrackState state, const Pose& X_RC,
                       double time_s, double latency_s);
 

@@ -1,9 +1,11 @@
 #include "engine/vision/vision_thread.h"
 
+#include "engine/base/message_code.h"
 #include "engine/vision/camera_source_tracker.h"
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
 
 namespace bask {
 namespace {
@@ -66,7 +68,6 @@ Result<PoseReading> VisionThread::read() {
 }
 
 void VisionThread::run(const std::stop_token& stop) {
-    std::uint64_t number = 0;
     VisionTask task;
     std::optional<PartTracker> tracker;
     while (!stop.stop_requested()) {
@@ -75,8 +76,8 @@ void VisionThread::run(const std::stop_token& stop) {
             const auto isWanted = [this] { return m_task.follow || m_task.show; };
             if (!m_changed.wait(lock, stop, isWanted))
                 return;
-            if (number != m_taskNumber) {
-                number = m_taskNumber;
+            if (!isCurrent()) {
+                m_number = m_taskNumber;
                 task = m_task;
                 tracker.reset();
                 m_followed.reset();
@@ -84,24 +85,20 @@ void VisionThread::run(const std::stop_token& stop) {
                     tracker.emplace(task.layout, Part::Source, *task.camera);
             }
         }
-        look(task, tracker);
+        try {
+            look(task, tracker);
+        } catch (const std::exception& exception) { // this picture's alone; the run goes on without
+            if (tracker)
+                tracker->forget();
+            loseCamera(task, {MessageCode::ReasonInternalFault, {exception.what()}});
+        }
     }
 }
 
 void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& tracker) {
     const auto frame = m_camera.newest();
-    if (!frame) {
-        VisionView view;
-        view.problem = frame.error().message;
-        if (task.show)
-            publish(std::move(view));
-        {
-            const std::lock_guard lock(m_mutex);
-            m_trackState = TrackState::Predicting;
-        }
-        std::this_thread::sleep_for(kPollLost);
-        return;
-    }
+    if (!frame)
+        return loseCamera(task, frame.error().message);
     if ((*frame)->number == m_lookedAt) {
         std::this_thread::sleep_for(kPoll);
         return;
@@ -120,10 +117,25 @@ void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& trac
     }
 }
 
+void VisionThread::loseCamera(const VisionTask& task, const Message& problem) {
+    if (task.show) {
+        VisionView view;
+        view.problem = problem;
+        publish(std::move(view));
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_trackState = TrackState::Predicting;
+    }
+    std::this_thread::sleep_for(kPollLost);
+}
+
 void VisionThread::follow(const CameraFrame& frame, PartTracker& tracker) {
     m_followed = tracker.step(frame).state;
     const double latency_s = now_s() - frame.caught_s;
     const std::lock_guard lock(m_mutex);
+    if (!isCurrent()) // another task came meanwhile, perhaps without the camera's place
+        return;
     m_tracker = tracker;
     m_trackState = *m_followed;
     m_latency_s = latency_s;
@@ -157,7 +169,7 @@ void VisionThread::publish(VisionView view) {
     view.rate_Hz = m_period_s > 0.0 ? 1.0 / m_period_s : 0.0;
     auto shared = std::make_shared<const VisionView>(std::move(view));
     const std::lock_guard lock(m_mutex);
-    if (m_task.show)
+    if (isCurrent() && m_task.show)
         m_newest = std::move(shared);
 }
 

@@ -43,10 +43,12 @@ public:
 private:
     void run(const std::stop_token& stop);
     void look(const VisionTask& task, std::optional<PartTracker>& tracker);
+    void loseCamera(const VisionTask& task, const Message& problem);
     void follow(const CameraFrame& frame, PartTracker& tracker);
     void show(const VisionTask& task, const std::optional<PartTracker>& tracker,
               const std::shared_ptr<const CameraFrame>& frame);
     void publish(VisionView view);
+    bool isCurrent() const { return m_number == m_taskNumber; } ///< m_mutex is held
 
     Camera& m_camera;
     std::string m_name;
@@ -62,6 +64,7 @@ private:
     double m_latency_s = 0.0;
 
     // The thread's own.
+    std::uint64_t m_number = 0;   ///< of the task that is done
     std::uint64_t m_lookedAt = 0; ///< number of the last picture
     double m_shown_s = -1e300;    ///< when one was shown last, SteadyClock
     double m_period_s = 0.0;      ///< between pictures that were looked at, smoothed

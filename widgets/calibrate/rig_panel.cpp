@@ -224,7 +224,8 @@ void RigPanel::setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove
     m_robot = coordinates;
     m_mayMove = mayMove;
     m_survey.setRobot(coordinates, isMoving);
-    if (m_task != Task::None && !mayMove)
+    const bool isHeld = m_survey.state() == RigSurvey::State::Idle;
+    if (m_task != Task::None && (!mayMove || isHeld))
         cancel();
     showEnabled();
 }

@@ -58,6 +58,8 @@ void RigSurvey::setRobot(const Vector6d& coordinates, bool isMoving) {
     m_setOff = m_setOff || (m_goalTold && isMoving);
     m_robot = coordinates;
     m_isMoving = isMoving;
+    if (m_state == State::Travelling && m_setOff && !isMoving && !isThere())
+        cancel();
 }
 
 std::optional<Vector6d> RigSurvey::takeGoal() {
@@ -68,8 +70,7 @@ std::optional<Vector6d> RigSurvey::takeGoal() {
 }
 
 bool RigSurvey::isThere() const {
-    return m_goalTold && !m_isMoving &&
-           (m_setOff || (m_goals[m_goal] - m_robot).cwiseAbs().maxCoeff() < kThere);
+    return m_goalTold && !m_isMoving && (m_goals[m_goal] - m_robot).cwiseAbs().maxCoeff() < kThere;
 }
 
 void RigSurvey::addFrame(double time_s, const MarkerFrame& frame) {

@@ -26,6 +26,7 @@ public:
     void cancel() { m_state = State::Idle; }
     const Vector6d& start() const { return m_start; } ///< where the robot was at the beginning
 
+    /// A robot that has set off and stands short of its goal was held: the survey ends, lest it goes on.
     void setRobot(const Vector6d& coordinates, bool isMoving);
     void addFrame(double time_s, const MarkerFrame& frame);
     /// Where the robot is to be sent now; each goal is told once.

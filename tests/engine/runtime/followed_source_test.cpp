@@ -52,6 +52,8 @@ struct Followed {
     SimulatedCamera camera;
 };
 
+} // namespace
+
 // The paper's experiment. Catches a pose that does not reach the controllers, in wrong axes or too late.
 TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
     for (const bool isFollowed : {true, false}) {

@@ -100,6 +100,13 @@ TEST(VisionSpec, ThatCannotBeIsRefusedWhereItStands) {
          "vision.camera_pose.z_cm"},
         {"true camera", [](E e) { e.simulation.camera.model.emplace(); }, MessageCode::ValueOutOfRange,
          "simulation.camera.model.width_px"},
+        // a gigabyte and a minute for each picture
+        {"true camera too large",
+         [](E e) {
+             e.simulation.camera.model = e.vision.camera;
+             e.simulation.camera.model->width = 16384;
+         },
+         MessageCode::ValueOutOfRange, "simulation.camera.model.width_px"},
         {"rate", [](E e) { e.simulation.camera.rate_Hz = 0.0; }, MessageCode::ValueOutOfRange,
          "simulation.camera.rate_Hz"},
         {"followed by a camera that is not calibrated",

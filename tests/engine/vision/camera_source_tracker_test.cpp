@@ -3,6 +3,7 @@
 #include "engine/vision/camera_source_tracker.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 #include "tests/support/marker_pictures.h"
 
 #include <gtest/gtest.h>
@@ -115,6 +116,27 @@ TEST(CameraSourceTracker, PredictsForItsTimeAndThenHasNoPose) {
             EXPECT_EQ(reading.seen_s, seen_s);
         }
     }
+}
+
+// Catches a robot that is led by one of two poses (20 degrees apart here) that one far marker allows.
+TEST(CameraSourceTracker, TellsNoPoseThatMayBeTheMirroredOne) {
+    Bench bench;
+    const MarkerLayout one{{"4X4_50"}, {{Part::Source, 2, 0.06, Pose::Identity()}}};
+    CameraSourceTracker tracker(bench.camera, bench.clock, one, test::plainCamera(), bench.X_RC);
+    const auto see = [&](double deg) {
+        bench.clock.advance(kFrame_s);
+        const Pose X_CS = test::facingFrom({0.05, 0.02, 1.2}, {radFromDeg(deg), 0.0, 0.1});
+        bench.camera.show(bench.clock.now_s(), SteadyClock().now_s(), bench.pictures.of(one, X_CS));
+        return *tracker.read();
+    };
+    for (int k = 0; k < 2; ++k)
+        EXPECT_FALSE(see(10.0).valid);
+    ASSERT_TRUE(tracker.tracked());
+    EXPECT_TRUE(tracker.tracked()->isAmbiguous);
+    PoseReading turned;
+    for (int k = 0; k < 40; ++k)
+        turned = see(45.0); // at which one marker tells
+    EXPECT_TRUE(turned.valid);
 }
 
 // Catches a lost camera that is taken for a hidden source, and pictures of another size that are measured in.
