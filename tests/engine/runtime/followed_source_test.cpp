@@ -117,6 +117,22 @@ TEST(FollowedSource, ThatIsHiddenHoldsTheRunUntilItIsSeenAgain) {
     EXPECT_EQ(followed.run.loop.state(), RunState::Stopping); // 15 s of Hold, then retreat
 }
 
+// The paper's one marker, headless. Catches a run that cannot be armed since looks are so far apart that the
+// first, which takes a second that agrees, is forgotten.
+TEST(FollowedSource, OfOneMarkerIsSeenHoweverLongThePeriod) {
+    for (const double period_s : {1.0, 10.0}) {
+        Experiment one = movingSource();
+        std::erase_if(one.vision.markers,
+                      [](const MarkerSpec& m) { return m.part == Part::Source && m.id != 2; });
+        one.sampling.period_s = period_s;
+        const auto outcome = runSimulated(one, {30.0 * period_s, {}, {}});
+        ASSERT_TRUE(outcome) << describe(outcome.error());
+        EXPECT_TRUE(std::ranges::none_of(outcome->events, [](const TraceEvent& event) {
+            return event.message.code == MessageCode::ReasonSourcePoseLost;
+        })) << period_s;
+    }
+}
+
 // Catches a robot that is led down to the plate, to get off a source that is measured upside down.
 TEST(FollowedSource, ThatIsMeasuredUpsideDownIsNotGoneBy) {
     struct Given final : SourceTracker {
