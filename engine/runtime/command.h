@@ -42,7 +42,7 @@ struct AddNote {
 };
 struct SetSimulationSpeed {
     double factor = 1.0;
-}; ///< simulated seconds a second, 1..20
+}; ///< simulated seconds a second, 1..20; fewer where the camera that follows the source is behind
 enum class SimulatedFault { None, SensorLost, RobotLost, SourceLost, SourceCovered, CameraLost };
 struct SimulateFault {
     SimulatedFault fault = SimulatedFault::None;
@@ -53,13 +53,14 @@ struct SimulateFault {
 struct SetVision {
     VisionSpec vision;
 };
-/// Live pictures with what is in them, for the window. A simulated rig holds the board before its camera.
+/// Live pictures with what is in them, for the window. A simulated rig holds the board before its camera; in
+/// a run there is none, and none is looked for.
 struct WatchCamera {
     bool show = false;
     std::optional<Board> board;
 };
 /// The camera that is watched: a device, file, folder or address as VideoCamera has it; empty: the simulated
-/// one, which also follows the source.
+/// one, which also follows the source. Refused while a run is on.
 struct ChooseCamera {
     std::string name;
 };

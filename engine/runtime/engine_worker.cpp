@@ -98,7 +98,7 @@ void EngineWorker::post(const bask::Command& command) {
 }
 
 Result<void> EngineWorker::load(const Experiment& experiment) {
-    if (m_session && (m_session->loop.running() || m_session->loop.state() == RunState::Armed))
+    if (m_session && isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (const auto valid = validate(experiment); !valid)
         return valid;
@@ -117,9 +117,15 @@ Result<void> EngineWorker::setVision(const VisionSpec& vision) {
     return {};
 }
 
+bool EngineWorker::isInUse() const {
+    return m_session->loop.running() || m_session->loop.state() == RunState::Armed;
+}
+
 void EngineWorker::watch(const WatchCamera& wanted) {
     m_watch = wanted;
-    m_session->rig.simulatedCamera().setBoard(wanted.show && !m_camera ? wanted.board : std::nullopt);
+    m_isBoardOut = !isInUse();
+    m_session->rig.simulatedCamera().setBoard(wanted.show && !m_camera && m_isBoardOut ? wanted.board
+                                                                                       : std::nullopt);
     setTask();
 }
 
@@ -132,7 +138,8 @@ void EngineWorker::setTask() {
     if (vision.cameraPose)
         task.X_RC = poseFromCoordinates(*vision.cameraPose);
     task.follow = experiment.source.tracked && vision.followsSource();
-    task.board = m_watch.board;
+    if (m_isBoardOut)
+        task.board = m_watch.board;
     task.show = m_watch.show && !m_camera;
     m_session->vision.setTask(task);
     if (m_camera) {
@@ -187,6 +194,9 @@ Result<void> EngineWorker::apply(const Command& command) {
         return {};
     }
     if (const auto* camera = std::get_if<ChooseCamera>(&command)) {
+        // The old one is waited for, up to seconds: in a run neither STOP nor the heat's watchdog could.
+        if (isInUse())
+            return Error(MessageCode::SessionAlreadyRunning, {});
         choose(camera->name);
         return {};
     }
@@ -237,7 +247,10 @@ void EngineWorker::onTimer() {
         if (wall_s * m_speed > m_untilTick_s + 0.5 * period_s && wall_s > 3e-3 * kTimer_ms)
             ++m_lateSteps;
         try {
-            advanceRig(wall_s * m_speed);
+            if (m_watch.board && m_isBoardOut == isInUse())
+                watch(m_watch);
+            const double most_s = std::max(wall_s, m_session->vision.lead_s());
+            advanceRig(std::min(wall_s * m_speed, most_s));
         } catch (const std::exception& exception) {
             m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
         }

@@ -58,12 +58,14 @@ private:
     void choose(const std::string& camera);
     void setTask();
     void handOnView();
+    bool isInUse() const; ///< a run is armed or on
 
     std::unique_ptr<Session> m_session;
     std::unique_ptr<SessionWriter> m_writer;
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
     WatchCamera m_watch;
+    bool m_isBoardOut = true; ///< not in a run: its search takes long, and a simulated one hides the source
     /// Chosen instead of the simulated camera: watched, never followed by, since it does not see the
     /// simulated rig.
     struct RealCamera;

@@ -85,6 +85,7 @@ private:
     void readSensors();
     void takeReadings(); ///< from the channels into the latest sample
     void readSourcePose();
+    bool facesObjects(const Pose& X_RS) const;
     void goOn(); ///< towards the goal of moveTo
     void readRobotAndSource();
     void watchSensors();

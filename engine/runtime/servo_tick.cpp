@@ -85,7 +85,7 @@ void ServoLoop::readSourcePose() {
     if (!m_experiment.source.tracked || m_devices.tracker == nullptr)
         return;
     const auto reading = m_devices.tracker->read();
-    if (!reading || !reading->valid || !reading->X_RS.matrix().allFinite())
+    if (!reading || !reading->valid || !reading->X_RS.matrix().allFinite() || !facesObjects(reading->X_RS))
         return;
     m_sourceSeen_s = reading->seen_s; // not time_s: a prediction is no sight
     m_sourceReading = *reading;
@@ -96,6 +96,15 @@ void ServoLoop::readSourcePose() {
     m_latest.source = coordinatesFromPose(reading->X_RS);
     if (m_controller)
         m_controller->setGeometry(m_geometry);
+}
+
+// A source that has all of them behind it is none that was moved but one mismeasured: to get off it the robot
+// would go down to where it truly is.
+bool ServoLoop::facesObjects(const Pose& X_RS) const {
+    const Pose X_SE = X_RS.inverse() * poseFromCoordinates(m_coordinates);
+    return std::ranges::any_of(m_experiment.objects, [&](const ObjectSpec& object) {
+        return (X_SE * object.mounting.head<3>()).z() > 0.0;
+    });
 }
 
 void ServoLoop::readRobotAndSource() {

@@ -12,6 +12,7 @@ namespace bask {
 namespace {
 
 constexpr int kFillingWindows = 4;
+constexpr double kLookBefore_s = 0.5;
 
 /// Keeps, sample by sample, since when each object's true temperature has been within the band.
 class SettlingWatch {
@@ -37,8 +38,8 @@ private:
     std::vector<std::optional<double>> m_since_s;
 };
 
-/// The camera, looked at once a period of the loop; null where the source is not followed by one.
-std::unique_ptr<SourceTracker> cameraTracker(const Experiment& experiment, SimulatedRig& rig) {
+/// The camera, looked at once a period of the loop, or twice; null where the source is not followed by one.
+std::unique_ptr<CameraSourceTracker> cameraTracker(const Experiment& experiment, SimulatedRig& rig) {
     const VisionSpec& vision = experiment.vision;
     if (!experiment.source.tracked || !vision.followsSource())
         return nullptr;
@@ -60,7 +61,7 @@ public:
     ServoLoop& loop() { return m_loop; }
     void period() {
         try {
-            m_rig.advance(m_period_s);
+            advance();
         } catch (const std::exception& exception) { // a source that is moved through the objects
             m_loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
         }
@@ -68,9 +69,19 @@ public:
     }
 
 private:
+    // One marker is believed once a second look agrees, while the first is not forgotten.
+    void advance() {
+        const double before_s = m_camera && m_period_s > PartTracker::kPredicted_s ? kLookBefore_s : 0.0;
+        m_rig.advance(m_period_s - before_s);
+        if (before_s > 0.0) {
+            (void)m_camera->look();
+            m_rig.advance(before_s);
+        }
+    }
+
     double m_period_s;
     SimulatedRig& m_rig;
-    std::unique_ptr<SourceTracker> m_camera; ///< where the camera follows the source
+    std::unique_ptr<CameraSourceTracker> m_camera; ///< where the camera follows the source
     ServoLoop m_loop;
 };
 

@@ -12,7 +12,8 @@
 namespace bask {
 namespace {
 
-constexpr double kOther_rad = 0.05; // poses so far apart are two
+constexpr double kOther_rad = 0.05;  // poses so far apart are two
+constexpr double kRounding_s = 1e-6; // of times a second apart
 
 double angleBetween(const Pose& a, const Pose& b) {
     return displacementBetween(a, b).tail<3>().norm();
@@ -57,7 +58,7 @@ void PartTracker::forget() {
 
 TrackStep PartTracker::step(const CameraFrame& frame) {
     const double now_s = frame.time_s;
-    if (now_s < m_last_s || (m_filter && now_s - m_seen_s > kPredicted_s))
+    if (now_s < m_last_s || (m_filter && now_s - m_seen_s > kPredicted_s + kRounding_s))
         lose();
     m_last_s = now_s;
     TrackStep step;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <exception>
 
 namespace bask {
@@ -48,6 +49,7 @@ void VisionThread::setTask(const VisionTask& task) {
         m_task = task;
         ++m_taskNumber;
         m_tracker.reset();
+        m_looked_s = -1e300;
         if (!task.show)
             m_newest.reset();
     }
@@ -65,6 +67,11 @@ Result<PoseReading> VisionThread::read() {
         return PoseReading();
     const double time_s = m_clock.now_s();
     return readingOf(m_tracker->at(time_s), m_trackState, *m_task.X_RC, time_s, m_latency_s);
+}
+
+double VisionThread::lead_s() const {
+    const std::lock_guard lock(m_mutex);
+    return m_task.follow ? m_looked_s + kMostLead_s - m_clock.now_s() : HUGE_VAL;
 }
 
 void VisionThread::run(const std::stop_token& stop) {
@@ -139,6 +146,7 @@ void VisionThread::follow(const CameraFrame& frame, PartTracker& tracker) {
     m_tracker = tracker;
     m_trackState = *m_followed;
     m_latency_s = latency_s;
+    m_looked_s = frame.time_s;
 }
 
 void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>& tracker,

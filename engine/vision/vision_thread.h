@@ -39,6 +39,10 @@ public:
     std::shared_ptr<const VisionView> newest() const;
     /// The source as followed, carried on to now.
     Result<PoseReading> read() override;
+    /// How far a clock that runs faster than the computer's may go before it waits for pictures to be looked
+    /// at; negative when it is too far already, infinite where the source is not followed.
+    double lead_s() const;
+    static constexpr double kMostLead_s = 0.4; ///< of PartTracker::kPredicted_s
 
 private:
     void run(const std::stop_token& stop);
@@ -54,7 +58,7 @@ private:
     std::string m_name;
     const Clock& m_clock;
 
-    mutable std::mutex m_mutex; ///< over the next seven
+    mutable std::mutex m_mutex; ///< over the next eight
     std::condition_variable_any m_changed;
     VisionTask m_task;
     std::uint64_t m_taskNumber = 0;
@@ -62,6 +66,7 @@ private:
     std::optional<PartTracker> m_tracker; ///< as after the last picture
     TrackState m_trackState = TrackState::Searching;
     double m_latency_s = 0.0;
+    double m_looked_s = -1e300; ///< light of the picture that was followed in last
 
     // The thread's own.
     std::uint64_t m_number = 0;   ///< of the task that is done

@@ -100,6 +100,61 @@ TEST(EngineWorker, RunsRecordsAndDropsNoSample) {
     EXPECT_TRUE(session->simulated);
 }
 
+// Catches an engine that waits for a camera to be let go (a picture that is looked at, a driver that hangs)
+// while STOP and the robot wait for the engine.
+TEST(EngineWorker, ChangesNoCameraWhileARunIsOn) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(ChooseCamera{"/nowhere"});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::SessionAlreadyRunning; }));
+    EXPECT_EQ(rig.last.state, RunState::Running);
+}
+
+// Catches a run that is held and ended by a look at the Calibrate page, whose board hid the source.
+TEST(EngineWorker, HoldsNoBoardBeforeTheSourceInARun) {
+    Rig rig;
+    Experiment still = readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    still.simulation.sourceMotion.clear();
+    rig.send(LoadExperiment{still});
+    rig.send(SetSimulationSpeed{4.0});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{true});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(WatchCamera{true, parseBoard("charuco:5x7:0.04:0.02:6X6_250").value()});
+    const double from_s = rig.last.runTime_s;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > from_s + 10.0; }));
+    EXPECT_NE(rig.last.state, RunState::Holding);
+    ASSERT_TRUE(rig.last.tracking);
+    EXPECT_TRUE(rig.last.tracking->isSeen);
+    EXPECT_LT(rig.last.tracking->age_s, 3.0);
+}
+
+// The source is carried 10 cm away twenty times as fast as by hand, or as fast as pictures are looked at.
+// Catches a run that is held for a source not seen, because simulated time outruns the pictures.
+TEST(EngineWorker, FollowsTheSourceWhenTimeIsSpedUp) {
+    Rig rig;
+    Experiment carried = readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    Vector6d away = carried.source.pose;
+    away[kX] += 0.1;
+    carried.simulation.sourceMotion = {{0.0, carried.source.pose}, {5.0, carried.source.pose}, {25.0, away}};
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{carried});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{true});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    const auto isHeld = [&] { return rig.last.state == RunState::Holding; };
+    EXPECT_TRUE(rig.waitFor([&] { return isHeld() || rig.last.runTime_s > 40.0; }, 60000));
+    EXPECT_FALSE(isHeld()) << rig.last.runTime_s;
+    EXPECT_LT((rig.last.latest.source - away).cwiseAbs().maxCoeff(), 0.01);
+}
+
 TEST(EngineWorker, RefusesABadExperimentAndKeepsTheOneThatRuns) {
     Rig rig;
     rig.send(SetSimulationSpeed{20.0});

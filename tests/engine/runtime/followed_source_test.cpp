@@ -123,6 +123,47 @@ TEST(FollowedSource, ThatIsHiddenHoldsTheRunUntilItIsSeenAgain) {
     EXPECT_EQ(followed.run.loop.state(), RunState::Stopping); // 15 s of Hold, then retreat
 }
 
+// The paper's one marker, headless. Catches a run that cannot be armed since looks are so far apart that the
+// first, which takes a second that agrees, is forgotten.
+TEST(FollowedSource, OfOneMarkerIsSeenHoweverLongThePeriod) {
+    for (const double period_s : {1.0, 10.0}) {
+        Experiment one = movingSource();
+        std::erase_if(one.vision.markers,
+                      [](const MarkerSpec& m) { return m.part == Part::Source && m.id != 2; });
+        one.sampling.period_s = period_s;
+        const auto outcome = runSimulated(one, {30.0 * period_s, {}, {}});
+        ASSERT_TRUE(outcome) << describe(outcome.error());
+        EXPECT_TRUE(std::ranges::none_of(outcome->events, [](const TraceEvent& event) {
+            return event.message.code == MessageCode::ReasonSourcePoseLost;
+        })) << period_s;
+    }
+}
+
+// Catches a robot that is led down to the plate, to get off a source that is measured upside down.
+TEST(FollowedSource, ThatIsMeasuredUpsideDownIsNotGoneBy) {
+    struct Given final : SourceTracker {
+        Result<PoseReading> read() override {
+            PoseReading reading{clock->now_s(), X_RS, true, clock->now_s()};
+            return reading;
+        }
+        const Clock* clock = nullptr;
+        Pose X_RS = Pose::Identity();
+    } given;
+    LoopOnRig run(movingSource(), &given);
+    given.clock = &run.rig.clock();
+    run.startRun(true);
+    run.periods(100);
+    given.X_RS.linear() = poseFromRotationVector(Eigen::Vector3d::Zero(), {3.1, 0.0, 0.0}).linear();
+    const double before_m = run.rig.simulatedRobot().coordinates()[kZ];
+    run.periods(5);
+    EXPECT_EQ(run.loop.state(), RunState::Holding);
+    EXPECT_TRUE(run.reasonGiven(MessageCode::ReasonSourcePoseLost));
+    EXPECT_GT(run.rig.simulatedRobot().coordinates()[kZ], before_m - 0.03); // as it was going
+    given.X_RS = Pose::Identity();
+    run.periods(2);
+    EXPECT_TRUE(run.loop.resume());
+}
+
 // The engine's answer to "go there", by which a camera is calibrated. Catches moves without limits and moves
 // during a run.
 TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
