@@ -46,8 +46,7 @@ void VisionThread::setTask(const VisionTask& task) {
         m_task = task;
         ++m_taskNumber;
         m_tracker.reset();
-        if (!task.show)
-            m_newest.reset();
+        m_newest.reset();
     }
     m_changed.notify_all();
 }
@@ -66,7 +65,6 @@ Result<PoseReading> VisionThread::read() {
 }
 
 void VisionThread::run(const std::stop_token& stop) {
-    std::uint64_t number = 0;
     VisionTask task;
     std::optional<PartTracker> tracker;
     while (!stop.stop_requested()) {
@@ -75,11 +73,13 @@ void VisionThread::run(const std::stop_token& stop) {
             const auto isWanted = [this] { return m_task.follow || m_task.show; };
             if (!m_changed.wait(lock, stop, isWanted))
                 return;
-            if (number != m_taskNumber) {
-                number = m_taskNumber;
+            if (!isCurrent()) {
+                m_number = m_taskNumber;
                 task = m_task;
-                tracker.reset();
+                m_frame.reset(); // looked at anew, also when the camera has no newer one
+                m_shown_s = -1e300;
                 m_followed.reset();
+                tracker.reset();
                 if (task.follow && task.camera && task.X_RC)
                     tracker.emplace(task.layout, Part::Source, *task.camera);
             }
@@ -90,65 +90,72 @@ void VisionThread::run(const std::stop_token& stop) {
 
 void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& tracker) {
     const auto frame = m_camera.newest();
-    if (!frame) {
-        VisionView view;
-        view.problem = frame.error().message;
-        if (task.show)
-            publish(std::move(view));
-        {
-            const std::lock_guard lock(m_mutex);
-            m_trackState = TrackState::Predicting;
-        }
-        std::this_thread::sleep_for(kPollLost);
-        return;
-    }
-    if ((*frame)->number == m_lookedAt) {
+    if (!frame)
+        return loseCamera(task, frame.error().message);
+    if (*frame == m_frame) {
         std::this_thread::sleep_for(kPoll);
         return;
     }
-    m_lookedAt = (*frame)->number;
+    m_frame = *frame;
     const double start_s = now_s();
     const double period_s = start_s - m_last_s;
     m_last_s = start_s;
     m_period_s = m_period_s > 0.0 && period_s < 1.0 ? m_period_s + kSmoothing * (period_s - m_period_s)
                                                     : std::min(period_s, 1.0);
-    if (tracker && checkSize(*task.camera, (*frame)->picture))
-        follow(**frame, *tracker);
+    if (tracker && checkSize(*task.camera, m_frame->picture))
+        follow(*tracker);
     if (task.show && start_s - m_shown_s >= kShow_s) {
         m_shown_s = start_s;
-        show(task, tracker, *frame);
+        show(task, tracker);
     }
 }
 
-void VisionThread::follow(const CameraFrame& frame, PartTracker& tracker) {
-    m_followed = tracker.step(frame).state;
-    const double latency_s = now_s() - frame.caught_s;
+void VisionThread::loseCamera(const VisionTask& task, const Message& problem) {
+    if (task.show) {
+        VisionView view;
+        view.frame = m_frame;
+        view.problem = problem;
+        publish(std::move(view));
+    }
+    {
+        const std::lock_guard lock(m_mutex);
+        m_trackState = TrackState::Predicting;
+    }
+    std::this_thread::sleep_for(kPollLost);
+}
+
+void VisionThread::follow(PartTracker& tracker) {
+    m_followed = tracker.step(*m_frame).state;
+    const double latency_s = now_s() - m_frame->caught_s;
     const std::lock_guard lock(m_mutex);
+    if (!isCurrent()) // another task came meanwhile, perhaps without the camera's place
+        return;
     m_tracker = tracker;
     m_trackState = *m_followed;
     m_latency_s = latency_s;
 }
 
-void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>& tracker,
-                        const std::shared_ptr<const CameraFrame>& frame) {
+void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>& tracker) {
+    const GreyPicture& picture = m_frame->picture;
     VisionView view;
-    view.frame = frame;
+    view.frame = m_frame;
     VisionTask known = task;
     if (known.camera)
-        if (const auto fits = checkSize(*known.camera, frame->picture); !fits) {
-            view.problem = fits.error().message;
+        if (const auto fits = checkSize(*known.camera, picture); !fits) {
+            if (!task.board) // else it is being calibrated anew
+                view.problem = fits.error().message;
             known.camera.reset();
         }
-    for (const FoundMarker& found : findMarkers(frame->picture, task.layout.dictionary))
+    for (const FoundMarker& found : findMarkers(picture, task.layout.dictionary))
         view.markers.push_back(viewed(found, known));
     if (task.board) {
-        view.board = findBoard(frame->picture, *task.board, {});
-        view.boardSeen = *view.board ? task.board : boardSeen(frame->picture, *task.board);
+        view.board = findBoard(picture, *task.board, {});
+        view.boardSeen = *view.board ? task.board : boardSeen(picture, *task.board);
     }
     view.tracking = m_followed;
     if (tracker)
-        view.source = tracker->at(frame->time_s);
-    view.latency_s = now_s() - frame->caught_s;
+        view.source = tracker->at(m_frame->time_s);
+    view.latency_s = now_s() - m_frame->caught_s;
     publish(std::move(view));
 }
 
@@ -157,7 +164,7 @@ void VisionThread::publish(VisionView view) {
     view.rate_Hz = m_period_s > 0.0 ? 1.0 / m_period_s : 0.0;
     auto shared = std::make_shared<const VisionView>(std::move(view));
     const std::lock_guard lock(m_mutex);
-    if (m_task.show)
+    if (isCurrent() && m_task.show)
         m_newest = std::move(shared);
 }
 

@@ -35,7 +35,8 @@ public:
     ~VisionThread() override; ///< waits for the picture that is being looked at
 
     void setTask(const VisionTask& task);
-    /// The newest look; null until there is one, and while nothing is shown.
+    /// The newest look by the last task; null until there is one, and while nothing is shown. A camera that
+    /// is lost leaves its last picture.
     std::shared_ptr<const VisionView> newest() const;
     /// The source as followed, carried on to now.
     Result<PoseReading> read() override;
@@ -43,10 +44,11 @@ public:
 private:
     void run(const std::stop_token& stop);
     void look(const VisionTask& task, std::optional<PartTracker>& tracker);
-    void follow(const CameraFrame& frame, PartTracker& tracker);
-    void show(const VisionTask& task, const std::optional<PartTracker>& tracker,
-              const std::shared_ptr<const CameraFrame>& frame);
+    void loseCamera(const VisionTask& task, const Message& problem);
+    void follow(PartTracker& tracker);
+    void show(const VisionTask& task, const std::optional<PartTracker>& tracker);
     void publish(VisionView view);
+    bool isCurrent() const { return m_number == m_taskNumber; } ///< m_mutex is held
 
     Camera& m_camera;
     std::string m_name;
@@ -62,9 +64,10 @@ private:
     double m_latency_s = 0.0;
 
     // The thread's own.
-    std::uint64_t m_lookedAt = 0; ///< number of the last picture
-    double m_shown_s = -1e300;    ///< when one was shown last, SteadyClock
-    double m_period_s = 0.0;      ///< between pictures that were looked at, smoothed
+    std::uint64_t m_number = 0;                 ///< of the task that is done
+    std::shared_ptr<const CameraFrame> m_frame; ///< looked at last for this task
+    double m_shown_s = -1e300;                  ///< when one was shown last, SteadyClock
+    double m_period_s = 0.0;                    ///< between pictures that were looked at, smoothed
     double m_last_s = -1e300;
     std::optional<TrackState> m_followed;
 

@@ -208,7 +208,10 @@ void MarkerEditor::showList() {
             m_list->setCurrentItem(m_list->topLevelItem(std::min(before, m_list->topLevelItemCount() - 1)));
     }
     m_dictionary->setCurrentText(QString::fromStdString(m_vision.dictionary));
-    m_id->setMaximum(std::max(0, markerCount({m_vision.dictionary}) - 1));
+    {
+        const QSignalBlocker block(m_id); // a smaller one must not become an edit
+        m_id->setMaximum(std::max(0, markerCount({m_vision.dictionary}) - 1));
+    }
     showSeen();
     showForm();
 }
@@ -251,6 +254,7 @@ void MarkerEditor::showForm() {
 
 void MarkerEditor::retranslate() {
     m_dictionaryLabel->setText(tr("Dictionary"));
+    m_dictionary->setAccessibleName(m_dictionaryLabel->text());
     m_list->setHeaderLabels({tr("On"), tr("Id"), tr("Side"), tr("Camera")});
     m_list->setAccessibleName(tr("Markers of the rig"));
     m_add->setText(tr("Add"));

@@ -64,6 +64,17 @@ PoseSpread spreadAt(const HandEye& place, const Eigen::Vector3d& p_R) {
     return spreadOf(carried * place.covariance.topLeftCorner<6, 6>() * carried.transpose());
 }
 
+/// Code None where pictures are as large as those that the camera was calibrated with.
+Message otherSize(const CameraModel& camera, const GreyPicture& picture) {
+    if (camera.width == picture.width && camera.height == picture.height)
+        return {};
+    const auto text = [](int width, int height) {
+        return std::to_string(width) + " x " + std::to_string(height);
+    };
+    return {MessageCode::CameraSizeOther,
+            {text(camera.width, camera.height), text(picture.width, picture.height)}};
+}
+
 int priorityOf(Verdict verdict) {
     return verdict == Verdict::Redo ? 2 : verdict == Verdict::Usable ? 3 : 0;
 }
@@ -171,23 +182,35 @@ void RigPanel::setExperiment(const Experiment& experiment) {
                            m_experiment.vision.dictionary == experiment.vision.dictionary;
     m_experiment = experiment;
     m_geometry = rigGeometry(experiment);
-    if (!isSameRig) { // what was measured with other markers or another camera is no longer true
-        cancel();
-        m_place.reset();
-        m_check.reset();
-        m_source.reset();
-    }
+    if (!isSameRig)
+        forget();
     m_markers->setVision(experiment.vision);
     showPlace();
     showSource();
     showEnabled();
 }
 
+void RigPanel::forget() {
+    if (m_task != Task::None)
+        cancel();
+    m_place.reset();
+    m_check.reset();
+    m_source.reset();
+    showPlace();
+    showSource();
+}
+
 void RigPanel::setView(const VisionView& view) {
     m_markers->setView(view);
+    if (view.cameraName != m_cameraName)
+        forget();
+    m_cameraName = view.cameraName;
     const bool isNew = view.frame && (!m_hasFrame || view.frame->number != m_frame);
     m_hasFrame = view.frame != nullptr;
-    if (isNew) {
+    m_problem = view.problem;
+    if (m_hasFrame && m_problem.code == MessageCode::None && m_experiment.vision.camera)
+        m_problem = otherSize(*m_experiment.vision.camera, view.frame->picture);
+    if (isNew && m_problem.code == MessageCode::None) {
         m_frame = view.frame->number;
         MarkerFrame frame;
         for (const ViewedMarker& marker : view.markers)
@@ -202,8 +225,10 @@ void RigPanel::setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove
     m_robot = coordinates;
     m_mayMove = mayMove;
     m_survey.setRobot(coordinates, isMoving);
-    if (m_task != Task::None && !mayMove)
+    if (m_task != Task::None && !mayMove) {
+        m_survey.cancel(); // the run has the robot: no Hold, which would be the run's
         cancel();
+    }
     showEnabled();
 }
 
@@ -227,6 +252,7 @@ void RigPanel::cancel() {
     m_survey.cancel();
     m_solving.forget();
     m_task = Task::None;
+    m_status->clear();
     if (travels)
         emit holdWanted();
     showProgress();
@@ -243,6 +269,11 @@ void RigPanel::advance() {
 
 void RigPanel::solve() {
     const Task task = m_task;
+    if (task == Task::PlaceCheck && !m_survey.hasMoved()) {
+        cancel();
+        m_status->setText(tr("The robot did not move: nothing was checked."));
+        return;
+    }
     const auto work = [task, views = m_survey.views(), layout = markerLayout(m_experiment.vision),
                        camera = *m_experiment.vision.camera, place = m_place]() {
         Outcome outcome;
@@ -270,8 +301,7 @@ void RigPanel::solve() {
 
 void RigPanel::take(Task task, Outcome outcome) {
     m_task = Task::None;
-    if (outcome.trouble.code != MessageCode::None)
-        m_status->setText(messageText(outcome.trouble));
+    m_status->setText(outcome.trouble.code == MessageCode::None ? QString() : sentenceText(outcome.trouble));
     if (outcome.place) {
         m_place = std::move(outcome.place);
         m_check.reset();
@@ -406,10 +436,12 @@ QString RigPanel::whyNot() const {
         return tr("Calibrate the camera first.");
     if (!marked(Part::EndEffector))
         return tr("List the markers on the end-effector first.");
+    if (m_problem.code != MessageCode::None)
+        return sentenceText(m_problem);
     if (!m_hasFrame)
         return tr("No picture from the camera.");
     if (!m_mayMove)
-        return tr("A run is armed or on. Measure once it has stopped.");
+        return tr("A run is armed or on, or a stop is not reset. Measure after that.");
     return {};
 }
 
@@ -442,7 +474,7 @@ void RigPanel::retranslate() {
     m_placeTitle->setText(tr("Where the camera stands"));
     m_placeHint->setText(tr("By the end-effector's markers, in the robot's base. Several poses of the robot "
                             "are surer than one."));
-    m_here->setText(tr("From &here"));
+    m_here->setText(tr("Fr&om here"));
     m_here->setToolTip(tr("The robot stays where it is."));
     m_tour->setText(tr("&Several poses"));
     m_tour->setToolTip(tr("The robot moves to some poses within its workspace, never nearer to the source, "
@@ -457,11 +489,12 @@ void RigPanel::retranslate() {
                              "pictures."));
     m_measure->setText(tr("&Measure"));
     m_useSource->setText(tr("&Use this pose"));
-    m_follow->setText(tr("&Follow the source during runs"));
+    m_follow->setText(tr("Follow the source &during runs"));
     m_follow->setToolTip(
         tr("The camera tells the controllers where the source is. Takes markers on the source, "
            "a calibrated camera and its place."));
     m_cancel->setText(tr("Cancel"));
+    m_progress->setAccessibleName(tr("Pictures looked at"));
     showPlace();
     showSource();
     showProgress();
