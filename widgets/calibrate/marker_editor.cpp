@@ -17,6 +17,7 @@
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -94,6 +95,9 @@ MarkerEditor::MarkerEditor(QWidget* parent)
             [this](int id) { edit([id](MarkerSpec& m) { m.id = id; }); });
     connect(m_side, &QDoubleSpinBox::valueChanged, this,
             [this](double side) { edit([side](MarkerSpec& m) { m.side_m = side / kMmPerM; }); });
+    QWidget* before = m_dictionary; // as it is read
+    for (QWidget* next : std::initializer_list<QWidget*>{m_add, m_remove, m_list, m_part})
+        setTabOrder(std::exchange(before, next), next);
     retranslate();
 }
 

@@ -16,7 +16,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include <numbers>
+#include <cmath>
 
 namespace bask {
 namespace {
@@ -38,12 +38,18 @@ QLabel* wrapped(QWidget* parent) {
     return label;
 }
 
+/// Never "-0".
+QString number(double value, int decimals) {
+    const double unit = std::pow(10.0, decimals);
+    return QLocale().toString(std::round(value * unit) / unit + 0.0, 'f', decimals);
+}
+
 QString mm(double length_m, int decimals = 1) {
-    return RigPanel::tr("%1 mm").arg(QLocale().toString(1000.0 * length_m, 'f', decimals));
+    return RigPanel::tr("%1 mm").arg(number(1000.0 * length_m, decimals));
 }
 
 QString degrees(double angle_rad, int decimals = 2) {
-    return RigPanel::tr("%1\u00b0").arg(QLocale().toString(degFromRad(angle_rad), 'f', decimals));
+    return RigPanel::tr("%1\u00b0").arg(number(degFromRad(angle_rad), decimals));
 }
 
 /// "x 1.2 mm, y ..., turned ... about x, y, z".
@@ -245,6 +251,7 @@ void RigPanel::begin(Task task) {
         m_survey.begin({}, kFramesHere);
     }
     advance();
+    emit attentionWanted(m_cancel);
 }
 
 void RigPanel::cancel() {
@@ -318,6 +325,9 @@ void RigPanel::take(Task task, Outcome outcome) {
     showSource();
     showProgress();
     showEnabled();
+    emit attentionWanted(!m_status->text().isEmpty() ? m_status
+                         : task == Task::Source      ? m_sourceText
+                                                     : m_placeText);
 }
 
 void RigPanel::usePlace() {
@@ -379,14 +389,14 @@ void RigPanel::showPlace() {
         tr("The camera stands at %1.").arg(poseWords(m_place->X_RC)),
         tr("What it sees at the source is known to \u00b1%1 and \u00b1%2 (two standard deviations), by %3 "
            "pose(s) of the robot; residual %4 px.")
-            .arg(mm(spread.position_m), degrees(spread.angle_rad))
+            .arg(mm(spread.position_m, 2), degrees(spread.angle_rad))
             .arg(used)
-            .arg(QLocale().toString(m_place->rms_px, 'f', 2))};
+            .arg(number(m_place->rms_px, 2))};
     if (m_place->views.size() > 1)
         lines << tr("The robot says where it is to %1 and %2 (one standard deviation).")
                      .arg(mm(m_place->robot_m, 2), degrees(m_place->robot_rad));
     for (const Message& remark : m_place->remarks)
-        lines << messageText(remark);
+        lines << sentenceText(remark);
     if (m_check)
         lines << tr("Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.")
                      .arg(mm(m_check->difference.distance_m, 2), degrees(m_check->difference.angle_rad),
@@ -415,7 +425,7 @@ void RigPanel::showSource() {
     if (priority > 0)
         m_sourceIcon->setPixmap(alarmPixmap(priority, isDark(this), kIcon, devicePixelRatio()));
     const PoseDifference off = differenceOf(believed, m_X_RS);
-    QStringList lines{messageText(judgement.reason),
+    QStringList lines{sentenceText(judgement.reason),
                       tr("The end-effector in the source: %1.").arg(poseWords(m_source->X_AB)),
                       tr("The source in the robot's base: %1.").arg(poseWords(m_X_RS))};
     if (!isUsed)
@@ -423,7 +433,7 @@ void RigPanel::showSource() {
                      .arg(mm(off.distance_m), degrees(off.angle_rad));
     for (const PartPose* part : {&m_source->a, &m_source->b})
         for (const Message& remark : part->remarks)
-            lines << messageText(remark);
+            lines << sentenceText(remark);
     m_sourceText->setText(lines.join(QLatin1Char('\n')));
 }
 

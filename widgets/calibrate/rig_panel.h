@@ -49,6 +49,8 @@ signals:
     void followWanted(bool follow); ///< the source, during runs
     void moveWanted(const bask::Vector6d& coordinates);
     void holdWanted(); ///< the robot shall stop where it is
+    /// This part of the panel must be seen.
+    void attentionWanted(QWidget* part);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -31,8 +31,10 @@ std::vector<Vector6d> surveyPoses(const RigGeometry& geometry, const Vector6d& f
             if (limits.free[static_cast<std::size_t>(k)])
                 pose[k] = std::clamp(from[k] + shift[k], std::min(limits.lower[k], from[k]),
                                      std::max(limits.upper[k], from[k]));
-        const bool isNew = std::ranges::none_of(
-            poses, [&](const Vector6d& other) { return (other - pose).cwiseAbs().maxCoeff() < kThere; });
+        const auto isSame = [&](const Vector6d& other) {
+            return (other - pose).cwiseAbs().maxCoeff() < kThere;
+        };
+        const bool isNew = !isSame(from) && std::ranges::none_of(poses, isSame);
         if (isNew && geometry.allowed(pose) && geometry.lowestPoint_m(pose) >= height_m)
             poses.push_back(pose);
     }

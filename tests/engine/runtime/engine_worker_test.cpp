@@ -218,7 +218,8 @@ TEST(EngineWorker, TakesMarkersWhileNoRunIsOn) {
 TEST(EngineWorker, AnotherCameraIsWatchedAndTheSimulatedOneAgain) {
     const QTemporaryDir pictures;
     for (const QString& name : {QStringLiteral("/left01.jpg"), QStringLiteral("/left02.jpg")})
-        ASSERT_TRUE(QFile::copy(QStringLiteral(BASK_TEST_DATA "/calibration") + name, pictures.path() + name));
+        ASSERT_TRUE(
+            QFile::copy(QStringLiteral(BASK_TEST_DATA "/calibration") + name, pictures.path() + name));
     const std::string folder = pictures.path().toStdString();
     Rig rig;
     rig.send(LoadExperiment{withMarkers()});

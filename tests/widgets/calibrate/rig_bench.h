@@ -51,9 +51,9 @@ struct RigBench {
             goal.reset();
     }
 
-    GreyPicture picture{camera.width, camera.height,
-                        std::vector<std::uint8_t>(static_cast<std::size_t>(camera.width * camera.height),
-                                                  120)};
+    GreyPicture picture{
+        camera.width, camera.height,
+        std::vector<std::uint8_t>(static_cast<std::size_t>(camera.width* camera.height), 120)};
 
 private:
     ViewedMarker seen(const MarkerSpec& marker) {

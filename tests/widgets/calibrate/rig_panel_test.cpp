@@ -178,7 +178,8 @@ TEST_F(RigPanelTest, SaysWhyNothingCanBeMeasured) {
     mayMove = false;
     looks(1);
     EXPECT_TRUE(status().contains("armed")) << status().toStdString();
-    for (const char* name : {"placeHere", "placeTour", "placeCheck", "sourceMeasure", "placeUse", "sourceUse"})
+    for (const char* name :
+         {"placeHere", "placeTour", "placeCheck", "sourceMeasure", "placeUse", "sourceUse"})
         EXPECT_FALSE(button(name)->isEnabled()) << name;
     mayMove = true;
     looks(1);
@@ -219,19 +220,21 @@ TEST_F(RigPanelTest, MissingAndMisplacedMarkersAreTold) {
         if (marker.id == 12)
             marker.pose[kX] += 0.03;
     ASSERT_TRUE(measured("placeTour"));
-    const QString said = status() + text("placeText") + text("placeVerdict");
-    EXPECT_TRUE(said.contains("12") || said.contains("contradict") || said.contains("Redo"))
-        << said.toStdString();
+    EXPECT_TRUE(status().contains("12") || text("placeText").contains("marker 12"))
+        << status().toStdString() << text("placeText").toStdString();
 }
 
 // Catches: a measurement that goes on into a run, a robot that is not stopped on its way, and one that is
 // told to hold when the run has it.
 TEST_F(RigPanelTest, CancelStopsTheRobotAndARunEndsItAll) {
+    page.resize(1100, 560);
+    QApplication::processEvents();
     looks(1);
     button("placeTour")->click();
     looks(3);
     EXPECT_TRUE(status().contains("pose 1 of")) << status().toStdString();
-    button("surveyCancel")->click();
+    EXPECT_FALSE(button("surveyCancel")->visibleRegion().isEmpty()) << "scrolled to";
+    QTest::mouseClick(button("surveyCancel"), Qt::LeftButton);
     EXPECT_EQ(holds, 1);
     EXPECT_FALSE(isBusy());
     EXPECT_EQ(status(), QString());
@@ -334,17 +337,16 @@ TEST_F(RigPanelTest, EveryControlHasANameAndTheKeyboard) {
     }
     QStringList order;
     QWidget* at = child<QComboBox>("markerDictionary");
-    for (int k = 0; k < 60 && panel.isAncestorOf(at); ++k, at = at->nextInFocusChain()) {
+    for (int k = 0; k < 300 && panel.isAncestorOf(at); ++k, at = at->nextInFocusChain()) {
         const QString name = at->objectName();
-        if (at->focusPolicy() != Qt::NoFocus && !name.isEmpty() && !name.startsWith("qt_"))
+        if ((at->focusPolicy() & Qt::TabFocus) != 0 && !name.isEmpty() && !name.startsWith("qt_"))
             order << name;
     }
-    const QStringList read{"markerDictionary", "markerAdd",      "markerRemove",  "markerList",
-                           "markerPart",       "markerId",       "markerSide",    "marker.x",
-                           "marker.y",         "marker.z",       "marker.theta_x", "marker.theta_y",
-                           "marker.theta_z",   "placeHere",      "placeTour",     "placeCheck",
-                           "placeUse",         "sourceMeasure",  "sourceUse",     "sourceFollow",
-                           "surveyCancel"};
+    const QStringList read{
+        "markerDictionary", "markerAdd",    "markerRemove", "markerList", "markerPart",     "markerId",
+        "markerSide",       "marker.x",     "marker.y",     "marker.z",   "marker.theta_x", "marker.theta_y",
+        "marker.theta_z",   "placeHere",    "placeTour",    "placeCheck", "placeUse",       "sourceMeasure",
+        "sourceUse",        "sourceFollow", "surveyCancel"};
     EXPECT_EQ(order.join(' ').toStdString(), read.join(' ').toStdString());
 }
 
@@ -404,8 +406,7 @@ TEST_F(RigPanelTest, Pictures) {
                 QApplication::processEvents();
             scroll->verticalScrollBar()->setValue(place);
             QApplication::processEvents();
-            EXPECT_TRUE(
-                page.grab().save(QString("rig_%1_%2.png").arg(name, place == 0 ? "top" : "bottom")));
+            EXPECT_TRUE(page.grab().save(QString("rig_%1_%2.png").arg(name, place == 0 ? "top" : "bottom")));
         }
         EXPECT_LE(panel.minimumSizeHint().width(), panel.width()) << name;
     }

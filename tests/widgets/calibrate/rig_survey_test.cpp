@@ -47,7 +47,7 @@ TEST_F(RigSurveyTest, CountsPicturesOnlyOnceTheRobotHasStood) {
     frames(7);
     EXPECT_EQ(survey.framesTaken(), 0);
     survey.setRobot(there, false); // it was elsewhere without having said that it moves
-    frames(7);
+    frames(8);
     EXPECT_EQ(survey.framesTaken(), 0);
     frames(1);
     EXPECT_EQ(survey.framesTaken(), 1);
