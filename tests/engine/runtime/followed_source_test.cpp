@@ -156,4 +156,5 @@ TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
     EXPECT_FALSE(run.loop.moveTo(goal));
 }
 
+} // namespace
 } // namespace bask

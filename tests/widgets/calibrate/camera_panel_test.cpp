@@ -54,7 +54,9 @@ struct CameraPanelTest : testing::Test {
         QApplication::processEvents();
     }
     template <class T> T* child(const char* name) {
-        auto* found = page.findChild<T*>(name);
+        auto* found = page.findChild<CameraPanel*>()->findChild<T*>(name); // the sheets have a board, too
+        if (!found)
+            found = page.findChild<T*>(name);
         EXPECT_NE(found, nullptr) << name;
         return found;
     }
