@@ -170,7 +170,7 @@ TEST(EngineWorker, ShowsWhatTheCameraSeesWhileItIsWatched) {
     Rig rig;
     rig.send(LoadExperiment{withMarkers()});
     rig.send(WatchCamera{true, std::nullopt});
-    ASSERT_TRUE(rig.waitFor([&] { return shows(rig.view, 0) && shows(rig.view, 12); }));
+    ASSERT_TRUE(rig.waitFor([&] { return shows(rig.view, 1) && shows(rig.view, 12); }));
     EXPECT_EQ(rig.view->cameraName, "simulated");
     EXPECT_EQ(rig.view->problem.code, MessageCode::None);
     EXPECT_FALSE(rig.view->board);
@@ -233,7 +233,7 @@ TEST(EngineWorker, AnotherCameraIsWatchedAndTheSimulatedOneAgain) {
     ASSERT_TRUE(rig.waitFor([&] { return rig.view->problem.code == MessageCode::CameraNotOpened; }));
     EXPECT_FALSE(rig.view->frame);
     rig.send(ChooseCamera{});
-    ASSERT_TRUE(rig.waitFor([&] { return rig.view->cameraName == "simulated" && shows(rig.view, 0); }));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view->cameraName == "simulated" && shows(rig.view, 1); }));
     rig.send(ChooseCamera{folder});
     ASSERT_TRUE(rig.waitFor([&] { return rig.view->cameraName == folder; })); // and ends with it open
 }
