@@ -293,8 +293,9 @@ void PageHost::show(const VisionView& view) {
 
 void PageHost::apply(const Snapshot& snapshot) {
     m_run->apply(snapshot);
-    m_calibrate->setRobot(snapshot.latest.coordinates, snapshot.isMoving, allowsEdits(snapshot.state));
     const bool editable = allowsEdits(snapshot.state);
+    m_calibrate->setRobot(snapshot.latest.coordinates, snapshot.isMoving,
+                          editable && snapshot.state != RunState::Fault);
     const bool targetsEditable = snapshot.state != RunState::Stopping; // the engine refuses them then
     if (editable != m_editable || targetsEditable != m_targetsEditable) {
         m_editable = editable;

@@ -2091,6 +2091,113 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::MarkerEditor</name>
+        <message>
+            <source>%1 px off</source>
+            <translation>à %1 px près</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Ajouter</translation>
+        </message>
+        <message>
+            <source>Base</source>
+            <translation>Base</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>Caméra</translation>
+        </message>
+        <message>
+            <source>Dictionary</source>
+            <translation>Dictionnaire</translation>
+        </message>
+        <message>
+            <source>End-effector</source>
+            <translation>Effecteur</translation>
+        </message>
+        <message>
+            <source>Id</source>
+            <translation>Numéro</translation>
+        </message>
+        <message>
+            <source>Lists another marker: one that the camera sees and that is not listed, if there is one</source>
+            <translation>Ajoute un marqueur à la liste : un que la caméra voit et qui n’y est pas, s’il y en a un</translation>
+        </message>
+        <message>
+            <source>Markers of the rig</source>
+            <translation>Marqueurs du montage</translation>
+        </message>
+        <message>
+            <source>On</source>
+            <translation>Sur</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Retirer</translation>
+        </message>
+        <message>
+            <source>Side</source>
+            <translation>Côté</translation>
+        </message>
+        <message>
+            <source>Side, mm</source>
+            <translation>Côté, mm</translation>
+        </message>
+        <message>
+            <source>Sits on</source>
+            <translation>Posé sur</translation>
+        </message>
+        <message>
+            <source>Source</source>
+            <translation>Source</translation>
+        </message>
+        <message>
+            <source>Where the marker's middle is on its part, and how its axes (x right, y up, z out of it) are turned there</source>
+            <translation>Où le milieu du marqueur se trouve sur sa pièce, et comment ses axes (x à droite, y en haut, z vers l’extérieur) y sont tournés</translation>
+        </message>
+        <message>
+            <source>With the black border, as measured on the print</source>
+            <translation>Avec le bord noir, mesuré sur l’impression</translation>
+        </message>
+        <message>
+            <source>about y, °</source>
+            <translation>autour de y, °</translation>
+        </message>
+        <message>
+            <source>about z, °</source>
+            <translation>autour de z, °</translation>
+        </message>
+        <message>
+            <source>not seen</source>
+            <translation>non vu</translation>
+        </message>
+        <message>
+            <source>seen</source>
+            <translation>vu</translation>
+        </message>
+        <message>
+            <source>turned about x, °</source>
+            <translation>tourné autour de x, °</translation>
+        </message>
+        <message>
+            <source>two poses fit</source>
+            <translation>deux poses possibles</translation>
+        </message>
+        <message>
+            <source>x, mm</source>
+            <translation>x, mm</translation>
+        </message>
+        <message>
+            <source>y, mm</source>
+            <translation>y, mm</translation>
+        </message>
+        <message>
+            <source>z, mm</source>
+            <translation>z, mm</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::MessageBar</name>
         <message>
             <source>Close the message</source>
@@ -2961,6 +3068,185 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::RigPanel</name>
+        <message>
+            <source>%1 mm</source>
+            <translation>%1 mm</translation>
+        </message>
+        <message>
+            <source>%1, in use</source>
+            <translation>%1, utilisée</translation>
+        </message>
+        <message>
+            <source>%1°</source>
+            <translation>%1°</translation>
+        </message>
+        <message>
+            <source>Follow the source &amp;during runs</source>
+            <translation>Suivre la source &amp;pendant les essais</translation>
+        </message>
+        <message>
+            <source>&amp;Measure</source>
+            <translation>&amp;Mesurer</translation>
+        </message>
+        <message>
+            <source>&amp;Several poses</source>
+            <translation>Plu&amp;sieurs poses</translation>
+        </message>
+        <message>
+            <source>&amp;Use this pose</source>
+            <translation>&amp;Utiliser cette pose</translation>
+        </message>
+        <message>
+            <source>A run is armed or on, or a stop is not reset. Measure after that.</source>
+            <translation>Un essai est armé ou en cours, ou un arrêt n’est pas réinitialisé. Mesurez après.</translation>
+        </message>
+        <message>
+            <source>As typed</source>
+            <translation>Telle que saisie</translation>
+        </message>
+        <message>
+            <source>By the end-effector's markers, in the robot's base. Several poses of the robot are surer than one.</source>
+            <translation>Par les marqueurs de l’effecteur, dans la base du robot. Plusieurs poses du robot sont plus sûres qu’une seule.</translation>
+        </message>
+        <message>
+            <source>By the markers on the source and on the end-effector, seen in the same pictures.</source>
+            <translation>Par les marqueurs de la source et de l’effecteur, vus sur les mêmes images.</translation>
+        </message>
+        <message>
+            <source>Calibrate the camera first.</source>
+            <translation>Étalonnez d’abord la caméra.</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Chec&amp;k</source>
+            <translation>Vé&amp;rifier</translation>
+        </message>
+        <message>
+            <source>Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.</source>
+            <translation>Vérifiée à une autre pose : écart de %1 et %2 ; jusqu’à %3 et %4 étaient à attendre.</translation>
+        </message>
+        <message>
+            <source>Computing…</source>
+            <translation>Calcul…</translation>
+        </message>
+        <message>
+            <source>Fr&amp;om here</source>
+            <translation>D’&amp;ici</translation>
+        </message>
+        <message>
+            <source>In use</source>
+            <translation>Utilisée</translation>
+        </message>
+        <message>
+            <source>List the markers on the end-effector first.</source>
+            <translation>Listez d’abord les marqueurs de l’effecteur.</translation>
+        </message>
+        <message>
+            <source>Looking, picture %1 of %2. Nothing may move.</source>
+            <translation>Observation, image %1 sur %2. Rien ne doit bouger.</translation>
+        </message>
+        <message>
+            <source>Markers on the rig</source>
+            <translation>Marqueurs sur le montage</translation>
+        </message>
+        <message>
+            <source>Moves the robot to a pose that was not measured, compares where the markers are with where they should be, and moves back.</source>
+            <translation>Amène le robot à une pose qui n’a pas été mesurée, compare où sont les marqueurs avec où ils devraient être, et revient.</translation>
+        </message>
+        <message>
+            <source>No picture from the camera.</source>
+            <translation>Aucune image de la caméra.</translation>
+        </message>
+        <message>
+            <source>Not measured</source>
+            <translation>Non mesurée</translation>
+        </message>
+        <message>
+            <source>Pictures looked at</source>
+            <translation>Images observées</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>Montage</translation>
+        </message>
+        <message>
+            <source>That is %1 and %2 from where the experiment has it.</source>
+            <translation>C’est à %1 et %2 de la place que lui donne l’expérience.</translation>
+        </message>
+        <message>
+            <source>The camera stands at %1, measured %2.</source>
+            <translation>La caméra se trouve en %1, mesuré %2.</translation>
+        </message>
+        <message>
+            <source>The camera stands at %1.</source>
+            <translation>La caméra se trouve en %1.</translation>
+        </message>
+        <message>
+            <source>The camera tells the controllers where the source is. Takes markers on the source, a calibrated camera and its place.</source>
+            <translation>La caméra dit aux régulateurs où est la source. Il faut des marqueurs sur la source, une caméra étalonnée et sa place.</translation>
+        </message>
+        <message>
+            <source>The end-effector in the source: %1.</source>
+            <translation>L’effecteur dans la source : %1.</translation>
+        </message>
+        <message>
+            <source>The robot did not move: nothing was checked.</source>
+            <translation>Le robot n’a pas bougé : rien n’a été vérifié.</translation>
+        </message>
+        <message>
+            <source>The robot moves to pose %1 of %2.</source>
+            <translation>Le robot va à la pose %1 sur %2.</translation>
+        </message>
+        <message>
+            <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
+            <translation>Le robot va à quelques poses de son espace de travail, jamais plus près de la source, et revient. Tenez-vous à l’écart.</translation>
+        </message>
+        <message>
+            <source>The robot says where it is to %1 and %2 (one standard deviation).</source>
+            <translation>Le robot dit où il est à %1 et %2 près (un écart-type).</translation>
+        </message>
+        <message>
+            <source>The robot stays where it is.</source>
+            <translation>Le robot reste où il est.</translation>
+        </message>
+        <message>
+            <source>The source in the robot's base: %1.</source>
+            <translation>La source dans la base du robot : %1.</translation>
+        </message>
+        <message>
+            <source>The source lies at %1, measured %2.</source>
+            <translation>La source se trouve en %1, mesuré %2.</translation>
+        </message>
+        <message>
+            <source>The source lies at %1.</source>
+            <translation>La source se trouve en %1.</translation>
+        </message>
+        <message>
+            <source>Use this p&amp;lace</source>
+            <translation>Utiliser cette p&amp;lace</translation>
+        </message>
+        <message>
+            <source>What it sees at the source is known to ±%1 and ±%2 (two standard deviations), by %3 pose(s) of the robot; residual %4 px.</source>
+            <translation>Ce qu’elle voit à la source est connu à ±%1 et ±%2 (deux écarts-types), par %3 pose(s) du robot ; résidu %4 px.</translation>
+        </message>
+        <message>
+            <source>Where the camera stands</source>
+            <translation>Place de la caméra</translation>
+        </message>
+        <message>
+            <source>Where the source is</source>
+            <translation>Place de la source</translation>
+        </message>
+        <message>
+            <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
+            <translation>x %1, y %2, z %3 ; tournée de %4, %5, %6 autour de x, y, z</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::RunPage</name>
         <message>
             <source>Sensor lost</source>
@@ -3419,6 +3705,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>With its black border.</source>
             <translation>Avec son bord noir.</translation>
+        </message>
+        <message>
+            <source>Print</source>
+            <translation>Impression</translation>
         </message>
     </context>
     <context>
@@ -4015,6 +4305,22 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>What is calibrated</source>
             <translation>Ce qui est étalonné</translation>
+        </message>
+        <message>
+            <source>&amp;Camera</source>
+            <translation>&amp;Caméra</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>Caméra</translation>
+        </message>
+        <message>
+            <source>Simulated camera</source>
+            <translation>Caméra simulée</translation>
+        </message>
+        <message>
+            <source>Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…), and Enter</source>
+            <translation>Ou tapez un numéro (0), un périphérique (/dev/video0), un fichier vidéo, un dossier d’images ou une adresse (rtsp://…), puis Entrée</translation>
         </message>
     </context>
     <context>

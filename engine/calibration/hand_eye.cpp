@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/calibration/corner_fit.h"
 #include "engine/calibration/hand_eye_fit.h"
+#include "engine/calibration/relative_pose.h"
 
 #include <Eigen/Eigenvalues>
 #include <opencv2/calib3d.hpp>
@@ -184,12 +185,27 @@ std::optional<HandEyeFit> robustFit(std::span<const HandEyeSight> sights, const 
     return fit;
 }
 
+// What frames have in common does not show in the residuals of one view: of X_RC, by the markers' lasting
+// errors.
+Matrix6d lastingOf(const HandEyeSight& sight, const MarkerLayout& layout, const CameraModel& camera) {
+    const auto ofMarkers =
+        predictedCovariance(layout, Part::EndEffector, camera, sight.X_CP, 1, kLastingCorner_px);
+    if (!ofMarkers)
+        return Matrix6d::Zero();
+    Matrix6d turned = Matrix6d::Zero();
+    turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = sight.X_RE.linear();
+    const Matrix6d of_X_EC = covarianceBetween(sight.X_CP, *ofMarkers, Pose::Identity(), Matrix6d::Zero());
+    return turned * of_X_EC * turned.transpose();
+}
+
 } // namespace
 
 Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const MarkerLayout& layout,
                                  const CameraModel& camera, Mounting mounting) {
     const std::vector<HandEyeSight> sights = sightsOf(views, layout, camera);
     const std::size_t least = mounting == Mounting::Known ? 1 : 3;
+    if (sights.empty() && !views.empty())
+        return partPose(views.front().frames, layout, Part::EndEffector, camera).error();
     if (sights.size() < least)
         return Error{
             MessageCode::HandEyeViewsFew, "", {std::to_string(sights.size()), std::to_string(least)}};
@@ -209,6 +225,8 @@ Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const Marke
     result.X_RC = fit->poses.X_RC;
     result.X_EP = fit->poses.X_EP;
     result.covariance = fit->covariance;
+    if (used.size() == 1)
+        result.covariance.topLeftCorner<6, 6>() += lastingOf(used.front(), layout, camera);
     result.rms_px = fit->rms_px;
     result.robot_m = fit->robot_m;
     result.robot_rad = fit->robot_rad;

@@ -30,7 +30,8 @@ struct HandEye {
     Pose X_RC = Pose::Identity();
     Pose X_EP = Pose::Identity();
     /// Of the displacements of X_RC, then X_EP (pose_covariance.h), whose part is zero when the mounting is
-    /// known. The robot's own errors are in it, the camera's are not.
+    /// known. The robot's own errors are in it where views can tell them; by one view kLastingCorner_px
+    /// (relative_pose.h) is instead. The camera's are not.
     Matrix12d covariance = Matrix12d::Zero();
     double rms_px = 0.0;
     /// Standard deviations of the robot's own errors, an axis, at the markers.
@@ -41,7 +42,8 @@ struct HandEye {
 
 /// Start by OpenCV's methods, then least distances of all corners by Ceres; views that do not fit (the robot
 /// was elsewhere, or not still) are left out. With a sought mounting the robot must turn about two axes; what
-/// turns about one only, or not at all, needs a known mounting. Errors: HandEyeViewsFew (3 with the markers
+/// turns about one only, or not at all, needs a known mounting. Errors: partPose's when no view has a pose;
+/// HandEyeViewsFew (3 with the markers
 /// seen; 1 when the mounting is known), HandEyeNoTurn, HandEyeOneAxis, HandEyeContradicts.
 Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const MarkerLayout& layout,
                                  const CameraModel& camera, Mounting mounting);

@@ -78,6 +78,7 @@ void EngineWorker::shutdown() {
         record();
     }
     closeRecording();
+    m_camera.reset();
     m_session.reset();
 }
 

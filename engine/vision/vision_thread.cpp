@@ -49,9 +49,8 @@ void VisionThread::setTask(const VisionTask& task) {
         m_task = task;
         ++m_taskNumber;
         m_tracker.reset();
+        m_newest.reset();
         m_looked_s = -1e300;
-        if (!task.show)
-            m_newest.reset();
     }
     m_changed.notify_all();
 }
@@ -86,8 +85,10 @@ void VisionThread::run(const std::stop_token& stop) {
             if (!isCurrent()) {
                 m_number = m_taskNumber;
                 task = m_task;
-                tracker.reset();
+                m_frame.reset(); // looked at anew, also when the camera has no newer one
+                m_shown_s = -1e300;
                 m_followed.reset();
+                tracker.reset();
                 if (task.follow && task.camera && task.X_RC)
                     tracker.emplace(task.layout, Part::Source, *task.camera);
             }
@@ -106,27 +107,28 @@ void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& trac
     const auto frame = m_camera.newest();
     if (!frame)
         return loseCamera(task, frame.error().message);
-    if ((*frame)->number == m_lookedAt) {
+    if (*frame == m_frame) {
         std::this_thread::sleep_for(kPoll);
         return;
     }
-    m_lookedAt = (*frame)->number;
+    m_frame = *frame;
     const double start_s = now_s();
     const double period_s = start_s - m_last_s;
     m_last_s = start_s;
     m_period_s = m_period_s > 0.0 && period_s < 1.0 ? m_period_s + kSmoothing * (period_s - m_period_s)
                                                     : std::min(period_s, 1.0);
-    if (tracker && checkSize(*task.camera, (*frame)->picture))
-        follow(**frame, *tracker);
+    if (tracker && checkSize(*task.camera, m_frame->picture))
+        follow(*tracker);
     if (task.show && start_s - m_shown_s >= kShow_s) {
         m_shown_s = start_s;
-        show(task, tracker, *frame);
+        show(task, tracker);
     }
 }
 
 void VisionThread::loseCamera(const VisionTask& task, const Message& problem) {
     if (task.show) {
         VisionView view;
+        view.frame = m_frame;
         view.problem = problem;
         publish(std::move(view));
     }
@@ -137,38 +139,39 @@ void VisionThread::loseCamera(const VisionTask& task, const Message& problem) {
     std::this_thread::sleep_for(kPollLost);
 }
 
-void VisionThread::follow(const CameraFrame& frame, PartTracker& tracker) {
-    m_followed = tracker.step(frame).state;
-    const double latency_s = now_s() - frame.caught_s;
+void VisionThread::follow(PartTracker& tracker) {
+    m_followed = tracker.step(*m_frame).state;
+    const double latency_s = now_s() - m_frame->caught_s;
     const std::lock_guard lock(m_mutex);
     if (!isCurrent()) // another task came meanwhile, perhaps without the camera's place
         return;
     m_tracker = tracker;
     m_trackState = *m_followed;
     m_latency_s = latency_s;
-    m_looked_s = frame.time_s;
+    m_looked_s = m_frame->time_s;
 }
 
-void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>& tracker,
-                        const std::shared_ptr<const CameraFrame>& frame) {
+void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>& tracker) {
+    const GreyPicture& picture = m_frame->picture;
     VisionView view;
-    view.frame = frame;
+    view.frame = m_frame;
     VisionTask known = task;
     if (known.camera)
-        if (const auto fits = checkSize(*known.camera, frame->picture); !fits) {
-            view.problem = fits.error().message;
+        if (const auto fits = checkSize(*known.camera, picture); !fits) {
+            if (!task.board) // else it is being calibrated anew
+                view.problem = fits.error().message;
             known.camera.reset();
         }
-    for (const FoundMarker& found : findMarkers(frame->picture, task.layout.dictionary))
+    for (const FoundMarker& found : findMarkers(picture, task.layout.dictionary))
         view.markers.push_back(viewed(found, known));
     if (task.board) {
-        view.board = findBoard(frame->picture, *task.board, {});
-        view.boardSeen = *view.board ? task.board : boardSeen(frame->picture, *task.board);
+        view.board = findBoard(picture, *task.board, {});
+        view.boardSeen = *view.board ? task.board : boardSeen(picture, *task.board);
     }
     view.tracking = m_followed;
     if (tracker)
-        view.source = tracker->at(frame->time_s);
-    view.latency_s = now_s() - frame->caught_s;
+        view.source = tracker->at(m_frame->time_s);
+    view.latency_s = now_s() - m_frame->caught_s;
     publish(std::move(view));
 }
 

@@ -30,27 +30,27 @@ class VisionThread final : public SourceTracker {
 public:
     /// Pictures shown have all markers looked for at most so often, which takes longer than following.
     static constexpr double kShow_s = 0.07;
+    static constexpr double kMostLead_s = 0.4; ///< of PartTracker::kPredicted_s
 
     VisionThread(Camera& camera, std::string cameraName, const Clock& clock);
     ~VisionThread() override; ///< waits for the picture that is being looked at
 
     void setTask(const VisionTask& task);
-    /// The newest look; null until there is one, and while nothing is shown.
+    /// The newest look by the last task; null until there is one, and while nothing is shown. A camera that
+    /// is lost leaves its last picture.
     std::shared_ptr<const VisionView> newest() const;
     /// The source as followed, carried on to now.
     Result<PoseReading> read() override;
     /// How far a clock that runs faster than the computer's may go before it waits for pictures to be looked
     /// at; negative when it is too far already, infinite where the source is not followed.
     double lead_s() const;
-    static constexpr double kMostLead_s = 0.4; ///< of PartTracker::kPredicted_s
 
 private:
     void run(const std::stop_token& stop);
     void look(const VisionTask& task, std::optional<PartTracker>& tracker);
     void loseCamera(const VisionTask& task, const Message& problem);
-    void follow(const CameraFrame& frame, PartTracker& tracker);
-    void show(const VisionTask& task, const std::optional<PartTracker>& tracker,
-              const std::shared_ptr<const CameraFrame>& frame);
+    void follow(PartTracker& tracker);
+    void show(const VisionTask& task, const std::optional<PartTracker>& tracker);
     void publish(VisionView view);
     bool isCurrent() const { return m_number == m_taskNumber; } ///< m_mutex is held
 
@@ -69,10 +69,10 @@ private:
     double m_looked_s = -1e300; ///< light of the picture that was followed in last
 
     // The thread's own.
-    std::uint64_t m_number = 0;   ///< of the task that is done
-    std::uint64_t m_lookedAt = 0; ///< number of the last picture
-    double m_shown_s = -1e300;    ///< when one was shown last, SteadyClock
-    double m_period_s = 0.0;      ///< between pictures that were looked at, smoothed
+    std::uint64_t m_number = 0;                 ///< of the task that is done
+    std::shared_ptr<const CameraFrame> m_frame; ///< looked at last for this task
+    double m_shown_s = -1e300;                  ///< when one was shown last, SteadyClock
+    double m_period_s = 0.0;                    ///< between pictures that were looked at, smoothed
     double m_last_s = -1e300;
     std::optional<TrackState> m_followed;
 

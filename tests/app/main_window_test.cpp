@@ -2,6 +2,7 @@
 // need the tick.
 
 #include "tests/app/window_fixture.h"
+#include "widgets/calibrate/live_picture.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
@@ -317,6 +318,47 @@ TEST_F(MainWindowTest, KeysSwitchPages) {
         EXPECT_EQ(static_cast<int>(window->pages().page()), i);
         EXPECT_TRUE(window->actions().page(i)->isChecked());
     }
+}
+
+// Catches: a Calibrate page that is not connected: no picture, one that goes on being made while nobody
+// looks, a robot that is not sent, a measured place that does not reach the experiment and the engine.
+TEST_F(MainWindowTest, TheCalibratePageMeasuresTheCamerasPlace) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(goFast());
+    auto experiment = readExperiment(BASK_EXAMPLES "/moving-source.json");
+    ASSERT_TRUE(experiment.ok());
+    experiment->source.tracked = false; // it stands still here
+    experiment->simulation.sourceMotion = {};
+    ASSERT_TRUE(window->document().edit(*experiment).ok());
+    ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().latest.objects.size() == 2; }));
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    window->pages().show(Page::Calibrate);
+    auto* picture = find<LivePicture>("livePicture");
+    ASSERT_TRUE(waitFor([&] { return picture->accessibleDescription().contains("marker 10"); }))
+        << picture->accessibleDescription().toStdString();
+    find<QTabWidget>("calibrateTabs")->setCurrentIndex(1);
+    click("placeTour");
+    EXPECT_TRUE(waitFor([&] { return window->lastSnapshot().isMoving; }));
+    auto* use = find<QAbstractButton>("placeUse");
+    ASSERT_TRUE(waitFor([&] { return use->isEnabled(); }, 60000))
+        << find<QLabel>("rigStatus")->text().toStdString();
+    const auto before = window->document().experiment().vision.cameraPose;
+    use->click();
+    EXPECT_NE(window->document().experiment().vision.cameraPose, before);
+    click("sourceMeasure");
+    auto* useSource = find<QAbstractButton>("sourceUse");
+    ASSERT_TRUE(waitFor([&] { return useSource->isEnabled(); }, 60000))
+        << find<QLabel>("rigStatus")->text().toStdString();
+    keepPicture(QStringLiteral("calibrate-rig"));
+    useSource->click();
+    EXPECT_FALSE(window->document().experiment().vision.sourcePoseDate.empty());
+    EXPECT_LT(window->document().experiment().source.pose.head<3>().norm(), 0.01);
+    EXPECT_EQ(message(), QString());
+
+    ASSERT_NO_FATAL_FAILURE(arm());
+    window->pages().show(Page::Calibrate);
+    EXPECT_TRUE(waitFor([&] { return find<QLabel>("rigStatus")->text().contains("armed"); }));
+    EXPECT_FALSE(find<QAbstractButton>("placeTour")->isEnabled());
 }
 
 // Catches: a change lost by closing.

@@ -43,12 +43,15 @@ CalibratePage::CalibratePage(QWidget* parent)
     m_tabs->setObjectName("calibrateTabs");
     m_tabs->setDocumentMode(true);
     m_tabs->setFixedWidth(kPanelWidth);
-    QScrollArea* scroll = addPanel(m_cameraPanel, "cameraPanel");
-    connect(m_cameraPanel, &CameraPanel::attentionWanted, scroll, [scroll](QWidget* part) {
-        scroll->widget()->layout()->activate(); // it may have grown
-        scroll->ensureWidgetVisible(part);
-    });
-    addPanel(m_rigPanel, "rigPanel");
+    const auto scrollFrom = [](auto* panel, QScrollArea* scroll) {
+        using Panel = std::remove_pointer_t<decltype(panel)>;
+        connect(panel, &Panel::attentionWanted, scroll, [scroll](QWidget* part) {
+            scroll->widget()->layout()->activate(); // it may have grown
+            scroll->ensureWidgetVisible(part);
+        });
+    };
+    scrollFrom(m_cameraPanel, addPanel(m_cameraPanel, "cameraPanel"));
+    scrollFrom(m_rigPanel, addPanel(m_rigPanel, "rigPanel"));
     addPanel(m_sheetPanel, "sheetPanel");
 
     auto* choice = new QHBoxLayout;

@@ -17,6 +17,7 @@
 #include <QTreeWidget>
 
 #include <algorithm>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -94,6 +95,9 @@ MarkerEditor::MarkerEditor(QWidget* parent)
             [this](int id) { edit([id](MarkerSpec& m) { m.id = id; }); });
     connect(m_side, &QDoubleSpinBox::valueChanged, this,
             [this](double side) { edit([side](MarkerSpec& m) { m.side_m = side / kMmPerM; }); });
+    QWidget* before = m_dictionary; // as it is read
+    for (QWidget* next : std::initializer_list<QWidget*>{m_add, m_remove, m_list, m_part})
+        setTabOrder(std::exchange(before, next), next);
     retranslate();
 }
 
@@ -208,7 +212,10 @@ void MarkerEditor::showList() {
             m_list->setCurrentItem(m_list->topLevelItem(std::min(before, m_list->topLevelItemCount() - 1)));
     }
     m_dictionary->setCurrentText(QString::fromStdString(m_vision.dictionary));
-    m_id->setMaximum(std::max(0, markerCount({m_vision.dictionary}) - 1));
+    {
+        const QSignalBlocker block(m_id); // a smaller one must not become an edit
+        m_id->setMaximum(std::max(0, markerCount({m_vision.dictionary}) - 1));
+    }
     showSeen();
     showForm();
 }
@@ -251,6 +258,7 @@ void MarkerEditor::showForm() {
 
 void MarkerEditor::retranslate() {
     m_dictionaryLabel->setText(tr("Dictionary"));
+    m_dictionary->setAccessibleName(m_dictionaryLabel->text());
     m_list->setHeaderLabels({tr("On"), tr("Id"), tr("Side"), tr("Camera")});
     m_list->setAccessibleName(tr("Markers of the rig"));
     m_add->setText(tr("Add"));

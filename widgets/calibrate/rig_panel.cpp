@@ -16,7 +16,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 
-#include <numbers>
+#include <cmath>
 
 namespace bask {
 namespace {
@@ -69,12 +69,25 @@ PoseSpread spreadAt(const HandEye& place, const Eigen::Vector3d& p_R, const Mark
                     const CameraModel& camera, const Pose& X_RE) {
     const Matrix6d carried = carriedBy(p_R - place.X_RC.translation());
     const Pose X_CE = place.X_RC.inverse() * X_RE;
-    Matrix6d lasting = predictedCovariance(layout, Part::EndEffector, camera, X_CE, 1, kLastingCorner_px)
-                           .value_or(Matrix6d::Zero());
+    Matrix6d lasting = Matrix6d::Zero(); // one view's is in its covariance
+    if (place.views.size() > 1)
+        lasting = predictedCovariance(layout, Part::EndEffector, camera, X_CE, 1, kLastingCorner_px)
+                      .value_or(Matrix6d::Zero());
     Matrix6d turn = Matrix6d::Zero(); // C axes into R's
     turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = place.X_RC.linear();
     return spreadOf(carried * place.covariance.topLeftCorner<6, 6>() * carried.transpose() +
                     turn * lasting * turn.transpose());
+}
+
+/// Code None where pictures are as large as those that the camera was calibrated with.
+Message otherSize(const CameraModel& camera, const GreyPicture& picture) {
+    if (camera.width == picture.width && camera.height == picture.height)
+        return {};
+    const auto text = [](int width, int height) {
+        return std::to_string(width) + " x " + std::to_string(height);
+    };
+    return {MessageCode::CameraSizeOther,
+            {text(camera.width, camera.height), text(picture.width, picture.height)}};
 }
 
 int priorityOf(Verdict verdict) {
@@ -193,23 +206,35 @@ void RigPanel::setExperiment(const Experiment& experiment) {
                            m_experiment.vision.dictionary == experiment.vision.dictionary;
     m_experiment = experiment;
     m_geometry = rigGeometry(experiment);
-    if (!isSameRig) { // what was measured with other markers or another camera is no longer true
-        cancel();
-        m_place.reset();
-        m_check.reset();
-        m_source.reset();
-    }
+    if (!isSameRig)
+        forget();
     m_markers->setVision(experiment.vision);
     showPlace();
     showSource();
     showEnabled();
 }
 
+void RigPanel::forget() {
+    if (m_task != Task::None)
+        cancel();
+    m_place.reset();
+    m_check.reset();
+    m_source.reset();
+    showPlace();
+    showSource();
+}
+
 void RigPanel::setView(const VisionView& view) {
     m_markers->setView(view);
+    if (view.cameraName != m_cameraName)
+        forget();
+    m_cameraName = view.cameraName;
     const bool isNew = view.frame && (!m_hasFrame || view.frame->number != m_frame);
     m_hasFrame = view.frame != nullptr;
-    if (isNew) {
+    m_problem = view.problem;
+    if (m_hasFrame && m_problem.code == MessageCode::None && m_experiment.vision.camera)
+        m_problem = otherSize(*m_experiment.vision.camera, view.frame->picture);
+    if (isNew && m_problem.code == MessageCode::None) {
         m_frame = view.frame->number;
         MarkerFrame frame;
         for (const ViewedMarker& marker : view.markers)
@@ -224,9 +249,11 @@ void RigPanel::setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove
     m_robot = coordinates;
     m_mayMove = mayMove;
     m_survey.setRobot(coordinates, isMoving);
-    const bool isHeld = m_survey.state() == RigSurvey::State::Idle;
-    if (m_task != Task::None && (!mayMove || isHeld))
+    const bool isHeld = m_survey.state() == RigSurvey::State::Idle && !m_solving.busy();
+    if (m_task != Task::None && (!mayMove || isHeld)) {
+        m_survey.cancel(); // the run has the robot: no Hold, which would be the run's
         cancel();
+    }
     showEnabled();
 }
 
@@ -243,6 +270,7 @@ void RigPanel::begin(Task task) {
         m_survey.begin({}, kFramesHere);
     }
     advance();
+    emit attentionWanted(m_cancel);
 }
 
 void RigPanel::cancel() {
@@ -250,6 +278,7 @@ void RigPanel::cancel() {
     m_survey.cancel();
     m_solving.forget();
     m_task = Task::None;
+    m_status->clear();
     if (travels)
         emit holdWanted();
     showProgress();
@@ -266,6 +295,11 @@ void RigPanel::advance() {
 
 void RigPanel::solve() {
     const Task task = m_task;
+    if (task == Task::PlaceCheck && !m_survey.hasMoved()) {
+        cancel();
+        m_status->setText(tr("The robot did not move: nothing was checked."));
+        return;
+    }
     const auto work = [task, views = m_survey.views(), layout = markerLayout(m_experiment.vision),
                        camera = *m_experiment.vision.camera, place = m_place,
                        p_RS = Eigen::Vector3d(m_experiment.source.pose.head<3>())]() {
@@ -296,8 +330,7 @@ void RigPanel::solve() {
 
 void RigPanel::take(Task task, Outcome outcome) {
     m_task = Task::None;
-    if (outcome.trouble.code != MessageCode::None)
-        m_status->setText(sentenceText(outcome.trouble));
+    m_status->setText(outcome.trouble.code == MessageCode::None ? QString() : sentenceText(outcome.trouble));
     if (outcome.place) {
         m_place = std::move(outcome.place);
         m_placeSpread = outcome.spread;
@@ -315,6 +348,9 @@ void RigPanel::take(Task task, Outcome outcome) {
     showSource();
     showProgress();
     showEnabled();
+    emit attentionWanted(!m_status->text().isEmpty() ? m_status
+                         : task == Task::Source      ? m_sourceText
+                                                     : m_placeText);
 }
 
 void RigPanel::usePlace() {
@@ -378,7 +414,7 @@ void RigPanel::showPlace() {
            "pose(s) of the robot; residual %4 px.")
             .arg(mm(spread.position_m, 2), degrees(spread.angle_rad))
             .arg(used)
-            .arg(QLocale().toString(m_place->rms_px, 'f', 2))};
+            .arg(number(m_place->rms_px, 2))};
     if (m_place->views.size() > 1)
         lines << tr("The robot says where it is to %1 and %2 (one standard deviation).")
                      .arg(mm(m_place->robot_m, 2), degrees(m_place->robot_rad));
@@ -433,10 +469,12 @@ QString RigPanel::whyNot() const {
         return tr("Calibrate the camera first.");
     if (!marked(Part::EndEffector))
         return tr("List the markers on the end-effector first.");
+    if (m_problem.code != MessageCode::None)
+        return sentenceText(m_problem);
     if (!m_hasFrame)
         return tr("No picture from the camera.");
     if (!m_mayMove)
-        return tr("A run is armed or on. Measure once it has stopped.");
+        return tr("A run is armed or on, or a stop is not reset. Measure after that.");
     return {};
 }
 
@@ -484,11 +522,12 @@ void RigPanel::retranslate() {
                              "pictures."));
     m_measure->setText(tr("&Measure"));
     m_useSource->setText(tr("&Use this pose"));
-    m_follow->setText(tr("Follo&w the source during runs"));
+    m_follow->setText(tr("Follow the source &during runs"));
     m_follow->setToolTip(
         tr("The camera tells the controllers where the source is. Takes markers on the source, "
            "a calibrated camera and its place."));
     m_cancel->setText(tr("Cancel"));
+    m_progress->setAccessibleName(tr("Pictures looked at"));
     showPlace();
     showSource();
     showProgress();

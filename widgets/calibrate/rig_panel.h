@@ -39,7 +39,7 @@ public:
     void setExperiment(const Experiment& experiment);
     /// Each frame counts once.
     void setView(const VisionView& view);
-    /// Coordinates of the end-effector in R; `mayMove`: no run is armed or on.
+    /// Coordinates of the end-effector in R; `mayMove`: no run is armed or on, no stop latched.
     void setRobot(const Vector6d& coordinates, bool isMoving, bool mayMove);
 
 signals:
@@ -49,6 +49,8 @@ signals:
     void followWanted(bool follow); ///< the source, during runs
     void moveWanted(const bask::Vector6d& coordinates);
     void holdWanted(); ///< the robot shall stop where it is
+    /// This part of the panel must be seen.
+    void attentionWanted(QWidget* part);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -69,6 +71,7 @@ private:
     QWidget* buildSource();
     void begin(Task task);
     void cancel();
+    void forget(); ///< what was measured with another camera or other markers
     void advance();
     void solve();
     void take(Task task, Outcome outcome);
@@ -84,6 +87,8 @@ private:
     Experiment m_experiment;
     std::shared_ptr<const RigGeometry> m_geometry;
     std::uint64_t m_frame = 0; ///< number of the last one
+    std::string m_cameraName;  ///< of the last view
+    Message m_problem;         ///< why pictures cannot be measured in; code None: they can
     bool m_hasFrame = false;
     Vector6d m_robot = Vector6d::Zero();
     bool m_mayMove = false;

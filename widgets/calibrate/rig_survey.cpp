@@ -18,6 +18,7 @@ std::vector<Vector6d> surveyPoses(const RigGeometry& geometry, const Vector6d& f
                                 {-1, 0, 2, 1, -1, 1}, {0, -1, 0, -1, 1, -1}};
     const RobotLimits& limits = geometry.limits();
     const Eigen::Vector3d away = geometry.away();
+    const double height_m = geometry.lowestPoint_m(from) - kSame;
     std::vector<Vector6d> poses;
     for (const auto& way : kWays) {
         Vector6d shift;
@@ -30,9 +31,11 @@ std::vector<Vector6d> surveyPoses(const RigGeometry& geometry, const Vector6d& f
             if (limits.free[static_cast<std::size_t>(k)])
                 pose[k] = std::clamp(from[k] + shift[k], std::min(limits.lower[k], from[k]),
                                      std::max(limits.upper[k], from[k]));
-        const bool isNew = std::ranges::none_of(
-            poses, [&](const Vector6d& other) { return (other - pose).cwiseAbs().maxCoeff() < kThere; });
-        if (isNew && geometry.allowed(pose))
+        const auto isSame = [&](const Vector6d& other) {
+            return (other - pose).cwiseAbs().maxCoeff() < kThere;
+        };
+        const bool isNew = !isSame(from) && std::ranges::none_of(poses, isSame);
+        if (isNew && geometry.allowed(pose) && geometry.lowestPoint_m(pose) >= height_m)
             poses.push_back(pose);
     }
     poses.push_back(from);
@@ -105,6 +108,13 @@ void RigSurvey::next() {
     m_goalTold = false;
     m_setOff = false;
     m_sent_s.reset();
+}
+
+bool RigSurvey::hasMoved() const {
+    const Eigen::Matrix4d start = poseFromCoordinates(m_start).matrix();
+    return std::ranges::any_of(m_views, [&](const HandEyeView& view) {
+        return (view.X_RE.matrix() - start).cwiseAbs().maxCoeff() > kThere;
+    });
 }
 
 int RigSurvey::framesTaken() const {

@@ -37,6 +37,8 @@ public:
     int poses() const { return m_goals.empty() ? 1 : static_cast<int>(m_goals.size()); }
     int framesWanted() const { return m_frames * poses(); }
     int framesTaken() const;
+    /// One of its views is from elsewhere than the beginning.
+    bool hasMoved() const;
     /// One a pose of the robot.
     const std::vector<HandEyeView>& views() const { return m_views; }
 

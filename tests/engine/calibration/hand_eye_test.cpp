@@ -184,6 +184,46 @@ TEST(HandEye, RefusesWhatGivesNoCalibration) {
     EXPECT_FALSE(found) << found->rms_px;
 }
 
+// Catches: a place by many frames from one pose told as sure as if nothing were wrong with all of them alike.
+TEST(HandEye, ByOnePoseIsHonestAboutWhatItsFramesHaveInCommon) {
+    Cell cell;
+    cell.X_EP = Pose::Identity();
+    std::mt19937 random(11);
+    std::normal_distribution<double> lasting(0.0, kLastingCorner_px);
+    constexpr int kTrials = 100, kFrames = 30;
+    int within = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+        HandEyeView view = cell.view(Pose::Identity(), random);
+        test::RigScene seen = cell.scene;
+        seen.X_CE = cell.X_RC.inverse() * view.X_RE;
+        view.frames = seen.frames(kFrames, random);
+        for (std::size_t m = 0; m < view.frames[0].size(); ++m)
+            for (std::size_t k = 0; k < 4; ++k) {
+                const Eigen::Vector2d off(lasting(random), lasting(random));
+                for (MarkerFrame& frame : view.frames)
+                    frame[m].corners_px[k] += off;
+            }
+        const auto found =
+            calibrateHandEye(std::span(&view, 1), cell.scene.layout, cell.scene.camera, Mounting::Known);
+        ASSERT_TRUE(found) << describe(found.error());
+        within += normalised(*found, cell, Mounting::Known) < test::kChiSquare6At95 ? 1 : 0;
+    }
+    EXPECT_GE(within, 88 * kTrials / 100);
+}
+
+// Catches: markers that contradict one another, told as not seen.
+TEST(HandEye, SaysWhyNoViewHasAPose) {
+    Cell cell;
+    std::mt19937 random(12);
+    const auto views = cell.views(4, random);
+    MarkerLayout wrong = cell.scene.layout;
+    for (PlacedMarker& marker : wrong.markers) // each elsewhere than the others say
+        if (marker.part == Part::EndEffector)
+            marker.X_PM = Pose(Eigen::Translation3d(0.03 * marker.id, -0.02 * marker.id, 0)) * marker.X_PM;
+    EXPECT_EQ(calibrateHandEye(views, wrong, cell.scene.camera, Mounting::Known).error().code(),
+              MessageCode::MarkersDisagree);
+}
+
 // Catches: frames of one pose that count as one, or whose number is not in the residuals' weights.
 TEST(HandEye, FramesOfAPoseAreAveraged) {
     Cell cell;

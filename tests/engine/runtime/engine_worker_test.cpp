@@ -6,10 +6,13 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QTemporaryDir>
 #include <QThread>
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 namespace bask {
 namespace {
@@ -41,6 +44,11 @@ public:
             inOrder = inOrder && snapshot.sequence == m_sequence + 1;
             m_sequence = snapshot.sequence;
         });
+        connect(&m_worker, &EngineWorker::looked, this,
+                [this](const std::shared_ptr<const VisionView>& looked) {
+                    view = looked;
+                    ++views;
+                });
         m_thread.start();
     }
     ~Rig() override {
@@ -65,6 +73,8 @@ public:
     Snapshot last;
     Message refusal;
     std::size_t samples = 0;
+    std::shared_ptr<const VisionView> view; ///< handed on last
+    int views = 0;
     bool inOrder = true;
 
 private:
@@ -72,6 +82,14 @@ private:
     EngineWorker m_worker;
     std::uint64_t m_sequence = 0;
 };
+
+Experiment withMarkers() {
+    return readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+}
+
+bool shows(const std::shared_ptr<const VisionView>& view, int id) {
+    return view && std::ranges::any_of(view->markers, [id](const auto& m) { return m.marker.id == id; });
+}
 
 } // namespace
 
@@ -199,6 +217,105 @@ TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     rig.send(SimulateFault{SimulatedFault::None});
     rig.send(Reset{});
     EXPECT_TRUE(rig.reaches(RunState::Ready));
+}
+
+// Catches: a page without pictures, pictures that nobody wants, and a board that is not held before the
+// simulated camera.
+TEST(EngineWorker, ShowsWhatTheCameraSeesWhileItIsWatched) {
+    Rig rig;
+    rig.send(LoadExperiment{withMarkers()});
+    rig.send(WatchCamera{true, std::nullopt});
+    ASSERT_TRUE(rig.waitFor([&] { return shows(rig.view, 1) && shows(rig.view, 12); }));
+    EXPECT_EQ(rig.view->cameraName, "simulated");
+    EXPECT_EQ(rig.view->problem.code, MessageCode::None);
+    EXPECT_FALSE(rig.view->board);
+    rig.send(WatchCamera{true, *parseBoard("chessboard:9x6:0.025")});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view->board && rig.view->board->ok(); }));
+    rig.send(LoadExperiment{withMarkers()}); // watched on
+    const auto before = rig.view;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view != before && rig.view->board; }));
+    rig.send(WatchCamera{false, std::nullopt});
+    const auto sequence = rig.last.sequence;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.sequence > sequence + 2; }));
+    const int views = rig.views;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.sequence > sequence + 12; }));
+    EXPECT_EQ(rig.views, views);
+}
+
+// Catches: markers changed under a run; markers that are listed and not on the simulated rig.
+TEST(EngineWorker, TakesMarkersWhileNoRunIsOn) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    Experiment experiment = withMarkers();
+    experiment.source.tracked = false;
+    rig.send(LoadExperiment{experiment});
+    rig.send(WatchCamera{true, std::nullopt});
+    ASSERT_TRUE(rig.waitFor([&] { return shows(rig.view, 2) && shows(rig.view, 3); }));
+    VisionSpec fewer = experiment.vision;
+    fewer.markers.erase(fewer.markers.begin() + 3);
+    rig.send(SetVision{fewer});
+    ASSERT_TRUE(rig.waitFor([&] { return shows(rig.view, 2) && !shows(rig.view, 3); }));
+    EXPECT_EQ(rig.refusal.code, MessageCode::None);
+    VisionSpec twice = experiment.vision;
+    twice.markers[1].id = 0;
+    rig.send(SetVision{twice});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::MarkerListedTwice; }));
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    rig.send(SetVision{experiment.vision});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::SessionAlreadyRunning; }));
+    EXPECT_FALSE(shows(rig.view, 3));
+}
+
+// Catches: pictures of one camera told as another's, a camera that cannot be had told as nothing, and no way
+// back to the simulated one.
+TEST(EngineWorker, AnotherCameraIsWatchedAndTheSimulatedOneAgain) {
+    const QTemporaryDir pictures;
+    for (const QString& name : {QStringLiteral("/left01.jpg"), QStringLiteral("/left02.jpg")})
+        ASSERT_TRUE(
+            QFile::copy(QStringLiteral(BASK_TEST_DATA "/calibration") + name, pictures.path() + name));
+    const std::string folder = pictures.path().toStdString();
+    Rig rig;
+    rig.send(LoadExperiment{withMarkers()});
+    rig.send(WatchCamera{true, std::nullopt});
+    rig.send(ChooseCamera{folder});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view && rig.view->cameraName == folder && rig.view->frame; }));
+    EXPECT_EQ(rig.view->frame->picture.width, 640);
+    EXPECT_EQ(rig.view->problem.code, MessageCode::CameraSizeOther) << "calibrated for 1280 x 720";
+    rig.send(ChooseCamera{"/nowhere/at/all"});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view->cameraName == "/nowhere/at/all"; }));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view->problem.code == MessageCode::CameraNotOpened; }));
+    EXPECT_FALSE(rig.view->frame);
+    rig.send(ChooseCamera{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view->cameraName == "simulated" && shows(rig.view, 1); }));
+    rig.send(ChooseCamera{folder});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.view->cameraName == folder; })); // and ends with it open
+}
+
+// Catches: a robot that does not go where the page sends it, goes where it may not, or cannot be stopped.
+TEST(EngineWorker, MovesTheRobotAndHoldsIt) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    const Experiment experiment = oneDisk();
+    rig.send(LoadExperiment{experiment});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    Vector6d goal = experiment.start;
+    goal[kX] += 0.05;
+    rig.send(MoveTo{goal});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.isMoving; }));
+    ASSERT_TRUE(rig.waitFor([&] { return !rig.last.isMoving; }));
+    EXPECT_LT((rig.last.latest.coordinates - goal).cwiseAbs().maxCoeff(), 2e-3);
+    goal[kZ] = 1e-4;
+    rig.send(MoveTo{goal});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::MoveOutside; }));
+    EXPECT_FALSE(rig.last.isMoving);
+    rig.send(MoveTo{experiment.start});
+    rig.send(Hold{});
+    const auto sequence = rig.last.sequence;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.sequence > sequence + 10; }));
+    EXPECT_FALSE(rig.last.isMoving);
+    EXPECT_GT((rig.last.latest.coordinates - experiment.start).norm(), 0.02);
 }
 
 } // namespace bask

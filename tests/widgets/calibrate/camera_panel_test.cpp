@@ -44,16 +44,19 @@ struct CameraPanelTest : testing::Test {
     std::vector<CameraModel> chosen;
 
     CameraPanelTest() {
-        QObject::connect(&page, &CalibratePage::boardWanted, &page,
+        auto* panel = child<CameraPanel>("cameraPanel");
+        QObject::connect(panel, &CameraPanel::boardWanted, &page,
                          [this](const std::optional<Board>& board) { wanted.push_back(board); });
-        QObject::connect(&page, &CalibratePage::cameraChosen, &page,
-                         [this](const CameraModel& camera) { chosen.push_back(camera); });
+        QObject::connect(&page, &CalibratePage::visionEdited, &page,
+                         [this](const VisionSpec& vision) { chosen.push_back(vision.camera.value()); });
         page.resize(1280, 800);
         page.show();
         QApplication::processEvents();
     }
     template <class T> T* child(const char* name) {
-        auto* found = page.findChild<T*>(name);
+        auto* found = page.findChild<CameraPanel*>()->findChild<T*>(name); // the sheets have a board, too
+        if (!found)
+            found = page.findChild<T*>(name);
         EXPECT_NE(found, nullptr) << name;
         return found;
     }
@@ -124,10 +127,10 @@ TEST_F(CameraPanelTest, FromABoardToACamera) {
     ASSERT_EQ(chosen.size(), 1U);
     EXPECT_NEAR(chosen[0].fx, scene.camera.fx, 1.5);
     EXPECT_EQ(chosen[0].board, "chessboard:9x6:0.025");
-    page.setCamera(chosen[0]);
+    child<CameraPanel>("cameraPanel")->setCamera(chosen[0]);
     EXPECT_EQ(text("cameraVerdict"), "Good, in use");
     EXPECT_FALSE(child<QPushButton>("cameraUse")->isEnabled());
-    page.setDistance(3.0);
+    child<CameraPanel>("cameraPanel")->setDistance(3.0);
     EXPECT_NE(text("cameraVerdict"), "Good, in use") << "millimetres grow with the distance";
     EXPECT_TRUE(text("cameraReason").contains("at 3 m are"));
 }
