@@ -4307,10 +4307,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Ce qui est étalonné</translation>
         </message>
         <message>
-            <source>&amp;Camera</source>
-            <translation>&amp;Caméra</translation>
-        </message>
-        <message>
             <source>Camera</source>
             <translation>Caméra</translation>
         </message>
