@@ -39,16 +39,16 @@ QLabel* wrapped(QWidget* parent) {
 }
 
 /// With a true minus sign, and none before a zero.
-QString plainNumber(double value, int decimals) {
+QString number(double value, int decimals) {
     return formatSigned(value, decimals).remove(QLatin1Char('+'));
 }
 
 QString mm(double length_m, int decimals = 1) {
-    return RigPanel::tr("%1 mm").arg(plainNumber(1000.0 * length_m, decimals));
+    return RigPanel::tr("%1 mm").arg(number(1000.0 * length_m, decimals));
 }
 
 QString degrees(double angle_rad, int decimals = 2) {
-    return RigPanel::tr("%1\u00b0").arg(plainNumber(degFromRad(angle_rad), decimals));
+    return RigPanel::tr("%1\u00b0").arg(number(degFromRad(angle_rad), decimals));
 }
 
 /// "x 1.2 mm, y ..., turned ... about x, y, z".
