@@ -205,5 +205,4 @@ TEST(MoveTo, GoesThereWithinLimitsWhileNoRunIsOn) {
     EXPECT_FALSE(run.loop.moveTo(goal));
 }
 
-} // namespace
 } // namespace bask
