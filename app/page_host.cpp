@@ -90,7 +90,16 @@ void PageHost::connectCalibrate() {
         m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
         m_calibrate->setExperiment(m_document.experiment());
     };
-    connect(m_calibrate, &CalibratePage::visionEdited, this, [this](const VisionSpec& vision) {
+    connect(m_calibrate, &CalibratePage::visionEdited, this, [this, edit](const VisionSpec& vision) {
+        Experiment changed = m_document.experiment();
+        if (changed.source.tracked && changed.vision.followsSource() && !vision.followsSource()) {
+            changed.vision = vision;
+            changed.source.tracked = false;
+            edit(changed);
+            return showNote(
+                tr("The source is followed no more: that takes markers on it, a calibrated camera "
+                   "and its place."));
+        }
         if (const auto set = m_document.setVision(vision); !set) {
             showProblem(sentence(set.error()));
             m_calibrate->setExperiment(m_document.experiment());

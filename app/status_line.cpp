@@ -22,10 +22,11 @@ StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     m_unit->setObjectName(QStringLiteral("unitButton"));
     m_language->setObjectName(QStringLiteral("languageButton"));
     setSizeGripEnabled(false);
-    for (QLabel* label : {m_ageLabel, m_loopLabel, m_trackingLabel, m_recordingLabel}) {
+    for (QLabel* label : {m_ageLabel, m_loopLabel, m_trackingLabel, m_recordingLabel})
         label->setContentsMargins(6, 0, 10, 0);
+    for (QLabel* label : {m_ageLabel, m_loopLabel, m_recordingLabel})
         addWidget(label);
-    }
+    addPermanentWidget(m_trackingLabel); // no tip hides it
     m_unit->setMenu(unitMenu);
     m_language->setMenu(languageMenu);
     for (QToolButton* button : {m_unit, m_language}) {

@@ -864,7 +864,7 @@
         </message>
         <message>
             <source>the source has markers and is followed by the camera, which is not calibrated yet: calibrate the camera and measure where it stands on the Calibrate page, or leave the source untracked</source>
-            <translation>la source porte des marqueurs et est suivie par la caméra, qui n’est pas encore étalonnée : étalonnez la caméra et mesurez sa place sur la page Étalonnage, ou ne suivez pas la source</translation>
+            <translation>la source porte des marqueurs et est suivie par la caméra, qui n’est pas encore étalonnée : étalonnez la caméra et mesurez sa place sur la page Étalonner, ou ne suivez pas la source</translation>
         </message>
         <message>
             <source>the robot cannot go there: outside of its workspace, or too near to the source</source>
@@ -1201,7 +1201,7 @@
         </message>
         <message>
             <source>Calibrate</source>
-            <translation>Étalonnage</translation>
+            <translation>Étalonner</translation>
         </message>
         <message>
             <source>The camera: its lens, where it stands, and where the source is</source>
@@ -2756,6 +2756,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>A run is armed or on. The start can be changed once it has stopped.</source>
             <translation>Un essai est armé ou en cours. Le départ pourra être changé une fois qu’il sera arrêté.</translation>
+        </message>
+        <message>
+            <source>The source is followed no more: that takes markers on it, a calibrated camera and its place.</source>
+            <translation>La source n’est plus suivie : il y faut des marqueurs sur elle, une caméra étalonnée et sa place.</translation>
         </message>
     </context>
     <context>

@@ -87,6 +87,7 @@ void VisionThread::run(const std::stop_token& stop) {
                 task = m_task;
                 m_frame.reset(); // looked at anew, also when the camera has no newer one
                 m_shown_s = -1e300;
+                m_compared_s = -1e300;
                 m_followed.reset();
                 tracker.reset();
                 if (task.follow && task.camera && task.X_RC)
@@ -166,7 +167,11 @@ void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>
         view.markers.push_back(viewed(found, known));
     if (task.board) {
         view.board = findBoard(picture, *task.board, {});
-        view.boardSeen = *view.board ? task.board : boardSeen(picture, *task.board);
+        // A board may have the set one's corners in it: looked at closely now and then.
+        if (!*view.board || m_shown_s - m_compared_s >= kCompare_s) {
+            view.boardSeen = boardSeen(picture, *task.board);
+            m_compared_s = m_shown_s;
+        }
     }
     view.tracking = m_followed;
     if (tracker)

@@ -30,6 +30,7 @@ class VisionThread final : public SourceTracker {
 public:
     /// Pictures shown have all markers looked for at most so often, which takes longer than following.
     static constexpr double kShow_s = 0.07;
+    static constexpr double kCompare_s = 1.0;
     static constexpr double kMostLead_s = 0.4; ///< of PartTracker::kPredicted_s
 
     VisionThread(Camera& camera, std::string cameraName, const Clock& clock);
@@ -71,6 +72,7 @@ private:
     // The thread's own.
     std::uint64_t m_number = 0;                 ///< of the task that is done
     std::shared_ptr<const CameraFrame> m_frame; ///< looked at last for this task
+    double m_compared_s = -1e300;               ///< when a board that was found was compared last
     double m_shown_s = -1e300;                  ///< when one was shown last, SteadyClock
     double m_period_s = 0.0;                    ///< between pictures that were looked at, smoothed
     double m_last_s = -1e300;

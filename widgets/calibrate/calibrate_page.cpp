@@ -95,7 +95,8 @@ void CalibratePage::connectAll() {
     connect(m_sheetPanel, &SheetPanel::markersMeasured, this,
             [this](const std::string& dictionary, const std::vector<int>& ids, double side_m) {
                 VisionSpec vision = m_experiment.vision;
-                vision.dictionary = dictionary;
+                if (dictionary != vision.dictionary) // not those of this rig
+                    return;
                 for (MarkerSpec& marker : vision.markers)
                     if (std::ranges::find(ids, marker.id) != ids.end())
                         marker.side_m = side_m;
@@ -122,11 +123,24 @@ QScrollArea* CalibratePage::addPanel(QWidget* panel, const char* name) {
 }
 
 void CalibratePage::setExperiment(const Experiment& experiment) {
+    const bool areMarkersNew = experiment.vision.markers != m_experiment.vision.markers;
     m_experiment = experiment;
     m_picture->setCamera(experiment.vision.camera);
     m_cameraPanel->setCamera(experiment.vision.camera);
     m_cameraPanel->setDistance(distanceOf(experiment));
     m_rigPanel->setExperiment(experiment);
+    if (areMarkersNew)
+        offerMarkers();
+}
+
+/// The rig's own markers are what is printed, unless somebody types others.
+void CalibratePage::offerMarkers() {
+    const VisionSpec& vision = m_experiment.vision;
+    std::vector<int> ids;
+    for (const MarkerSpec& marker : vision.markers)
+        ids.push_back(marker.id);
+    if (!ids.empty())
+        m_sheetPanel->setMarkers(vision.dictionary, ids, vision.markers.front().side_m);
 }
 
 void CalibratePage::setView(const VisionView& view) {

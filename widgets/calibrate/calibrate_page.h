@@ -52,6 +52,7 @@ protected:
 private:
     QScrollArea* addPanel(QWidget* panel, const char* name);
     void connectAll();
+    void offerMarkers();
     void choose();
     void watch();
     void retranslate();

@@ -365,16 +365,21 @@ void CameraPanel::setDistance(double distance_m) {
 
 void CameraPanel::setCamera(const std::optional<CameraModel>& camera) {
     m_result->setInUse(camera);
+    if (camera && !m_result->camera())
+        m_result->setCamera(*camera, {});
 }
 
 void CameraPanel::loadCamera(const QString& path) {
     m_loading.run([file = path.toStdString()] { return readCamera(file); },
                   [this, path](Result<CameraModel> camera) {
-                      if (camera)
+                      if (camera) {
+                          m_message->clear();
                           return m_result->setCamera(*camera, QFileInfo(path).fileName());
+                      }
                       m_message->say(
                           MessageBar::Kind::Problem,
                           tr("%1: %2").arg(QFileInfo(path).fileName(), messageText(camera.error().message)));
+                      emit attentionWanted(m_message);
                   });
 }
 

@@ -171,8 +171,9 @@ void CameraResult::showVerdict() {
     m_icon->setVisible(priority > 0);
     if (priority > 0)
         m_icon->setPixmap(alarmPixmap(priority, isDark(this), kIcon, devicePixelRatioF()));
-    m_use->setEnabled(m_camera && !isUsed);
-    m_save->setEnabled(m_camera.has_value());
+    const bool isUsable = m_camera && !(m_calibration && m_calibration->reasonAgainst());
+    m_use->setEnabled(isUsable && !isUsed);
+    m_save->setEnabled(isUsable);
 }
 
 void CameraResult::showNumbers() {

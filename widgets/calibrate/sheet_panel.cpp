@@ -11,7 +11,6 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -74,18 +73,17 @@ SheetPanel::SheetPanel(QWidget* parent)
     auto* paper = new QVBoxLayout;
     paper->addWidget(m_preview, 1);
     paper->addWidget(m_pages);
-    auto* layout = new QHBoxLayout(this);
+    auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(12);
-    layout->addLayout(paper, 1);
     layout->addWidget(buildForm());
+    layout->addLayout(paper, 1);
     connectAll();
     retranslate();
 }
 
 QWidget* SheetPanel::buildForm() {
     auto* form = new QWidget(this);
-    form->setFixedWidth(340);
     m_form->setContentsMargins(0, 0, 0, 0);
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->addRow(QStringLiteral(" "), m_kind);
@@ -100,7 +98,6 @@ QWidget* SheetPanel::buildForm() {
     auto* layout = new QVBoxLayout(form);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(m_form);
-    layout->addStretch(1);
     return form;
 }
 

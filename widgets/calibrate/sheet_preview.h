@@ -18,7 +18,7 @@ public:
 
     void setSheet(const std::optional<BoardSheet>& sheet);
     QSize sizeHint() const override { return {360, 460}; }
-    QSize minimumSizeHint() const override { return {180, 220}; }
+    QSize minimumSizeHint() const override { return {180, 260}; }
 
 protected:
     void paintEvent(QPaintEvent* event) override;
