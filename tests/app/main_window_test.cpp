@@ -355,6 +355,7 @@ TEST_F(MainWindowTest, TheCalibratePageMeasuresTheCamerasPlace) {
     EXPECT_LT(window->document().experiment().source.pose.head<3>().norm(), 0.01);
     EXPECT_EQ(message(), QString());
 
+    ASSERT_TRUE(waitForState(RunState::NotReady)); // the rig with the source there
     ASSERT_NO_FATAL_FAILURE(arm());
     window->pages().show(Page::Calibrate);
     EXPECT_TRUE(waitFor([&] { return find<QLabel>("rigStatus")->text().contains("armed"); }));
