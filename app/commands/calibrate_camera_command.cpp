@@ -83,7 +83,7 @@ struct Size {
 };
 
 std::string sizeText(const Size& size) {
-    return std::to_string(size.width) + " x " + std::to_string(size.height);
+    return pixelsText(size.width, size.height);
 }
 
 /// What the pictures show.

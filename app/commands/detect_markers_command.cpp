@@ -114,16 +114,9 @@ Result<std::vector<FoundMarker>> markersIn(const Request& request) {
     const auto picture = readGreyPicture(request.path);
     if (!picture)
         return picture.error();
-    if (request.pose) {
-        const CameraModel& camera = request.pose->camera;
-        const auto text = [](int width, int height) {
-            return std::to_string(width) + " x " + std::to_string(height);
-        };
-        if (camera.width != 0 && (camera.width != picture->width || camera.height != picture->height))
-            return Error{MessageCode::CameraSizeOther,
-                         request.path,
-                         {text(camera.width, camera.height), text(picture->width, picture->height)}};
-    }
+    if (request.pose)
+        if (const auto fits = checkSize(request.pose->camera, picture->width, picture->height); !fits)
+            return Error{fits.error().code(), request.path, fits.error().message.args};
     std::vector<FoundMarker> markers = findSmallMarkersToo(*picture, request.dictionary);
     std::ranges::stable_sort(markers, {}, &FoundMarker::id);
     return markers;

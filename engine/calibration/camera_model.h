@@ -1,7 +1,7 @@
 #pragma once
 // A calibrated camera: pinhole with Brown's distortion, how sure its numbers are and where they came from.
 
-#include "engine/base/pose.h"
+#include "engine/base/result.h"
 
 #include <array>
 #include <optional>
@@ -34,5 +34,11 @@ struct CameraModel {
 
     bool operator==(const CameraModel&) const = default;
 };
+
+/// "1280 x 720".
+std::string pixelsText(int width, int height);
+
+/// CameraSizeOther where the camera was calibrated for pictures of another size.
+Result<void> checkSize(const CameraModel& camera, int width, int height);
 
 } // namespace bask

@@ -147,11 +147,6 @@ std::vector<HandEyeSight> fitting(std::span<const HandEyeSight> sights, const Ca
     return kept;
 }
 
-PoseDifference differenceBetween(const Pose& a, const Pose& b) {
-    const Vector6d d = displacementBetween(a, b);
-    return {d.head<3>().norm(), d.tail<3>().norm()};
-}
-
 void tellViews(HandEye& result, std::span<const HandEyeSight> sights, std::span<const HandEyeSight> used,
                const CameraModel& camera) {
     const HandEyePoses poses{result.X_RC, result.X_EP};
@@ -200,6 +195,11 @@ Matrix6d lastingOf(const HandEyeSight& sight, const MarkerLayout& layout, const 
 
 } // namespace
 
+PoseDifference differenceBetween(const Pose& a, const Pose& b) {
+    const Vector6d d = displacementBetween(a, b);
+    return {d.head<3>().norm(), d.tail<3>().norm()};
+}
+
 Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const MarkerLayout& layout,
                                  const CameraModel& camera, Mounting mounting) {
     const std::vector<HandEyeSight> sights = sightsOf(views, layout, camera);
@@ -247,6 +247,20 @@ Result<HandEyeCheck> checkHandEye(const HandEye& handEye, const HandEyeView& vie
     Matrix6d expected = J * handEye.covariance * J.transpose() + seen->covariance;
     expected.diagonal() += ofRobot.cwiseAbs2();
     return HandEyeCheck{differenceBetween(poses.X_CP(view.X_RE), seen->X_CP), spreadOf(expected)};
+}
+
+PoseSpread spreadAt(const HandEye& place, const Eigen::Vector3d& p_R, const MarkerLayout& layout,
+                    const CameraModel& camera, const Pose& X_RE) {
+    const Matrix6d carried = carriedBy(p_R - place.X_RC.translation());
+    const Pose X_CE = place.X_RC.inverse() * X_RE;
+    Matrix6d lasting = Matrix6d::Zero(); // one view's is in its covariance
+    if (place.views.size() > 1)
+        lasting = predictedCovariance(layout, Part::EndEffector, camera, X_CE, 1, kLastingCorner_px)
+                      .value_or(Matrix6d::Zero());
+    Matrix6d turn = Matrix6d::Zero(); // C axes into R's
+    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = place.X_RC.linear();
+    return spreadOf(carried * place.covariance.topLeftCorner<6, 6>() * carried.transpose() +
+                    turn * lasting * turn.transpose());
 }
 
 } // namespace bask

@@ -20,6 +20,9 @@ struct PoseDifference {
     double angle_rad = 0.0;
 };
 
+/// How far b lies from a and is turned against it.
+PoseDifference differenceBetween(const Pose& a, const Pose& b);
+
 struct HandEyeResidual {
     bool isUsed = false;
     double rms_px = 0.0;       ///< corners seen from shown
@@ -47,6 +50,11 @@ struct HandEye {
 /// seen; 1 when the mounting is known), HandEyeNoTurn, HandEyeOneAxis, HandEyeContradicts.
 Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const MarkerLayout& layout,
                                  const CameraModel& camera, Mounting mounting);
+
+/// How far a thing at `p_R` is displaced by what X_RC may be off: two standard deviations, with what every
+/// picture of the end-effector's markers at X_RE has in common.
+PoseSpread spreadAt(const HandEye& place, const Eigen::Vector3d& p_R, const MarkerLayout& layout,
+                    const CameraModel& camera, const Pose& X_RE);
 
 /// At another known pose: the markers where the camera sees them from where the robot has them, and how far
 /// that may be by the covariances (2 sigma). Errors as partPose.

@@ -150,9 +150,13 @@ void EngineWorker::setTask() {
     }
 }
 
-void EngineWorker::choose(const std::string& camera) {
+Result<void> EngineWorker::choose(const std::string& camera) {
+    // The old one is waited for, up to seconds: in a run neither STOP nor the heat's watchdog could.
+    if (isInUse())
+        return Error(MessageCode::SessionAlreadyRunning, {});
     m_camera = camera.empty() ? nullptr : std::make_unique<RealCamera>(camera);
     watch(m_watch);
+    return {};
 }
 
 void EngineWorker::handOnView() {
@@ -190,23 +194,12 @@ Result<void> EngineWorker::apply(const Command& command) {
     }
     if (!m_session)
         return Error(MessageCode::ReasonNoExperiment, {});
-    if (const auto* watched = std::get_if<WatchCamera>(&command)) {
-        watch(*watched);
-        return {};
-    }
-    if (const auto* camera = std::get_if<ChooseCamera>(&command)) {
-        // The old one is waited for, up to seconds: in a run neither STOP nor the heat's watchdog could.
-        if (isInUse())
-            return Error(MessageCode::SessionAlreadyRunning, {});
-        choose(camera->name);
-        return {};
-    }
     ServoLoop& loop = m_session->loop;
     return std::visit(Overloaded{
                           [](const LoadExperiment&) { return Result<void>(); },
                           [](const SetSimulationSpeed&) { return Result<void>(); },
-                          [](const WatchCamera&) { return Result<void>(); },
-                          [](const ChooseCamera&) { return Result<void>(); },
+                          [&](const WatchCamera& wanted) { return watch(wanted), Result<void>(); },
+                          [&](const ChooseCamera& camera) { return choose(camera.name); },
                           [&](const SetVision& set) { return setVision(set.vision); },
                           [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
                           [&](const Arm& arm) { return armWith(arm.recordingPath); },

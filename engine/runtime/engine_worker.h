@@ -55,7 +55,7 @@ private:
     void applyFault(const SimulateFault& fault);
     Result<void> setVision(const VisionSpec& vision);
     void watch(const WatchCamera& wanted);
-    void choose(const std::string& camera);
+    Result<void> choose(const std::string& camera);
     void setTask();
     void handOnView();
     bool isInUse() const; ///< a run is armed or on

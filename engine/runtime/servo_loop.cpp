@@ -96,10 +96,8 @@ void ServoLoop::fault(Message reason) {
 Result<void> ServoLoop::arm() {
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal("Arm");
-    if (m_goal) {
-        m_goal.reset();
-        standStill();
-    }
+    if (m_goal)
+        endMove();
     if (!m_sensors.zeroed()) {
         if (const auto zeroed = m_sensors.zero(m_experiment.environment_K); !zeroed)
             return zeroed;
@@ -162,8 +160,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
 
 Result<void> ServoLoop::hold() {
     if (m_goal) {
-        m_goal.reset();
-        standStill();
+        endMove();
         return {};
     }
     if (m_state != RunState::Running && m_state != RunState::Settled)

@@ -86,6 +86,7 @@ private:
     void takeReadings(); ///< from the channels into the latest sample
     void readSourcePose();
     bool facesObjects(const Pose& X_RS) const;
+    void endMove();
     void goOn(); ///< towards the goal of moveTo
     void readRobotAndSource();
     void watchSensors();

@@ -226,11 +226,15 @@ void ServoLoop::goOn() {
     const bool arrived = (*m_goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere;
     const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, *m_goal, period_s, m_rates).rates;
     if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9) {
-        m_goal.reset();
-        standStill();
+        endMove();
     } else {
         move(rates);
     }
+}
+
+void ServoLoop::endMove() {
+    m_goal.reset();
+    standStill();
 }
 
 void ServoLoop::standStill() {

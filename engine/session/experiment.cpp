@@ -393,9 +393,7 @@ void checkVision(Checker& check, const Experiment& e) {
         checkCameraModel(check, "vision.camera.", *vision.camera);
     if (vision.cameraPose)
         checkCoordinates(check, "vision.camera_pose.", *vision.cameraPose, kMaxPlace_cm, false);
-    const bool marked =
-        std::ranges::any_of(vision.markers, [](const auto& m) { return m.part == Part::Source; });
-    if (e.source.tracked && marked && !vision.followsSource())
+    if (e.source.tracked && vision.marks(Part::Source) && !vision.followsSource())
         check.fail(MessageCode::SourceNotFollowed, "source.tracked");
 }
 

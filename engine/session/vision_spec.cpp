@@ -4,9 +4,12 @@
 
 namespace bask {
 
+bool VisionSpec::marks(Part part) const {
+    return std::ranges::find(markers, part, &MarkerSpec::part) != markers.end();
+}
+
 bool VisionSpec::followsSource() const {
-    const bool marked = std::ranges::any_of(markers, [](const auto& m) { return m.part == Part::Source; });
-    return marked && camera && cameraPose;
+    return marks(Part::Source) && camera && cameraPose;
 }
 
 MarkerLayout markerLayout(const VisionSpec& vision) {

@@ -30,6 +30,7 @@ struct VisionSpec {
     std::string cameraPoseDate;
     std::string sourcePoseDate; ///< when source.pose was measured by the camera
 
+    bool marks(Part part) const; ///< a marker sits on it
     /// Enough to follow the source: markers on it, a camera, and where it stands.
     bool followsSource() const;
     bool operator==(const VisionSpec&) const = default;

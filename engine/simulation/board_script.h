@@ -2,6 +2,7 @@
 // How a patient person holds a calibration board before a camera: from one view that tells something new to
 // the next, still for a while at each.
 
+#include "engine/base/pose.h"
 #include "engine/calibration/board.h"
 #include "engine/calibration/camera_model.h"
 

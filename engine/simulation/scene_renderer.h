@@ -1,6 +1,7 @@
 #pragma once
 // Pictures of flat things on a bench, through a lens with distortion.
 
+#include "engine/base/pose.h"
 #include "engine/calibration/camera_model.h"
 #include "engine/calibration/projection.h"
 #include "engine/shape/marker.h"

@@ -1,7 +1,5 @@
 #include "engine/vision/camera_source_tracker.h"
 
-#include "engine/base/message_code.h"
-
 namespace bask {
 
 PoseReading readingOf(const std::optional<TrackedPose>& pose, TrackState state, const Pose& X_RC,
@@ -21,16 +19,6 @@ PoseReading readingOf(const std::optional<TrackedPose>& pose, TrackState state, 
     return reading;
 }
 
-Result<void> checkSize(const CameraModel& camera, const GreyPicture& picture) {
-    if (camera.width == 0 || (camera.width == picture.width && camera.height == picture.height))
-        return {};
-    const auto text = [](int width, int height) {
-        return std::to_string(width) + " x " + std::to_string(height);
-    };
-    return Error(MessageCode::CameraSizeOther, {},
-                 {text(camera.width, camera.height), text(picture.width, picture.height)});
-}
-
 CameraSourceTracker::CameraSourceTracker(Camera& camera, const Clock& clock, const MarkerLayout& layout,
                                          const CameraModel& model, const Pose& X_RC)
     : m_camera(camera), m_clock(clock), m_model(model), m_X_RC(X_RC), m_tracker(layout, Part::Source, model) {
@@ -41,7 +29,7 @@ Result<void> CameraSourceTracker::look() {
     if (!newest)
         return newest.error();
     const auto& frame = *newest;
-    if (const auto fits = checkSize(m_model, frame->picture); !fits)
+    if (const auto fits = checkSize(m_model, frame->picture.width, frame->picture.height); !fits)
         return fits;
     if (frame == m_frame)
         return {};

@@ -12,9 +12,6 @@ namespace bask {
 PoseReading readingOf(const std::optional<TrackedPose>& pose, TrackState state, const Pose& X_RC,
                       double time_s, double latency_s);
 
-/// CameraSizeOther where the camera was calibrated for pictures of another size.
-Result<void> checkSize(const CameraModel& camera, const GreyPicture& picture);
-
 /// One thread. The pose of the camera in R and its calibration are taken as exact.
 class CameraSourceTracker final : public SourceTracker {
 public:

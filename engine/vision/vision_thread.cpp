@@ -118,7 +118,7 @@ void VisionThread::look(const VisionTask& task, std::optional<PartTracker>& trac
     m_last_s = start_s;
     m_period_s = m_period_s > 0.0 && period_s < 1.0 ? m_period_s + kSmoothing * (period_s - m_period_s)
                                                     : std::min(period_s, 1.0);
-    if (tracker && checkSize(*task.camera, m_frame->picture))
+    if (tracker && checkSize(*task.camera, m_frame->picture.width, m_frame->picture.height))
         follow(*tracker);
     if (task.show && start_s - m_shown_s >= kShow_s) {
         m_shown_s = start_s;
@@ -132,6 +132,7 @@ void VisionThread::loseCamera(const VisionTask& task, const Message& problem) {
         view.frame = m_frame;
         view.problem = problem;
         publish(std::move(view));
+        m_shown_s = -1e300; // the first picture after it is shown whenever it comes
     }
     {
         const std::lock_guard lock(m_mutex);
@@ -158,7 +159,7 @@ void VisionThread::show(const VisionTask& task, const std::optional<PartTracker>
     view.frame = m_frame;
     VisionTask known = task;
     if (known.camera)
-        if (const auto fits = checkSize(*known.camera, picture); !fits) {
+        if (const auto fits = checkSize(*known.camera, picture.width, picture.height); !fits) {
             if (!task.board) // else it is being calibrated anew
                 view.problem = fits.error().message;
             known.camera.reset();

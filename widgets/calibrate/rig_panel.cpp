@@ -58,38 +58,6 @@ QString poseWords(const Pose& X) {
         .arg(mm(q[kX]), mm(q[kY]), mm(q[kZ]), degrees(q[kThetaX]), degrees(q[kThetaY]), degrees(q[kThetaZ]));
 }
 
-PoseDifference differenceOf(const Pose& a, const Pose& b) {
-    const Pose between = a.inverse() * b;
-    return {between.translation().norm(), Eigen::AngleAxisd(between.linear()).angle()};
-}
-
-/// How far a thing at `p_R` is displaced by what X_RC may be off: two standard deviations, with what every
-/// picture of the end-effector's markers at X_RE has in common.
-PoseSpread spreadAt(const HandEye& place, const Eigen::Vector3d& p_R, const MarkerLayout& layout,
-                    const CameraModel& camera, const Pose& X_RE) {
-    const Matrix6d carried = carriedBy(p_R - place.X_RC.translation());
-    const Pose X_CE = place.X_RC.inverse() * X_RE;
-    Matrix6d lasting = Matrix6d::Zero(); // one view's is in its covariance
-    if (place.views.size() > 1)
-        lasting = predictedCovariance(layout, Part::EndEffector, camera, X_CE, 1, kLastingCorner_px)
-                      .value_or(Matrix6d::Zero());
-    Matrix6d turn = Matrix6d::Zero(); // C axes into R's
-    turn.topLeftCorner<3, 3>() = turn.bottomRightCorner<3, 3>() = place.X_RC.linear();
-    return spreadOf(carried * place.covariance.topLeftCorner<6, 6>() * carried.transpose() +
-                    turn * lasting * turn.transpose());
-}
-
-/// Code None where pictures are as large as those that the camera was calibrated with.
-Message otherSize(const CameraModel& camera, const GreyPicture& picture) {
-    if (camera.width == picture.width && camera.height == picture.height)
-        return {};
-    const auto text = [](int width, int height) {
-        return std::to_string(width) + " x " + std::to_string(height);
-    };
-    return {MessageCode::CameraSizeOther,
-            {text(camera.width, camera.height), text(picture.width, picture.height)}};
-}
-
 int priorityOf(Verdict verdict) {
     return verdict == Verdict::Redo ? 2 : verdict == Verdict::Usable ? 3 : 0;
 }
@@ -205,7 +173,6 @@ void RigPanel::setExperiment(const Experiment& experiment) {
                            m_experiment.vision.markers == experiment.vision.markers &&
                            m_experiment.vision.dictionary == experiment.vision.dictionary;
     m_experiment = experiment;
-    m_geometry = rigGeometry(experiment);
     if (!isSameRig)
         forget();
     m_markers->setVision(experiment.vision);
@@ -232,8 +199,11 @@ void RigPanel::setView(const VisionView& view) {
     const bool isNew = view.frame && (!m_hasFrame || view.frame->number != m_frame);
     m_hasFrame = view.frame != nullptr;
     m_problem = view.problem;
-    if (m_hasFrame && m_problem.code == MessageCode::None && m_experiment.vision.camera)
-        m_problem = otherSize(*m_experiment.vision.camera, view.frame->picture);
+    if (m_hasFrame && m_problem.code == MessageCode::None && m_experiment.vision.camera) {
+        const GreyPicture& picture = view.frame->picture;
+        if (const auto fits = checkSize(*m_experiment.vision.camera, picture.width, picture.height); !fits)
+            m_problem = fits.error().message;
+    }
     if (isNew && m_problem.code == MessageCode::None) {
         m_frame = view.frame->number;
         MarkerFrame frame;
@@ -261,11 +231,11 @@ void RigPanel::begin(Task task) {
     m_task = task;
     m_status->clear();
     if (task == Task::PlaceTour) {
-        m_survey.begin(surveyPoses(*m_geometry, m_robot), kFramesOnTour);
+        m_survey.begin(surveyPoses(*rigGeometry(m_experiment), m_robot), kFramesOnTour);
     } else if (task == Task::PlaceCheck) {
         // Neither a pose of the tour nor the one where it is.
-        std::vector<Vector6d> poses = surveyPoses(*m_geometry, m_robot);
-        m_survey.begin({0.6 * poses.front() + 0.4 * m_robot}, kFramesHere);
+        const Vector6d first = surveyPoses(*rigGeometry(m_experiment), m_robot).front();
+        m_survey.begin({0.6 * first + 0.4 * m_robot}, kFramesHere);
     } else {
         m_survey.begin({}, kFramesHere);
     }
@@ -366,6 +336,14 @@ void RigPanel::useSource() {
     emit sourceMeasured(vision, coordinatesFromPose(m_X_RS));
 }
 
+bool RigPanel::isPlaceUsed() const {
+    return m_experiment.vision.cameraPose == coordinatesFromPose(m_place->X_RC);
+}
+
+bool RigPanel::isSourceUsed() const {
+    return m_experiment.source.pose == coordinatesFromPose(m_X_RS);
+}
+
 void RigPanel::showProgress() {
     const bool isBusy = m_task != Task::None;
     m_progress->setVisible(isBusy);
@@ -399,7 +377,7 @@ void RigPanel::showPlace() {
     }
     const PoseSpread& spread = m_placeSpread;
     const Verdict verdict = verdictOn(spread);
-    const bool isUsed = vision.cameraPose && *vision.cameraPose == coordinatesFromPose(m_place->X_RC);
+    const bool isUsed = isPlaceUsed();
     m_placeVerdict->setText(isUsed ? tr("%1, in use").arg(verdictWord(verdict)) : verdictWord(verdict));
     const int priority = priorityOf(verdict);
     m_placeIcon->setVisible(priority > 0);
@@ -440,14 +418,14 @@ void RigPanel::showSource() {
         return;
     }
     const Judgement judgement = judged(*m_source);
-    const bool isUsed = m_experiment.source.pose == coordinatesFromPose(m_X_RS);
+    const bool isUsed = isSourceUsed();
     m_sourceVerdict->setText(isUsed ? tr("%1, in use").arg(verdictWord(judgement.verdict))
                                     : verdictWord(judgement.verdict));
     const int priority = priorityOf(judgement.verdict);
     m_sourceIcon->setVisible(priority > 0);
     if (priority > 0)
         m_sourceIcon->setPixmap(alarmPixmap(priority, isDark(this), kIcon, devicePixelRatio()));
-    const PoseDifference off = differenceOf(believed, m_X_RS);
+    const PoseDifference off = differenceBetween(believed, m_X_RS);
     QStringList lines{sentenceText(judgement.reason),
                       tr("The end-effector in the source: %1.").arg(poseWords(m_source->X_AB)),
                       tr("The source in the robot's base: %1.").arg(poseWords(m_X_RS))};
@@ -461,13 +439,9 @@ void RigPanel::showSource() {
 }
 
 QString RigPanel::whyNot() const {
-    const auto marked = [this](Part part) {
-        return std::ranges::any_of(m_experiment.vision.markers,
-                                   [part](const MarkerSpec& m) { return m.part == part; });
-    };
     if (!m_experiment.vision.camera)
         return tr("Calibrate the camera first.");
-    if (!marked(Part::EndEffector))
+    if (!m_experiment.vision.marks(Part::EndEffector))
         return tr("List the markers on the end-effector first.");
     if (m_problem.code != MessageCode::None)
         return sentenceText(m_problem);
@@ -481,17 +455,14 @@ QString RigPanel::whyNot() const {
 void RigPanel::showEnabled() {
     const QString reason = whyNot();
     const bool isFree = reason.isEmpty() && m_task == Task::None;
-    const bool hasSource = std::ranges::any_of(m_experiment.vision.markers,
-                                               [](const MarkerSpec& m) { return m.part == Part::Source; });
-    for (QPushButton* button : {m_here, m_tour, m_measure, m_checkButton})
+    for (QPushButton* button : {m_here, m_tour})
         button->setEnabled(isFree);
     m_checkButton->setEnabled(isFree && m_place);
     m_follow->setChecked(m_experiment.source.tracked);
     m_follow->setEnabled(m_mayMove && (m_experiment.source.tracked || m_experiment.vision.followsSource()));
-    m_measure->setEnabled(isFree && hasSource);
-    m_usePlace->setEnabled(m_place && m_mayMove &&
-                           m_experiment.vision.cameraPose != coordinatesFromPose(m_place->X_RC));
-    m_useSource->setEnabled(m_source && m_mayMove && m_experiment.source.pose != coordinatesFromPose(m_X_RS));
+    m_measure->setEnabled(isFree && m_experiment.vision.marks(Part::Source));
+    m_usePlace->setEnabled(m_place && m_mayMove && !isPlaceUsed());
+    m_useSource->setEnabled(m_source && m_mayMove && !isSourceUsed());
     if (m_task == Task::None && !reason.isEmpty() && m_status->text() != reason) {
         m_status->setText(reason);
         m_isReason = true;

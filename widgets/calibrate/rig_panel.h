@@ -11,7 +11,6 @@
 
 #include <QWidget>
 
-#include <memory>
 #include <optional>
 
 class QCheckBox;
@@ -77,6 +76,8 @@ private:
     void take(Task task, Outcome outcome);
     void usePlace();
     void useSource();
+    bool isPlaceUsed() const;  ///< m_place is
+    bool isSourceUsed() const; ///< m_source is
     void showProgress();
     void showPlace();
     void showSource();
@@ -85,7 +86,6 @@ private:
     void retranslate();
 
     Experiment m_experiment;
-    std::shared_ptr<const RigGeometry> m_geometry;
     std::uint64_t m_frame = 0; ///< number of the last one
     std::string m_cameraName;  ///< of the last view
     Message m_problem;         ///< why pictures cannot be measured in; code None: they can

@@ -1,6 +1,7 @@
 #pragma once
 // Pictures, boards and cameras that several tests of engine/calibration share.
 
+#include "engine/base/pose.h"
 #include "engine/calibration/board.h"
 #include "engine/calibration/camera_model.h"
 #include "engine/shape/contour_import.h"

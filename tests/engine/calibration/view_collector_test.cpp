@@ -3,6 +3,7 @@
 #include "engine/calibration/view_collector.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/pose.h"
 #include "engine/base/units.h"
 #include "tests/support/board_views.h"
 
