@@ -23,10 +23,13 @@ ENGINE = {
     "thermal": {"shape", "base"},
     "control": {"radiation", "thermal", "shape", "base"},
     "devices": {"shape", "base"},
+    "protocols": {"base"},
+    "drivers": {"protocols", "devices", "base"},
+    "device_simulators": {"protocols", "simulation", "radiation", "thermal", "shape", "base"},
     "vision": {"devices", "calibration", "shape", "base"},
     "simulation": {"devices", "calibration", "radiation", "thermal", "shape", "base"},
-    "session": {"calibration", "control", "thermal", "shape", "base"},
-    "runtime": {"exchange", "vision", "simulation", "calibration", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
+    "session": {"calibration", "protocols", "control", "thermal", "shape", "base"},
+    "runtime": {"exchange", "vision", "drivers", "protocols", "simulation", "calibration", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
 }
 
 # Engine headers that widgets and the window may see: values, never devices, simulation or the worker.
@@ -49,6 +52,10 @@ VALUE_HEADERS = {
     "engine/session/session_file.h",
     "engine/session/trace.h",
     "engine/devices/camera.h",
+    "engine/devices/device.h",
+    "engine/protocols/axis_map.h",
+    "engine/protocols/modbus_profile.h",
+    "engine/session/rig_spec.h",
     "engine/vision/vision_view.h",
     "engine/runtime/command.h",
     "engine/runtime/snapshot.h",
@@ -86,6 +93,16 @@ QT_SVG = set("""
 QPaintDevice QPaintEngine QPainter QPainterPath QStringConverter QSvgRenderer QXmlStreamReader QXmlStreamWriter
 """.split())
 
+# The links of engine/drivers.
+QT_LINKS = set("""
+QHostAddress QIODevice QModbusDataUnit QModbusDevice QModbusReply QModbusRequest QModbusResponse QModbusRtuSerialClient
+QSerialPort QSerialPortInfo QTcpSocket QAbstractSocket
+""".split())
+
+
+def is_link_source(path):
+    return path.parts[:2] == ("engine", "drivers") and path.suffix == ".cpp"
+
 
 def is_value_header(target, parts):
     return parts[1] in VALUE_FOLDERS or target in VALUE_HEADERS
@@ -112,6 +129,8 @@ def qt_in_engine(path):
     if is_svg_source(path):
         return True
     if path.parts[:2] == ("engine", "session"):
+        return path.suffix not in HEADER_SUFFIXES
+    if path.parts[:2] == ("engine", "drivers"):  # serial ports, sockets, QtSerialBus
         return path.suffix not in HEADER_SUFFIXES
     if path.parts[:2] == ("engine", "runtime"):
         return name.startswith(("engine_worker", "job_runner"))
@@ -304,6 +323,7 @@ class Checker:
             return
         module, _, name = target.rpartition("/")
         known = QT_CORE_AND_SQL | QT_MODULES_IN_ENGINE | (QT_SVG if is_svg_source(path) else set())
+        known |= QT_LINKS if is_link_source(path) else set()
         if (module and module not in QT_MODULES_IN_ENGINE) or name not in known:
             self.report(path, line, "qt", f"<{target}>: the engine uses QtCore and QtSql only")
 

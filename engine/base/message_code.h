@@ -215,6 +215,51 @@ enum class MessageCode : int {
     CommandNotNow, ///< %1 command, %2 state
     SessionAlreadyRunning,
     MoveOutside, ///< no args
+    // Links and devices
+    LinkNotOpened,       ///< %1 port, %2 words
+    LinkLost,            ///< %1 port, %2 words
+    LinkStuck,           ///< %1 port
+    DeviceSilent,        ///< %1 port, %2 s
+    DeviceOther,         ///< %1 port, %2 what it said
+    DeviceAnswersWrong,  ///< %1 port, %2 words
+    DeviceException,     ///< %1 port, %2 unit, %3 exception
+    RobotOpening,        ///< no args
+    RobotAlarm,          ///< %1 number, %2 words
+    RobotRefused,        ///< %1 number, %2 words
+    RobotRestarted,      ///< no args
+    RobotPlaceUnsure,    ///< no args
+    RobotHeld,           ///< %1 state
+    RobotDisabled,       ///< no args
+    RobotCannotHome,     ///< no args
+    RobotStepOutside,    ///< no args
+    RobotElsewhere,      ///< %1 mm
+    RobotSlow,           ///< %1 s
+    AxesNone,            ///< no args
+    AxisLetterUnknown,   ///< %1 letter
+    AxisLetterTwice,     ///< %1 letter
+    AxisCoordinateTwice, ///< %1 coordinate
+    AxisMissing,         ///< %1 coordinate
+    RigIncomplete,       ///< %1 device
+    SimulatedPortTaken,  ///< %1 path
+    // Safety monitor
+    SafetyStartUp,            ///< no args
+    SafetyObjectWarm,         ///< %1 object, %2 degC, %3 degC
+    SafetyObjectHot,          ///< %1 object, %2 degC, %3 degC
+    SafetySourceHot,          ///< %1 degC, %2 degC
+    SafetySensorOpen,         ///< %1 object
+    SafetySensorShort,        ///< %1 object
+    SafetySensorFrozen,       ///< %1 object, %2 s
+    SafetySensorJump,         ///< %1 object, %2 K/s, %3 K/s
+    SafetySensorsApart,       ///< %1 object, %2 object, %3 K
+    SafetyNotWarming,         ///< %1 object, %2 K, %3 s
+    SafetySourceNotHeating,   ///< %1 degC, %2 degC, %3 s
+    SafetySourceHeatsUnasked, ///< %1 K, %2 s
+    SafetySetPointOther,      ///< %1 degC, %2 degC
+    SafetyLoopLate,           ///< %1 s
+    SafetyDiskLow,            ///< %1 MB, %2 MB
+    SafetySourceSilent,       ///< %1 s
+    EventFault,               ///< %1 name
+    EventAlarmOver,           ///< %1 sentence
 };
 
 } // namespace bask

@@ -4,6 +4,8 @@
 
 #include "engine/devices/thermometer.h"
 
+#include <optional>
+
 namespace bask {
 
 /// Used on the engine thread only.
@@ -16,6 +18,10 @@ public:
     virtual Result<void> keepHeating(double setPoint_K, double validFor_s) = 0;
     virtual Result<void> heatOff() = 0;
     virtual bool heating() const = 0;
+    /// As the device reads it back, K; empty where it does not tell.
+    virtual std::optional<double> setPoint_K() const { return std::nullopt; }
+    /// A person keeps it hot: it cannot be switched from here.
+    virtual bool isByHand() const { return false; }
 };
 
 } // namespace bask

@@ -9,8 +9,11 @@ namespace bask {
 /// State at one moment.
 struct RobotState {
     double time_s = 0.0;                     ///< of the reading, on the engine's clock
-    Vector6d coordinates = Vector6d::Zero(); ///< end-effector in S, m and rad
+    Vector6d coordinates = Vector6d::Zero(); ///< end-effector in R, m and rad
     bool moving = false;
+    /// False where the controller may not know its own place: restarted, stopped in motion, not homed.
+    bool isPlaceSure = true;
+    Message alarm = {}; ///< what keeps it from moving until somebody has seen to it; None: nothing
 };
 
 /// Used on the engine thread only. A call that finds the link down answers an Error and leaves the robot
@@ -24,6 +27,10 @@ public:
     virtual Result<void> setTwist(const Vector6d& twist, double validFor_s) = 0;
     /// Zero velocity now.
     virtual Result<void> halt() = 0;
+    /// Finds its place anew by its switches; moves. Refused where it cannot.
+    virtual Result<void> home() = 0;
+    /// Clears an alarm or a hold of its controller after a person has seen to it; never moves.
+    virtual Result<void> clearAlarm() = 0;
 };
 
 } // namespace bask

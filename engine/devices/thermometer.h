@@ -7,11 +7,15 @@
 
 namespace bask {
 
+/// What a device says of a sensor that gives no temperature.
+enum class SensorFault { None, Open, Short, OutOfRange, Other };
+
 /// One channel's newest reading; an open, shorted or implausible sensor is invalid, never a number.
 struct Reading {
     double time_s = 0.0; ///< when it was measured, on the engine's clock
     double value_K = 0.0;
     bool valid = false;
+    SensorFault fault = SensorFault::None; ///< of one that is not valid, where the device tells
 };
 
 /// Used on the engine thread only.

@@ -32,6 +32,8 @@ public:
     Result<RobotState> state() override;
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
     Result<void> halt() override;
+    Result<void> home() override { return {}; } ///< its place is always sure
+    Result<void> clearAlarm() override { return {}; }
 
     /// Moves for dt_s of the clock's time.
     void advance(double dt_s);

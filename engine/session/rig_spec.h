@@ -1,0 +1,69 @@
+#pragma once
+// The devices of a real rig: which driver, on which port, with what settings.
+
+#include "engine/base/result.h"
+#include "engine/protocols/axis_map.h"
+#include "engine/protocols/modbus_profile.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// A serial line.
+struct SerialSpec {
+    int baud = 115200;
+    int dataBits = 8;
+    char parity = 'N'; ///< N, E, O
+    int stopBits = 1;
+    bool operator==(const SerialSpec&) const = default;
+};
+
+enum class RobotDriver { Grbl, Dobot };
+
+struct RobotDeviceSpec {
+    RobotDriver driver = RobotDriver::Grbl;
+    std::string port; ///< a serial port's path, or a host name of a Dobot
+    SerialSpec serial{};
+    std::vector<AxisSpec> axes{
+        {'X', 0, false, 0.0}, {'Y', 1, false, 0.0}, {'Z', 2, false, 0.0}, {'A', 3, false, 0.0}};
+    bool mustHome = false; ///< its place is not sure before it has been homed
+    bool operator==(const RobotDeviceSpec&) const = default;
+};
+
+enum class ThermometerDriver { Modbus, Stream };
+
+struct ThermometerDeviceSpec {
+    ThermometerDriver driver = ThermometerDriver::Modbus;
+    std::string port;
+    SerialSpec serial{};
+    int unit = 1;              ///< Modbus
+    ModbusProfile profile{};   ///< Modbus
+    std::vector<int> channels; ///< of each object, counted from 0
+    bool operator==(const ThermometerDeviceSpec&) const = default;
+};
+
+enum class HeatSourceDriver { ByHand, Namur, Modbus };
+
+struct HeatSourceDeviceSpec {
+    HeatSourceDriver driver = HeatSourceDriver::ByHand;
+    std::string port;
+    SerialSpec serial{};
+    int unit = 1;
+    ModbusProfile profile{};
+    double watchdog_s = 30.0; ///< of the device, where it has one
+    bool isProbeUsed = false; ///< Namur: its external probe is at the surface
+    bool operator==(const HeatSourceDeviceSpec&) const = default;
+};
+
+/// A rig without one of them cannot be run.
+struct RigSpec {
+    std::string name;
+    std::optional<RobotDeviceSpec> robot;
+    std::optional<ThermometerDeviceSpec> thermometer;
+    std::optional<HeatSourceDeviceSpec> source;
+    bool operator==(const RigSpec&) const = default;
+};
+
+} // namespace bask
