@@ -120,7 +120,7 @@ def is_svg_source(path):
 def is_json_inside(path):
     """Headers between session's own readers and writers of JSON; nobody else includes them."""
     return path.as_posix() in {"engine/session/json_fields.h", "engine/session/json_quantities.h",
-                               "engine/session/vision_json.h"}
+                               "engine/session/rig_json.h", "engine/session/vision_json.h"}
 
 
 def qt_in_engine(path):

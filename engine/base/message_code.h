@@ -239,6 +239,10 @@ enum class MessageCode : int {
     AxisLetterTwice,     ///< %1 letter
     AxisCoordinateTwice, ///< %1 coordinate
     AxisMissing,         ///< %1 coordinate
+    ChannelCountWrong,   ///< %1 channels, %2 objects
+    ChannelTwice,        ///< %1 channel
+    PortTwice,           ///< %1 port
+    ProfileOther,        ///< %1 profile
     RigIncomplete,       ///< %1 device
     SimulatedPortTaken,  ///< %1 path
     // Safety monitor

@@ -357,6 +357,15 @@ void checkSimulation(Checker& check, const SimulationSpec& s, double period_s) {
     check.range("simulation.tracking_delay_s", s.trackingDelay_s, 0.0, 2.0, "s");
 }
 
+/// With its place inside of a larger part.
+Result<void> inside(const std::string& path, Result<void> result) {
+    if (result)
+        return result;
+    Error error = result.error();
+    error.where = path + error.where;
+    return error;
+}
+
 void checkCameraModel(Checker& check, const std::string& path, const CameraModel& camera) {
     check.range(path + "width_px", camera.width, 16.0, kMaxPicture_px, "px");
     check.range(path + "height_px", camera.height, 16.0, kMaxPicture_px, "px");
@@ -384,11 +393,7 @@ void checkVision(Checker& check, const Experiment& e) {
     for (std::size_t i = 0; i < vision.markers.size() && !check.failed(); ++i)
         checkCoordinates(check, "vision.markers[" + to_string(i) + "].pose.", vision.markers[i].pose,
                          kMaxPlace_cm, true);
-    if (const auto layout = checkLayout(markerLayout(vision)); !layout) {
-        Error error = layout.error();
-        error.where = "vision." + error.where;
-        check.take(error);
-    }
+    check.take(inside("vision.", checkLayout(markerLayout(vision))));
     if (vision.camera)
         checkCameraModel(check, "vision.camera.", *vision.camera);
     if (vision.cameraPose)
@@ -481,6 +486,8 @@ Result<void> validate(const Experiment& e) {
     checkTrueSource(check, e);
     checkSimulatedCamera(check, e.simulation.camera);
     checkVision(check, e);
+    if (e.rig && !check.failed())
+        check.take(inside("rig.", checkRig(*e.rig, e.objects.size(), e.robot.free)));
     if (!check.failed())
         checkStart(check, e);
     if (check.failed())

@@ -5,6 +5,7 @@
 #include "engine/base/time_table.h"
 #include "engine/control/controller_settings.h"
 #include "engine/control/robot_limits.h"
+#include "engine/session/rig_spec.h"
 #include "engine/session/vision_spec.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/shape.h"
@@ -117,6 +118,7 @@ struct Experiment {
     SamplingSpec sampling;
     SimulationSpec simulation;
     VisionSpec vision;
+    std::optional<RigSpec> rig; ///< the real devices; empty: it runs on the simulated rig
 
     bool operator==(const Experiment&) const = default;
 };

@@ -3,6 +3,7 @@
 #include "engine/session/experiment.h"
 #include "engine/session/json_fields.h"
 #include "engine/session/json_text.h"
+#include "engine/session/rig_json.h"
 #include "engine/session/vision_json.h"
 
 #include <nlohmann/json.hpp>
@@ -441,6 +442,9 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     part("sampling", false, readSampling, e.sampling);
     part("simulation", false, readSimulation, e.simulation);
     part("vision", false, readVision, e.vision);
+    readPart(root, "rig", false, [&](const json& value, const std::string& where) {
+        readRig(value, where, failure, e.rig.emplace());
+    });
     const json* objects = root.find("objects", true);
     // Keys first: an import is only worth its time in a file that is otherwise right.
     root.close();

@@ -1,6 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/session/experiment.h"
 #include "engine/session/json_quantities.h"
+#include "engine/session/rig_json.h"
 #include "engine/session/vision_json.h"
 
 #include <QSaveFile>
@@ -200,6 +201,8 @@ Json experimentJson(const Experiment& e) {
     j["simulation"] = simulationJson(e.simulation);
     if (e.vision != VisionSpec())
         j["vision"] = visionJson(e.vision);
+    if (e.rig)
+        j["rig"] = rigJson(*e.rig);
     return j;
 }
 

@@ -5,6 +5,7 @@
 #include "engine/protocols/axis_map.h"
 #include "engine/protocols/modbus_profile.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -57,13 +58,19 @@ struct HeatSourceDeviceSpec {
     bool operator==(const HeatSourceDeviceSpec&) const = default;
 };
 
-/// A rig without one of them cannot be run.
+/// A rig without one of the first three cannot be run.
 struct RigSpec {
     std::string name;
     std::optional<RobotDeviceSpec> robot;
     std::optional<ThermometerDeviceSpec> thermometer;
     std::optional<HeatSourceDeviceSpec> source;
+    std::string camera; ///< as VideoCamera has it; empty: none
     bool operator==(const RigSpec&) const = default;
 };
+
+/// For so many objects and these free coordinates: ranges, every free coordinate driven by an axis, a channel
+/// an object, no port used twice but by Modbus devices on one line. The error's `where` begins inside the
+/// rig: "thermometer.channels[1]".
+Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates);
 
 } // namespace bask
