@@ -2,6 +2,7 @@
 #include "engine/base/message_code.h"
 
 #include "app/commands/experiment_arguments.h"
+#include "app/commands/live_run.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/base/units.h"
@@ -94,7 +95,7 @@ void printOutcome(const RunOutcome& outcome, double wall_s) {
                     celsiusFromKelvin(object.target_K), celsiusFromKelvin(object.final_K),
                     object.final_K - object.target_K, settled.c_str());
     }
-    std::printf("%s after %.0f s simulated, %.2f s of wall time\n",
+    std::printf("%s after %.0f s of the run, %.2f s of wall time\n",
                 outcome.fault     ? "fault"
                 : outcome.settled ? "settled"
                                   : "not settled",
@@ -118,7 +119,8 @@ void printProgress(double time_s, const TraceSample& sample) {
         return;
     std::fprintf(stderr, "\r%7.0f s ", time_s);
     for (const ObjectSample& object : sample.objects)
-        std::fprintf(stderr, " %7.2f", celsiusFromKelvin(object.true_K));
+        std::fprintf(stderr, " %7.2f",
+                     celsiusFromKelvin(std::isfinite(object.true_K) ? object.true_K : object.estimated_K));
     std::fprintf(stderr, " degC ");
 }
 
@@ -132,12 +134,14 @@ int refuse(const Error& error) {
 int runExperimentCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        "Runs an experiment on the simulated rig, as fast as the machine goes.\n"
+        "Runs an experiment on the simulated rig, as fast as the machine goes, or with --live on its own\n"
+        "rig: the robot then moves and the source heats. Ctrl+C stops it, a second one at once.\n"
         "Exit code: 0 settled, 1 fault, 2 bad input or unwritable output, 3 not settled.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");
     parser.addOptions(
-        {{"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
+        {{"live", "On the devices of the experiment's \"rig\", in real time."},
+         {"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
          {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.",
           "SECONDS"},
          {"seed", "Seed of noise, sensor offsets and wrong beliefs.", "N"},
@@ -154,7 +158,9 @@ int runExperimentCommand(const QStringList& arguments) {
         request->options.progress = printProgress;
     QElapsedTimer timer;
     timer.start();
-    const auto outcome = runSimulated(request->experiment, request->options);
+    const bool isLive = parser.isSet("live");
+    const auto outcome = isLive ? runLive(request->experiment, request->options)
+                                : runSimulated(request->experiment, request->options);
     if (terminal)
         std::fputc('\n', stderr);
     if (!outcome)

@@ -249,6 +249,8 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(ChannelTwice, QT_TRANSLATE_NOOP("Message", "two objects have channel %1; give each its own")),
     Entry BASK_MESSAGE(PortTwice, QT_TRANSLATE_NOOP("Message", "two devices are on \"%1\"; only Modbus devices of different units and the same line settings can share a port")),
     Entry BASK_MESSAGE(ProfileOther, QT_TRANSLATE_NOOP("Message", "the profile \"%1\" is that of another kind of device")),
+    Entry BASK_MESSAGE(FaultOnRealRig, QT_TRANSLATE_NOOP("Message", "faults can be simulated on the simulated rig only")),
+    Entry BASK_MESSAGE(RigMissing, QT_TRANSLATE_NOOP("Message", "the experiment has no rig of its own (\"rig\"), only the simulated one")),
     Entry BASK_MESSAGE(RigIncomplete, QT_TRANSLATE_NOOP("Message", "the rig has no %1; set one, or use the simulated rig")),
     Entry BASK_MESSAGE(SimulatedPortTaken, QT_TRANSLATE_NOOP("Message", "\"%1\" exists and is not a link; choose another path")),
     Entry BASK_MESSAGE(SafetyStartUp, QT_TRANSLATE_NOOP("Message", "Bask has just connected to the rig. Check it, then reset.")),

@@ -243,6 +243,8 @@ enum class MessageCode : int {
     ChannelTwice,        ///< %1 channel
     PortTwice,           ///< %1 port
     ProfileOther,        ///< %1 profile
+    FaultOnRealRig,      ///< no args
+    RigMissing,          ///< no args
     RigIncomplete,       ///< %1 device
     SimulatedPortTaken,  ///< %1 path
     // Safety monitor

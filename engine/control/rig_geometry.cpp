@@ -9,6 +9,7 @@ namespace bask {
 namespace {
 
 constexpr double kTableTolerance = 1e-6;
+constexpr double kSlack = 1e-9; ///< of places, m and rad
 
 /// Faces in one plane have no view factor: even without a clearance objects stop this short of it.
 constexpr double kLeastClearance_m = 1e-4;
@@ -105,11 +106,19 @@ double RigGeometry::lowestPoint_m(const Vector6d& q) const {
 }
 
 bool RigGeometry::allowed(const Vector6d& q) const {
-    constexpr double kSlack = 1e-9;
     for (const int k : m_free)
         if (q[k] < m_limits.lower[k] - kSlack || q[k] > m_limits.upper[k] + kSlack)
             return false;
     return m_mounted.empty() || lowestPoint_m(q) >= m_limits.clearance_m - kSlack;
+}
+
+bool RigGeometry::mayStep(const Vector6d& from, const Vector6d& to) const {
+    for (const int k : m_free)
+        if (!(to[k] >= std::min(m_limits.lower[k], from[k]) - kSlack &&
+              to[k] <= std::max(m_limits.upper[k], from[k]) + kSlack))
+            return false;
+    return m_mounted.empty() ||
+           lowestPoint_m(to) >= std::min(m_limits.clearance_m, lowestPoint_m(from)) - kSlack;
 }
 
 } // namespace bask

@@ -2,15 +2,18 @@
 
 #include "engine/base/message_code.h"
 #include "engine/devices/video_camera.h"
+#include "engine/runtime/real_rig.h"
 #include "engine/runtime/rig_setup.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 
 namespace bask {
 namespace {
 
 constexpr int kTimer_ms = 20;
+constexpr int kRealTimer_ms = 4; ///< real devices are listened to so often
 constexpr double kPublish_s = 0.05;
 constexpr double kLongestGap_s =
     1.0; ///< of wall time that is made up for, after a suspended or stalled computer
@@ -27,20 +30,39 @@ struct EngineWorker::Session {
     struct Tracker final : SourceTracker {
         explicit Tracker(Session& owner) : session(owner) {}
         Result<PoseReading> read() override {
-            return session.loop.experiment().vision.followsSource() ? session.vision.read()
-                                                                    : session.rig.sourceTracker().read();
+            if (session.vision && session.loop.experiment().vision.followsSource())
+                return session.vision->read();
+            if (session.simulated)
+                return session.simulated->sourceTracker().read();
+            return PoseReading();
         }
         Session& session;
     };
 
     explicit Session(const Experiment& experiment)
-        : rig(simulatedRigConfig(experiment)), vision(rig.camera(), "simulated", rig.clock()), tracker(*this),
-          loop(experiment,
-               {rig.robot(), rig.thermometer(), rig.heatSource(), [this] { return rig.trueTemperatures_K(); },
-                &tracker},
-               rig.clock()) {}
-    SimulatedRig rig;
-    VisionThread vision;
+        : simulated(experiment.rig ? nullptr
+                                   : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
+          real(experiment.rig ? std::make_unique<RealRig>(experiment, steady) : nullptr), tracker(*this),
+          loop(experiment, devices(), clock()) {
+        if (Camera* camera = simulated ? &simulated->camera() : real->camera())
+            vision.emplace(*camera, simulated ? "simulated" : experiment.rig->camera, clock());
+        if (real)
+            real->setGuard(
+                [this](const Vector6d& from, const Vector6d& to) { return loop.mayStep(from, to); });
+    }
+
+    const Clock& clock() const { return simulated ? simulated->clock() : steady; }
+    RigDevices devices() {
+        if (!simulated)
+            return {real->robot(), real->thermometer(), real->heatSource(), {}, &tracker};
+        return {simulated->robot(), simulated->thermometer(), simulated->heatSource(),
+                [this] { return simulated->trueTemperatures_K(); }, &tracker};
+    }
+
+    SteadyClock steady;
+    std::unique_ptr<SimulatedRig> simulated; ///< this or the next
+    std::unique_ptr<RealRig> real;
+    std::optional<VisionThread> vision; ///< where there is a camera
     Tracker tracker;
     ServoLoop loop;
 };
@@ -106,6 +128,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     closeRecording();
     m_session = std::make_unique<Session>(experiment);
     m_untilTick_s = experiment.sampling.period_s;
+    m_nextTick_s = m_session->clock().now_s() + experiment.sampling.period_s;
+    m_timer->setInterval(m_session->real ? kRealTimer_ms : kTimer_ms);
     watch(m_watch);
     return {};
 }
@@ -113,7 +137,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
 Result<void> EngineWorker::setVision(const VisionSpec& vision) {
     if (const auto set = m_session->loop.setVision(vision); !set)
         return set;
-    m_session->rig.simulatedCamera().setMarkers(markerLayout(vision));
+    if (m_session->simulated)
+        m_session->simulated->simulatedCamera().setMarkers(markerLayout(vision));
     setTask();
     return {};
 }
@@ -125,8 +150,9 @@ bool EngineWorker::isInUse() const {
 void EngineWorker::watch(const WatchCamera& wanted) {
     m_watch = wanted;
     m_isBoardOut = !isInUse();
-    m_session->rig.simulatedCamera().setBoard(wanted.show && !m_camera && m_isBoardOut ? wanted.board
-                                                                                       : std::nullopt);
+    if (m_session->simulated)
+        m_session->simulated->simulatedCamera().setBoard(
+            wanted.show && !m_camera && m_isBoardOut ? wanted.board : std::nullopt);
     setTask();
 }
 
@@ -142,7 +168,8 @@ void EngineWorker::setTask() {
     if (m_isBoardOut)
         task.board = m_watch.board;
     task.show = m_watch.show && !m_camera;
-    m_session->vision.setTask(task);
+    if (m_session->vision)
+        m_session->vision->setTask(task);
     if (m_camera) {
         task.follow = false;
         task.show = m_watch.show;
@@ -160,7 +187,8 @@ Result<void> EngineWorker::choose(const std::string& camera) {
 }
 
 void EngineWorker::handOnView() {
-    auto view = m_camera ? m_camera->vision.newest() : m_session ? m_session->vision.newest() : nullptr;
+    const bool isOwn = !m_camera && m_session && m_session->vision;
+    auto view = m_camera ? m_camera->vision.newest() : isOwn ? m_session->vision->newest() : nullptr;
     if (view == m_view)
         return;
     m_view = std::move(view);
@@ -176,7 +204,7 @@ Result<void> EngineWorker::armWith(const std::string& recordingPath) {
     ++m_runId;
     if (recordingPath.empty())
         return {};
-    auto writer = SessionWriter::create(recordingPath, loop.experiment(), true);
+    auto writer = SessionWriter::create(recordingPath, loop.experiment(), m_session->simulated != nullptr);
     if (!writer) {
         (void)loop.disarm();
         return writer.error();
@@ -216,13 +244,15 @@ Result<void> EngineWorker::apply(const Command& command) {
                           },
                           [&](const SetController& set) { return loop.setController(set.settings); },
                           [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
-                          [&](const SimulateFault& fault) { return applyFault(fault), Result<void>(); },
+                          [&](const SimulateFault& fault) { return applyFault(fault); },
                       },
                       command);
 }
 
-void EngineWorker::applyFault(const SimulateFault& fault) {
-    SimulatedRig& rig = m_session->rig;
+Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
+    if (!m_session->simulated)
+        return Error(MessageCode::FaultOnRealRig, {});
+    SimulatedRig& rig = *m_session->simulated;
     for (std::size_t i = 0; i < m_session->loop.experiment().objects.size(); ++i)
         rig.simulatedThermometer().setLost(i, fault.fault == SimulatedFault::SensorLost && i == fault.object);
     rig.simulatedRobot().setLinkLost(fault.fault == SimulatedFault::RobotLost);
@@ -231,20 +261,20 @@ void EngineWorker::applyFault(const SimulateFault& fault) {
                                          fault.fault == SimulatedFault::CameraLost);
     rig.simulatedCamera().setCovered(fault.fault == SimulatedFault::SourceCovered);
     rig.simulatedCamera().setUnplugged(fault.fault == SimulatedFault::CameraLost);
+    return {};
 }
 
 void EngineWorker::onTimer() {
     const double wall_s = std::min(kLongestGap_s, static_cast<double>(m_wall.nsecsElapsed()) * 1e-9);
     m_wall.restart();
     if (m_session) {
-        const double period_s = m_session->loop.experiment().sampling.period_s;
-        if (wall_s * m_speed > m_untilTick_s + 0.5 * period_s && wall_s > 3e-3 * kTimer_ms)
-            ++m_lateSteps;
         try {
             if (m_watch.board && m_isBoardOut == isInUse())
                 watch(m_watch);
-            const double most_s = std::max(wall_s, m_session->vision.lead_s());
-            advanceRig(std::min(wall_s * m_speed, most_s));
+            if (m_session->simulated)
+                advanceSimulated(wall_s);
+            else
+                workReal();
         } catch (const std::exception& exception) {
             m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
         }
@@ -262,24 +292,45 @@ void EngineWorker::onTimer() {
         publish();
 }
 
-void EngineWorker::advanceRig(double dt_s) {
+void EngineWorker::tick() {
+    m_session->loop.tick();
+    ++m_ticksSinceRate;
+    record();
+    closeFinished();
+}
+
+void EngineWorker::advanceSimulated(double wall_s) {
+    const double period_s = m_session->loop.experiment().sampling.period_s;
+    if (wall_s * m_speed > m_untilTick_s + 0.5 * period_s && wall_s > 3e-3 * kTimer_ms)
+        ++m_lateSteps;
+    double dt_s = std::min(wall_s * m_speed, std::max(wall_s, m_session->vision->lead_s()));
     QElapsedTimer spent;
     spent.start();
     // What does not fit is dropped: simulated time then runs slower than asked, and commands are never kept
     // waiting.
     while (dt_s > 0.0 && spent.elapsed() < kLongestStep_ms) {
         const double step_s = std::min(dt_s, m_untilTick_s);
-        m_session->rig.advance(step_s);
+        m_session->simulated->advance(step_s);
         dt_s -= step_s;
         m_untilTick_s -= step_s;
         if (m_untilTick_s <= 1e-9) {
-            m_session->loop.tick();
-            ++m_ticksSinceRate;
-            m_untilTick_s = m_session->loop.experiment().sampling.period_s;
-            record();
-            closeFinished();
+            m_untilTick_s = period_s;
+            tick();
         }
     }
+}
+
+void EngineWorker::workReal() {
+    m_session->real->work();
+    const double now_s = m_session->clock().now_s();
+    if (now_s < m_nextTick_s)
+        return;
+    const double period_s = m_session->loop.experiment().sampling.period_s;
+    const double behind = std::floor((now_s - m_nextTick_s) / period_s); // whole periods, which are lost
+    m_lateSteps += static_cast<std::uint64_t>(behind);
+    m_nextTick_s += (1.0 + behind) * period_s;
+    tick();
+    m_session->real->work(); // what the tick has asked for goes out now
 }
 
 void EngineWorker::closeFinished() {
@@ -325,8 +376,12 @@ void EngineWorker::publish() {
         snapshot.reasons = loop.reasons();
         snapshot.runTime_s = loop.runTime_s();
         snapshot.latest = loop.latest();
-        snapshot.latest.coordinates = m_session->rig.simulatedRobot().coordinates();
-        snapshot.sampleAge_s = m_session->rig.clock().now_s() - loop.sampleTime_s();
+        snapshot.simulated = m_session->simulated != nullptr;
+        if (m_session->simulated)
+            snapshot.latest.coordinates = m_session->simulated->simulatedRobot().coordinates();
+        else
+            snapshot.devices = m_session->real->devices();
+        snapshot.sampleAge_s = m_session->clock().now_s() - loop.sampleTime_s();
         snapshot.heatOn = loop.heatOn();
         snapshot.isMoving = loop.isMoving();
         snapshot.tracking = loop.tracking();

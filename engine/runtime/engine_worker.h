@@ -5,7 +5,6 @@
 #include "engine/runtime/command.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/runtime/snapshot.h"
-#include "engine/simulation/simulated_rig.h"
 #include "engine/vision/vision_thread.h"
 
 #include <QElapsedTimer>
@@ -44,7 +43,9 @@ private:
     struct Session;
 
     void onTimer();
-    void advanceRig(double dt_s);
+    void advanceSimulated(double wall_s);
+    void workReal();
+    void tick();
     void closeFinished();
     void record();
     void closeRecording();
@@ -52,7 +53,7 @@ private:
     Result<void> apply(const Command& command);
     Result<void> load(const Experiment& experiment);
     Result<void> armWith(const std::string& recordingPath);
-    void applyFault(const SimulateFault& fault);
+    Result<void> applyFault(const SimulateFault& fault);
     Result<void> setVision(const VisionSpec& vision);
     void watch(const WatchCamera& wanted);
     Result<void> choose(const std::string& camera);
@@ -72,7 +73,8 @@ private:
     std::unique_ptr<RealCamera> m_camera;
     std::shared_ptr<const VisionView> m_view; ///< handed on last
     double m_speed = 1.0;
-    double m_untilTick_s = 0.0;
+    double m_untilTick_s = 0.0; ///< of a simulated rig
+    double m_nextTick_s = 0.0;  ///< of a real one
     std::uint64_t m_lateSteps = 0;
     std::uint64_t m_runId = 0;
     int m_ticksSinceRate = 0;

@@ -57,6 +57,8 @@ public:
     /// is armed or on. Hold, Arm, STOP and faults end it.
     Result<void> moveTo(const Vector6d& goal);
     bool isMoving() const { return m_goal.has_value(); }
+    /// RigGeometry::mayStep with the source where it is known to be now.
+    bool mayStep(const Vector6d& from, const Vector6d& to) const { return m_geometry->mayStep(from, to); }
     /// Refused while a run is armed or on.
     Result<void> setVision(const VisionSpec& vision);
     void addNote(const std::string& text);

@@ -3,6 +3,7 @@
 
 #include "engine/base/message.h"
 #include "engine/control/controller_settings.h"
+#include "engine/devices/device.h"
 #include "engine/session/trace.h"
 
 #include <cstdint>
@@ -24,6 +25,16 @@ struct SourceTracking {
     double age_s = 0.0;                       ///< of what was seen last
     double latency_s = 0.0;                   ///< from the light caught to the pose known; 0: not told
     double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations; 0: not told
+};
+
+enum class DeviceRole { Robot, Thermometer, HeatSource, Camera };
+
+/// A device of a real rig, as it is now.
+struct RigDeviceState {
+    DeviceRole role = DeviceRole::Robot;
+    std::string port;
+    DeviceStatus status;
+    double age_s = 0.0; ///< of what it told last
 };
 
 /// State of the engine at one moment. `newSamples` and `newEvents` are everything since the last snapshot:
@@ -48,6 +59,7 @@ struct Snapshot {
     bool heatOn = false;
     bool isMoving = false;                  ///< the robot, by MoveTo
     std::optional<SourceTracking> tracking; ///< empty: the source is not followed
+    std::vector<RigDeviceState> devices;    ///< of a real rig; a simulated one has none
     ControllerSettings controller;
     std::vector<double> targets_K;
     Message refusal; ///< last command refused, code None if none since the last snapshot

@@ -136,6 +136,31 @@ TEST(RigGeometry, TheWorkspaceStaysTheRobotsAndTheClearanceIsTheSources) {
     EXPECT_FALSE(rig.at(Pose(Eigen::Translation3d(0.21, 0.0, 0.0))).allowed(q));
 }
 
+// Catches a robot that may not leave a place where it should not be, or may go farther into it.
+TEST(RigGeometry, AStepOutOfAForbiddenPlaceIsAllowedAndNoneIntoIt) {
+    Draw draw(4);
+    const Rig rig(draw);
+    const RigGeometry geometry = rig.at(Pose::Identity());
+    const auto at = [](double x, double z) {
+        Vector6d q = Vector6d::Zero();
+        q[kX] = x;
+        q[kZ] = z;
+        return q;
+    };
+    EXPECT_TRUE(geometry.mayStep(at(0.0, 0.15), at(0.1, 0.2)));
+    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(0.0, -0.05))) << "into the source";
+    EXPECT_FALSE(geometry.mayStep(at(0.19, 0.15), at(0.21, 0.15)));
+    EXPECT_TRUE(geometry.mayStep(at(0.25, 0.15), at(0.22, 0.15)));
+    EXPECT_FALSE(geometry.mayStep(at(0.25, 0.15), at(0.26, 0.15)));
+    EXPECT_FALSE(geometry.mayStep(at(0.25, 0.15), at(0.22, -0.05))) << "one way back, another out";
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(nan, 0.15)));
+    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(0.0, nan)));
+    const RigGeometry risen = rig.at(Pose(Eigen::Translation3d(0.0, 0.0, 0.2)));
+    EXPECT_TRUE(risen.mayStep(at(0.0, 0.15), at(0.0, 0.18))) << "off a source that came nearer";
+    EXPECT_FALSE(risen.mayStep(at(0.0, 0.15), at(0.0, 0.149)));
+}
+
 // Catches a copy that keeps something of where the source was.
 TEST(RigGeometry, ASourceMovedElsewhereIsTheRigBuiltThere) {
     Draw draw(5);
