@@ -69,8 +69,35 @@ struct MoveTo {
     Vector6d coordinates = Vector6d::Zero();
 };
 
+/// Moves the robot while it is held: the end-effector's twist in R axes (m/s, rad/s), within its limits,
+/// workspace and clearance; ends kJog_s after the last of them. While no run is armed or on.
+struct Jog {
+    static constexpr double kJog_s = 0.5;
+    Vector6d twist = Vector6d::Zero();
+};
+/// Finds its place by its switches: it moves. While no run is armed or on.
+struct HomeRobot {};
+/// After a person has seen to it; never moves. Also confirms that the robot is where it says.
+struct ClearRobotAlarm {};
+/// By hand, while no run is armed or on: heats towards this until it is switched off; empty: off.
+struct SetHeat {
+    std::optional<double> setPoint_K;
+};
+/// Of a heat source that a person keeps hot, as measured by that person.
+struct TypeSourceTemperature {
+    double temperature_K = 0.0;
+};
+/// Answered by Snapshot::ports.
+struct ListPorts {};
+/// One device alone, apart from the rig in use: answered by Snapshot::tried until another one, or one without
+/// a device, is tried. Its port must not be in use.
+struct TryDevice {
+    RigSpec rig; ///< with one device
+};
+
 using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
                              SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
-                             SimulateFault, SetVision, WatchCamera, ChooseCamera, MoveTo>;
+                             SimulateFault, SetVision, WatchCamera, ChooseCamera, MoveTo, Jog, HomeRobot,
+                             ClearRobotAlarm, SetHeat, TypeSourceTemperature, ListPorts, TryDevice>;
 
 } // namespace bask

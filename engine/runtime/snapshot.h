@@ -37,6 +37,19 @@ struct RigDeviceState {
     double age_s = 0.0; ///< of what it told last
 };
 
+/// A port that a device may be on.
+struct SerialPort {
+    std::string path;        ///< by-id where there is one, which stays the same after replugging
+    std::string description; ///< "FTDI FT232R (ttyUSB0)"
+};
+
+/// What a device says that is tried.
+struct TriedDevice {
+    RigDeviceState state;
+    std::vector<double> temperatures_K; ///< of all channels of a thermometer, or of the source; NaN: no value
+    std::optional<Vector6d> coordinates; ///< of a robot
+};
+
 /// State of the engine at one moment. `newSamples` and `newEvents` are everything since the last snapshot:
 /// none is dropped.
 struct Snapshot {
@@ -57,9 +70,15 @@ struct Snapshot {
     std::uint64_t lateSteps = 0; ///< steps that began more than half a period late
     double simulationSpeed = 1.0;
     bool heatOn = false;
-    bool isMoving = false;                  ///< the robot, by MoveTo
-    std::optional<SourceTracking> tracking; ///< empty: the source is not followed
-    std::vector<RigDeviceState> devices;    ///< of a real rig; a simulated one has none
+    bool isMoving = false;                        ///< the robot, by MoveTo
+    std::optional<SourceTracking> tracking;       ///< empty: the source is not followed
+    std::vector<RigDeviceState> devices;          ///< of a real rig; a simulated one has none
+    Message robotAlarm;                           ///< what keeps the robot from moving; None: nothing
+    bool isPlaceSure = true;                      ///< of the robot
+    std::optional<double> heatSetPoint_K;         ///< asked for now, by hand or by the run; empty: off
+    bool isSourceByHand = false;                  ///< a person keeps it hot and types its temperature
+    std::optional<std::vector<SerialPort>> ports; ///< once, after ListPorts
+    std::optional<TriedDevice> tried;
     ControllerSettings controller;
     std::vector<double> targets_K;
     Message refusal; ///< last command refused, code None if none since the last snapshot
