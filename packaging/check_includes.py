@@ -53,6 +53,7 @@ VALUE_HEADERS = {
     "engine/session/trace.h",
     "engine/devices/camera.h",
     "engine/devices/device.h",
+    "engine/drivers/serial_ports.h",
     "engine/protocols/axis_map.h",
     "engine/protocols/modbus_profile.h",
     "engine/session/rig_spec.h",

@@ -23,6 +23,28 @@ constexpr int kLongestStep_ms = 50; ///< of the rig, between looks at the comman
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
+TriedDevice triedState(RealRig& rig) {
+    TriedDevice out;
+    const auto states = rig.devices();
+    if (states.empty())
+        return out;
+    out.state = states.front();
+    const auto add = [&](const Reading& reading) {
+        out.temperatures_K.push_back(reading.valid ? reading.value_K : std::nan(""));
+    };
+    if (out.state.role == DeviceRole::Robot) {
+        if (const auto state = rig.robot().state())
+            out.coordinates = state->coordinates;
+    } else if (out.state.role == DeviceRole::Thermometer) {
+        if (const auto readings = rig.thermometer().read())
+            std::ranges::for_each(*readings, add);
+    } else if (out.state.role == DeviceRole::HeatSource) {
+        if (const auto reading = rig.heatSource().read())
+            add(*reading);
+    }
+    return out;
+}
+
 } // namespace
 
 struct EngineWorker::Session {
@@ -101,6 +123,7 @@ void EngineWorker::shutdown() {
     }
     closeRecording();
     m_camera.reset();
+    m_tried.reset();
     m_session.reset();
 }
 
@@ -126,6 +149,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     if (const auto valid = validate(experiment); !valid)
         return valid;
     closeRecording();
+    m_tried.reset();
+    m_session.reset(); // its ports are free before they are opened again
     m_session = std::make_unique<Session>(experiment);
     m_untilTick_s = experiment.sampling.period_s;
     m_nextTick_s = m_session->clock().now_s() + experiment.sampling.period_s;
@@ -186,6 +211,21 @@ Result<void> EngineWorker::choose(const std::string& camera) {
     return {};
 }
 
+Result<void> EngineWorker::type(double sourceTemperature_K) {
+    if (!m_session->real)
+        return Error(MessageCode::RigMissing, {});
+    return m_session->real->typeSourceTemperature(sourceTemperature_K);
+}
+
+Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
+    m_tried.reset();
+    if (isInUse())
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty())
+        m_tried = std::make_unique<RealRig>(rig, m_steady);
+    return {};
+}
+
 void EngineWorker::handOnView() {
     const bool isOwn = !m_camera && m_session && m_session->vision;
     auto view = m_camera ? m_camera->vision.newest() : isOwn ? m_session->vision->newest() : nullptr;
@@ -230,6 +270,13 @@ Result<void> EngineWorker::apply(const Command& command) {
                           [&](const ChooseCamera& camera) { return choose(camera.name); },
                           [&](const SetVision& set) { return setVision(set.vision); },
                           [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
+                          [&](const Jog& jog) { return loop.jog(jog.twist); },
+                          [&](const HomeRobot&) { return loop.home(); },
+                          [&](const ClearRobotAlarm&) { return loop.clearRobotAlarm(); },
+                          [&](const SetHeat& set) { return loop.setHeat(set.setPoint_K); },
+                          [&](const TypeSourceTemperature& typed) { return type(typed.temperature_K); },
+                          [&](const ListPorts&) { return m_pending.ports = serialPorts(), Result<void>(); },
+                          [&](const TryDevice& device) { return tryDevice(device.rig); },
                           [&](const Arm& arm) { return armWith(arm.recordingPath); },
                           [&](const Disarm&) { return loop.disarm(); },
                           [&](const Start& start) { return loop.start(start.acceptInfeasible); },
@@ -267,6 +314,8 @@ Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
 void EngineWorker::onTimer() {
     const double wall_s = std::min(kLongestGap_s, static_cast<double>(m_wall.nsecsElapsed()) * 1e-9);
     m_wall.restart();
+    if (m_tried)
+        m_tried->work();
     if (m_session) {
         try {
             if (m_watch.board && m_isBoardOut == isInUse())
@@ -385,6 +434,10 @@ void EngineWorker::publish() {
         snapshot.heatOn = loop.heatOn();
         snapshot.isMoving = loop.isMoving();
         snapshot.tracking = loop.tracking();
+        snapshot.robotAlarm = loop.robotAlarm();
+        snapshot.isPlaceSure = loop.isPlaceSure();
+        snapshot.heatSetPoint_K = loop.heatSetPoint_K();
+        snapshot.isSourceByHand = m_session->real && m_session->real->heatSource().isByHand();
         snapshot.controller = loop.experiment().controller;
         for (const ObjectSpec& object : loop.experiment().objects)
             snapshot.targets_K.push_back(object.target_K);
@@ -392,6 +445,8 @@ void EngineWorker::publish() {
         snapshot.state = RunState::NotReady;
         snapshot.reasons.push_back({MessageCode::ReasonNoExperiment, {}});
     }
+    if (m_tried)
+        snapshot.tried = triedState(*m_tried);
     if (m_writer) {
         snapshot.recordingPath = m_writer->path();
         snapshot.recordedRows = m_writer->rows();

@@ -19,6 +19,8 @@ Q_DECLARE_METATYPE(std::shared_ptr<const bask::VisionView>)
 
 namespace bask {
 
+class RealRig;
+
 /// Lives on a QThread; every slot is called through queued connections. Rig, loop and session writer are
 /// made, used and deleted there.
 class EngineWorker : public QObject {
@@ -57,6 +59,8 @@ private:
     Result<void> setVision(const VisionSpec& vision);
     void watch(const WatchCamera& wanted);
     Result<void> choose(const std::string& camera);
+    Result<void> type(double sourceTemperature_K);
+    Result<void> tryDevice(const RigSpec& rig);
     void setTask();
     void handOnView();
     bool isInUse() const; ///< a run is armed or on
@@ -72,6 +76,8 @@ private:
     struct RealCamera;
     std::unique_ptr<RealCamera> m_camera;
     std::shared_ptr<const VisionView> m_view; ///< handed on last
+    SteadyClock m_steady;
+    std::unique_ptr<RealRig> m_tried; ///< one device alone
     double m_speed = 1.0;
     double m_untilTick_s = 0.0; ///< of a simulated rig
     double m_nextTick_s = 0.0;  ///< of a real one

@@ -72,8 +72,8 @@ LoopRecord ServoLoop::takeRecord() {
 }
 
 void ServoLoop::makeSafe() {
-    m_goal.reset();
-    standStill();
+    endMove();
+    m_handHeat_K.reset();
     (void)m_devices.source.heatOff(); // of a dead link: the heat expires in the device
 }
 
@@ -96,8 +96,7 @@ void ServoLoop::fault(Message reason) {
 Result<void> ServoLoop::arm() {
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal("Arm");
-    if (m_goal)
-        endMove();
+    endMove();
     if (!m_sensors.zeroed()) {
         if (const auto zeroed = m_sensors.zero(m_experiment.environment_K); !zeroed)
             return zeroed;
@@ -148,6 +147,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     for (const ObjectSpec& object : m_experiment.objects)
         model.targets_K.push_back(object.target_K);
     m_controller = makeController(m_experiment.controller, std::move(model));
+    m_handHeat_K.reset();
     m_state = RunState::Running;
     command("start", R"({"environment_K":)" + formatNumber(environment_K, 10) +
                          (acceptInfeasible ? R"(,"accept_infeasible":true})" : "}"));
@@ -159,7 +159,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
 }
 
 Result<void> ServoLoop::hold() {
-    if (m_goal) {
+    if (isMoving()) {
         endMove();
         return {};
     }
@@ -297,19 +297,6 @@ Result<void> ServoLoop::setController(const ControllerSettings& settings) {
     }
     command("controller", std::string("{\"kind\":\"") + controllerKindName(settings.kind) + "\"}");
     event(MessageCode::EventGainsChanged);
-    return {};
-}
-
-Result<void> ServoLoop::moveTo(const Vector6d& goal) {
-    if (m_state != RunState::NotReady && m_state != RunState::Ready && m_state != RunState::Stopped)
-        return refusal("Move");
-    Vector6d reachable = goal;
-    for (std::size_t k = 0; k < 6; ++k)
-        if (!m_experiment.robot.free[k])
-            reachable[static_cast<Eigen::Index>(k)] = m_coordinates[static_cast<Eigen::Index>(k)];
-    if (!reachable.allFinite() || !m_geometry->allowed(reachable))
-        return Error(MessageCode::MoveOutside, {});
-    m_goal = reachable;
     return {};
 }
 

@@ -56,7 +56,15 @@ public:
     /// The end-effector to coordinates within workspace and clearance, fixed axes as they are; while no run
     /// is armed or on. Hold, Arm, STOP and faults end it.
     Result<void> moveTo(const Vector6d& goal);
-    bool isMoving() const { return m_goal.has_value(); }
+    bool isMoving() const { return m_goal.has_value() || m_clock.now_s() < m_jogEnds_s; }
+    /// By hand, while no run is armed or on; Jog's and SetHeat's words.
+    Result<void> jog(const Vector6d& twist);
+    Result<void> home();
+    Result<void> clearRobotAlarm();
+    Result<void> setHeat(std::optional<double> setPoint_K);
+    const Message& robotAlarm() const { return m_robot.alarm; }
+    bool isPlaceSure() const { return m_robot.isPlaceSure; }
+    std::optional<double> heatSetPoint_K() const;
     /// RigGeometry::mayStep with the source where it is known to be now.
     bool mayStep(const Vector6d& from, const Vector6d& to) const { return m_geometry->mayStep(from, to); }
     /// Refused while a run is armed or on.
@@ -89,7 +97,9 @@ private:
     void readSourcePose();
     bool facesObjects(const Pose& X_RS) const;
     void endMove();
-    void goOn(); ///< towards the goal of moveTo
+    double mostHeat_K() const; ///< that the experiment asks for
+    void goOn();               ///< towards the goal of moveTo
+    bool isByHand() const;     ///< no run is armed or on, and nothing is latched
     void readRobotAndSource();
     void watchSensors();
     bool noteLosses(); ///< tells what has been lost or found; true while anything is lost
@@ -99,7 +109,9 @@ private:
     void retreat();
     void noteSettling();
     void noteCompromise(const ControlOutput& output);
-    void move(const Vector6d& rates); ///< of the pose coordinates, until the next sample
+    static constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after so many
+    void move(const Vector6d& rates);               ///< of the pose coordinates, until the next sample
+    void move(const Vector6d& rates, double validFor_s);
     void standStill();
     void makeSafe();
     void endRun(const std::string& outcome);
@@ -137,6 +149,11 @@ private:
     bool m_compromiseTold = false;
     double m_startTime_s = 0.0;
     double m_sourceStrength = 1.0;
+    RobotState m_robot;      ///< as it said last
+    bool m_isHoming = false; ///< as asked for, also in a fault: it is then not halted
+    double m_homingSince_s = 0.0;
+    std::optional<double> m_handHeat_K; ///< set point by hand
+    double m_jogEnds_s = -1e300;
     Vector6d m_coordinates = Vector6d::Zero();
     Vector6d m_rates = Vector6d::Zero(); ///< of the pose coordinates, commanded last
     TraceSample m_latest;

@@ -19,11 +19,11 @@ constexpr double kStill_s = 15.0;
 constexpr double kStillPeriods = 3.0;
 constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
 constexpr double kTooNear = 0.8; ///< of the clearance: the source has come nearer, or the robot obeys late
-constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after this many periods
-constexpr double kHeatPeriods = 3.0;     ///< heat goes off by itself after this many periods
+constexpr double kHeatPeriods = 3.0; ///< heat goes off by itself after this many periods
 // A source that has moved by less is taken to lie still: less than the resolution of the sensors in any F.
 constexpr double kTrifle_m = 2e-4;
 constexpr double kTrifle_rad = 2e-3;
+constexpr double kHomingStarts_s = 2.0; ///< from being asked for
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
@@ -39,11 +39,11 @@ void ServoLoop::tick() {
             control();
         else if (m_state == RunState::Stopping)
             retreat();
-        else if (m_state == RunState::Fault)
+        else if (m_state == RunState::Fault && !m_isHoming)
             makeSafe();
-        else if (m_goal)
+        else if (isByHand())
             goOn();
-        if (m_state == RunState::Holding)
+        if (m_state == RunState::Holding || m_handHeat_K)
             keepHeating();
         trace();
         updateReadiness();
@@ -110,6 +110,8 @@ bool ServoLoop::facesObjects(const Pose& X_RS) const {
 void ServoLoop::readRobotAndSource() {
     const auto robot = m_devices.robot.state();
     if (robot) {
+        m_robot = *robot;
+        m_isHoming = m_isHoming && (robot->moving || m_clock.now_s() - m_homingSince_s < kHomingStarts_s);
         m_coordinates = robot->coordinates;
         m_latest.coordinates = m_coordinates;
         const Eigen::VectorXd F = m_geometry->viewFactorsFast(m_coordinates);
@@ -168,9 +170,8 @@ void ServoLoop::watchSensors() {
 }
 
 void ServoLoop::keepHeating() {
-    const double setPoint_K = sourceSetPoint_K(m_experiment.source, m_clock.now_s() - m_startTime_s);
     const double validFor_s = kHeatPeriods * m_experiment.sampling.period_s;
-    if (const auto result = m_devices.source.keepHeating(setPoint_K, validFor_s); !result)
+    if (const auto result = m_devices.source.keepHeating(*heatSetPoint_K(), validFor_s); !result)
         stopFor(result.error().message);
 }
 
@@ -212,29 +213,15 @@ void ServoLoop::backOff() {
 }
 
 void ServoLoop::move(const Vector6d& rates) {
+    move(rates, kVelocityPeriods * m_experiment.sampling.period_s);
+}
+
+void ServoLoop::move(const Vector6d& rates, double validFor_s) {
     m_rates = rates;
     m_latest.twist.head<3>() = rates.head<3>();
     m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * rates.tail<3>();
-    const double validFor_s = kVelocityPeriods * m_experiment.sampling.period_s;
     if (const auto result = m_devices.robot.setTwist(m_latest.twist, validFor_s); !result)
         fault(result.error().message);
-}
-
-void ServoLoop::goOn() {
-    constexpr double kThere = 5e-4; // m, rad
-    const double period_s = m_experiment.sampling.period_s;
-    const bool arrived = (*m_goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere;
-    const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, *m_goal, period_s, m_rates).rates;
-    if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9) {
-        endMove();
-    } else {
-        move(rates);
-    }
-}
-
-void ServoLoop::endMove() {
-    m_goal.reset();
-    standStill();
 }
 
 void ServoLoop::standStill() {

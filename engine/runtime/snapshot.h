@@ -4,6 +4,7 @@
 #include "engine/base/message.h"
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
+#include "engine/drivers/serial_ports.h"
 #include "engine/session/trace.h"
 
 #include <cstdint>
@@ -35,12 +36,6 @@ struct RigDeviceState {
     std::string port;
     DeviceStatus status;
     double age_s = 0.0; ///< of what it told last
-};
-
-/// A port that a device may be on.
-struct SerialPort {
-    std::string path;        ///< by-id where there is one, which stays the same after replugging
-    std::string description; ///< "FTDI FT232R (ttyUSB0)"
 };
 
 /// What a device says that is tried.

@@ -1,0 +1,120 @@
+// The rig by hand, while no run is armed or on.
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/control/velocity_solve.h"
+#include "engine/runtime/command.h"
+#include "engine/runtime/servo_loop.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+
+namespace bask {
+
+bool ServoLoop::isByHand() const {
+    return m_state == RunState::NotReady || m_state == RunState::Ready || m_state == RunState::Stopped;
+}
+
+Result<void> ServoLoop::moveTo(const Vector6d& goal) {
+    if (!isByHand())
+        return refusal("Move");
+    Vector6d reachable = goal;
+    for (std::size_t k = 0; k < 6; ++k)
+        if (!m_experiment.robot.free[k])
+            reachable[static_cast<Eigen::Index>(k)] = m_coordinates[static_cast<Eigen::Index>(k)];
+    if (!reachable.allFinite() || !m_geometry->allowed(reachable))
+        return Error(MessageCode::MoveOutside, {});
+    m_goal = reachable;
+    return {};
+}
+
+Result<void> ServoLoop::jog(const Vector6d& twist) {
+    if (!isByHand())
+        return refusal("Jog");
+    if (!twist.allFinite())
+        return Error(MessageCode::MoveOutside, {});
+    if (m_goal)
+        endMove();
+    if (twist.isZero(0.0)) {
+        endMove();
+        return {};
+    }
+    Vector6d rates = twist;
+    rates.tail<3>() = rotationAxes(m_coordinates).inverse() * twist.tail<3>();
+    const Vector6d goal = m_coordinates + Jog::kJog_s * rates;
+    m_jogEnds_s = m_clock.now_s() + Jog::kJog_s;
+    move(velocityTowards(*m_geometry, m_coordinates, goal, Jog::kJog_s, m_rates).rates, Jog::kJog_s);
+    return {};
+}
+
+Result<void> ServoLoop::home() {
+    if (!isByHand() && m_state != RunState::Fault)
+        return refusal("Home");
+    endMove();
+    m_isHoming = true;
+    m_homingSince_s = m_clock.now_s();
+    return m_devices.robot.home();
+}
+
+Result<void> ServoLoop::clearRobotAlarm() {
+    if (!isByHand() && m_state != RunState::Fault)
+        return refusal("Clear alarm");
+    endMove();
+    return m_devices.robot.clearAlarm();
+}
+
+double ServoLoop::mostHeat_K() const {
+    double most_K = m_experiment.source.temperature_K;
+    for (const auto& point : m_experiment.source.temperatureProfile)
+        most_K = std::max(most_K, point.value);
+    return most_K;
+}
+
+Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
+    if (!setPoint_K) { // off is never refused
+        m_handHeat_K.reset();
+        return isByHand() || m_state == RunState::Fault ? m_devices.source.heatOff() : Result<void>();
+    }
+    if (!isByHand())
+        return refusal("Heat");
+    if (!(*setPoint_K > m_experiment.environment_K && *setPoint_K <= mostHeat_K()))
+        return Error(MessageCode::ValueOutOfRange, {},
+                     {formatNumber(celsiusFromKelvin(*setPoint_K)),
+                      formatNumber(celsiusFromKelvin(m_experiment.environment_K)),
+                      formatNumber(celsiusFromKelvin(mostHeat_K())), "\u00b0C"});
+    m_handHeat_K = setPoint_K;
+    keepHeating();
+    return {};
+}
+
+std::optional<double> ServoLoop::heatSetPoint_K() const {
+    if (m_state == RunState::Running || m_state == RunState::Settled || m_state == RunState::Holding)
+        return sourceSetPoint_K(m_experiment.source, m_clock.now_s() - m_startTime_s);
+    return m_handHeat_K;
+}
+
+// Towards the goal; what was jogged has ended by itself.
+void ServoLoop::goOn() {
+    constexpr double kThere = 5e-4; // m, rad
+    if (!m_goal) {
+        if (!m_rates.isZero(0.0) && !isMoving())
+            standStill();
+        return;
+    }
+    const double period_s = m_experiment.sampling.period_s;
+    const bool arrived = (*m_goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere;
+    const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, *m_goal, period_s, m_rates).rates;
+    if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9)
+        endMove();
+    else
+        move(rates);
+}
+
+void ServoLoop::endMove() {
+    m_goal.reset();
+    m_jogEnds_s = -1e300;
+    standStill();
+}
+
+} // namespace bask
