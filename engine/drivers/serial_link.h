@@ -1,0 +1,31 @@
+#pragma once
+// A serial port as a link of bytes, that costs nothing when it is unplugged.
+
+#include "engine/drivers/byte_link.h"
+#include "engine/drivers/serial_settings.h"
+
+#include <memory>
+
+namespace bask {
+
+/// Needs a thread with Qt's event loop, and is made and used there only.
+class SerialLink final : public ByteLink {
+public:
+    /// `path`: "/dev/ttyUSB0", "/dev/serial/by-id/...", or any link to a terminal.
+    SerialLink(std::string path, const SerialSettings& settings);
+    ~SerialLink() override;
+
+    void open() override;
+    void close() override;
+    bool isOpen() const override;
+    Message problem() const override;
+    std::string read() override;
+    void write(std::string_view bytes) override;
+    std::string name() const override;
+
+private:
+    struct Port;
+    std::unique_ptr<Port> m_port;
+};
+
+} // namespace bask

@@ -1,0 +1,14 @@
+#pragma once
+// How a serial line is set.
+
+namespace bask {
+
+struct SerialSettings {
+    int baud = 115200;
+    int dataBits = 8;  ///< 5 to 8
+    char parity = 'N'; ///< N, E, O
+    int stopBits = 1;  ///< 1, 2
+    bool operator==(const SerialSettings&) const = default;
+};
+
+} // namespace bask

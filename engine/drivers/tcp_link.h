@@ -1,0 +1,32 @@
+#pragma once
+// A TCP connection as a link of bytes.
+
+#include "engine/drivers/byte_link.h"
+
+#include <memory>
+
+namespace bask {
+
+/// Needs a thread with Qt's event loop, and is made and used there only. open() while it is being opened
+/// leaves it at that for kOpening_s.
+class TcpLink final : public ByteLink {
+public:
+    static constexpr double kOpening_s = 2.0;
+
+    TcpLink(std::string host, int port);
+    ~TcpLink() override;
+
+    void open() override;
+    void close() override;
+    bool isOpen() const override;
+    Message problem() const override;
+    std::string read() override;
+    void write(std::string_view bytes) override;
+    std::string name() const override;
+
+private:
+    struct Socket;
+    std::unique_ptr<Socket> m_socket;
+};
+
+} // namespace bask
