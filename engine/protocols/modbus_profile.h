@@ -50,8 +50,8 @@ struct ModbusProfile {
     // Thermometer
     std::optional<RegisterSpec> channel; ///< of channel 0
     int channels = 0;
-    int channelStep = 1; ///< registers from one channel to the next
-    std::vector<StatusSpec> status;
+    int channelStep = 1;            ///< registers from one channel to the next
+    std::vector<StatusSpec> status; ///< of a controller too: channel 0 is its process value
     /// Milliamperes 4..20 stand for these, degC.
     double at4mA_degC = 0.0, at20mA_degC = 100.0;
     // Controller
@@ -60,6 +60,8 @@ struct ModbusProfile {
     std::optional<RegisterSpec> setPointWritten; ///< as written; empty: where it is read
     std::optional<RegisterSpec> run;             ///< heat on and off
     double runOn = 1.0, runOff = 0.0;
+    /// Without `run`, the set point that stands for heat off.
+    double setPointOff_degC = 0.0;
     std::optional<RegisterSpec> watchdog; ///< time without a poll after which it goes off
     double watchdogUnit_s = 0.001;
     std::optional<RegisterSpec> sensorFault; ///< not 0: its own sensor is broken
