@@ -1,0 +1,19 @@
+#include "engine/protocols/line_splitter.h"
+
+#include <algorithm>
+
+namespace bask {
+
+std::optional<std::string> LineSplitter::next() {
+    constexpr std::string_view kEnds = "\r\n";
+    m_bytes.erase(0, std::min(m_bytes.find_first_not_of(kEnds), m_bytes.size()));
+    std::size_t end = m_bytes.find_first_of(kEnds);
+    if (end == std::string::npos && m_bytes.size() < kLongest)
+        return std::nullopt;
+    end = std::min(end, kLongest);
+    std::string line = m_bytes.substr(0, end);
+    m_bytes.erase(0, end);
+    return line;
+}
+
+} // namespace bask

@@ -1,0 +1,24 @@
+#pragma once
+// Lines out of a stream of bytes that comes in any pieces.
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace bask {
+
+class LineSplitter {
+public:
+    static constexpr std::size_t kLongest = 512;
+
+    void add(std::string_view bytes) { m_bytes += bytes; }
+    /// The next whole line without its end (CR, LF or both; blank lines are left out); what grows longer than
+    /// kLongest without an end is given as a line. Empty: none yet.
+    std::optional<std::string> next();
+    void clear() { m_bytes.clear(); }
+
+private:
+    std::string m_bytes;
+};
+
+} // namespace bask
