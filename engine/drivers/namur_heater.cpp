@@ -1,0 +1,255 @@
+#include "engine/drivers/namur_heater.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/protocols/namur_lines.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+constexpr double kLineGap_s = 0.05; ///< a plate loses lines that come in a hurry
+constexpr int kStops = 3;           ///< it does not say whether it heard one
+constexpr double kStopAgain_s = 1.0;
+constexpr double kSetAgain_s = 0.5, kSetPointStep_K = 0.05;
+constexpr int kNames = 3;                 ///< questions for a name that some have not
+constexpr int kSetPointEvery = 4;         ///< polls
+constexpr double kSetPointWithin_K = 0.6; ///< some plates take whole degrees
+constexpr int kOthersTold = 2;            ///< one may have been asked before it was set
+constexpr int kUnechoedTold = 2;
+constexpr double kLowest_degC = -60.0, kHighest_degC = 500.0; ///< what a plate or its probe can have
+
+} // namespace
+
+NamurHeater::NamurHeater(ByteLink& link, const Clock& clock, const NamurHeaterConfig& config)
+    : m_link(link), m_clock(clock), m_config(config), m_watch(link, clock, kSilence_s) {
+    if (!(config.watchdog_s >= namur::kShortestWatchdog_s && config.watchdog_s <= namur::kLongestWatchdog_s))
+        throw std::invalid_argument("NamurHeater: watchdog");
+}
+
+void NamurHeater::work() {
+    const double now_s = m_clock.now_s();
+    if (m_isOn && now_s >= m_until_s) // before anything is sent: an engine that was held up must not go on
+        stop();
+    switch (m_watch.work()) {
+    case LinkWatch::Turn::Closed:
+        m_isOn = false;
+        return;
+    case LinkWatch::Turn::Opened:
+        begin();
+        return;
+    case LinkWatch::Turn::Open:
+        break;
+    }
+    m_lines.add(m_link.read());
+    while (const auto line = m_lines.next())
+        takeLine(*line);
+    giveUpLate();
+    speak();
+}
+
+/// Nothing is known of a plate that was away: it is told to stop, and asked for everything.
+void NamurHeater::begin() {
+    m_lines.clear();
+    m_name.clear();
+    m_namesLeft = kNames;
+    m_asked = Question::None;
+    m_readBack_K.reset();
+    m_isOn = false;
+    m_stopsLeft = kStops;
+    m_polls = 0;
+    m_nextLine_s = m_nextStop_s = m_nextPoll_s = m_clock.now_s();
+}
+
+void NamurHeater::takeLine(const std::string& line) {
+    bool fits = false;
+    switch (m_asked) {
+    case Question::None:
+        break;
+    case Question::Name:
+        fits = isNamurName(line);
+        if (fits)
+            m_name = line.substr(0, line.find_last_not_of(' ') + 1);
+        break;
+    case Question::Temperature:
+        fits = takeTemperature(line);
+        break;
+    case Question::SetPoint:
+        fits = takeSetPoint(line);
+        break;
+    case Question::Watchdog:
+        fits = isWatchdogEcho(line, m_config.watchdog_s);
+        if (fits)
+            m_unechoed = 0;
+        break;
+    }
+    if (fits)
+        m_asked = Question::None;
+    else
+        m_watch.discarded(line);
+}
+
+bool NamurHeater::takeTemperature(const std::string& line) {
+    const auto value = namurValue(line);
+    if (!value || value->channel != (m_config.isProbeUsed ? 1 : 2))
+        return false;
+    const bool isPossible = value->value >= kLowest_degC && value->value <= kHighest_degC;
+    m_reading = Reading{m_askedAt_s, isPossible ? kelvinFromCelsius(value->value) : 0.0, isPossible,
+                        isPossible ? SensorFault::None : SensorFault::OutOfRange};
+    m_watch.answered(m_clock.now_s() - m_askedAt_s);
+    return true;
+}
+
+bool NamurHeater::takeSetPoint(const std::string& line) {
+    const auto value = namurValue(line);
+    if (!value || value->channel != 1)
+        return false;
+    m_readBack_K = kelvinFromCelsius(value->value);
+    const bool isOther = m_isOn && !m_mustStart && std::abs(*m_readBack_K - m_sent_K) > kSetPointWithin_K;
+    m_others = isOther ? m_others + 1 : 0;
+    m_mustSet = m_mustSet || isOther; // some forget it at the start
+    return true;
+}
+
+/// An answer that comes after all is not taken for the next one's.
+void NamurHeater::giveUpLate() {
+    const double now_s = m_clock.now_s();
+    if (m_asked == Question::None || now_s < m_askedAt_s + kDeadline_s)
+        return;
+    if (m_asked == Question::Watchdog && ++m_unechoed >= kUnechoedTold)
+        m_watch.complain("nothing to " + namurWatchdog(m_config.watchdog_s) +
+                         ", so that its watchdog may not run");
+    m_asked = Question::None;
+    m_nextLine_s = now_s + kQuiet_s;
+}
+
+void NamurHeater::speak() {
+    if (m_asked != Question::None || m_clock.now_s() < m_nextLine_s)
+        return;
+    const double before_s = m_nextLine_s;
+    order();
+    if (m_nextLine_s == before_s)
+        poll();
+}
+
+/// One line of what the plate is to do. The watchdog comes before the heat.
+void NamurHeater::order() {
+    const double now_s = m_clock.now_s();
+    if (m_stopsLeft > 0 && now_s >= m_nextStop_s) {
+        say(namur::kStop);
+        --m_stopsLeft;
+        m_nextStop_s = now_s + kStopAgain_s;
+    } else if (m_isOn && now_s >= m_nextWatchdog_s) {
+        m_nextWatchdog_s = now_s + m_config.watchdog_s / 4.0;
+        ask(Question::Watchdog, namurWatchdog(m_config.watchdog_s));
+    } else if (m_isOn && m_mustSet && now_s >= m_nextSet_s) {
+        if (m_sent_K != m_setPoint_K)
+            m_others = 0;
+        m_sent_K = m_setPoint_K;
+        m_mustSet = false;
+        m_nextSet_s = now_s + kSetAgain_s;
+        say(namurSetPoint(celsiusFromKelvin(m_setPoint_K)));
+    } else if (m_isOn && m_mustStart) {
+        m_mustStart = false;
+        say(namur::kStart);
+    }
+}
+
+void NamurHeater::poll() {
+    const double now_s = m_clock.now_s();
+    if (now_s < m_nextPoll_s)
+        return;
+    m_nextPoll_s = now_s + kPoll_s;
+    if (m_name.empty() && m_namesLeft > 0) {
+        --m_namesLeft;
+        m_nextPoll_s = now_s;
+        ask(Question::Name, namur::kName);
+    } else if (++m_polls % kSetPointEvery == 0) {
+        m_nextPoll_s = now_s;
+        ask(Question::SetPoint, namur::kSetPoint);
+    } else {
+        ask(Question::Temperature, m_config.isProbeUsed ? namur::kProbe : namur::kPlate);
+    }
+}
+
+void NamurHeater::ask(Question question, const std::string& command) {
+    say(command);
+    m_asked = question;
+    m_askedAt_s = m_clock.now_s();
+}
+
+void NamurHeater::say(const std::string& command) {
+    m_link.write(namurLine(command));
+    m_nextLine_s = m_clock.now_s() + kLineGap_s;
+}
+
+/// At once, whatever was asked; and again later, should it not have been heard.
+void NamurHeater::stop() {
+    m_isOn = false;
+    m_others = 0;
+    say(namur::kStop);
+    m_stopsLeft = kStops - 1;
+    m_nextStop_s = m_clock.now_s() + kStopAgain_s;
+}
+
+bool NamurHeater::isSetPointOther() const {
+    return m_isOn && m_others >= kOthersTold && m_readBack_K;
+}
+
+DeviceStatus NamurHeater::status() const {
+    DeviceStatus status = m_watch.status();
+    status.identity = m_name;
+    if (status.link == LinkState::Live && isSetPointOther())
+        status.problem = {
+            MessageCode::SafetySetPointOther,
+            {formatNumber(celsiusFromKelvin(m_sent_K)), formatNumber(celsiusFromKelvin(*m_readBack_K))}};
+    return status;
+}
+
+Result<Reading> NamurHeater::read() {
+    if (!m_watch.isLive() || !m_reading)
+        return m_watch.error();
+    return *m_reading;
+}
+
+Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
+    const double setPoint_degC = celsiusFromKelvin(setPoint_K);
+    if (!(setPoint_degC >= 0.0 && setPoint_degC <= namur::kHighest_degC))
+        return Error{MessageCode::ValueOutOfRange,
+                     "setPoint",
+                     {formatNumber(setPoint_degC), "0", formatNumber(namur::kHighest_degC), "degC"}};
+    if (!(validFor_s > 0.0))
+        return Error{MessageCode::ValueNotPositive, "validFor", {formatNumber(validFor_s)}};
+    if (!m_watch.isLive())
+        return m_watch.error();
+    if (!m_isOn) {
+        m_isOn = m_mustSet = m_mustStart = true;
+        m_others = m_unechoed = m_stopsLeft = 0;
+        m_nextWatchdog_s = m_clock.now_s();
+        m_nextSet_s = m_clock.now_s();
+    }
+    m_mustSet = m_mustSet || std::abs(setPoint_K - m_sent_K) >= kSetPointStep_K;
+    m_setPoint_K = setPoint_K;
+    m_until_s = m_clock.now_s() + validFor_s;
+    return {};
+}
+
+Result<void> NamurHeater::heatOff() {
+    if (!m_link.isOpen()) {
+        m_isOn = false;
+        return m_watch.error();
+    }
+    if (m_isOn)
+        stop();
+    else if (m_stopsLeft == 0 && m_clock.now_s() >= m_nextStop_s)
+        m_stopsLeft = 1;
+    return {};
+}
+
+bool NamurHeater::heating() const {
+    return m_isOn && m_clock.now_s() < m_until_s;
+}
+
+} // namespace bask

@@ -1,0 +1,84 @@
+#pragma once
+// A laboratory hotplate that speaks NAMUR (IKA) as heat source.
+
+#include "engine/devices/heat_source.h"
+#include "engine/drivers/link_watch.h"
+#include "engine/protocols/line_splitter.h"
+
+namespace bask {
+
+struct NamurHeaterConfig {
+    bool isProbeUsed = false; ///< the external probe is at the hot surface, not the plate's own sensor
+    double watchdog_s = 30.0; ///< of the plate: 20 to 1500
+    bool operator==(const NamurHeaterConfig&) const = default;
+};
+
+/// The plate says nothing to what it is told to do, so its set point is read back again and again; a
+/// difference is told as SafetySetPointOther. Its own watchdog is fed only while heat is asked for: an engine
+/// that dies leaves a plate that goes off by itself.
+class NamurHeater final : public HeatSource, public Device {
+public:
+    static constexpr double kDeadline_s = 0.5; ///< of one answer
+    static constexpr double kQuiet_s = 0.25; ///< after one that did not come, so that it is not taken for the
+                                             ///< next one's
+    static constexpr double kSilence_s = 2.0; ///< without a temperature: lost
+    static constexpr double kPoll_s = 0.2;    ///< between two temperatures
+
+    /// `link` and `clock` must outlive it. Throws std::invalid_argument on a watchdog that no plate has.
+    NamurHeater(ByteLink& link, const Clock& clock, const NamurHeaterConfig& config);
+
+    void work() override;
+    DeviceStatus status() const override;
+
+    /// The time is that of the question.
+    Result<Reading> read() override;
+    /// Refuses what no plate can be set to, 0 to 310 degC.
+    Result<void> keepHeating(double setPoint_K, double validFor_s) override;
+    Result<void> heatOff() override;
+    bool heating() const override;
+    std::optional<double> setPoint_K() const override { return m_readBack_K; }
+
+    /// Answers that did not fit so far.
+    int discards() const { return m_watch.discards(); }
+
+private:
+    enum class Question { None, Name, Temperature, SetPoint, Watchdog };
+
+    void begin();
+    void takeLine(const std::string& line);
+    bool takeTemperature(const std::string& line);
+    bool takeSetPoint(const std::string& line);
+    void giveUpLate();
+    void speak();
+    void order();
+    void poll();
+    void ask(Question question, const std::string& command);
+    void say(const std::string& command);
+    void stop();
+    bool isSetPointOther() const;
+
+    ByteLink& m_link;
+    const Clock& m_clock;
+    NamurHeaterConfig m_config;
+    LinkWatch m_watch;
+    LineSplitter m_lines;
+    std::string m_name;
+
+    Question m_asked = Question::None;
+    double m_askedAt_s = 0.0, m_nextLine_s = 0.0, m_nextPoll_s = 0.0;
+    int m_polls = 0, m_namesLeft = 0;
+    std::optional<Reading> m_reading;
+
+    // Heat
+    bool m_isOn = false;
+    double m_until_s = -1e300, m_setPoint_K = 0.0, m_sent_K = 0.0;
+    bool m_mustSet = false, m_mustStart = false;
+    double m_nextSet_s = 0.0;
+    int m_stopsLeft = 0;
+    double m_nextStop_s = 0.0, m_nextWatchdog_s = 0.0;
+    int m_unechoed = 0; ///< watchdogs sent and not echoed, in a row
+    std::optional<double> m_readBack_K;
+    int m_others = 0; ///< set points read back in a row that are not the one set
+};
+
+} // namespace bask
