@@ -1,11 +1,11 @@
 #include "engine/drivers/serial_link.h"
 
 #include "engine/base/message_code.h"
+#include "engine/drivers/serial_port.h"
 
 #include <QSerialPort>
 
 #include <poll.h>
-#include <unistd.h>
 
 namespace bask {
 namespace {
@@ -22,16 +22,6 @@ void apply(const SerialSettings& settings, QSerialPort& port) {
     port.setParity(parityOf(settings.parity));
     port.setStopBits(settings.stopBits == 2 ? QSerialPort::TwoStop : QSerialPort::OneStop);
     port.setFlowControl(QSerialPort::NoFlowControl);
-}
-
-/// What the terminal has for us; hung up when the cable or its adapter is out.
-enum class Waiting { Nothing, Bytes, HungUp };
-
-Waiting waitingAt(int descriptor) {
-    pollfd state{descriptor, POLLIN, 0};
-    if (::poll(&state, 1, 0) <= 0)
-        return Waiting::Nothing;
-    return (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0 ? Waiting::HungUp : Waiting::Bytes;
 }
 
 bool takesBytes(int descriptor) {
@@ -65,18 +55,10 @@ SerialLink::Port::Port(std::string where, const SerialSettings& how) : path(std:
     });
 }
 
-/// Nearly everybody meets it once: the port belongs to a group that the user is not in.
 Message SerialLink::Port::notOpened() const {
-    std::string words = serial.errorString().toStdString();
-    if (::access(path.c_str(), F_OK) != 0)
-        words = "there is no such port";
-    else if (::access(path.c_str(), R_OK | W_OK) != 0)
-        words =
-            "you have no right to use it; have yourself added to its group, often \"dialout\", and log in "
-            "again";
-    else if (serial.error() == QSerialPort::PermissionError)
-        words = "another program has it open";
-    return {MessageCode::LinkNotOpened, {path, words}};
+    const bool isTaken = serial.error() == QSerialPort::PermissionError;
+    return {MessageCode::LinkNotOpened,
+            {path, whyNotOpened(path, isTaken, serial.errorString().toStdString())}};
 }
 
 /// In a slot of the port the port cannot be closed at once; left open, an unplugged one raises errors as fast
@@ -126,16 +108,15 @@ Message SerialLink::problem() const {
 std::string SerialLink::read() {
     if (!isOpen())
         return {};
-    // Asked here and not left to the event loop: of a port that was unplugged Qt tells too often (up to 6.7)
-    // or not at all (since), and what has come is not to wait for the loop's next turn.
-    switch (waitingAt(m_port->serial.handle())) {
-    case Waiting::HungUp:
+    // Asked here and not left to the event loop: what has come is not to wait for the loop's next turn.
+    switch (serialPortState(m_port->serial.handle())) {
+    case SerialPortState::HungUp:
         m_port->lose(MessageCode::LinkLost, "it was unplugged");
         break;
-    case Waiting::Bytes:
+    case SerialPortState::Bytes:
         m_port->serial.waitForReadyRead(0);
         break;
-    case Waiting::Nothing:
+    case SerialPortState::Nothing:
         break;
     }
     return m_port->serial.readAll().toStdString();

@@ -1,0 +1,86 @@
+#pragma once
+// Modbus units at the far end of one serial line: thermometer modules and temperature controllers, by
+// profile.
+
+#include "engine/device_simulators/byte_device.h"
+#include "engine/protocols/modbus_frame.h"
+#include "engine/protocols/modbus_profile.h"
+
+#include <deque>
+#include <map>
+#include <optional>
+
+namespace bask {
+
+/// The heated plate of a simulated controller: it nears its set point while it heats and the ambient
+/// temperature while it does not, each exponentially.
+struct SimulatedPlate {
+    double ambient_K = 296.15;
+    double heating_s = 60.0; ///< time constants
+    double cooling_s = 300.0;
+};
+
+/// Faults, of all units: "silent"; "open" and "short", as the profile has such sensors; "frozen": registers
+/// keep what they hold; "wrong-unit", "short-reply", "late-reply", "exception" and "bad-crc" answers.
+class ModbusSimulator final : public ByteDevice {
+public:
+    static constexpr double kReplyTime_s = 0.005;
+    static constexpr double kLateReply_s = 0.75;
+
+    /// Every channel begins at `t_K`. Throws std::invalid_argument for a profile without channels.
+    void addThermometer(int unit, const ModbusProfile& profile, double t_K);
+    /// Throws std::invalid_argument for a profile without a process value.
+    void addController(int unit, const ModbusProfile& profile, const SimulatedPlate& plate = {});
+
+    /// Beyond what the registers can hold they hold their end. Throws std::out_of_range for another unit.
+    void setTemperature(int unit, int channel, double t_K);
+    double plate_K(int unit) const { return m_units.at(unit).plate_K; }
+    void setPlate(int unit, double t_K) { m_units.at(unit).plate_K = t_K; }
+    /// As the last client set it.
+    double setPoint_K(int unit) const;
+    /// Whether the controller heats towards its set point; one without a run register always does.
+    bool isOn(int unit) const;
+    /// What a client finds there.
+    std::uint16_t registerAt(int unit, int function, int address) const;
+    void setRegister(int unit, int function, int address, std::uint16_t value);
+    /// Registers written by clients so far.
+    int writes() const { return m_writes; }
+
+    void receive(std::string_view bytes, double now_s) override;
+    std::string transmit(double now_s) override;
+    std::vector<std::string> faults() const override;
+    Result<void> setFault(const std::string& name) override;
+
+private:
+    struct Unit {
+        ModbusProfile profile;
+        SimulatedPlate plate{};
+        double plate_K = 0.0;
+        std::vector<double> channels_K;
+        std::map<std::pair<int, int>, std::uint16_t> registers; ///< by function and address
+        double asked_s = 0.0;                                   ///< newest, for the watchdog
+    };
+
+    void advance(double now_s);
+    static void advance(Unit& unit, double from_s, double to_s);
+    static void store(Unit& unit, const RegisterSpec& spec, const std::vector<std::uint16_t>& values,
+                      int shift = 0);
+    static double temperatureAt(const Unit& unit, const RegisterSpec& spec);
+    static double quantityAt(const Unit& unit, const RegisterSpec& spec);
+    static bool isOn(const Unit& unit);
+    void refresh(Unit& unit) const;
+    void refreshSensor(Unit& unit, const RegisterSpec& spec, int channel, double t_K) const;
+    void answer(const ModbusQuery& query, double now_s);
+    std::string reply(Unit& unit, const ModbusQuery& query);
+    std::string read(const Unit& unit, const ModbusQuery& query) const;
+    std::string write(Unit& unit, const ModbusQuery& query);
+
+    std::map<int, Unit> m_units;
+    std::string m_received, m_fault = "none";
+    double m_now_s = 0.0, m_heard_s = 0.0;
+    bool m_hasTime = false;
+    std::deque<std::pair<double, std::string>> m_answers; ///< and when they are sent
+    int m_writes = 0;
+};
+
+} // namespace bask

@@ -1,0 +1,53 @@
+#pragma once
+// A driver's half of the talk with one Modbus unit: the link opened again and again, one request at a time,
+// and how the device is.
+
+#include "engine/base/clock.h"
+#include "engine/devices/device.h"
+#include "engine/drivers/modbus_link.h"
+
+#include <deque>
+#include <optional>
+
+namespace bask {
+
+class ModbusExchange {
+public:
+    /// A device is lost when nothing fitting has come for silentAfter_s.
+    ModbusExchange(ModbusLink& link, const Clock& clock, int unit, double silentAfter_s);
+
+    /// Opens the link if it is due, and answers the reply to the last request when it is there. First of all
+    /// in each work() of a driver.
+    std::optional<ModbusReply> work();
+    /// Not in the turn in which a reply came: other drivers of the line are to have theirs.
+    bool canSend() const;
+    /// Only then. The unit is put in.
+    void send(ModbusRequest request);
+
+    DeviceStatus status() const;
+    bool isLive() const;
+    /// Why nothing can be read or set now.
+    Error error() const;
+    /// When the newest reply came, s.
+    double answered_s() const { return m_answered_s; }
+    std::string name() const { return m_link.name(); }
+
+private:
+    void note(const ModbusReply& reply);
+    Message problem() const;
+    Message silence() const;
+
+    ModbusLink& m_link;
+    const Clock& m_clock;
+    int m_unit;
+    double m_silentAfter_s;
+    std::optional<int> m_asked;
+    bool m_mayContinue = true;
+    bool m_isBegun = false, m_wasLive = false;
+    double m_opened_s = -1e300; ///< tried last
+    double m_begun_s = 0.0, m_sent_s = 0.0, m_answered_s = -1e300, m_replyTime_s = 0.0;
+    std::deque<double> m_answers_s; ///< the newest
+    Message m_refusal;              ///< of the newest request; None: it was answered
+};
+
+} // namespace bask

@@ -1,0 +1,81 @@
+#pragma once
+// Temperature controllers over Modbus as heat sources, by profile: what the device holds is read over and
+// over, and written only where it differs from what is wanted.
+
+#include "engine/devices/device.h"
+#include "engine/devices/heat_source.h"
+#include "engine/drivers/modbus_exchange.h"
+#include "engine/protocols/modbus_profile.h"
+#include "engine/protocols/register_ranges.h"
+
+#include <memory>
+
+namespace bask {
+
+struct ModbusHeaterSettings {
+    int unit = 1;
+    ModbusProfile profile{};
+    double period_s = 0.25;     ///< of polls, which keep the device's watchdog quiet
+    double silentAfter_s = 1.0; ///< without a fitting reply it is lost
+    double watchdog_s = 30.0;   ///< where the profile has one
+};
+
+/// Off is what it is without anybody's word: found on, it is switched off. Off is the profile's run register,
+/// or without one its set point for off. The watchdog is set before heat goes on.
+class ModbusHeater final : public HeatSource, public Device {
+public:
+    /// `link` and `clock` must outlive it; the link may be shared. Errors: ValueOutOfRange (unit, period, a
+    /// watchdog time or set point that the registers cannot hold), JsonMissingKey (not a controller).
+    static Result<std::unique_ptr<ModbusHeater>> create(ModbusLink& link, const Clock& clock,
+                                                        const ModbusHeaterSettings& settings);
+
+    void work() override;
+    DeviceStatus status() const override { return m_exchange.status(); }
+    Result<Reading> read() override;
+    /// Refused besides when the device did not take what was written: SafetySetPointOther, DeviceException.
+    Result<void> keepHeating(double setPoint_K, double validFor_s) override;
+    /// An Error when the device does not answer; it is switched off as soon as it does.
+    Result<void> heatOff() override;
+    /// Wanted, or not yet seen to be off.
+    bool heating() const override;
+    std::optional<double> setPoint_K() const override;
+
+private:
+    ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings);
+    void listRanges();
+    void take(const ModbusReply& reply);
+    void takeRead(const std::vector<std::uint16_t>& values);
+    void takeCycle();
+    void sendNext();
+    void write(const ModbusRequest& request);
+    std::optional<ModbusRequest> correction() const;
+    ModbusRequest offRequest() const;
+    ModbusRequest setPointRequest(double setPoint_K) const;
+    const RegisterSpec& writtenSetPoint() const;
+    double quantity(const RegisterSpec& spec) const;
+    double readBack_K() const;
+    bool isSetTo(double setPoint_K) const;
+    bool isOn() const;
+    Result<void> taken() const;
+
+    ModbusHeaterSettings m_settings;
+    const Clock& m_clock;
+    ModbusExchange m_exchange;
+    std::vector<RegisterRange> m_ranges; ///< requests of a cycle
+    RegisterImage m_image;
+    Reading m_reading;
+    std::optional<double> m_wanted_K; ///< heat towards it
+    double m_until_s = 0.0;           ///< then it is wanted no more
+    bool m_isOffDue = false;          ///< at once, before anything else
+    bool m_isKnown = false;           ///< every register has been read once
+    bool m_isFresh = false;           ///< all of them since the newest write
+    std::size_t m_next = 0;           ///< of m_ranges
+    double m_due_s = -1e300, m_measured_s = 0.0;
+    bool m_isRefused = false;  ///< the newest read
+    bool m_isWriting = false;  ///< m_written is under way
+    ModbusRequest m_written{}; ///< newest
+    int m_tries = 0;           ///< of it, without effect so far
+    Message m_writeProblem;    ///< of it
+};
+
+} // namespace bask

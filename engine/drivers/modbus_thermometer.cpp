@@ -1,0 +1,109 @@
+#include "engine/drivers/modbus_thermometer.h"
+
+#include "engine/base/message_code.h"
+#include "engine/drivers/sensor_fault.h"
+#include "engine/protocols/register_values.h"
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr double kLeastPeriod_s = 0.1;
+
+Error outOfRange(const char* where, double value, double least, double most, const char* unit = "") {
+    return {MessageCode::ValueOutOfRange,
+            where,
+            {formatNumber(value), formatNumber(least), formatNumber(most), unit}};
+}
+
+} // namespace
+
+Result<std::unique_ptr<ModbusThermometer>>
+ModbusThermometer::create(ModbusLink& link, const Clock& clock, const ModbusThermometerSettings& settings) {
+    const ModbusProfile& profile = settings.profile;
+    if (!profile.channel)
+        return Error(MessageCode::JsonMissingKey, "profile", {"channel"});
+    if (settings.unit < 1 || settings.unit > 247)
+        return outOfRange("unit", settings.unit, 1, 247);
+    if (settings.channels.empty())
+        return outOfRange("channels", 0, 1, profile.channels);
+    for (const int channel : settings.channels) {
+        if (channel < 0 || channel >= profile.channels)
+            return outOfRange("channels", channel, 0, profile.channels - 1);
+    }
+    if (!(settings.period_s >= kLeastPeriod_s && settings.period_s <= 60.0))
+        return outOfRange("period", settings.period_s, kLeastPeriod_s, 60.0, "s");
+    return std::unique_ptr<ModbusThermometer>(new ModbusThermometer(link, clock, settings));
+}
+
+ModbusThermometer::ModbusThermometer(ModbusLink& link, const Clock& clock,
+                                     const ModbusThermometerSettings& settings)
+    : m_settings(settings), m_clock(clock),
+      m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)) {
+    const auto [first, last] = std::minmax_element(settings.channels.begin(), settings.channels.end());
+    const RegisterRange begin = rangeOf(*first), end = rangeOf(*last);
+    m_values = {begin.function, begin.address, end.address + end.count - begin.address};
+    std::vector<RegisterRange> ranges{m_values};
+    for (const StatusSpec& status : settings.profile.status)
+        ranges.push_back({status.function, status.address, 1});
+    m_ranges = joinedRanges(std::move(ranges));
+}
+
+RegisterRange ModbusThermometer::rangeOf(int channel) const {
+    const RegisterSpec& spec = *m_settings.profile.channel;
+    return {spec.function, spec.address + channel * m_settings.profile.channelStep, registerCount(spec.type)};
+}
+
+void ModbusThermometer::work() {
+    if (const auto reply = m_exchange.work())
+        take(*reply);
+    const double now_s = m_clock.now_s();
+    const bool waits = m_next == 0 || m_isRefused;
+    if (!m_exchange.canSend() || (waits && now_s < m_due_s))
+        return;
+    if (waits)
+        m_due_s = std::max(m_due_s + m_settings.period_s, now_s + 0.5 * m_settings.period_s); // no drift
+    const RegisterRange& range = m_ranges[m_next];
+    m_exchange.send({0, range.function, range.address, range.count});
+}
+
+/// After a refusal the same is asked again: another question could take its late answer.
+void ModbusThermometer::take(const ModbusReply& reply) {
+    m_isRefused = !reply.ok();
+    if (m_isRefused)
+        return;
+    const RegisterRange& range = m_ranges[m_next];
+    m_image.store(range, *reply);
+    if (range.contains(m_values))
+        m_measured_s = m_exchange.answered_s();
+    if (++m_next == m_ranges.size())
+        publish();
+}
+
+void ModbusThermometer::publish() {
+    m_next = 0;
+    m_readings.clear();
+    for (const int channel : m_settings.channels)
+        m_readings.push_back(reading(channel));
+}
+
+Reading ModbusThermometer::reading(int channel) const {
+    const ModbusProfile& profile = m_settings.profile;
+    RegisterValue value =
+        temperatureFromRegisters(profile, *profile.channel, m_image.registers(rangeOf(channel)));
+    for (const StatusSpec& status : profile.status) {
+        if (isAtFault(status, channel, m_image.registers({status.function, status.address, 1}).front()))
+            value.fault = status.fault;
+    }
+    return {m_measured_s, value.fault.empty() ? value.value_K : 0.0, value.fault.empty(),
+            sensorFault(value.fault)};
+}
+
+Result<std::vector<Reading>> ModbusThermometer::read() {
+    if (!m_exchange.isLive() || m_readings.empty())
+        return m_exchange.error();
+    return m_readings;
+}
+
+} // namespace bask

@@ -1,0 +1,54 @@
+#pragma once
+// Thermometer modules over Modbus, by profile: every channel in as few requests as possible.
+
+#include "engine/devices/thermometer.h"
+#include "engine/drivers/modbus_exchange.h"
+#include "engine/protocols/modbus_profile.h"
+#include "engine/protocols/register_ranges.h"
+
+#include <memory>
+
+namespace bask {
+
+struct ModbusThermometerSettings {
+    int unit = 1;
+    ModbusProfile profile{};
+    std::vector<int> channels;  ///< of the device, in the order in which they are read out
+    double period_s = 0.1;      ///< of polls
+    double silentAfter_s = 1.0; ///< without a fitting reply it is lost
+};
+
+class ModbusThermometer final : public Thermometer, public Device {
+public:
+    /// `link` and `clock` must outlive it; the link may be shared. Errors: ValueOutOfRange (unit, a channel,
+    /// a period under 0.1 s), JsonMissingKey (a profile without a channel).
+    static Result<std::unique_ptr<ModbusThermometer>> create(ModbusLink& link, const Clock& clock,
+                                                             const ModbusThermometerSettings& settings);
+
+    void work() override;
+    DeviceStatus status() const override { return m_exchange.status(); }
+    int channels() const override { return static_cast<int>(m_settings.channels.size()); }
+    /// Each with the time at which its register was answered.
+    Result<std::vector<Reading>> read() override;
+
+private:
+    ModbusThermometer(ModbusLink& link, const Clock& clock, const ModbusThermometerSettings& settings);
+    RegisterRange rangeOf(int channel) const;
+    void take(const ModbusReply& reply);
+    Reading reading(int channel) const;
+    void publish();
+
+    ModbusThermometerSettings m_settings;
+    const Clock& m_clock;
+    ModbusExchange m_exchange;
+    RegisterRange m_values;              ///< of all channels
+    std::vector<RegisterRange> m_ranges; ///< requests of a poll
+    RegisterImage m_image;
+    std::size_t m_next = 0;   ///< of m_ranges
+    bool m_isRefused = false; ///< the newest request
+    double m_due_s = -1e300;
+    double m_measured_s = 0.0; ///< when m_values were answered
+    std::vector<Reading> m_readings;
+};
+
+} // namespace bask

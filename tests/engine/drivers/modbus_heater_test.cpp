@@ -1,0 +1,253 @@
+#include "engine/drivers/modbus_heater.h"
+
+#include "engine/base/units.h"
+#include "tests/engine/drivers/modbus_fixture.h"
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+using test::shipped;
+
+constexpr double kWarm_K = kZeroCelsius_K + 80.0;
+
+class ModbusHeaterTest : public test::ModbusDriverTest {
+protected:
+    std::unique_ptr<ModbusHeater> made(const std::string& profile) {
+        sim.addController(5, shipped(profile));
+        return ModbusHeater::create(link, clock, {5, shipped(profile)}).value();
+    }
+    /// As a loop at 10 Hz that wants heat.
+    void heat(ModbusHeater& heater, double s, double setPoint_K = kWarm_K) {
+        for (double t = 0.0; t < s; t += 0.1) {
+            m_newest = heater.keepHeating(setPoint_K, 0.5);
+            run(heater, 0.1);
+        }
+    }
+
+    Result<void> m_newest;
+};
+
+// Catches heat without a word, a set point off by a scale or unit, and a state told that is not the device's.
+TEST_F(ModbusHeaterTest, HeatsTowardsTheSetPointWithEveryProfile) {
+    for (const char* profile : {"eurotherm-2400", "watlow-ez-zone", "pixsys-drr245"}) {
+        const auto heater = made(profile);
+        EXPECT_FALSE(heater->keepHeating(kWarm_K, 0.5).ok()) << "nobody has answered";
+        run(*heater, 2.0);
+        ASSERT_TRUE(heater->read().ok()) << profile;
+        EXPECT_NEAR(heater->read()->value_K, 296.15, 0.6) << profile;
+        EXPECT_FALSE(heater->heating()) << profile;
+        EXPECT_FALSE(heater->isByHand());
+        EXPECT_EQ(sim.writes(), 0) << "found off, nothing is written";
+
+        heat(*heater, 3.0);
+        EXPECT_TRUE(m_newest.ok()) << profile;
+        EXPECT_TRUE(heater->heating());
+        EXPECT_TRUE(sim.isOn(5)) << profile;
+        EXPECT_NEAR(sim.setPoint_K(5), kWarm_K, 0.01) << profile;
+        EXPECT_NEAR(heater->setPoint_K().value(), kWarm_K, 0.01) << profile;
+        heat(*heater, 300.0);
+        EXPECT_NEAR(heater->read()->value_K, kWarm_K, 1.0) << profile;
+        EXPECT_LE(sim.writes(), 4) << "written where it differs, not again and again: " << profile;
+
+        EXPECT_TRUE(heater->heatOff().ok());
+        run(*heater, 1.0);
+        EXPECT_FALSE(heater->heating()) << profile;
+        const double before_K = sim.plate_K(5);
+        run(*heater, 60.0);
+        EXPECT_LT(sim.plate_K(5), before_K - 5.0) << profile;
+        sim = ModbusSimulator();
+    }
+}
+
+// Promise: heat is off unless something keeps saying on.
+TEST_F(ModbusHeaterTest, HeatGoesOffByItself) {
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 1.0);
+    heat(*heater, 2.0);
+    ASSERT_TRUE(sim.isOn(5));
+    run(*heater, 0.4);
+    EXPECT_TRUE(sim.isOn(5));
+    run(*heater, 0.3);
+    EXPECT_FALSE(sim.isOn(5)) << "0.5 s after the last word";
+    run(*heater, 0.5);
+    EXPECT_FALSE(heater->heating());
+}
+
+// Promise of start-up: a heater that is found on is switched off, and what it is set to is read.
+TEST_F(ModbusHeaterTest, FoundOnItIsSwitchedOff) {
+    const auto heater = made("pixsys-drr245");
+    sim.setRegister(5, 3, 1001, 2000);
+    sim.setRegister(5, 3, 1016, 1);
+    run(*heater, 1.5);
+    EXPECT_FALSE(sim.isOn(5));
+    EXPECT_NEAR(heater->setPoint_K().value(), kZeroCelsius_K + 200.0, 1e-6);
+
+    const auto other = made("eurotherm-2400");
+    sim.setRegister(5, 3, 24, 150);
+    run(*other, 1.5);
+    EXPECT_NEAR(sim.setPoint_K(5), kZeroCelsius_K, 1e-9);
+    EXPECT_FALSE(other->heating());
+}
+
+// Catches heat switched on before the set point and the watchdog are what they are to be.
+TEST_F(ModbusHeaterTest, WatchdogAndSetPointAreSetBeforeHeatIsOn) {
+    const auto heater = made("pixsys-drr245");
+    sim.setRegister(5, 3, 1001, 3000); // of the last user
+    run(*heater, 1.0);
+    heat(*heater, 2.0);
+    std::vector<int> written;
+    for (const ModbusRequest& r : link.sent) {
+        if (r.function == 6)
+            written.push_back(r.address);
+    }
+    EXPECT_EQ(written, (std::vector<int>{1022, 1001, 1016}));
+    EXPECT_EQ(sim.registerAt(5, 3, 1022), 30000);
+}
+
+// Promise: an engine that dies leaves the device's watchdog to switch off; a healthy one keeps it quiet.
+TEST_F(ModbusHeaterTest, TheDevicesWatchdogIsFedByPollsOnly) {
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 1.0);
+    heat(*heater, 60.0);
+    EXPECT_TRUE(sim.isOn(5));
+    clock.advance(31.0); // kill -9
+    sim.transmit(clock.now_s());
+    EXPECT_FALSE(sim.isOn(5));
+}
+
+// Catches a wish that survives a lost link: heat coming back on by itself, or off never being sent.
+TEST_F(ModbusHeaterTest, AfterALostLinkItIsSwitchedOff) {
+    const auto heater = made("eurotherm-2400");
+    run(*heater, 1.0);
+    heat(*heater, 3.0);
+    link.unplug();
+    heat(*heater, 2.0);
+    EXPECT_FALSE(m_newest.ok());
+    EXPECT_TRUE(heater->heating()) << "not yet seen to be off";
+    EXPECT_FALSE(heater->setPoint_K().has_value());
+    EXPECT_FALSE(heater->heatOff().ok());
+    EXPECT_NEAR(sim.setPoint_K(5), kWarm_K, 0.01);
+    link.isPlugged = true;
+    const std::size_t sent = link.sent.size();
+    run(*heater, 1.0);
+    ASSERT_GT(link.sent.size(), sent);
+    EXPECT_EQ(link.sent[sent].function, 6) << "off comes first";
+    EXPECT_NEAR(sim.setPoint_K(5), kZeroCelsius_K, 1e-9);
+    EXPECT_FALSE(heater->heating());
+}
+
+// Catches off taken for granted: the first writes are lost, or the device goes on.
+TEST_F(ModbusHeaterTest, OffIsVerifiedAndRepeated) {
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 1.0);
+    heat(*heater, 3.0);
+    int lost = 0;
+    before = [&](const ModbusRequest& r) -> std::optional<ModbusReply> {
+        if (r.function == 6 && ++lost <= 5)
+            return ModbusReply(std::vector<std::uint16_t>{}); // said to be done, and is not
+        return std::nullopt;
+    };
+    EXPECT_TRUE(heater->heatOff().ok());
+    run(*heater, 0.6);
+    EXPECT_TRUE(heater->heating());
+    run(*heater, 4.0);
+    EXPECT_FALSE(sim.isOn(5));
+    EXPECT_FALSE(heater->heating());
+    EXPECT_EQ(lost, 6);
+}
+
+// Catches a set point that the device limits: written for ever, or taken for what was asked.
+TEST_F(ModbusHeaterTest, ASetPointThatIsNotTakenIsToldAndNotWornOut) {
+    const auto heater = made("eurotherm-2400");
+    run(*heater, 1.0);
+    before = [&](const ModbusRequest& r) -> std::optional<ModbusReply> {
+        if (r.function != 6 || r.values.at(0) <= 60)
+            return std::nullopt;
+        sim.setRegister(5, 3, 24, 60);
+        return ModbusReply(std::vector<std::uint16_t>{});
+    };
+    heat(*heater, 5.0);
+    ASSERT_FALSE(m_newest.ok());
+    EXPECT_EQ(m_newest.error().code(), MessageCode::SafetySetPointOther);
+    EXPECT_EQ(m_newest.error().message.args, (std::vector<std::string>{"80", "60"}));
+    EXPECT_NEAR(heater->setPoint_K().value(), kZeroCelsius_K + 60.0, 1e-9);
+    EXPECT_EQ(sentBy(6), 3);
+    heat(*heater, 2.0, kZeroCelsius_K + 50.0);
+    EXPECT_TRUE(m_newest.ok()) << "another wish is tried";
+    EXPECT_NEAR(sim.setPoint_K(5), kZeroCelsius_K + 50.0, 1e-9);
+}
+
+// Catches a refusal in words of the device being lost.
+TEST_F(ModbusHeaterTest, ARefusedWriteIsTold) {
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 1.0);
+    before = [](const ModbusRequest& r) -> std::optional<ModbusReply> {
+        if (r.address == 1022 && r.function == 6)
+            return Error(MessageCode::DeviceException, "line", {"line", "5", "3"});
+        return std::nullopt;
+    };
+    heat(*heater, 5.0);
+    ASSERT_FALSE(m_newest.ok());
+    EXPECT_EQ(m_newest.error().code(), MessageCode::DeviceException);
+    EXPECT_FALSE(sim.isOn(5)) << "without its watchdog it does not heat";
+}
+
+// Catches a plate's broken sensor read as its temperature, wherever the device tells it.
+TEST_F(ModbusHeaterTest, ABrokenSensorIsInvalid) {
+    for (const auto& [profile, fault] : {std::pair("eurotherm-2400", SensorFault::Open),
+                                         std::pair("watlow-ez-zone", SensorFault::OutOfRange),
+                                         std::pair("pixsys-drr245", SensorFault::Other)}) {
+        const auto heater = made(profile);
+        run(*heater, 1.0);
+        EXPECT_TRUE(heater->read()->valid) << profile;
+        ASSERT_TRUE(sim.setFault("open").ok());
+        run(*heater, 1.0);
+        EXPECT_FALSE(heater->read()->valid) << profile;
+        EXPECT_EQ(heater->read()->fault, fault) << profile;
+        ASSERT_TRUE(sim.setFault("none").ok());
+        sim = ModbusSimulator();
+    }
+}
+
+// Catches a lost "on" repeated after heat is wanted no more.
+TEST_F(ModbusHeaterTest, AnOnThatWasLostIsNotRepeatedAfterOff) {
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 1.0);
+    before = [&](const ModbusRequest& r) -> std::optional<ModbusReply> {
+        if (r.function == 6 && r.address == 1016) {
+            EXPECT_TRUE(sim.setFault("silent").ok());
+        }
+        return std::nullopt;
+    };
+    heat(*heater, 1.5);
+    before = nullptr;
+    ASSERT_TRUE(sim.setFault("none").ok());
+    run(*heater, 5.0);
+    EXPECT_FALSE(sim.isOn(5));
+    EXPECT_EQ(link.sent.back().function, 3);
+    for (std::size_t i = link.sent.size() - 10; i < link.sent.size(); ++i)
+        EXPECT_EQ(link.sent[i].function, 3) << "nothing more to write";
+}
+
+// Catches wishes and settings that no register can hold.
+TEST_F(ModbusHeaterTest, RefusesWhatItCannotDo) {
+    const ModbusProfile& pixsys = shipped("pixsys-drr245");
+    const auto refusal = [&](const ModbusHeaterSettings& s) {
+        return ModbusHeater::create(link, clock, s).error();
+    };
+    EXPECT_EQ(refusal({1, shipped("modmux-pm6rtd")}).code(), MessageCode::JsonMissingKey);
+    EXPECT_EQ(refusal({0, pixsys}).where, "unit");
+    EXPECT_EQ(refusal({1, pixsys, 0.25, 1.0, 70.0}).where, "watchdog"); // 16 bits of milliseconds
+    EXPECT_EQ(refusal({1, pixsys, 0.25, 1.0, 0.3}).where, "watchdog");  // shorter than the polls
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 1.0);
+    EXPECT_EQ(heater->keepHeating(5000.0, 0.5).error().code(), MessageCode::ValueOutOfRange);
+    EXPECT_EQ(heater->keepHeating(kWarm_K, 0.0).error().code(), MessageCode::ValueNotPositive);
+    run(*heater, 1.0);
+    EXPECT_EQ(sim.writes(), 0);
+}
+
+} // namespace
+} // namespace bask
