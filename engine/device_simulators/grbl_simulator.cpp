@@ -1,0 +1,555 @@
+#include "engine/device_simulators/grbl_simulator.h"
+
+#include "engine/base/message_code.h"
+#include "engine/protocols/grbl_lines.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr double kStep_s = 0.001;  // of the motion
+constexpr double kSlow_s = 3.0;    // "slow-ok"
+constexpr double kSwitch_mm = 1.0; // the switches are this far beyond the travel
+constexpr std::size_t kBlocks = 15;
+constexpr std::size_t kLineBytes = 80;
+constexpr double kInch_mm = 25.4;
+constexpr double kThere = 1e-9;
+
+std::string fixed(double value, int decimals = 3) {
+    std::array<char, 64> text{};
+    const auto end =
+        std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+    return {text.data(), end.ptr};
+}
+
+std::string joined(const std::vector<double>& values) {
+    std::string out;
+    for (const double value : values)
+        out += (out.empty() ? "" : ",") + fixed(value);
+    return out;
+}
+
+double distance(const std::vector<double>& a, const std::vector<double>& b) {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(squares);
+}
+
+} // namespace
+
+GrblSimulator::GrblSimulator(const GrblSimulatorConfig& config)
+    : m_config(config), m_true(config.start), m_reads(config.start) {
+    m_settings = {{10, config.tellsWork ? "0" : "1"},
+                  {13, config.tellsInches ? "1" : "0"},
+                  {20, config.hasSoftLimits ? "1" : "0"},
+                  {22, config.canHome ? "1" : "0"}};
+    for (std::size_t i = 0; i < m_true.size(); ++i) {
+        m_settings[110 + static_cast<int>(i)] = fixed(config.maxRate_mm_min);
+        m_settings[120 + static_cast<int>(i)] = fixed(config.acceleration_mm_s2);
+        m_settings[130 + static_cast<int>(i)] = fixed(config.upper[i] - config.lower[i]);
+    }
+    m_state = config.startsLocked ? State::Alarm : State::Idle;
+}
+
+void GrblSimulator::receive(std::string_view bytes, double now_s) {
+    advance(now_s);
+    for (const char byte : bytes)
+        takeByte(byte);
+}
+
+std::string GrblSimulator::transmit(double now_s) {
+    advance(now_s);
+    std::string out = std::exchange(m_said, {});
+    if (m_fault == "silent")
+        return {};
+    if (m_fault == "garbage")
+        spoil(out);
+    return out;
+}
+
+std::vector<std::string> GrblSimulator::faults() const {
+    return {"none", "silent", "restart", "alarm", "door", "slow-ok", "lost-steps", "garbage"};
+}
+
+Result<void> GrblSimulator::setFault(const std::string& name) {
+    const auto known = faults();
+    if (std::ranges::find(known, name) == known.end()) {
+        std::string list;
+        for (const std::string& fault : known)
+            list += (list.empty() ? "" : ", ") + fault;
+        return Error(MessageCode::ValueUnknown, "fault", {name, list});
+    }
+    m_fault = name;
+    m_isDoorOpen = name == "door";
+    if (name == "restart")
+        restart();
+    if (name == "alarm")
+        raiseAlarm(1);
+    if (m_isDoorOpen) {
+        say("[MSG:Check Door]");
+        cancelJog();
+        if (m_state != State::Alarm)
+            m_state = State::Door;
+    }
+    return {};
+}
+
+// --- Bytes and lines ---
+
+void GrblSimulator::takeByte(char byte) {
+    switch (byte) {
+    case grbl::kStatus:
+    case '\x80':
+        if (m_state != State::Home || m_config.isHal)
+            say(status());
+        return;
+    case grbl::kReset:
+        return reset();
+    case grbl::kHold:
+        if (m_state == State::Jog)
+            return cancelJog(); // Grbl ends a jog by a hold
+        if (m_state == State::Idle || m_state == State::Run) {
+            m_isStopping = m_speed > 0.0;
+            m_state = State::Hold;
+        }
+        return;
+    case grbl::kResume:
+        if (m_state == State::Hold || (m_state == State::Door && !m_isDoorOpen)) {
+            m_isStopping = false;
+            m_state = m_blocks.empty() ? State::Idle : State::Run;
+        }
+        return;
+    case grbl::kJogCancel:
+        if (m_config.isHal) { // what has not been taken is dropped, without an answer
+            m_lines.clear();
+            m_partial.clear();
+        }
+        if (m_state == State::Jog)
+            cancelJog();
+        return;
+    default:
+        break;
+    }
+    if (byte != '\n' && byte != '\r') {
+        m_partial += byte;
+    } else if (byte == '\n') {
+        m_lines.push_back({m_now_s + (m_fault == "slow-ok" ? kSlow_s : m_config.lineTime_s), m_partial});
+        m_partial.clear();
+    }
+}
+
+bool GrblSimulator::takesLines() const {
+    const bool isHeld = m_state == State::Hold || m_state == State::Door || m_state == State::Home;
+    return !isHeld && !m_isStopping && !m_isDwelling && m_blocks.size() < kBlocks;
+}
+
+void GrblSimulator::takeLines() {
+    while (takesLines() && !m_lines.empty() && m_lines.front().time_s <= m_now_s) {
+        const std::string line = m_lines.front().text;
+        m_lines.pop_front();
+        take(line);
+    }
+}
+
+void GrblSimulator::take(const std::string& line) {
+    std::string text;
+    for (const char c : line)
+        if (c > ' ')
+            text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    if (m_needsReset)
+        return answer(9);
+    if (line.size() >= kLineBytes)
+        return answer(11);
+    if (text.empty())
+        return answer(0);
+    const int error = text[0] == '$' ? takeDollar(text) : takeCode(text);
+    if (error >= 0)
+        answer(error);
+}
+
+/// Error number; -1: answers later.
+int GrblSimulator::takeDollar(const std::string& line) {
+    const bool isAtRest = m_state == State::Idle || m_state == State::Alarm;
+    if (line.starts_with("$J="))
+        return takeJog(line.substr(3));
+    if (line == "$G") {
+        say("[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]");
+        return 0;
+    }
+    if (!isAtRest)
+        return 8;
+    if (line == "$I") {
+        say(m_config.isHal ? "[VER:1.1f.20240101:]" : "[VER:1.1h.20190825:]");
+        say(m_config.isHal ? "[OPT:VNMSL,100,1024,4,0]" : "[OPT:V,15,128]");
+    } else if (line == "$$") {
+        for (const auto& [number, value] : m_settings)
+            say("$" + std::to_string(number) + "=" + value);
+    } else if (line == "$X") {
+        if (m_state == State::Alarm)
+            say("[MSG:Caution: Unlocked]");
+        m_state = State::Idle;
+    } else if (line == "$H") {
+        if (!m_config.canHome)
+            return 5;
+        home();
+        return -1;
+    } else {
+        return takeSetting(line);
+    }
+    return 0;
+}
+
+int GrblSimulator::takeSetting(const std::string& line) {
+    const GrblLine parsed = parseGrblLine(line);
+    const auto* setting = std::get_if<GrblSetting>(&parsed);
+    if (setting == nullptr)
+        return 3;
+    if (m_state == State::Alarm)
+        return 9;
+    m_settings[setting->number] = setting->value;
+    if (setting->number == 10)
+        m_config.tellsWork = setting->value == "0";
+    return 0;
+}
+
+GrblSimulator::Words GrblSimulator::readWords(const std::string& text) const {
+    Words words;
+    for (const char *p = text.data(), *end = p + text.size(); p != end;) {
+        const char letter = *p++;
+        if (letter < 'A' || letter > 'Z')
+            return {{}, {}, 1};
+        double value = 0.0;
+        const auto [after, error] = std::from_chars(p, end, value, std::chars_format::fixed);
+        if (error != std::errc())
+            return {{}, {}, 2};
+        p = after;
+        const std::size_t axis = grbl::kLetters.find(letter);
+        if (letter == 'G')
+            words.g.push_back(static_cast<int>(std::lround(10.0 * value)));
+        else if (letter != 'F' && letter != 'P' && axis >= m_true.size())
+            return {{}, {}, 20};
+        else if (!words.values.emplace(letter, value).second)
+            return {{}, {}, 25};
+    }
+    return words;
+}
+
+int GrblSimulator::takeJog(const std::string& text) {
+    if (m_state == State::Alarm)
+        return 9;
+    if (m_state != State::Idle && m_state != State::Jog)
+        return 8;
+    const Words words = readWords(text);
+    if (words.error != 0)
+        return words.error;
+    bool isRelative = m_isRelative, isInches = m_isInches;
+    for (const int g : words.g) {
+        if (g != 200 && g != 210 && g != 900 && g != 910 && g != 530)
+            return 16;
+        isRelative = g == 910 || (isRelative && g != 900);
+        isInches = g == 200 || (isInches && g != 210);
+    }
+    if (words.values.contains('P'))
+        return 16;
+    const auto feed = words.values.find('F');
+    if (feed == words.values.end() || !(feed->second > 0.0))
+        return 22;
+    return queue(words, isRelative, isInches, feed->second / 60.0 * (isInches ? kInch_mm : 1.0), true);
+}
+
+int GrblSimulator::takeCode(const std::string& text) {
+    if (m_state == State::Alarm || m_state == State::Jog)
+        return 9;
+    const Words words = readWords(text);
+    if (words.error != 0)
+        return words.error;
+    bool isDwell = false;
+    for (const int g : words.g) {
+        if (g == 0 || g == 10)
+            m_motion = g / 10;
+        else if (g == 200 || g == 210)
+            m_isInches = g == 200;
+        else if (g == 900 || g == 910)
+            m_isRelative = g == 910;
+        else if (g == 40)
+            isDwell = true;
+        else if (g != 530)
+            return 20;
+    }
+    if (const auto feed = words.values.find('F'); feed != words.values.end())
+        m_feed_mm_s = feed->second / 60.0 * (m_isInches ? kInch_mm : 1.0);
+    if (isDwell) {
+        const auto pause = words.values.find('P');
+        m_isDwelling = true; // from when the queue is empty; its ok comes at the end
+        m_dwellUntil_s = pause == words.values.end() ? 0.0 : pause->second;
+        return -1;
+    }
+    const bool hasAxis = std::ranges::any_of(words.values, [](const auto& word) {
+        return grbl::kLetters.find(word.first) != std::string_view::npos;
+    });
+    if (!hasAxis)
+        return 0;
+    if (m_motion == 1 && m_feed_mm_s <= 0.0)
+        return 22;
+    return queue(words, m_isRelative, m_isInches, m_motion == 0 ? HUGE_VAL : m_feed_mm_s, false);
+}
+
+int GrblSimulator::queue(const Words& words, bool isRelative, bool isInches, double feed_mm_s, bool isJog) {
+    Block block{m_blocks.empty() ? m_reads : m_blocks.back().to, feed_mm_s};
+    const std::vector<double> from = block.to;
+    bool hasAxis = false, isBeyond = false;
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        const auto word = words.values.find(grbl::kLetters[i]);
+        if (word == words.values.end())
+            continue;
+        hasAxis = true;
+        const double value = word->second * (isInches ? kInch_mm : 1.0);
+        block.to[i] = isRelative ? from[i] + value : value;
+        isBeyond = isBeyond || block.to[i] < m_config.lower[i] || block.to[i] > m_config.upper[i];
+    }
+    if (!hasAxis)
+        return 16;
+    if (isBeyond && m_config.hasSoftLimits && m_isHomed) {
+        if (isJog || m_config.isHal)
+            return 15;
+        raiseAlarm(2);
+        return 0;
+    }
+    const double length = distance(from, block.to);
+    if (length < kThere)
+        return 0;
+    for (std::size_t i = 0; i < from.size(); ++i) // each motor's own limit
+        if (const double share = std::abs(block.to[i] - from[i]) / length; share > 0.0)
+            block.feed_mm_s = std::min(block.feed_mm_s, m_config.maxRate_mm_min / 60.0 / share);
+    m_blocks.push_back(block);
+    m_state = isJog ? State::Jog : State::Run;
+    return 0;
+}
+
+// --- States ---
+
+void GrblSimulator::restart() {
+    std::ranges::fill(m_reads, 0.0);
+    m_speed = 0.0;
+    m_homing.clear();
+    m_isHomed = false;
+    startUp(m_config.startsLocked);
+}
+
+void GrblSimulator::reset() {
+    const bool wasHoming = m_state == State::Home;
+    const bool wasLocked = m_state == State::Alarm;
+    const bool wasMoving = isMoving();
+    m_speed = 0.0;
+    m_homing.clear();
+    if (wasMoving)
+        say(wasHoming ? "ALARM:6" : "ALARM:3");
+    startUp(wasMoving || wasLocked);
+}
+
+void GrblSimulator::startUp(bool isLocked) {
+    m_blocks.clear();
+    m_lines.clear();
+    m_partial.clear();
+    m_isStopping = m_isDwelling = m_needsReset = false;
+    m_isRelative = m_isInches = false;
+    m_motion = 0;
+    m_feed_mm_s = 0.0;
+    m_state = isLocked ? State::Alarm : m_isDoorOpen ? State::Door : State::Idle;
+    say("");
+    say(m_config.isHal ? "GrblHAL 1.1f ['$' or '$HELP' for help]" : "Grbl 1.1h ['$' for help]");
+    if (isLocked)
+        say("[MSG:'$H'|'$X' to unlock]");
+}
+
+void GrblSimulator::raiseAlarm(int number) {
+    m_speed = 0.0;
+    m_homing.clear();
+    m_blocks.clear();
+    m_isStopping = m_isDwelling = false;
+    m_state = State::Alarm;
+    m_needsReset = true;
+    say("ALARM:" + std::to_string(number));
+    say("[MSG:Reset to continue]");
+}
+
+void GrblSimulator::cancelJog() {
+    m_isStopping = m_speed > 0.0;
+    if (!m_isStopping && m_state == State::Jog)
+        stopped();
+}
+
+void GrblSimulator::home() {
+    m_state = State::Home;
+    m_homing = m_config.home;
+}
+
+std::string GrblSimulator::state() const {
+    constexpr std::array<const char*, 7> kWords{"Idle", "Run", "Hold", "Jog", "Alarm", "Door", "Home"};
+    const std::string word = kWords[static_cast<std::size_t>(m_state)];
+    if (m_state == State::Hold)
+        return word + (m_isStopping ? ":1" : ":0");
+    if (m_state == State::Door)
+        return word + (m_isStopping ? ":2" : m_isDoorOpen ? ":1" : ":0");
+    return word;
+}
+
+std::string GrblSimulator::status() {
+    std::vector<double> told = m_reads;
+    for (std::size_t i = 0; i < told.size(); ++i) {
+        if (m_config.tellsWork)
+            told[i] -= m_config.workOffset[i];
+        if (m_config.tellsInches)
+            told[i] /= kInch_mm;
+    }
+    std::string out = "<" + state() + (m_config.tellsWork ? "|WPos:" : "|MPos:") + joined(told) +
+                      "|Bf:" + std::to_string(kBlocks - m_blocks.size()) +
+                      ",128|FS:" + fixed(60.0 * m_speed, 0) + ",0";
+    if (m_reports++ % 10 == 0) {
+        out += "|WCO:" + joined(m_config.workOffset);
+        if (m_config.isHal)
+            out += m_isHomed ? "|H:1,15" : "|H:0,0";
+    }
+    return out + ">";
+}
+
+void GrblSimulator::spoil(std::string& bytes) {
+    std::uniform_int_distribution<int> percent(0, 99), any(0, 255);
+    std::string out;
+    for (const char byte : bytes) {
+        const int chance = percent(m_random);
+        if (chance == 0)
+            out += static_cast<char>(any(m_random));
+        if (chance != 1)
+            out += chance == 2 ? static_cast<char>(any(m_random)) : byte;
+    }
+    bytes = out;
+}
+
+// --- Motion ---
+
+void GrblSimulator::advance(double now_s) {
+    while (m_now_s < now_s) {
+        takeLines();
+        double next_s = now_s;
+        if (takesLines() && !m_lines.empty())
+            next_s = std::min(next_s, std::max(m_lines.front().time_s, m_now_s + 1e-6));
+        const bool isAtWork = !m_blocks.empty() || !m_homing.empty() || m_isDwelling;
+        if (isAtWork && m_state != State::Hold && m_state != State::Door)
+            next_s = std::min(next_s, m_now_s + kStep_s);
+        else if (m_isStopping)
+            next_s = std::min(next_s, m_now_s + kStep_s);
+        work(next_s - m_now_s);
+        m_now_s = next_s;
+    }
+    takeLines();
+}
+
+void GrblSimulator::work(double dt_s) {
+    if (!m_homing.empty())
+        return moveHome(dt_s);
+    const bool isHeld = (m_state == State::Hold || m_state == State::Door) && !m_isStopping;
+    if (!m_blocks.empty() && !isHeld)
+        return move(dt_s);
+    if (m_isDwelling && m_blocks.empty()) {
+        m_dwellUntil_s -= dt_s;
+        if (m_dwellUntil_s <= 0.0) {
+            m_isDwelling = false;
+            answer(0);
+        }
+    }
+}
+
+/// The speed from which it can still stop at the block's end.
+double GrblSimulator::speedAllowed(double left) const {
+    const double feed = m_isStopping ? 0.0 : m_blocks.front().feed_mm_s;
+    return std::min(feed, std::sqrt(2.0 * m_config.acceleration_mm_s2 * left));
+}
+
+void GrblSimulator::move(double dt_s) {
+    const Block& block = m_blocks.front();
+    const double left = distance(m_reads, block.to);
+    if (m_config.acceleration_mm_s2 > 0.0) {
+        const double change = m_config.acceleration_mm_s2 * dt_s;
+        m_speed = std::clamp(speedAllowed(left), m_speed - change, m_speed + change);
+    } else {
+        m_speed = m_isStopping ? 0.0 : block.feed_mm_s;
+    }
+    if (m_isStopping && m_speed <= 0.0)
+        return stopped();
+    if (m_fault == "lost-steps") { // the motors hum and stand
+        m_blocks.pop_front();
+        return endBlock();
+    }
+    const double way = m_speed * dt_s;
+    // The last of the ramp is so slow that it would never end.
+    const bool isAtEnd = way >= left || left < 1e-4;
+    stepTo(block, isAtEnd ? left : way);
+    if (m_state == State::Alarm)
+        return;
+    if (isAtEnd) {
+        m_blocks.pop_front();
+        m_isStopping ? stopped() : endBlock();
+    }
+}
+
+void GrblSimulator::stepTo(const Block& block, double way) {
+    const double left = distance(m_reads, block.to);
+    const double share = left > kThere ? way / left : 1.0;
+    bool isOnSwitch = false;
+    for (std::size_t i = 0; i < m_reads.size(); ++i) {
+        const double step = share * (block.to[i] - m_reads[i]);
+        m_reads[i] += step;
+        m_true[i] += step;
+        isOnSwitch = isOnSwitch || (step < 0.0 && m_true[i] < m_config.lower[i] - kSwitch_mm) ||
+                     (step > 0.0 && m_true[i] > m_config.upper[i] + kSwitch_mm);
+    }
+    if (isOnSwitch)
+        raiseAlarm(1);
+}
+
+void GrblSimulator::endBlock() {
+    if (!m_blocks.empty())
+        return;
+    m_speed = 0.0;
+    m_isStopping = false;
+    if (m_state == State::Jog || m_state == State::Run)
+        m_state = State::Idle;
+}
+
+/// At rest after a hold, a door or a cancelled jog.
+void GrblSimulator::stopped() {
+    m_speed = 0.0;
+    m_isStopping = false;
+    if (m_state == State::Jog || m_state == State::Door) // here a door ends every motion
+        m_blocks.clear();
+    if (m_state == State::Jog)
+        m_state = State::Idle;
+}
+
+void GrblSimulator::moveHome(double dt_s) {
+    const double left = distance(m_true, m_homing);
+    const double way = m_config.homingRate_mm_min / 60.0 * dt_s;
+    const double share = way < left ? way / left : 1.0;
+    for (std::size_t i = 0; i < m_true.size(); ++i) {
+        const double step = share * (m_homing[i] - m_true[i]);
+        m_true[i] += step;
+        m_reads[i] += step;
+    }
+    if (share < 1.0)
+        return;
+    m_reads = m_true = m_homing;
+    m_homing.clear();
+    m_isHomed = true;
+    m_state = State::Idle;
+    answer(0);
+}
+
+} // namespace bask

@@ -1,0 +1,124 @@
+#pragma once
+// A simulated robot under Grbl 1.1 or grblHAL: the very bytes, motors that ramp, switches, and the traps that
+// were found with real ones.
+
+#include "engine/device_simulators/byte_device.h"
+
+#include <deque>
+#include <map>
+#include <optional>
+#include <random>
+
+namespace bask {
+
+/// Millimetres and degrees, one number an axis, in the order of X Y Z A B C.
+struct GrblSimulatorConfig {
+    bool isHal = false; ///< grblHAL's manners: 0x85 drops what is unread, `?` is answered while homing
+    std::vector<double> start{0.0, 0.0, 0.0, 0.0}; ///< where it stands, and what it reads there
+    std::vector<double> home{0.0, 0.0, 0.0, 0.0};  ///< where the homing switches are
+    std::vector<double> lower{-1000.0, -1000.0, -1000.0, -360.0}; ///< travel: limit switches, soft limits
+    std::vector<double> upper{1000.0, 1000.0, 1000.0, 360.0};
+    double maxRate_mm_min = 6000.0;    ///< of each axis
+    double acceleration_mm_s2 = 500.0; ///< 0: at full speed at once
+    double homingRate_mm_min = 3000.0;
+    bool canHome = true;        ///< $22
+    bool hasSoftLimits = false; ///< $20; they hold only once it is homed
+    bool startsLocked = false;  ///< in alarm until homed or unlocked
+    bool tellsWork = false;     ///< WPos in place of MPos, $10
+    bool tellsInches = false;   ///< $13
+    std::vector<double> workOffset{0.0, 0.0, 0.0, 0.0};
+    double lineTime_s = 0.001; ///< before a line that has come is taken
+};
+
+class GrblSimulator final : public ByteDevice {
+public:
+    explicit GrblSimulator(const GrblSimulatorConfig& config = {});
+
+    void receive(std::string_view bytes, double now_s) override;
+    std::string transmit(double now_s) override;
+    /// "none", "silent", "restart", "alarm" (limit switch), "door", "slow-ok", "lost-steps" (an encoder that
+    /// tells that the motors stand), "garbage".
+    std::vector<std::string> faults() const override;
+    Result<void> setFault(const std::string& name) override;
+
+    /// Power off and on: the banner, all lines lost, zero wherever it stands.
+    void restart();
+    /// Where the axes truly are; it may think otherwise after a restart.
+    const std::vector<double>& positions() const { return m_true; }
+    bool isMoving() const { return m_speed > 0.0 || !m_homing.empty(); }
+    /// "Idle", "Hold:0" ...
+    std::string state() const;
+
+private:
+    enum class State { Idle, Run, Hold, Jog, Alarm, Door, Home };
+    struct Line {
+        double time_s; ///< when it is taken
+        std::string text;
+    };
+    struct Block {
+        std::vector<double> to; ///< as it reads
+        double feed_mm_s;
+    };
+    struct Words {
+        std::map<char, double> values; ///< F and axes
+        std::vector<int> g;
+        int error = 0;
+    };
+
+    void advance(double now_s);
+    void work(double dt_s);
+    void takeLines();
+    bool takesLines() const;
+    void takeByte(char byte);
+    void say(const std::string& line) { m_said += line + "\r\n"; }
+    void answer(int error) { say(error == 0 ? "ok" : "error:" + std::to_string(error)); }
+
+    void take(const std::string& line);
+    int takeDollar(const std::string& line);
+    int takeJog(const std::string& text);
+    int takeCode(const std::string& text);
+    Words readWords(const std::string& text) const;
+    /// Error number, 0: queued.
+    int queue(const Words& words, bool isRelative, bool isInches, double feed_mm_s, bool isJog);
+    int takeSetting(const std::string& line);
+    void home();
+
+    void reset();
+    void startUp(bool isLocked);
+    void raiseAlarm(int number);
+    void cancelJog();
+    void move(double dt_s);
+    void moveHome(double dt_s);
+    double speedAllowed(double left) const;
+    void stepTo(const Block& block, double way);
+    void endBlock();
+    void stopped();
+    std::string status();
+    void spoil(std::string& bytes);
+
+    GrblSimulatorConfig m_config;
+    std::map<int, std::string> m_settings;
+    double m_now_s = 0.0;
+    State m_state = State::Idle;
+    bool m_needsReset = false; ///< an alarm that only 0x18 ends
+    bool m_isHomed = false;
+    bool m_isDoorOpen = false;
+    bool m_isStopping = false; ///< slows down: hold, door or a cancelled jog
+    std::vector<double> m_true, m_reads;
+    std::deque<Block> m_blocks;
+    double m_speed = 0.0;         ///< along the first block, mm/s
+    std::vector<double> m_homing; ///< where to; empty: does not home
+    double m_dwellUntil_s = -1.0;
+    bool m_isDwelling = false;
+    std::string m_partial;
+    std::deque<Line> m_lines;
+    std::string m_said;
+    bool m_isRelative = false, m_isInches = false;
+    int m_motion = 0; ///< G0, G1
+    double m_feed_mm_s = 0.0;
+    int m_reports = 0;
+    std::string m_fault = "none";
+    std::mt19937 m_random{7};
+};
+
+} // namespace bask

@@ -1,0 +1,87 @@
+#include "engine/drivers/step_planner.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr int kHalvings = 5;
+constexpr double kRefusedPause_s = 0.1; // the guard is not asked the same again and again
+
+} // namespace
+
+StepPlanner::StepPlanner(AxisMap map, MotionGuard guard) : m_map(std::move(map)), m_guard(std::move(guard)) {}
+
+void StepPlanner::setTwist(const Vector6d& twist, double validFor_s, double now_s) {
+    if (m_isRefused && twist != m_twist)
+        m_notBefore_s = now_s;
+    m_twist = twist;
+    m_validFor_s = validFor_s;
+    m_expires_s = now_s + validFor_s;
+}
+
+void StepPlanner::forget() {
+    m_twist.setZero();
+    m_expires_s = m_notBefore_s = 0.0;
+    m_goal.reset();
+    m_isRefused = false;
+}
+
+std::vector<double> StepPlanner::rounded(const Vector6d& coordinates) const {
+    std::vector<double> out = m_map.positions(coordinates);
+    for (double& position : out)
+        position = std::round(position * 1000.0) / 1000.0;
+    return out;
+}
+
+Vector6d StepPlanner::startFrom(const std::vector<double>& at) const {
+    if (m_goal) {
+        const std::vector<double> goal = m_map.positions(*m_goal);
+        const auto isNear = [](double a, double b) { return std::abs(a - b) <= kSlack; };
+        if (std::equal(goal.begin(), goal.end(), at.begin(), isNear))
+            return *m_goal;
+    }
+    return m_map.coordinates(at);
+}
+
+double StepPlanner::approvedShare(const Vector6d& start, const Vector6d& way) const {
+    const auto approves = [&](double share) {
+        return m_guard(m_map.coordinates(rounded(start + share * way)));
+    };
+    if (approves(1.0))
+        return 1.0;
+    double least = 0.0, most = 1.0;
+    for (int i = 0; i < kHalvings; ++i) {
+        const double middle = 0.5 * (least + most);
+        (approves(middle) ? least : most) = middle;
+    }
+    return least;
+}
+
+std::optional<PlannedStep> StepPlanner::next(const std::vector<double>& at, double now_s) {
+    if (now_s >= m_expires_s || now_s < m_notBefore_s || m_twist.isZero(0.0))
+        return std::nullopt;
+    const double time_s = std::min(m_validFor_s, kLongest_s);
+    const Vector6d start = startFrom(at);
+    Vector6d way = time_s * m_twist;
+    way.tail<3>() = rotationAxes(start).inverse() * way.tail<3>();
+    if (!way.allFinite()) // turned to where its axes have no inverse
+        return std::nullopt;
+    const double share = approvedShare(start, way);
+    m_isRefused = share == 0.0;
+    m_notBefore_s = now_s + (m_isRefused ? kRefusedPause_s : share * time_s);
+    if (m_isRefused)
+        return std::nullopt;
+    const Vector6d goal = start + share * way;
+    m_goal = m_map.coordinates(m_map.positions(goal)); // coordinates without an axis stay
+    PlannedStep step{at, rounded(goal), share * time_s};
+    if (step.to == rounded(m_map.coordinates(at)))
+        return std::nullopt; // it adds up in the goal until it is long enough
+    return step;
+}
+
+} // namespace bask
