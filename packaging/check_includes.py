@@ -56,6 +56,7 @@ VALUE_HEADERS = {
     "engine/drivers/serial_ports.h",
     "engine/protocols/axis_map.h",
     "engine/protocols/modbus_profile.h",
+    "engine/protocols/serial_settings.h",
     "engine/session/rig_spec.h",
     "engine/vision/vision_view.h",
     "engine/runtime/command.h",
@@ -134,7 +135,7 @@ def qt_in_engine(path):
     if path.parts[:2] == ("engine", "drivers"):  # serial ports, sockets, QtSerialBus
         return path.suffix not in HEADER_SUFFIXES
     if path.parts[:2] == ("engine", "runtime"):
-        return name.startswith(("engine_worker", "job_runner"))
+        return name.startswith("engine_worker") or name == "real_rig.cpp"
     return False
 
 

@@ -4,7 +4,7 @@
 
 #include "engine/base/clock.h"
 #include "engine/drivers/modbus_link.h"
-#include "engine/drivers/serial_settings.h"
+#include "engine/protocols/serial_settings.h"
 
 #include <memory>
 #include <string>

@@ -2,7 +2,7 @@
 // A serial port as a link of bytes, that costs nothing when it is unplugged.
 
 #include "engine/drivers/byte_link.h"
-#include "engine/drivers/serial_settings.h"
+#include "engine/protocols/serial_settings.h"
 
 #include <memory>
 

@@ -123,8 +123,15 @@ void EngineWorker::shutdown() {
     }
     closeRecording();
     m_camera.reset();
+    closeSession();
+}
+
+// A real rig's last words take a moment, in which events are processed.
+void EngineWorker::closeSession() {
+    m_isClosing = true;
     m_tried.reset();
     m_session.reset();
+    m_isClosing = false;
 }
 
 void EngineWorker::post(const bask::Command& command) {
@@ -149,8 +156,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     if (const auto valid = validate(experiment); !valid)
         return valid;
     closeRecording();
-    m_tried.reset();
-    m_session.reset(); // its ports are free before they are opened again
+    closeSession(); // its ports are free before they are opened again
     m_session = std::make_unique<Session>(experiment);
     m_untilTick_s = experiment.sampling.period_s;
     m_nextTick_s = m_session->clock().now_s() + experiment.sampling.period_s;
@@ -312,6 +318,8 @@ Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
 }
 
 void EngineWorker::onTimer() {
+    if (m_isClosing)
+        return;
     const double wall_s = std::min(kLongestGap_s, static_cast<double>(m_wall.nsecsElapsed()) * 1e-9);
     m_wall.restart();
     if (m_tried)

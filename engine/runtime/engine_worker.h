@@ -51,6 +51,7 @@ private:
     void closeFinished();
     void record();
     void closeRecording();
+    void closeSession();
     void publish();
     Result<void> apply(const Command& command);
     Result<void> load(const Experiment& experiment);
@@ -78,6 +79,7 @@ private:
     std::shared_ptr<const VisionView> m_view; ///< handed on last
     SteadyClock m_steady;
     std::unique_ptr<RealRig> m_tried; ///< one device alone
+    bool m_isClosing = false;
     double m_speed = 1.0;
     double m_untilTick_s = 0.0; ///< of a simulated rig
     double m_nextTick_s = 0.0;  ///< of a real one

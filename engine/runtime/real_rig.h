@@ -19,7 +19,7 @@ namespace bask {
 class RealRig {
 public:
     /// Whether the robot may be sent from one place to another (coordinates in R).
-    using MotionGuard = std::function<bool(const Vector6d& from, const Vector6d& to)>;
+    using StepGuard = std::function<bool(const Vector6d& from, const Vector6d& to)>;
 
     /// Opens the links; `clock` outlives it. Until setGuard the robot is not moved.
     RealRig(const Experiment& experiment, const Clock& clock);
@@ -35,7 +35,7 @@ public:
     Thermometer& thermometer();
     HeatSource& heatSource();
     Camera* camera(); ///< null: none
-    void setGuard(MotionGuard guard);
+    void setGuard(StepGuard guard);
     /// Refused where no person keeps the source hot.
     Result<void> typeSourceTemperature(double temperature_K);
 

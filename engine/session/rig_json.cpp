@@ -33,7 +33,7 @@ std::map<std::string, int> coordinates() {
     return out;
 }
 
-void readSerial(Fields& device, SerialSpec& out) {
+void readSerial(Fields& device, SerialSettings& out) {
     readPart(device, "serial", false, [&](const json& j, const std::string& path) {
         Fields fields(j, path, device.failure());
         fields.read("baud", out.baud);
@@ -141,7 +141,7 @@ void readSourceDevice(const json& j, const std::string& path, Failure& failure, 
     fields.close();
 }
 
-Json serialJson(const SerialSpec& serial) {
+Json serialJson(const SerialSettings& serial) {
     return {{"baud", serial.baud},
             {"data_bits", serial.dataBits},
             {"parity", wordOf(kParities, serial.parity)},

@@ -34,7 +34,7 @@ Result<void> checkPort(const std::string& where, const std::string& port) {
     return {};
 }
 
-Result<void> checkSerial(const std::string& where, const SerialSpec& serial) {
+Result<void> checkSerial(const std::string& where, const SerialSettings& serial) {
     if (const auto fit = checkRange(where + ".baud", serial.baud, 300.0, 4e6, "baud"); !fit)
         return fit;
     if (const auto fit = checkRange(where + ".data_bits", serial.dataBits, 7.0, 8.0); !fit)

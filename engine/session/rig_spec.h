@@ -4,6 +4,7 @@
 #include "engine/base/result.h"
 #include "engine/protocols/axis_map.h"
 #include "engine/protocols/modbus_profile.h"
+#include "engine/protocols/serial_settings.h"
 
 #include <array>
 #include <optional>
@@ -12,21 +13,12 @@
 
 namespace bask {
 
-/// A serial line.
-struct SerialSpec {
-    int baud = 115200;
-    int dataBits = 8;
-    char parity = 'N'; ///< N, E, O
-    int stopBits = 1;
-    bool operator==(const SerialSpec&) const = default;
-};
-
 enum class RobotDriver { Grbl, Dobot };
 
 struct RobotDeviceSpec {
     RobotDriver driver = RobotDriver::Grbl;
     std::string port; ///< a serial port's path, or a host name of a Dobot
-    SerialSpec serial{};
+    SerialSettings serial{};
     std::vector<AxisSpec> axes{
         {'X', 0, false, 0.0}, {'Y', 1, false, 0.0}, {'Z', 2, false, 0.0}, {'A', 3, false, 0.0}};
     bool mustHome = false; ///< its place is not sure before it has been homed
@@ -38,7 +30,7 @@ enum class ThermometerDriver { Modbus, Stream };
 struct ThermometerDeviceSpec {
     ThermometerDriver driver = ThermometerDriver::Modbus;
     std::string port;
-    SerialSpec serial{};
+    SerialSettings serial{};
     int unit = 1;              ///< Modbus
     ModbusProfile profile{};   ///< Modbus
     std::vector<int> channels; ///< of each object, counted from 0
@@ -50,7 +42,7 @@ enum class HeatSourceDriver { ByHand, Namur, Modbus };
 struct HeatSourceDeviceSpec {
     HeatSourceDriver driver = HeatSourceDriver::ByHand;
     std::string port;
-    SerialSpec serial{};
+    SerialSettings serial{};
     int unit = 1;
     ModbusProfile profile{};
     double watchdog_s = 30.0; ///< of the device, where it has one
