@@ -25,6 +25,8 @@ std::span<const Subcommand> subcommands() {
                    identifyCommand},
         Subcommand{"export", "write a session's tables as CSV", exportCommand},
         Subcommand{"make-board", "calibration boards and markers to print, as PDF", makeBoardCommand, true},
+        Subcommand{"simulate-rig", "all devices of an experiment's rig, simulated on their ports",
+                   simulateRigCommand},
         Subcommand{"calibrate-camera", "a camera's intrinsics from pictures of a board",
                    calibrateCameraCommand},
         Subcommand{"detect-markers", "the ArUco markers in a picture, with poses", detectMarkersCommand},

@@ -1,0 +1,174 @@
+// bask simulate-rig: all the devices of an experiment's rig at the far ends of their ports, around one
+// thermal plant.
+
+#include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
+#include "app/commands/study_output.h"
+#include "engine/base/clock.h"
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/device_simulators/bench.h"
+#include "engine/device_simulators/pty_server.h"
+#include "engine/runtime/rig_setup.h"
+
+#include <QCommandLineParser>
+
+#include <array>
+#include <csignal>
+#include <cstdio>
+#include <poll.h>
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+constexpr const char* kName = "simulate-rig";
+constexpr int kTurn_ms = 2;
+
+volatile std::sig_atomic_t isOver = 0;
+
+void end(int) {
+    isOver = 1;
+}
+
+Result<BenchDevices> benchDevices(const Experiment& experiment) {
+    const auto missing = [](const char* what) { return Error(MessageCode::RigIncomplete, {}, {what}); };
+    if (!experiment.rig)
+        return Error(MessageCode::RigMissing, {});
+    const RigSpec& rig = *experiment.rig;
+    if (!rig.robot || rig.robot->driver != RobotDriver::Grbl)
+        return missing("robot under Grbl");
+    if (!rig.thermometer)
+        return missing("thermometer");
+    BenchDevices devices;
+    devices.axes = rig.robot->axes;
+    devices.channels = rig.thermometer->channels;
+    devices.thermometerUnit = rig.thermometer->unit;
+    if (rig.thermometer->driver == ThermometerDriver::Modbus)
+        devices.thermometer = rig.thermometer->profile;
+    if (!rig.source || rig.source->driver == HeatSourceDriver::ByHand)
+        return missing("heat source with a port");
+    devices.heaterUnit = rig.source->unit;
+    if (rig.source->driver == HeatSourceDriver::Modbus)
+        devices.heater = rig.source->profile;
+    if (rig.source->port == rig.thermometer->port)
+        return missing("port of its own for the heat source");
+    return devices;
+}
+
+/// The bench with its ports, and the faults that are told on standard input.
+class BenchServer {
+public:
+    static constexpr std::array<const char*, 3> kRoles{"robot", "thermometer", "heater"};
+
+    explicit BenchServer(Bench& bench) : m_bench(bench) {}
+
+    Result<void> open(const RigSpec& rig) {
+        const std::array paths{rig.robot->port, rig.thermometer->port, rig.source->port};
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            auto server = PtyServer::create(device(i), paths[i]);
+            if (!server)
+                return server.error();
+            m_servers.push_back(std::move(*server));
+        }
+        return {};
+    }
+
+    /// "robot silent"
+    Result<void> setFault(const std::string& text) {
+        const std::size_t space = text.find(' ');
+        for (std::size_t i = 0; i < kRoles.size(); ++i)
+            if (text.substr(0, space) == kRoles[i])
+                return device(i).setFault(space == std::string::npos ? "none" : text.substr(space + 1));
+        return Error(MessageCode::ValueUnknown, {}, {text.substr(0, space), "robot, thermometer, heater"});
+    }
+
+    void serve() {
+        const SteadyClock clock;
+        while (isOver == 0) {
+            for (const auto& server : m_servers)
+                server->work(clock.now_s());
+            m_bench.advance(clock.now_s());
+            pollfd input{m_isListening ? STDIN_FILENO : -1, POLLIN, 0};
+            if (::poll(&input, 1, kTurn_ms) > 0)
+                listen();
+        }
+    }
+
+private:
+    ByteDevice& device(std::size_t role) {
+        return role == 0 ? m_bench.robot() : role == 1 ? m_bench.thermometer() : m_bench.heater();
+    }
+    void listen() {
+        std::array<char, 256> bytes{};
+        const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+        if (count <= 0) {
+            m_isListening = false;
+            return;
+        }
+        m_told.append(bytes.data(), static_cast<std::size_t>(count));
+        for (std::size_t at = m_told.find('\n'); at != std::string::npos; at = m_told.find('\n')) {
+            tell(m_told.substr(0, at));
+            m_told.erase(0, at + 1);
+        }
+    }
+    void tell(const std::string& line) {
+        if (line == "state") {
+            const Vector6d q = m_bench.coordinates();
+            std::printf("plate %.2f degC %s; robot %.4f %.4f %.4f m; objects",
+                        celsiusFromKelvin(m_bench.plate_K()), m_bench.isHeating() ? "heating" : "off", q[0],
+                        q[1], q[2]);
+            for (const double t_K : m_bench.temperatures_K())
+                std::printf(" %.3f", celsiusFromKelvin(t_K));
+            std::printf(" degC\n");
+        } else if (const auto set = setFault(line); !set) {
+            std::fprintf(stderr, "bask %s: %s\n", kName, describe(set.error()).c_str());
+        } else {
+            std::printf("%s\n", line.c_str());
+        }
+        std::fflush(stdout);
+    }
+
+    Bench& m_bench;
+    std::vector<std::unique_ptr<PtyServer>> m_servers;
+    std::string m_told;
+    bool m_isListening = true;
+};
+
+} // namespace
+
+int simulateRigCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription("The devices of the experiment's \"rig\" on pseudo-terminals at their "
+                                     "ports' paths, around one thermal\n"
+                                     "plant, until Ctrl+C or SIGTERM. A line \"robot silent\" on standard "
+                                     "input begins a fault, \"robot none\"\n"
+                                     "ends it, \"state\" prints what is truly so.\n"
+                                     "Exit code: 0 ended, 2 bad input, or no terminal there.");
+    parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addPositionalArgument("EXPERIMENT.json", "An experiment with a rig.");
+    if (const auto code = parseCommand(parser, kName, arguments, 1))
+        return *code;
+    const std::string path = parser.positionalArguments().first().toStdString();
+    const auto experiment = readExperiment(path);
+    if (!experiment)
+        return refuse(kName, experiment.error());
+    const auto devices = benchDevices(*experiment);
+    if (!devices)
+        return refuse(kName, Error(devices.error().code(), path, devices.error().message.args));
+    Bench bench(simulatedRigConfig(*experiment), *devices);
+    BenchServer server(bench);
+    isOver = 0;
+    std::signal(SIGINT, end);
+    std::signal(SIGTERM, end);
+    if (const auto opened = server.open(*experiment->rig); !opened)
+        return refuse(kName, opened.error());
+    const RigSpec& rig = *experiment->rig;
+    std::printf("robot %s\nthermometer %s\nheater %s\n", rig.robot->port.c_str(),
+                rig.thermometer->port.c_str(), rig.source->port.c_str());
+    std::fflush(stdout);
+    server.serve();
+    return kExitDone;
+}
+
+} // namespace bask

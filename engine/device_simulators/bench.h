@@ -1,0 +1,69 @@
+#pragma once
+// A whole rig at the far end of byte links: robot, thermometer and heater around one thermal plant.
+
+#include "engine/device_simulators/grbl_simulator.h"
+#include "engine/device_simulators/modbus_simulator.h"
+#include "engine/device_simulators/namur_simulator.h"
+#include "engine/device_simulators/stream_simulator.h"
+#include "engine/protocols/axis_map.h"
+#include "engine/radiation/view_factor.h"
+#include "engine/simulation/simulated_rig.h"
+#include "engine/simulation/thermal_plant.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace bask {
+
+/// What the devices are; ports and speeds are the server's.
+struct BenchDevices {
+    std::vector<AxisSpec> axes; ///< of a Grbl
+    /// A Modbus module with this profile; empty: one that prints its temperatures.
+    std::optional<ModbusProfile> thermometer;
+    int thermometerUnit = 1;
+    std::vector<int> channels; ///< of each object
+    /// A Modbus controller with this profile; empty: a NAMUR hotplate.
+    std::optional<ModbusProfile> heater;
+    int heaterUnit = 2;
+    double heating_s = 60.0, cooling_s = 600.0; ///< time constants of the plate
+};
+
+/// The plate radiates as long as it is hot: it has no shutter.
+class Bench {
+public:
+    static constexpr double kStep_s = 0.05;
+
+    /// Throws std::invalid_argument on axes or profiles that cannot be.
+    Bench(const SimulatedRigConfig& rig, const BenchDevices& devices);
+
+    ByteDevice& robot() { return m_robot; }
+    ByteDevice& thermometer();
+    ByteDevice& heater();
+
+    /// Lets the plant come to this time, after the devices have come to it.
+    void advance(double now_s);
+
+    std::vector<double> temperatures_K() const;
+    double plate_K() const;
+    bool isHeating() const;
+    GrblSimulator& grbl() { return m_robot; }
+    Vector6d coordinates() const { return m_axes.coordinates(m_robot.positions()); }
+
+private:
+    void show(); ///< the temperatures to the thermometer
+
+    SimulatedRigConfig m_config;
+    BenchDevices m_devices;
+    AxisMap m_axes;
+    GrblSimulator m_robot;
+    std::unique_ptr<ModbusSimulator> m_module, m_controller;
+    std::unique_ptr<StreamSimulator> m_stream;
+    std::unique_ptr<NamurSimulator> m_plate;
+    RadiatingContour m_source;
+    std::vector<RadiatingContour> m_contours;
+    ThermalPlant m_plant;
+    std::optional<double> m_now_s;
+};
+
+} // namespace bask
