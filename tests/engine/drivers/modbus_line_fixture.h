@@ -56,6 +56,13 @@ protected:
         EXPECT_TRUE(until([&] { return (reply = link->takeReply(number)).has_value(); }));
         return reply.value_or(Error(MessageCode::None, "no reply"));
     }
+    /// Asked again while there is silence: a busy machine may be late.
+    ModbusReply answered(const ModbusRequest& request) {
+        ModbusReply reply = ask(request);
+        for (int i = 0; i < 10 && !reply && reply.error().code() == MessageCode::DeviceSilent; ++i)
+            reply = ask(request);
+        return reply;
+    }
     MessageCode refusal(const ModbusRequest& request) {
         const ModbusReply reply = ask(request);
         return reply ? MessageCode::None : reply.error().code();
