@@ -85,6 +85,8 @@ public:
         }
         keep(m_device.transmit(m_clock.now_s()));
     }
+    /// Bytes that are not the device's.
+    void inject(std::string bytes) { keep(std::move(bytes)); }
     void setDelay(double delay_s) { m_delay_s = delay_s; }
 
 private:
