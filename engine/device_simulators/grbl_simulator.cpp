@@ -421,10 +421,10 @@ std::string GrblSimulator::status() {
 }
 
 void GrblSimulator::spoil(std::string& bytes) {
-    std::uniform_int_distribution<int> percent(0, 99), any(0, 255);
+    std::uniform_int_distribution<int> permille(0, 999), any(0, 255);
     std::string out;
     for (const char byte : bytes) {
-        const int chance = percent(m_random);
+        const int chance = permille(m_random);
         if (chance == 0)
             out += static_cast<char>(any(m_random));
         if (chance != 1)

@@ -45,6 +45,8 @@ public:
     void restart();
     /// Where the axes truly are; it may think otherwise after a restart.
     const std::vector<double>& positions() const { return m_true; }
+    /// Moves that are begun or wait.
+    std::size_t queued() const { return m_blocks.size(); }
     bool isMoving() const { return m_speed > 0.0 || !m_homing.empty(); }
     /// "Idle", "Hold:0" ...
     std::string state() const;

@@ -41,6 +41,20 @@ std::string wordsOr(std::string words, const char* otherwise) {
     return words.empty() ? otherwise : words;
 }
 
+/// "1.1h" of "VER:1.1h.20190825:".
+std::string versionIn(const std::string& report) {
+    constexpr std::size_t kDate = 9;
+    const std::string version = report.substr(4, report.find(':', 4) - 4);
+    return version.size() > kDate && version[version.size() - kDate] == '.'
+               ? version.substr(0, version.size() - kDate)
+               : version;
+}
+
+Message refusal(int error) {
+    return {MessageCode::RobotRefused,
+            {std::to_string(error), wordsOr(grblErrorWords(error), "not known to Bask")}};
+}
+
 } // namespace
 
 GrblRobot::GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard, bool mustHome)
@@ -84,6 +98,8 @@ bool GrblRobot::isLinkOpen(double now_s) {
 
 void GrblRobot::begin(double now_s) {
     m_isOpen = true;
+    if (m_linkState == LinkState::Closed)
+        m_linkState = LinkState::Opening;
     m_opened_s = now_s;
     m_splitter.clear();
     m_lastGarbage.clear();
@@ -119,7 +135,7 @@ void GrblRobot::dropMotion() {
 }
 
 void GrblRobot::watch(double now_s) {
-    const double since_s = now_s - std::max(m_opened_s, m_lastReply_s);
+    const double since_s = now_s - std::max({m_opened_s, m_heard_s, m_reset_s.value_or(m_opened_s)});
     double allowed_s = m_linkState == LinkState::Live ? kSilence_s : kFirstReply_s;
     if (m_line && m_line->kind == Kind::Home)
         allowed_s = kHomingTime_s;
@@ -127,16 +143,16 @@ void GrblRobot::watch(double now_s) {
         allowed_s = kFirstReply_s;
     if (since_s > allowed_s) {
         const bool isOther = m_lastReply_s < m_opened_s && !m_lastGarbage.empty();
-        if (m_tellsInches || !m_planner.map().axes().empty())
-            lose(isOther ? Message{MessageCode::DeviceOther, {m_link.name(), m_lastGarbage}}
-                         : Message{MessageCode::DeviceSilent, {m_link.name(), formatNumber(since_s, 2)}},
-                 now_s);
+        lose(isOther ? Message{MessageCode::DeviceOther, {m_link.name(), m_lastGarbage}}
+                     : Message{MessageCode::DeviceSilent, {m_link.name(), formatNumber(since_s, 2)}},
+             now_s);
         return;
     }
     if (m_line && m_line->kind != Kind::Home && now_s - m_line->sent_s > kSlow_s && !m_isSlow) {
         m_isSlow = true;
         m_planner.forget();
-        stopJog();
+        if (m_line->kind == Kind::Jog)
+            stopJog();
     }
     if (m_reset_s && now_s - *m_reset_s > kResetTime_s) {
         m_reset_s.reset();
@@ -156,7 +172,7 @@ void GrblRobot::ask(double now_s) {
     // Not shortly before a step ends, so that its end is seen at once.
     if (m_step && !m_isHalting && now_s < m_step->end_s && now_s > m_step->end_s - kMotionPoll_s)
         return;
-    if (m_isHalting && !m_fence_s)
+    if (m_isHalting && (!m_fence_s || m_status.state == GrblState::Jog))
         m_link.write(std::string(1, grbl::kJogCancel));
     m_link.write(std::string(1, grbl::kStatus));
     m_asked_s = m_lastAsk_s = now_s;
@@ -182,6 +198,8 @@ void GrblRobot::take(const GrblLine& line, double now_s) {
         m_alarm = alarm->number;
         m_isPlaceInDoubt = m_isPlaceInDoubt || !isPlaceKept(alarm->number);
         m_planner.forget();
+        if (m_line && m_line->kind == Kind::Home)
+            m_line.reset(); // it has failed
     } else if (const auto* status = std::get_if<GrblStatus>(&line)) {
         takeStatus(*status, now_s);
     } else if (const auto* banner = std::get_if<GrblBanner>(&line)) {
@@ -209,6 +227,7 @@ void GrblRobot::takeAnswer(int error, double now_s) {
         const Pending line = *m_line;
         m_line.reset();
         m_isIdleSeen = false;
+        m_heard_s = now_s;
         takeAnswerTo(line, error, now_s);
     } else if (now_s >= m_linesFrom_s) { // before, it is the fence's own
         discard(words, now_s);
@@ -217,10 +236,14 @@ void GrblRobot::takeAnswer(int error, double now_s) {
 
 void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
     switch (line.kind) {
-    case Kind::Settings:
-        m_isSetUp = error == 0 || isResting(); // refused by a controller that cannot tell them
+    case Kind::Settings: // a controller that refuses them when at rest is not asked again
+        m_isSetUp = !m_tellsInches && (error == 0 || isResting());
+        if (m_isSetUp)
+            m_setUpFrom_s = now_s;
         break;
     case Kind::Version:
+        if (m_identity.empty())
+            m_identity = "Grbl";
         break;
     case Kind::Jog:
         if (m_step && error == 0) {
@@ -233,21 +256,21 @@ void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
         }
         break;
     case Kind::Home:
-        if (error == 0 && !m_alarm) {
-            m_isHomed = true;
-            m_hasRestarted = m_isPlaceInDoubt = false;
-            m_elsewhere.reset();
-            m_refused.reset();
-            m_spanFrom.clear();
-        } else {
-            m_isPlaceInDoubt = true;
-        }
+        if (error == 0)
+            takeHome();
         [[fallthrough]];
     case Kind::Unlock:
         if (error != 0)
-            m_refused = error;
+            note(refusal(error), now_s);
         break;
     }
+}
+
+void GrblRobot::takeHome() {
+    m_isHomed = true;
+    m_hasRestarted = m_isPlaceInDoubt = false;
+    m_elsewhere.reset();
+    m_refused.reset();
 }
 
 std::vector<double> GrblRobot::positionsIn(const GrblStatus& status) {
@@ -279,15 +302,17 @@ void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
     const std::vector<double> at = positionsIn(status);
     if (now_s > m_lastReply_s && m_lastReply_s > m_opened_s)
         m_rate_Hz += 0.2 * (1.0 / (now_s - m_lastReply_s) - m_rate_Hz);
-    m_lastReply_s = now_s;
+    m_lastReply_s = m_heard_s = now_s;
     if (m_asked_s)
         m_replyTime_s = now_s - *m_asked_s;
     // Measured after it was asked for; one that nobody asked for, after the one before.
     const double measured_s = m_asked_s ? *m_asked_s : std::max(m_at_s, m_opened_s);
     m_asked_s.reset();
     takeState(status);
-    if (at.empty() || m_tellsInches)
+    if (at.empty() || m_tellsInches) {
+        m_linkState = m_wasLive ? LinkState::Lost : LinkState::Opening;
         return;
+    }
     m_at = at;
     m_at_s = measured_s;
     checkPlace();
@@ -352,10 +377,11 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
         m_isSetUp = m_isHomed = false;
         m_setUpFrom_s = now_s;
         m_hasRestarted = m_hasRestarted || m_wasLive;
+        m_alarm.reset(); // the next report tells
     }
+    m_heard_s = now_s;
     m_reset_s.reset();
     m_asked_s.reset();
-    m_alarm.reset();
     m_offset.clear();
     dropMotion();
 }
@@ -363,12 +389,15 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
 void GrblRobot::takeReport(const std::string& text, double now_s) {
     if (text.starts_with("GC:") && m_fence_s) {
         m_fence_s.reset();
-        m_step.reset();
-        m_line.reset();
+        if (m_line) { // it was done, or never will be
+            m_isPlaceToCheck = m_step.has_value();
+            m_step.reset();
+            m_line.reset();
+        }
         m_isIdleSeen = false;
         m_linesFrom_s = now_s + kQuiet_s;
     } else if (text.starts_with("VER:") && m_identity.empty()) {
-        m_identity = "Grbl " + text.substr(4, text.find(':', 4) - 4);
+        m_identity = "Grbl " + versionIn(text);
     }
 }
 
@@ -409,6 +438,8 @@ void GrblRobot::act(double now_s) {
     if (m_next) {
         const Kind next = *std::exchange(m_next, std::nullopt);
         send(next, next == Kind::Home ? "$H\n" : "$X\n", now_s);
+        if (next == Kind::Home)
+            m_spanFrom.clear();
     } else if (!m_isSetUp || m_identity.empty()) {
         setUp(now_s);
     } else if (m_isIdleSeen && m_linkState == LinkState::Live && alarm().code == MessageCode::None) {
@@ -452,6 +483,7 @@ void GrblRobot::sendStep(double now_s) {
     m_spanTo = plan->to;
     m_step = Step{*plan, now_s + plan->time_s + kStepMargin_s};
     send(Kind::Jog, *line, now_s);
+    m_lastAsk_s = now_s; // an answer at once would be of before
 }
 
 void GrblRobot::stopJog() {
@@ -464,11 +496,10 @@ void GrblRobot::stopJog() {
 }
 
 /// Only where it stands: in motion it would lose its place.
-void GrblRobot::reset(Kind then, double now_s) {
+void GrblRobot::reset(std::optional<Kind> then, double now_s) {
     m_link.write(std::string(1, grbl::kReset));
     m_reset_s = now_s;
-    if (then != Kind::Settings)
-        m_next = then;
+    m_next = then;
 }
 
 // --- For the engine ---
@@ -507,8 +538,7 @@ Message GrblRobot::alarm() const {
     if (m_isSlow)
         return {MessageCode::RobotSlow, {formatNumber(kSlow_s)}};
     if (m_refused)
-        return {MessageCode::RobotRefused,
-                {std::to_string(*m_refused), wordsOr(grblErrorWords(*m_refused), "not known to Bask")}};
+        return refusal(*m_refused);
     if (!isPlaceSure())
         return {MessageCode::RobotPlaceUnsure, {}};
     return {};
@@ -557,15 +587,22 @@ Result<void> GrblRobot::setTwist(const Vector6d& twist, double validFor_s) {
 
 Result<void> GrblRobot::halt() {
     m_planner.forget();
-    const bool isHoming = m_line && m_line->kind == Kind::Home;
-    m_next.reset();
-    if (isHoming && m_isOpen)
-        m_link.write(std::string(1, grbl::kReset)); // nothing else ends it; its place is lost
-    else if (m_step || m_line || m_status.state == GrblState::Jog)
+    if (m_next == Kind::Home)
+        m_next.reset();
+    if (m_line && m_line->kind == Kind::Home)
+        stopHoming();
+    else if (m_step || m_status.state == GrblState::Jog)
         stopJog();
     if (m_linkState != LinkState::Live)
         return notLive();
     return {};
+}
+
+/// By a reset, since nothing else ends it; its place is lost.
+void GrblRobot::stopHoming() {
+    m_isPlaceInDoubt = true;
+    m_line.reset();
+    reset(std::nullopt, m_clock.now_s());
 }
 
 Result<void> GrblRobot::home() {
@@ -621,7 +658,7 @@ bool GrblRobot::clearHold() {
     case GrblState::Check:
     case GrblState::Sleep:
     case GrblState::Tool:
-        reset(Kind::Settings, m_clock.now_s());
+        reset(std::nullopt, m_clock.now_s());
         break;
     default:
         break; // released at its own panel

@@ -69,6 +69,7 @@ private:
     void takeAnswerTo(const Pending& line, int error, double now_s);
     void takeStatus(const GrblStatus& status, double now_s);
     void takeState(const GrblStatus& status);
+    void takeHome();
     void takeBanner(const GrblBanner& banner, double now_s);
     void takeReport(const std::string& text, double now_s);
     void takeSetting(const GrblSetting& setting);
@@ -83,8 +84,9 @@ private:
     void sendFence(double now_s);
     void sendStep(double now_s);
     void setUp(double now_s);
-    void reset(Kind then, double now_s);
+    void reset(std::optional<Kind> then, double now_s);
     void stopJog();
+    void stopHoming();
     void dropMotion();
     bool clearHold();
     Result<void> clearDoubt();
@@ -108,6 +110,7 @@ private:
     double m_noteUntil_s = -1e300;
     bool m_isOpen = false, m_wasLive = false;
     double m_opened_s = 0.0, m_tried_s = -1e300;
+    double m_heard_s = -1e300; ///< for its liveness: reports, acknowledgements, banners
     double m_lastReply_s = -1e300, m_replyTime_s = 0.0, m_rate_Hz = 0.0;
     std::string m_identity, m_lastGarbage;
     int m_discarded = 0;

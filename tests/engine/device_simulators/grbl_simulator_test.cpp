@@ -207,11 +207,11 @@ TEST_F(GrblSimulatorTest, EachFaultIsThere) {
     EXPECT_NEAR(x(), 2.0, 1e-9);
     raise("garbage");
     std::string spoilt;
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 100; ++i)
         spoilt += say("$I");
     raise("none");
     std::string whole;
-    for (int i = 0; i < 20; ++i)
+    for (int i = 0; i < 100; ++i)
         whole += say("$I");
     EXPECT_NE(spoilt, whole);
     EXPECT_EQ(m_robot->setFault("nonsense").error().code(), MessageCode::ValueUnknown);

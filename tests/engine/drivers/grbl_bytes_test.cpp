@@ -1,0 +1,151 @@
+// The driver of a Grbl robot against a script: what it sends, byte by byte, and what it makes of answers that
+// come in pieces, together, late, twice or damaged.
+
+#include "engine/drivers/grbl_robot.h"
+#include "tests/engine/drivers/test_links.h"
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+class GrblBytesTest : public testing::Test {
+protected:
+    void run(double time_s) {
+        for (const double end_s = m_clock.now_s() + time_s; m_clock.now_s() < end_s - 1e-9;) {
+            m_clock.advance(0.005);
+            m_robot.work();
+        }
+    }
+    std::string sentAfter(double time_s) {
+        run(time_s);
+        return m_link.takeSent();
+    }
+    std::string answered(const std::string& answer, double time_s = 0.005) {
+        m_link.say(answer);
+        return sentAfter(time_s);
+    }
+    /// Opened, asked, set up.
+    void goLive() {
+        sentAfter(0.01);
+        m_link.say("\r\nGrbl 1.1h ['$' for help]\r\n");
+        ASSERT_EQ(sentAfter(0.25), "?");
+        ASSERT_EQ(answered("<Idle|MPos:0.000,0.000,0.000>\r\n"), "$$\n");
+        answered("$13=0\r\n$22=1\r\nok\r\n");
+        answered("<Idle|MPos:0.000,0.000,0.000>\r\n", 0.2);
+        ASSERT_EQ(m_robot.status().link, LinkState::Live);
+        answered("<Idle|MPos:0.000,0.000,0.000>\r\n");
+    }
+    MessageCode alarm() { return m_robot.state()->alarm.code; }
+
+    ManualClock m_clock;
+    ScriptedLink m_link;
+    GrblRobot m_robot{m_link, m_clock,
+                      AxisMap({{'X', 0, false, 0.0}, {'Z', 2, false, 0.0}}, Vector6d::Zero()),
+                      [](const Vector6d&) { return true; }, false};
+    const Vector6d m_twist = (Vector6d() << 0.003, 0, 0.004, 0, 0, 0).finished();
+};
+
+// Catches another line than the one that was meant, sent before it is due or a second time.
+TEST_F(GrblBytesTest, OneStepAtATime) {
+    goLive();
+    ASSERT_TRUE(m_robot.setTwist(m_twist, 10.0));
+    EXPECT_EQ(sentAfter(0.005), "$J=G21G90G53X1.500Z2.000F300.0\n"); // half a second at 5 mm/s
+    const double sent_s = m_clock.now_s();
+    for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(answered("<Idle|MPos:0.000,0.000,0.000>\r\n", 0.06), "?"); // not taken yet: no second one
+    answered("o");
+    EXPECT_EQ(answered("k\r\n<Jog|MPos:0.1,0.0,0.1>\r\n", 0.06), "?");
+    EXPECT_TRUE(m_robot.state()->moving);
+    std::string sent;
+    while (sent.find('$') == std::string::npos)
+        sent += answered("<Idle|MPos:1.500,0.000,2.000>\r\n");
+    EXPECT_EQ(sent.substr(sent.find('$')), "$J=G21G90G53X3.000Z4.000F300.0\n");
+    EXPECT_NEAR(m_clock.now_s() - sent_s, 0.5,
+                0.01); // the time that the first one had, though it ended early
+}
+
+// Catches an acknowledgement of before that frees the way for the next line.
+TEST_F(GrblBytesTest, StrayAcknowledgementsAreDiscarded) {
+    goLive();
+    EXPECT_EQ(m_robot.discarded(), 0);
+    answered("ok\r\nerror:3\r\n");
+    EXPECT_EQ(m_robot.discarded(), 2);
+    EXPECT_EQ(m_robot.status().problem.code, MessageCode::DeviceAnswersWrong);
+    EXPECT_EQ(alarm(), MessageCode::None);
+}
+
+// Catches settings that are taken for read because of an ok that was left over.
+TEST_F(GrblBytesTest, AnOkOfBeforeDoesNotEndTheSettings) {
+    sentAfter(0.01);
+    m_link.say("Grbl 1.1h ['$' for help]\r\n");
+    sentAfter(0.25);
+    ASSERT_EQ(answered("<Idle|MPos:0.000,0.000,0.000>\r\n"), "$$\n");
+    answered("ok\r\n");
+    EXPECT_EQ(m_robot.discarded(), 1);
+    EXPECT_NE(m_robot.status().link, LinkState::Live);
+    answered("$13=1\r\nok\r\n");
+    answered("<Idle|MPos:1.000,0.000,0.000>\r\n", 0.3);
+    EXPECT_EQ(m_robot.state().error().code(), MessageCode::DeviceAnswersWrong); // inches
+}
+
+// Catches a report that is pieced together from two, and one that is lost because its halves came apart.
+TEST_F(GrblBytesTest, ReportsComeInPieces) {
+    goLive();
+    sentAfter(0.2);
+    for (const char c : std::string("<Idle|MPos:7.000,0.000,8.000|Bf:15,128>\r\n"))
+        answered(std::string(1, c));
+    EXPECT_NEAR(m_robot.state()->coordinates[0], 0.007, 1e-12);
+    answered("<Idle|MPos:9.0<Idle|MPos:9.000,0.000,8.000>\r\n");
+    EXPECT_NEAR(m_robot.state()->coordinates[0], 0.007, 1e-12);
+    EXPECT_EQ(m_robot.discarded(), 1);
+}
+
+// Catches a report that was on its way before it was asked for and is told as if it were new.
+TEST_F(GrblBytesTest, AnUnaskedReportIsNoNewer) {
+    goLive();
+    const double before_s = m_robot.state()->time_s;
+    answered("<Idle|MPos:3.000,0.000,0.000>\r\n", 0.005);
+    EXPECT_NEAR(m_robot.state()->coordinates[0], 0.003, 1e-12);
+    EXPECT_EQ(m_robot.state()->time_s, before_s);
+}
+
+// Catches a line whose acknowledgement was lost and that holds everything up for ever; and the opposite, that
+// it is thought to be over while it may still run.
+TEST_F(GrblBytesTest, ALostAcknowledgementIsSettledByAFence) {
+    goLive();
+    ASSERT_TRUE(m_robot.setTwist(m_twist, 0.1));
+    EXPECT_EQ(sentAfter(0.005), "$J=G21G90G53X0.300Z0.400F300.0\n");
+    std::string sent;
+    for (int i = 0; i < 12; ++i)
+        sent += answered("<Idle|MPos:0.300,0.000,0.400>\r\n", 0.05);
+    EXPECT_EQ(sent.substr(sent.find('$')).substr(0, 3), "$G\n");
+    EXPECT_EQ(sent.find("$G", sent.find('$') + 1), std::string::npos);
+    ASSERT_TRUE(m_robot.setTwist(m_twist, 10.0));
+    answered("[GC:G0 G54]\r\nok\r\n");
+    EXPECT_EQ(m_robot.discarded(), 0);
+    sent.clear();
+    for (int i = 0; i < 20; ++i)
+        sent += answered("<Idle|MPos:0.300,0.000,0.400>\r\n", 0.05);
+    EXPECT_NE(sent.find("$J=G21G90G53X1.8"), std::string::npos) << sent;
+}
+
+// Catches a device of another kind that is only called silent.
+TEST_F(GrblBytesTest, AnotherDeviceIsNamed) {
+    sentAfter(0.3);
+    m_link.say("echo:Marlin 2.1.2\r\n");
+    run(3.0);
+    EXPECT_EQ(m_robot.status().link, LinkState::Opening);
+    EXPECT_EQ(m_robot.status().problem, (Message{MessageCode::DeviceOther, {"port", "echo:Marlin 2.1.2"}}));
+}
+
+// Catches unknown numbers that are hidden, or given a wrong meaning.
+TEST_F(GrblBytesTest, UnknownNumbersAreShownRaw) {
+    goLive();
+    answered("ALARM:77\r\n");
+    EXPECT_EQ(m_robot.state()->alarm, (Message{MessageCode::RobotAlarm, {"77", "not known to Bask"}}));
+    EXPECT_FALSE(m_robot.state()->isPlaceSure);
+}
+
+} // namespace
+} // namespace bask::test
