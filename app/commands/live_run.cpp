@@ -53,9 +53,9 @@ public:
     }
 
     Result<RunOutcome> run() {
-        const SignalCount signals;
+        const SignalCount signalCount;
         QTimer look;
-        QObject::connect(&look, &QTimer::timeout, &m_worker, [&] { obey(signals.now()); });
+        QObject::connect(&look, &QTimer::timeout, &m_worker, [&] { obey(signalCount.now()); });
         look.start(kLook_ms);
         m_worker.start();
         m_worker.post(LoadExperiment{m_experiment});
@@ -130,13 +130,13 @@ private:
         });
     }
 
-    void obey(int signals) {
-        if (signals >= 2 && !m_isEmergency) {
+    void obey(int count) {
+        if (count >= 2 && !m_isEmergency) {
             m_isEmergency = true;
             m_worker.post(EmergencyStop{});
-        } else if (signals == 1 && m_wish == Wish::Run) {
+        } else if (count == 1 && m_wish == Wish::Run) {
             stop();
-        } else if (signals >= 1 && m_wish != Wish::Run && m_wish != Wish::End) {
+        } else if (count >= 1 && m_wish != Wish::Run && m_wish != Wish::End) {
             m_outcome.fault = true;
             over();
         }
