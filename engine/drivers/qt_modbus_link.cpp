@@ -10,6 +10,7 @@
 #include <QSerialPort>
 #include <QVariant>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -216,7 +217,10 @@ void QtModbusLink::Line::giveUp() {
     deliver(Error(MessageCode::DeviceSilent, "", {path, formatNumber(replyTime_s)}));
     keepSilent();
     std::vector<ModbusRequest>& earlier = unanswered[asked->request.unit];
-    if (earlier.empty() || !isSame(earlier.back(), asked->request))
+    const bool isKnown = std::any_of(earlier.begin(), earlier.end(), [this](const ModbusRequest& request) {
+        return isSame(request, asked->request);
+    });
+    if (!isKnown)
         earlier.push_back(asked->request);
     if (++silent >= kMostSilent)
         lose(MessageCode::DeviceSilent, {path, formatNumber(silent * 2.0 * replyTime_s, 2)});
