@@ -90,6 +90,8 @@ void ModbusHeater::take(const ModbusReply& reply) {
         m_writeProblem = reply ? Message{} : reply.error().message;
     else if (reply)
         takeRead(*reply);
+    else if (!m_wanted_K && isOn())
+        m_isOffDue = true; // again, though nothing can be read back
 }
 
 void ModbusHeater::takeRead(const std::vector<std::uint16_t>& values) {

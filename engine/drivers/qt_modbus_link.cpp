@@ -10,6 +10,7 @@
 #include <QSerialPort>
 #include <QVariant>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
@@ -99,7 +100,7 @@ struct QtModbusLink::Line {
     double timeFor(const ModbusRequest& request) const;
     Error wrong(const char* words) {
         ++discarded;
-        return {MessageCode::DeviceAnswersWrong, path, {path, words}};
+        return {MessageCode::DeviceAnswersWrong, "", {path, words}};
     }
 
     std::string path;
@@ -197,7 +198,7 @@ ModbusReply QtModbusLink::Line::judged(const QModbusReply& reply, const ModbusRe
     }
     const QModbusResponse response = reply.rawResult();
     if (response.isException())
-        return Error(MessageCode::DeviceException, path,
+        return Error(MessageCode::DeviceException, "",
                      {path, std::to_string(request.unit), std::to_string(response.exceptionCode())});
     if (auto registers = registersIn(response.data(), request))
         return std::move(*registers);
@@ -213,10 +214,13 @@ void QtModbusLink::Line::deliver(ModbusReply reply) {
 
 void QtModbusLink::Line::giveUp() {
     asked->isGivenUp = true;
-    deliver(Error(MessageCode::DeviceSilent, path, {path, formatNumber(replyTime_s)}));
+    deliver(Error(MessageCode::DeviceSilent, "", {path, formatNumber(replyTime_s)}));
     keepSilent();
     std::vector<ModbusRequest>& earlier = unanswered[asked->request.unit];
-    if (earlier.empty() || !isSame(earlier.back(), asked->request))
+    const bool isKnown = std::any_of(earlier.begin(), earlier.end(), [this](const ModbusRequest& request) {
+        return isSame(request, asked->request);
+    });
+    if (!isKnown)
         earlier.push_back(asked->request);
     if (++silent >= kMostSilent)
         lose(MessageCode::DeviceSilent, {path, formatNumber(silent * 2.0 * replyTime_s, 2)});
@@ -239,7 +243,7 @@ void QtModbusLink::Line::lose(MessageCode code, std::vector<std::string> args) {
 /// Closes; the request under way is told that there was no answer.
 void QtModbusLink::Line::abort() {
     if (asked && !asked->isGivenUp)
-        deliver(Error(MessageCode::DeviceSilent, path, {path, formatNumber(replyTime_s)}));
+        deliver(Error(MessageCode::DeviceSilent, "", {path, formatNumber(replyTime_s)}));
     asked.reset();
     unanswered.clear();
     quietUntil_s = -1e300;

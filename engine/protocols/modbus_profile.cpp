@@ -175,13 +175,25 @@ void readFaults(const json& j, const std::string& path, std::map<double, std::st
     }
 }
 
-enum class Use { Temperature, WrittenTemperature, Number, WrittenNumber };
+enum class Use { Sensor, Temperature, WrittenTemperature, Number, WrittenNumber };
+
+const char* unitsFor(Use use) {
+    return use == Use::Sensor                                          ? "K, degC, degF, mA, ohm"
+           : use == Use::Temperature || use == Use::WrittenTemperature ? "K, degC, degF"
+                                                                       : "none";
+}
+
+bool isUnitFor(Use use, RegisterUnit unit) {
+    const bool isElectrical = unit == RegisterUnit::Milliampere || unit == RegisterUnit::Ohm;
+    if (use == Use::Number || use == Use::WrittenNumber)
+        return unit == RegisterUnit::None;
+    return unit != RegisterUnit::None && (use == Use::Sensor || !isElectrical);
+}
 
 RegisterSpec readRegister(const json& j, const std::string& path, Use use) {
     RegisterSpec out;
     const bool isWritten = use == Use::WrittenTemperature || use == Use::WrittenNumber;
-    const bool isTemperature = use == Use::Temperature || use == Use::WrittenTemperature;
-    if (!isTemperature)
+    if (use == Use::Number || use == Use::WrittenNumber)
         out.unit = RegisterUnit::None;
     Object object(j, path);
     object.require("address");
@@ -200,9 +212,8 @@ RegisterSpec readRegister(const json& j, const std::string& path, Use use) {
     if (out.address + registerCount(out.type) - 1 > kMostAddress)
         refuse(MessageCode::ValueOutOfRange, path + ".address",
                {std::to_string(out.address), "0", std::to_string(kMostAddress - 1), ""});
-    if (isTemperature == (out.unit == RegisterUnit::None))
-        refuse(MessageCode::ValueUnknown, path + ".unit",
-               {wordOf(kUnits, out.unit), isTemperature ? "K, degC, degF, mA, ohm" : "none"});
+    if (!isUnitFor(use, out.unit))
+        refuse(MessageCode::ValueUnknown, path + ".unit", {wordOf(kUnits, out.unit), unitsFor(use)});
     return out;
 }
 
@@ -240,7 +251,7 @@ void readStatuses(Object& object, ModbusProfile& profile) {
 
 void readThermometer(Object& object, ModbusProfile& profile) {
     object.require("channels");
-    readRegister(object, "channel", Use::Temperature, profile.channel);
+    readRegister(object, "channel", Use::Sensor, profile.channel);
     object.read("channels", profile.channels, 1, kMostRegisters);
     const int size = registerCount(profile.channel->type);
     object.read("channel_step", profile.channelStep, size, kMostRegisters);

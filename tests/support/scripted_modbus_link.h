@@ -16,7 +16,7 @@ using ModbusAnswer = std::function<std::optional<ModbusReply>(const ModbusReques
 
 class ScriptedModbusLink final : public ModbusLink {
 public:
-    static constexpr double kReply_s = 0.02, kSilent_s = 0.3;
+    static constexpr double kSilent_s = 0.3;
 
     ScriptedModbusLink(const Clock& clock, ModbusAnswer answer)
         : m_clock(clock), m_answer(std::move(answer)) {}
@@ -35,8 +35,8 @@ public:
             throw std::logic_error("sent while it was not free");
         sent.push_back(request);
         auto reply = m_answer(request);
-        m_free_s = m_clock.now_s() + (reply ? kReply_s : 2.0 * kSilent_s);
-        const double at_s = m_clock.now_s() + (reply ? kReply_s : kSilent_s);
+        m_free_s = m_clock.now_s() + (reply ? reply_s : 2.0 * kSilent_s);
+        const double at_s = m_clock.now_s() + (reply ? reply_s : kSilent_s);
         m_replies.emplace(++m_number, std::pair(at_s, reply.value_or(silent())));
         return m_number;
     }
@@ -57,6 +57,7 @@ public:
             reply = {m_clock.now_s(), silent()};
     }
 
+    double reply_s = 0.02;
     bool isPlugged = true, isUp = false;
     int opened = 0;
     std::vector<ModbusRequest> sent;

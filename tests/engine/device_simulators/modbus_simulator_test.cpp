@@ -128,8 +128,7 @@ TEST_F(ModbusSimulatorTest, FaultsAreWhatTheyAreCalled) {
         return said(two);
     };
     EXPECT_EQ(with("silent"), "");
-    EXPECT_EQ(test::replyRegisters(with("open"), 1, 4),
-              (Registers{0x8000, 0x8000}));
+    EXPECT_EQ(test::replyRegisters(with("open"), 1, 4), (Registers{0x8000, 0x8000}));
     EXPECT_EQ(test::replyRegisters(with("short"), 1, 4), (Registers{0x8000, 0x8000}));
     EXPECT_EQ(test::replyRegisters(with("wrong-unit"), 2, 4), (Registers{200, 200}));
     EXPECT_EQ(test::replyRegisters(with("short-reply"), 1, 4), Registers{200});

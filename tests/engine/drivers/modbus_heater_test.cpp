@@ -158,6 +158,29 @@ TEST_F(ModbusHeaterTest, OffIsVerifiedAndRepeated) {
     EXPECT_EQ(lost, 6);
 }
 
+// Catches off that waits for a reading: here none comes any more, and the first off is lost too.
+TEST_F(ModbusHeaterTest, OffDoesNotWaitForWhatCannotBeRead) {
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 1.0);
+    heat(*heater, 3.0);
+    int offs = 0;
+    before = [&](const ModbusRequest& r) -> std::optional<ModbusReply> {
+        if (r.function == 6 && ++offs > 1)
+            return std::nullopt;
+        return Error(MessageCode::DeviceException, "", {"line", "5", "4"});
+    };
+    EXPECT_TRUE(sim.isOn(5));
+    const std::size_t sent = link.sent.size();
+    (void)heater->heatOff();
+    run(*heater, 1.0);
+    EXPECT_FALSE(sim.isOn(5));
+    EXPECT_TRUE(heater->heating()) << "not seen to be off";
+    EXPECT_LT(link.sent.size() - sent, 12u) << "and not hammered";
+    before = nullptr;
+    run(*heater, 1.0);
+    EXPECT_FALSE(heater->heating());
+}
+
 // Catches a set point that the device limits: written for ever, or taken for what was asked.
 TEST_F(ModbusHeaterTest, ASetPointThatIsNotTakenIsToldAndNotWornOut) {
     const auto heater = made("eurotherm-2400");

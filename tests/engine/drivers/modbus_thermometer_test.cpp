@@ -171,10 +171,11 @@ TEST_F(ModbusThermometerTest, TwoOnOneLineBothGetTheirTurns) {
             b.work();
         }
     } both{*first, *second};
+    link.reply_s = 0.06; // the first alone could fill the line
     run(both, 5.0);
     EXPECT_EQ(first->status().link, LinkState::Live);
     EXPECT_EQ(second->status().link, LinkState::Live);
-    EXPECT_GT(second->status().rate_Hz, 8.0);
+    EXPECT_GT(second->status().rate_Hz, 4.0);
     EXPECT_NEAR(second->read()->front().value_K, 303.15, 1e-9);
 }
 

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 namespace bask {
 namespace {
@@ -51,6 +53,17 @@ TEST(ModbusProfile, DefaultsAreThoseOfTheStructure) {
     expected.channel->address = 5;
     expected.channels = 2;
     EXPECT_EQ(*profile, expected);
+}
+
+// Catches a document whose example is refused.
+TEST(ModbusProfile, TheExampleOfTheDocumentIsRead) {
+    std::ifstream file(BASK_TEST_DATA "/../../docs/modbus-profiles.md");
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    const std::size_t begin = text.find("```json") + 7, end = text.find("```", begin);
+    const auto profile = modbusProfileFromJson(text.substr(begin, end - begin), "docs");
+    ASSERT_TRUE(profile.ok()) << describe(profile.error());
+    EXPECT_EQ(profile->channels, 4);
+    EXPECT_EQ(profile->channel->faults.at(32767.0), "open");
 }
 
 // Catches a key that is written and not read back, or the other way round.
@@ -147,6 +160,8 @@ TEST(ModbusProfile, RefusesWithThePlace) {
          MessageCode::ValueOutOfRange, "p.json: set_point.function"},
         {controller(R"(, "run": {"address": 3, "unit": "degC"})"), MessageCode::ValueUnknown,
          "p.json: run.unit"},
+        {R"({"name": "c", "process_value": {"address": 1, "unit": "mA"}, "set_point": {"address": 2}})",
+         MessageCode::ValueUnknown, "p.json: process_value.unit"},
         {controller(R"(, "run_on": 0)"), MessageCode::ValueUnknown, "p.json: run_off"},
         {controller(R"(, "watchdog_unit_s": 0)"), MessageCode::ValueNotPositive, "p.json: watchdog_unit_s"},
     };
