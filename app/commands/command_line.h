@@ -34,5 +34,6 @@ int exportCommand(const QStringList& arguments);
 int detectMarkersCommand(const QStringList& arguments);
 int calibrateCameraCommand(const QStringList& arguments);
 int makeBoardCommand(const QStringList& arguments);
+int simulateDeviceCommand(const QStringList& arguments);
 
 } // namespace bask
