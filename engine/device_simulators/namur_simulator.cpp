@@ -22,7 +22,8 @@ constexpr std::string_view kGarbage = "\x81\xfe~8\x03.\xff\x10 2\r\n";
 
 /// The number after a command's words, "OUT_SP_1 80.0".
 std::optional<double> numberAfter(std::string_view command, std::string_view words) {
-    return command.starts_with(words) ? plainNumber(trimmed(command.substr(words.size()))) : std::nullopt;
+    return command.starts_with(words) ? plainNumber(withoutBlanks(command.substr(words.size())))
+                                      : std::nullopt;
 }
 
 } // namespace
@@ -72,7 +73,7 @@ void NamurSimulator::receive(std::string_view bytes, double now_s) {
         return;
     m_lines.add(bytes);
     while (const auto line = m_lines.next()) {
-        std::string said = answer(trimmed(*line));
+        std::string said = answer(withoutBlanks(*line));
         if (!said.empty() && m_fault == "garbage")
             said = kGarbage;
         if (!said.empty())

@@ -31,11 +31,13 @@ NamurHeater::NamurHeater(ByteLink& link, const Clock& clock, const NamurHeaterCo
 
 void NamurHeater::work() {
     const double now_s = m_clock.now_s();
-    if (m_isOn && now_s >= m_until_s) // before anything is sent: an engine that was held up must not go on
+    if (m_isOn && now_s >= m_until_s) { // before anything is sent: an engine that was held up must not go on
         stop();
+        m_isFed = false;
+    }
     switch (m_watch.work()) {
     case LinkWatch::Turn::Closed:
-        m_isOn = false;
+        m_isOn = m_isFed = false;
         return;
     case LinkWatch::Turn::Opened:
         begin();
@@ -57,7 +59,7 @@ void NamurHeater::begin() {
     m_namesLeft = kNames;
     m_asked = Question::None;
     m_readBack_K.reset();
-    m_isOn = false;
+    m_isOn = m_isFed = false;
     m_stopsLeft = kStops;
     m_polls = 0;
     m_nextLine_s = m_nextStop_s = m_nextPoll_s = m_clock.now_s();
@@ -141,7 +143,7 @@ void NamurHeater::order() {
         say(namur::kStop);
         --m_stopsLeft;
         m_nextStop_s = now_s + kStopAgain_s;
-    } else if (m_isOn && now_s >= m_nextWatchdog_s) {
+    } else if (m_isFed && now_s >= m_nextWatchdog_s) {
         m_nextWatchdog_s = now_s + m_config.watchdog_s / 4.0;
         ask(Question::Watchdog, namurWatchdog(m_config.watchdog_s));
     } else if (m_isOn && m_mustSet && now_s >= m_nextSet_s) {
@@ -225,7 +227,7 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
     if (!m_watch.isLive())
         return m_watch.error();
     if (!m_isOn) {
-        m_isOn = m_mustSet = m_mustStart = true;
+        m_isOn = m_isFed = m_mustSet = m_mustStart = true;
         m_others = m_unechoed = m_stopsLeft = 0;
         m_nextWatchdog_s = m_clock.now_s();
         m_nextSet_s = m_clock.now_s();
@@ -238,7 +240,7 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
 
 Result<void> NamurHeater::heatOff() {
     if (!m_link.isOpen()) {
-        m_isOn = false;
+        m_isOn = m_isFed = false;
         return m_watch.error();
     }
     if (m_isOn)

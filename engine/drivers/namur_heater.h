@@ -14,8 +14,9 @@ struct NamurHeaterConfig {
 };
 
 /// The plate says nothing to what it is told to do, so its set point is read back again and again; a
-/// difference is told as SafetySetPointOther. Its own watchdog is fed only while heat is asked for: an engine
-/// that dies leaves a plate that goes off by itself.
+/// difference is told as SafetySetPointOther. Its own watchdog is fed while heat is asked for, and after
+/// heatOff(), or it would end every run with an error at the plate; an engine that dies leaves a plate that
+/// goes off by itself.
 class NamurHeater final : public HeatSource, public Device {
 public:
     static constexpr double kDeadline_s = 0.5; ///< of one answer
@@ -71,6 +72,7 @@ private:
 
     // Heat
     bool m_isOn = false;
+    bool m_isFed = false; ///< the watchdog: it has been on, and whoever asked is there still
     double m_until_s = -1e300, m_setPoint_K = 0.0, m_sent_K = 0.0;
     bool m_mustSet = false, m_mustStart = false;
     double m_nextSet_s = 0.0;

@@ -37,25 +37,25 @@ std::string namurWatchdog(double time_s) {
 }
 
 std::optional<NamurValue> namurValue(std::string_view line) {
-    line = trimmed(line);
+    line = withoutBlanks(line);
     const std::size_t blank = line.find(' ');
     if (blank == std::string_view::npos)
         return std::nullopt;
     const auto value = plainNumber(line.substr(0, blank));
-    const std::string_view channel = trimmed(line.substr(blank));
+    const std::string_view channel = withoutBlanks(line.substr(blank));
     if (!value || channel.size() != 1 || channel[0] < '0' || channel[0] > '9')
         return std::nullopt;
     return NamurValue{*value, channel[0] - '0'};
 }
 
 bool isWatchdogEcho(std::string_view line, double time_s) {
-    line = trimmed(withoutCommand(trimmed(line)));
+    line = withoutBlanks(withoutCommand(withoutBlanks(line)));
     const auto value = plainNumber(line.substr(0, line.find(' ')));
     return value && std::abs(*value - time_s) < 0.6; // it may round
 }
 
 bool isNamurName(std::string_view line) {
-    line = trimmed(line);
+    line = withoutBlanks(line);
     constexpr std::array kCommands{"IN_", "OUT_", "START_", "STOP_"};
     const bool isCommand =
         std::ranges::any_of(kCommands, [&](const char* start) { return line.starts_with(start); });

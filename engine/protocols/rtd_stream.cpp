@@ -55,7 +55,7 @@ std::optional<double> temperatureIn(std::string_view text) {
             text.remove_suffix(unit.size());
             break;
         }
-    return plainNumber(trimmed(text));
+    return plainNumber(withoutBlanks(text));
 }
 
 bool isNotANumber(std::string_view text) {
@@ -70,12 +70,12 @@ std::vector<std::string_view> columnsOf(std::string_view line) {
     std::vector<std::string_view> columns;
     for (;;) {
         const std::size_t end = line.find_first_of(between);
-        columns.push_back(trimmed(line.substr(0, end)));
+        columns.push_back(withoutBlanks(line.substr(0, end)));
         if (end == std::string_view::npos)
             return columns;
         line.remove_prefix(end + 1);
         if (between[0] == ' ')
-            line = trimmed(line);
+            line = withoutBlanks(line);
     }
 }
 
@@ -91,7 +91,7 @@ void RtdStream::add(std::string_view bytes, double stamp) {
     m_lines.add(bytes);
     while (const auto line = m_lines.next()) {
         const bool isHalf = std::exchange(m_isFirst, false);
-        if (!isHalf && !readLine(trimmed(*line), stamp))
+        if (!isHalf && !readLine(withoutBlanks(*line), stamp))
             m_discarded.push_back(*line);
     }
 }
@@ -100,7 +100,7 @@ bool RtdStream::readLine(std::string_view line, double stamp) {
     if (!line.empty() && line.find("Fault") != std::string_view::npos)
         return readFault(line);
     if (const std::size_t mid = line.find_first_of("=:"); mid != std::string_view::npos)
-        return readNamed(trimmed(line.substr(0, mid)), trimmed(line.substr(mid + 1)), stamp);
+        return readNamed(withoutBlanks(line.substr(0, mid)), withoutBlanks(line.substr(mid + 1)), stamp);
     // A row begins with a number or what stands for one; all else are words.
     const bool isRow = !line.empty() &&
                        (line.find_first_of("0123456789+-.,;") == 0 || isNotANumber(columnsOf(line).front()));
@@ -110,13 +110,13 @@ bool RtdStream::readLine(std::string_view line, double stamp) {
 /// A fault whose bits cannot be read is a fault all the same.
 bool RtdStream::readFault(std::string_view line) {
     const std::size_t at = line.find("Fault"), digits = line.find("0x", at);
-    std::string_view name = trimmed(line.substr(0, at));
+    std::string_view name = withoutBlanks(line.substr(0, at));
     const auto bits =
-        digits != std::string_view::npos ? hexadecimal(trimmed(line.substr(digits + 2))) : std::nullopt;
+        digits != std::string_view::npos ? hexadecimal(withoutBlanks(line.substr(digits + 2))) : std::nullopt;
     const RtdFault fault = bits ? faultOfBits(*bits) : RtdFault::Other;
     if (fault == RtdFault::None || name == "No")
         return true;
-    name = trimmed(name.substr(0, name.find_first_of("=:")));
+    name = withoutBlanks(name.substr(0, name.find_first_of("=:")));
     const int only = channelOf(name);
     for (std::size_t i = 0; i < m_channels.size(); ++i) {
         if (only >= 0 && only != static_cast<int>(i))

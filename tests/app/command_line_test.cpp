@@ -34,8 +34,9 @@ Answer bask(const QStringList& arguments, const QString& display = {}, const QSt
 TEST(CommandLine, HelpAndVersion) {
     const Answer help = bask({QStringLiteral("--help")});
     EXPECT_EQ(help.exitCode, 0);
-    for (const char* name : {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce",
-                             "identify", "export", "detect-markers", "calibrate-camera", "make-board"})
+    for (const char* name :
+         {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce", "identify",
+          "export", "detect-markers", "calibrate-camera", "make-board", "simulate-device"})
         EXPECT_TRUE(help.out.contains(QLatin1String(name))) << name;
     const Answer version = bask({QStringLiteral("--version")});
     EXPECT_EQ(version.exitCode, 0);
@@ -44,8 +45,9 @@ TEST(CommandLine, HelpAndVersion) {
 
 // Catches: a subcommand that needs a display, or has no help.
 TEST(CommandLine, EverySubcommandHasHelp) {
-    for (const char* name : {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce",
-                             "identify", "export", "detect-markers", "calibrate-camera", "make-board"}) {
+    for (const char* name :
+         {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce", "identify",
+          "export", "detect-markers", "calibrate-camera", "make-board", "simulate-device"}) {
         const Answer help = bask({QLatin1String(name), QStringLiteral("--help")});
         EXPECT_EQ(help.exitCode, 0) << name;
         EXPECT_TRUE(help.out.contains(QStringLiteral("bask %1").arg(QLatin1String(name))))

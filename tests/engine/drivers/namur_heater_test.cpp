@@ -147,6 +147,18 @@ TEST_F(NamurHeaterTest, anEngineThatWasHeldUpStopsTheHeatFirst) {
     EXPECT_EQ(count("OUT_WD1@30"), 0u);
 }
 
+// Catches a plate whose watchdog ends every run with an error, though the engine lives and has switched it off.
+TEST_F(NamurHeaterTest, theWatchdogStaysQuietAfterTheHeatWasSwitchedOff) {
+    run(1.0);
+    ASSERT_TRUE(m_heater.keepHeating(kSixty_K, 10.0).ok());
+    run(1.0);
+    ASSERT_TRUE(m_heater.heatOff().ok());
+    m_heard.clear();
+    run(60.0);
+    EXPECT_GE(count("OUT_WD1@30"), 6u);
+    EXPECT_EQ(count("START_1"), 0u);
+}
+
 // Catches an order to stop that waits for an answer that does not come.
 TEST_F(NamurHeaterTest, heatOffGoesOutAtOnce) {
     run(1.0);

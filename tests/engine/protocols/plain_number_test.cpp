@@ -16,9 +16,9 @@ TEST(PlainNumber, isTheWholeTextOrNothing) {
 }
 
 TEST(PlainNumber, blanksAreTrimmedAtTheEndsOnly) {
-    EXPECT_EQ(trimmed(" \t80.0 2 "), "80.0 2");
-    EXPECT_EQ(trimmed("  "), "");
-    EXPECT_EQ(trimmed(""), "");
+    EXPECT_EQ(withoutBlanks(" \t80.0 2 "), "80.0 2");
+    EXPECT_EQ(withoutBlanks("  "), "");
+    EXPECT_EQ(withoutBlanks(""), "");
 }
 
 } // namespace

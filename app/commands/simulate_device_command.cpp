@@ -1,0 +1,188 @@
+// bask simulate-device: a device that is not there, on a pseudo-terminal, for Bask's drivers or other
+// programs.
+
+#include "app/commands/command_line.h"
+#include "app/commands/parse_command.h"
+#include "app/commands/study_output.h"
+#include "engine/base/clock.h"
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/device_simulators/grbl_simulator.h"
+#include "engine/device_simulators/modbus_simulator.h"
+#include "engine/device_simulators/namur_simulator.h"
+#include "engine/device_simulators/pty_server.h"
+#include "engine/device_simulators/stream_simulator.h"
+
+#include <QCommandLineParser>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <functional>
+#include <numbers>
+#include <poll.h>
+
+namespace bask {
+namespace {
+
+constexpr const char* kName = "simulate-device";
+constexpr int kTurn_ms = 2;
+constexpr int kUnit = 1;
+constexpr const char* kModule = "modmux-pm6rtd";
+constexpr const char* kController = "eurotherm-2400";
+
+/// A device and what moves it besides the bytes.
+struct Simulated {
+    std::unique_ptr<ByteDevice> device;
+    std::function<void(double now_s)> move = [](double) {};
+};
+
+/// One that can be asked for; the first of a role is its default.
+struct Kind {
+    const char* role;
+    const char* driver;
+    const char* line; ///< how a program sets its port
+    Simulated (*make)();
+};
+
+Simulated hotplate() {
+    return {std::make_unique<NamurSimulator>()};
+}
+
+/// Three objects that slowly warm and cool.
+Simulated thermometer() {
+    auto device = std::make_unique<StreamSimulator>();
+    const auto move = [&stream = *device](double now_s) {
+        std::vector<double> temperatures_K;
+        for (const double middle_degC : {30.0, 40.0, 50.0})
+            temperatures_K.push_back(
+                kelvinFromCelsius(middle_degC + 5.0 * std::sin(2.0 * std::numbers::pi * now_s / 120.0)));
+        stream.setTemperatures(temperatures_K);
+    };
+    return {std::move(device), move};
+}
+
+Simulated robot() {
+    return {std::make_unique<GrblSimulator>()};
+}
+
+const ModbusProfile& shipped(const std::string& name) {
+    return *std::ranges::find(shippedProfiles(), name, &ModbusProfile::name);
+}
+
+/// Each channel of a module warmer than the one before.
+Simulated module() {
+    auto device = std::make_unique<ModbusSimulator>();
+    device->addThermometer(kUnit, shipped(kModule), kelvinFromCelsius(25.0));
+    for (int channel = 0; channel < shipped(kModule).channels; ++channel)
+        device->setTemperature(kUnit, channel, kelvinFromCelsius(25.0 + 5.0 * channel));
+    return {std::move(device)};
+}
+
+Simulated controller() {
+    auto device = std::make_unique<ModbusSimulator>();
+    device->addController(kUnit, shipped(kController));
+    return {std::move(device)};
+}
+
+constexpr std::array kKinds{
+    Kind{"robot", "grbl", "115200 baud, 8N1", robot},
+    Kind{"thermometer", "stream", "115200 baud, 8N1", thermometer},
+    Kind{"heater", "namur", "9600 baud, 7E1", hotplate},
+    Kind{"thermometer", "modbus", "19200 baud, 8E1, unit 1, profile modmux-pm6rtd", module},
+    Kind{"heater", "modbus", "9600 baud, 8N1, unit 1, profile eurotherm-2400", controller}};
+
+/// "heater namur: none, silent, ..."
+std::string listOfFaults() {
+    std::string text;
+    for (const Kind& kind : kKinds) {
+        text += std::string("  ") + kind.role + ' ' + kind.driver + ':';
+        for (const std::string& fault : kind.make().device->faults())
+            text += ' ' + fault;
+        text += '\n';
+    }
+    return text;
+}
+
+Result<const Kind*> kindOf(const std::string& role, const std::string& driver) {
+    std::string roles, drivers;
+    for (const Kind& kind : kKinds) {
+        roles += (roles.empty() ? "" : ", ") + std::string(kind.role);
+        if (role != kind.role)
+            continue;
+        if (driver.empty() || driver == kind.driver)
+            return &kind;
+        drivers += (drivers.empty() ? "" : ", ") + std::string(kind.driver);
+    }
+    if (drivers.empty())
+        return Error{MessageCode::ValueUnknown, {}, {role, roles}};
+    return Error{MessageCode::ValueUnknown, "--driver", {driver, drivers}};
+}
+
+volatile std::sig_atomic_t isOver = 0;
+
+void end(int) {
+    isOver = 1;
+}
+
+void serveUntilEnded(PtyServer& server, const Simulated& simulated) {
+    const SteadyClock clock;
+    while (isOver == 0) {
+        simulated.move(clock.now_s());
+        server.work(clock.now_s());
+        ::poll(nullptr, 0, kTurn_ms);
+    }
+}
+
+int serve(const Kind& kind, const std::string& path, const std::string& fault) {
+    const Simulated simulated = kind.make();
+    if (const auto known = simulated.device->setFault(fault); !known)
+        return refuse(kName, Error{known.error().code(), "--fault", known.error().message.args});
+    auto server = PtyServer::create(*simulated.device, path);
+    if (!server)
+        return refuse(kName, server.error());
+    isOver = 0;
+    std::signal(SIGINT, end);
+    std::signal(SIGTERM, end);
+    std::printf("%s\n", path.c_str());
+    std::fflush(stdout);
+    std::fprintf(stderr,
+                 "A simulated %s (%s%s%s) answers there until Ctrl+C. Give that path as the device's port; "
+                 "other programs open it with %s.\n",
+                 kind.role, kind.driver, fault == "none" ? "" : ", fault ",
+                 fault == "none" ? "" : fault.c_str(), kind.line);
+    serveUntilEnded(**server, simulated);
+    return kExitDone;
+}
+
+} // namespace
+
+int simulateDeviceCommand(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral(
+            "A simulated device on a pseudo-terminal, which any program opens as a serial port: it "
+            "takes and gives\nthe very bytes of a real one, until Ctrl+C or SIGTERM. The link is "
+            "removed then; one that is there\nis replaced, as if the cable were plugged in anew. "
+            "Drivers and their faults, the first one a role's default:\n%1"
+            "Exit code: 0 ended, 2 bad input, or no terminal there.")
+            .arg(QString::fromStdString(listOfFaults())));
+    parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addOptions({{"link", "Where the port is to be found. Required.", "PATH"},
+                       {"driver", "The language that it speaks.", "NAME"},
+                       {"fault", "Has a fault from the beginning.", "NAME", "none"}});
+    parser.addPositionalArgument("DEVICE", "robot, thermometer or heater.");
+    if (const auto code = parseCommand(parser, kName, arguments, 1))
+        return *code;
+    if (parser.value("link").isEmpty())
+        return refuse(kName, QStringLiteral("--link is needed"));
+    const auto kind =
+        kindOf(parser.positionalArguments().first().toStdString(), parser.value("driver").toStdString());
+    if (!kind)
+        return refuse(kName, kind.error());
+    return serve(**kind, parser.value("link").toStdString(), parser.value("fault").toStdString());
+}
+
+} // namespace bask
