@@ -10,8 +10,6 @@
 namespace bask {
 namespace {
 
-constexpr double kReopen_s = 0.5;
-constexpr double kOpening_s = 3.0;    // a link that neither opens nor fails is opened anew
 constexpr double kSettle_s = 0.2;     // what was under way when the link was opened is not heard
 constexpr double kFirstReply_s = 3.0; // an Arduino that resets on opening takes up to 2 s
 constexpr double kSilence_s = 1.0;
@@ -58,7 +56,8 @@ Message refusal(int error) {
 } // namespace
 
 GrblRobot::GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard, bool mustHome)
-    : m_link(link), m_clock(clock), m_planner(std::move(map), std::move(guard)), m_mustHome(mustHome) {}
+    : m_link(link), m_keeper(link), m_clock(clock), m_planner(std::move(map), std::move(guard)),
+      m_mustHome(mustHome) {}
 
 void GrblRobot::work() {
     const double now_s = m_clock.now_s();
@@ -66,7 +65,7 @@ void GrblRobot::work() {
         return;
     listen(now_s);
     watch(now_s);
-    if (!m_isOpen)
+    if (!m_keeper.isOpen())
         return;
     act(now_s);
     ask(now_s);
@@ -75,29 +74,26 @@ void GrblRobot::work() {
 // --- The link ---
 
 bool GrblRobot::isLinkOpen(double now_s) {
-    if (m_link.isOpen()) {
-        if (!m_isOpen)
-            begin(now_s);
+    switch (m_keeper.work(now_s)) {
+    case LinkKeeper::Found::Opened:
+        begin(now_s);
         return true;
+    case LinkKeeper::Found::Open:
+        return true;
+    case LinkKeeper::Found::Lost:
+        lose(m_keeper.problem(), now_s);
+        return false;
+    case LinkKeeper::Found::Closed:
+        break;
     }
-    const Message problem = m_link.problem();
-    const bool hasProblem = problem.code != MessageCode::None;
-    if (m_isOpen) {
-        lose(problem, now_s);
-    } else if (hasProblem) {
-        m_problem = problem;
-    }
+    if (m_link.problem().code != MessageCode::None)
+        m_problem = m_link.problem();
     if (m_linkState == LinkState::Closed)
         m_linkState = LinkState::Opening;
-    if (now_s - m_tried_s >= (hasProblem ? kReopen_s : kOpening_s)) {
-        m_tried_s = now_s;
-        m_link.open();
-    }
     return false;
 }
 
 void GrblRobot::begin(double now_s) {
-    m_isOpen = true;
     if (m_linkState == LinkState::Closed)
         m_linkState = LinkState::Opening;
     m_opened_s = now_s;
@@ -112,13 +108,10 @@ void GrblRobot::begin(double now_s) {
 void GrblRobot::lose(const Message& why, double now_s) {
     if (m_linkState == LinkState::Live)
         m_linkState = LinkState::Lost;
-    m_problem =
-        why.code == MessageCode::None ? Message{MessageCode::LinkLost, {m_link.name(), "closed"}} : why;
+    m_problem = why;
     if (m_line && m_line->kind == Kind::Home)
         m_isPlaceInDoubt = true;
-    m_link.close();
-    m_isOpen = false;
-    m_tried_s = now_s;
+    m_keeper.close(now_s);
     m_asked_s.reset();
     m_reset_s.reset();
     m_next.reset();
@@ -489,7 +482,7 @@ void GrblRobot::sendStep(double now_s) {
 void GrblRobot::stopJog() {
     if (m_step)
         m_step->isCancelled = true;
-    if (m_isHalting || !m_isOpen)
+    if (m_isHalting || !m_keeper.isOpen())
         return;
     m_link.write(std::string(1, grbl::kJogCancel));
     m_isHalting = true; // goes on until it is idle and owes no answer: this byte may have overtaken a line

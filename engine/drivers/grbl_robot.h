@@ -7,7 +7,7 @@
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
 #include "engine/devices/robot.h"
-#include "engine/drivers/byte_link.h"
+#include "engine/drivers/link_keeper.h"
 #include "engine/drivers/step_planner.h"
 #include "engine/protocols/grbl_lines.h"
 #include "engine/protocols/line_splitter.h"
@@ -100,6 +100,7 @@ private:
     Error notLive() const;
 
     ByteLink& m_link;
+    LinkKeeper m_keeper;
     const Clock& m_clock;
     StepPlanner m_planner;
     bool m_mustHome;
@@ -108,8 +109,8 @@ private:
     Message m_problem;
     Message m_note; ///< told for a while though it works
     double m_noteUntil_s = -1e300;
-    bool m_isOpen = false, m_wasLive = false;
-    double m_opened_s = 0.0, m_tried_s = -1e300;
+    bool m_wasLive = false;
+    double m_opened_s = 0.0;
     double m_heard_s = -1e300; ///< for its liveness: reports, acknowledgements, banners
     double m_lastReply_s = -1e300, m_replyTime_s = 0.0, m_rate_Hz = 0.0;
     std::string m_identity, m_lastGarbage;

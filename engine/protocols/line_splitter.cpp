@@ -5,9 +5,8 @@
 namespace bask {
 
 std::optional<std::string> LineSplitter::next() {
-    constexpr std::string_view kEnds = "\r\n";
-    m_bytes.erase(0, std::min(m_bytes.find_first_not_of(kEnds), m_bytes.size()));
-    std::size_t end = m_bytes.find_first_of(kEnds);
+    m_bytes.erase(0, std::min(m_bytes.find_first_not_of(m_ends), m_bytes.size()));
+    std::size_t end = m_bytes.find_first_of(m_ends);
     if (end == std::string::npos && m_bytes.size() < kLongest)
         return std::nullopt;
     end = std::min(end, kLongest);

@@ -1,6 +1,7 @@
 #include "engine/runtime/real_rig.h"
 
 #include "engine/devices/video_camera.h"
+#include "engine/drivers/dobot_robot.h"
 #include "engine/drivers/grbl_robot.h"
 #include "engine/drivers/hand_heater.h"
 #include "engine/drivers/modbus_heater.h"
@@ -9,6 +10,7 @@
 #include "engine/drivers/qt_modbus_link.h"
 #include "engine/drivers/serial_link.h"
 #include "engine/drivers/stream_thermometer.h"
+#include "engine/drivers/tcp_link.h"
 #include "engine/runtime/missing_devices.h"
 
 #include <QCoreApplication>
@@ -24,6 +26,7 @@ namespace {
 
 constexpr double kFastestPoll_s = 0.1;
 constexpr double kFarewell_s = 0.3; ///< for the last words: stand still, heat off
+constexpr int kDobotDashboard = 29999, kDobotMotion = 30003, kDobotFeedback = 30004;
 constexpr int kStreamChannels = 16; ///< tried, before it is known how many there are
 
 /// A device's channels in the objects' order.
@@ -67,6 +70,9 @@ struct RealRig::Parts {
     ByteLink& serial(const std::string& port, const SerialSettings& settings) {
         return *byteLinks.emplace_back(std::make_unique<SerialLink>(port, settings));
     }
+    ByteLink& tcp(const std::string& host, int port) {
+        return *byteLinks.emplace_back(std::make_unique<TcpLink>(host, port));
+    }
     /// As the device that plays this role, and as one that is given time to work.
     template <class Driver, class Role>
     void put(DeviceRole role, const std::string& port, std::unique_ptr<Driver> driver,
@@ -87,6 +93,14 @@ struct RealRig::Parts {
             const auto state = robot->state();
             return guard && state && guard(state->coordinates, target);
         };
+        if (spec.driver == RobotDriver::Dobot) {
+            put(DeviceRole::Robot, spec.port,
+                std::make_unique<DobotRobot>(tcp(spec.port, kDobotDashboard), tcp(spec.port, kDobotMotion),
+                                             tcp(spec.port, kDobotFeedback), clock, AxisMap(spec.axes, fixed),
+                                             robotGuard),
+                robot);
+            return;
+        }
         put(DeviceRole::Robot, spec.port,
             std::make_unique<GrblRobot>(serial(spec.port, spec.serial), clock, AxisMap(spec.axes, fixed),
                                         robotGuard, spec.mustHome),

@@ -1,0 +1,80 @@
+#pragma once
+// A simulated four-axis Dobot arm: its dashboard, motion and feedback ports, a queue of straight moves.
+
+#include "engine/device_simulators/byte_device.h"
+#include "engine/protocols/dobot_messages.h"
+
+#include <deque>
+
+namespace bask {
+
+struct DobotSimulatorConfig {
+    DobotPosition start{200.0, 0.0, 50.0, 0.0};
+    double fullSpeed_mm_s = 500.0; ///< at 100 %, degrees counted as millimetres
+    double reach_mm = 440.0;       ///< a move beyond ends in an alarm
+    bool startsDisabled = false;
+    double moveDelay_s = 0.02; ///< before a command on the motion port is taken
+};
+
+/// Not a ByteDevice itself: it has three, one a port. Its faults can be begun at any of them.
+class DobotSimulator {
+public:
+    explicit DobotSimulator(const DobotSimulatorConfig& config = {});
+
+    ByteDevice& dashboard() { return m_dashboard; } ///< 29999
+    ByteDevice& motion() { return m_motion; }       ///< 30003
+    ByteDevice& feedback() { return m_feedback; }   ///< 30004
+
+    /// "none", "silent", "alarm", "disabled", "paused", "slow-reply", "lost-steps" (it says that moves ended,
+    /// and stands), "garbage".
+    std::vector<std::string> faults() const;
+    Result<void> setFault(const std::string& name);
+
+    const DobotPosition& position() const { return m_position; }
+    std::size_t queued() const { return m_moves.size(); }
+    DobotMode mode() const { return m_mode; }
+
+private:
+    class Port final : public ByteDevice {
+    public:
+        explicit Port(DobotSimulator& arm) : m_arm(arm) {}
+        void receive(std::string_view bytes, double now_s) override { m_arm.receive(*this, bytes, now_s); }
+        std::string transmit(double now_s) override { return m_arm.transmit(*this, now_s); }
+        std::vector<std::string> faults() const override { return m_arm.faults(); }
+        Result<void> setFault(const std::string& name) override { return m_arm.setFault(name); }
+
+    private:
+        friend class DobotSimulator;
+        DobotSimulator& m_arm;
+        std::string m_unread, m_said;
+    };
+    struct Command {
+        double time_s;
+        std::string text;
+    };
+    struct Move {
+        DobotPosition to;
+        double speed;
+    };
+
+    void receive(Port& port, std::string_view bytes, double now_s);
+    std::string transmit(Port& port, double now_s);
+    void advance(double now_s);
+    void move(double dt_s);
+    int takeDashboard(const std::string& name, std::string& values);
+    int takeMotion(const std::string& name, const std::string& arguments);
+    void raise(int error);
+
+    DobotSimulatorConfig m_config;
+    Port m_dashboard{*this}, m_motion{*this}, m_feedback{*this};
+    double m_now_s = 0.0, m_packet_s = 0.0;
+    DobotPosition m_position;
+    DobotMode m_mode;
+    std::deque<Move> m_moves;
+    std::deque<Command> m_commands; ///< of the motion port, on their way
+    int m_error = 0;
+    std::string m_fault = "none";
+    int m_spoilt = 0;
+};
+
+} // namespace bask

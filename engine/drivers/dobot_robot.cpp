@@ -1,0 +1,464 @@
+#include "engine/drivers/dobot_robot.h"
+
+#include "engine/base/message_code.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <stdexcept>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr double kFirstPacket_s = 3.0;
+constexpr double kSilence_s = 1.0;
+constexpr double kPacketPeriod_s = 0.008;
+constexpr double kSlow_s = 2.0;
+constexpr double kThere = 0.05;       // mm, degrees: the servos' own noise
+constexpr double kNotBegun_s = 0.5;   // idle for so long after a move was taken: it is over
+constexpr double kResetAgain_s = 0.1; // a move may come to the arm after the reset that is for it
+constexpr double kResetting_s = 1.0, kEnabling_s = 5.0;
+constexpr double kNoReply_s = 5.0;
+constexpr double kNote_s = 5.0;
+constexpr double kErrorsPause_s = 1.0;
+
+/// How far outside of the box between two corners, in the worst axis.
+double outside(const std::vector<double>& at, const std::vector<double>& a, const std::vector<double>& b) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const auto [low, high] = std::minmax(a[i], b[i]);
+        worst = std::max({worst, low - at[i], at[i] - high});
+    }
+    return worst;
+}
+
+/// Words of a mode in which somebody else has the arm; empty: nobody has.
+const char* heldWords(DobotMode mode) {
+    switch (mode) {
+    case DobotMode::Starting:
+        return "starting";
+    case DobotMode::BrakeOpen:
+        return "brake open";
+    case DobotMode::Dragged:
+        return "dragged by hand";
+    case DobotMode::Recording:
+        return "recording";
+    case DobotMode::Paused:
+        return "paused";
+    default:
+        return "";
+    }
+}
+
+} // namespace
+
+DobotRobot::DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback, const Clock& clock,
+                       AxisMap map, MotionGuard guard)
+    : m_dashboard(dashboard), m_motion(motion), m_feedback(feedback), m_clock(clock),
+      m_planner(std::move(map), std::move(guard)) {}
+
+void DobotRobot::work() {
+    const double now_s = m_clock.now_s();
+    if (!areLinksOpen(now_s))
+        return;
+    listen(now_s);
+    watch(now_s);
+    if (m_isOpen)
+        act(now_s);
+}
+
+// --- The links ---
+
+bool DobotRobot::areLinksOpen(double now_s) {
+    bool areOpen = true;
+    for (LinkKeeper* keeper : {&m_dashboard, &m_motion, &m_feedback}) {
+        const LinkKeeper::Found found = keeper->work(now_s);
+        areOpen = areOpen && keeper->isOpen();
+        if (found == LinkKeeper::Found::Lost && m_isOpen)
+            lose(keeper->problem(), now_s);
+        else if (found == LinkKeeper::Found::Closed && keeper->link().problem().code != MessageCode::None)
+            m_problem = keeper->link().problem();
+    }
+    if (m_linkState == LinkState::Closed)
+        m_linkState = LinkState::Opening;
+    if (areOpen && !m_isOpen)
+        begin(now_s);
+    return areOpen;
+}
+
+void DobotRobot::begin(double now_s) {
+    m_isOpen = true;
+    m_opened_s = m_lastRead_s = now_s;
+    m_dashboardReplies.clear();
+    m_motionReplies.clear();
+    m_packets.clear();
+    m_toAsk = {"User(0)", "Tool(0)"}; // its base's frame, its flange
+    m_isSetUp = false;
+    m_isPlaceToCheck = m_wasLive;
+}
+
+void DobotRobot::lose(const Message& why, double now_s) {
+    if (m_linkState == LinkState::Live)
+        m_linkState = LinkState::Lost;
+    m_problem = why;
+    m_isOpen = false;
+    for (LinkKeeper* keeper : {&m_dashboard, &m_motion, &m_feedback})
+        keeper->close(now_s);
+    m_planner.forget();
+    m_toAsk.clear();
+    m_asked.reset();
+    m_move_s.reset();
+    m_step.reset();
+    m_isHalting = m_isIdleSeen = false;
+}
+
+void DobotRobot::watch(double now_s) {
+    const bool isLive = m_linkState == LinkState::Live;
+    const double silent_s = now_s - std::max(m_opened_s, m_lastPacket_s);
+    const double unanswered_s = m_asked ? now_s - m_asked->sent_s : 0.0;
+    if (silent_s > (isLive ? kSilence_s : kFirstPacket_s))
+        return lose({MessageCode::DeviceSilent, {m_feedback.link().name(), formatNumber(silent_s, 2)}},
+                    now_s);
+    if (unanswered_s > kNoReply_s)
+        return lose({MessageCode::DeviceSilent, {m_dashboard.link().name(), formatNumber(unanswered_s, 2)}},
+                    now_s);
+    const double move_s = m_move_s ? now_s - *m_move_s : 0.0;
+    if (move_s > kNoReply_s)
+        return lose({MessageCode::DeviceSilent, {m_motion.link().name(), formatNumber(move_s, 2)}}, now_s);
+    if (move_s > kSlow_s && !m_isSlow) {
+        m_isSlow = true;
+        m_planner.forget();
+        stopMove();
+    }
+}
+
+// --- What it says ---
+
+void DobotRobot::listen(double now_s) {
+    m_dashboardReplies.add(m_dashboard.link().read());
+    while (const auto text = m_dashboardReplies.next()) {
+        if (const auto reply = parseDobotReply(*text))
+            takeReply(*reply, now_s);
+        else
+            discard(*text, now_s);
+    }
+    m_motionReplies.add(m_motion.link().read());
+    while (const auto text = m_motionReplies.next())
+        takeMoveReply(*text, now_s);
+    m_packets.add(m_feedback.link().read());
+    while (const auto packet = m_packets.next())
+        takeFeedback(*packet, now_s);
+    m_lastRead_s = now_s;
+}
+
+void DobotRobot::discard(const std::string& words, double now_s) {
+    ++m_discarded;
+    note({MessageCode::DeviceAnswersWrong, {m_dashboard.link().name(), words}}, now_s);
+}
+
+void DobotRobot::takeReply(const DobotReply& reply, double now_s) {
+    if (!m_asked || m_asked->command != reply.command)
+        return discard(reply.command, now_s);
+    m_replyTime_s = now_s - m_asked->sent_s;
+    m_asked.reset();
+    if (reply.command == "geterrorid") {
+        const std::vector<int> ids = dobotErrorIds(reply.values);
+        if (m_alarm && !ids.empty())
+            m_alarm = ids.front();
+    } else if (reply.error != 0) {
+        note({MessageCode::RobotRefused, {std::to_string(reply.error), dobotErrorWords(reply.error)}}, now_s);
+    } else if (reply.command == "tool") {
+        m_isSetUp = true;
+    }
+}
+
+void DobotRobot::takeMoveReply(const std::string& text, double now_s) {
+    const auto reply = parseDobotReply(text);
+    if (!reply || reply->command != "movl" || !m_move_s)
+        return discard(text, now_s);
+    m_move_s.reset();
+    m_isIdleSeen = false;
+    if (reply->error != 0) {
+        m_refused = reply->error;
+        m_step.reset();
+        m_planner.forget();
+    } else if (m_step) {
+        m_step->isTaken = true;
+        m_step->taken_s = now_s;
+    }
+}
+
+std::vector<double> DobotRobot::axesOf(const DobotPosition& position) {
+    std::vector<double> out;
+    for (const AxisSpec& axis : m_planner.map().axes()) {
+        const std::size_t index = kDobotLetters.find(axis.letter);
+        if (index == std::string_view::npos) {
+            m_problem = {MessageCode::DeviceAnswersWrong,
+                         {m_feedback.link().name(), std::string("no axis ") + axis.letter}};
+            return {};
+        }
+        out.push_back(position[index]);
+    }
+    return out;
+}
+
+void DobotRobot::takeFeedback(const DobotFeedback& feedback, double now_s) {
+    if (now_s > m_lastPacket_s && m_lastPacket_s > m_opened_s)
+        m_rate_Hz += 0.05 * (1.0 / (now_s - m_lastPacket_s) - m_rate_Hz);
+    m_lastPacket_s = now_s;
+    m_mode = feedback.mode;
+    m_position = feedback.position;
+    const std::vector<double> at = axesOf(feedback.position);
+    if (at.empty())
+        return;
+    m_at = at;
+    m_at_s = m_lastRead_s - kPacketPeriod_s; // it came since the last look, and was measured before
+    takeMode(now_s);
+    followStep(now_s);
+    checkPlace();
+    if (m_isSetUp) {
+        m_linkState = LinkState::Live;
+        m_wasLive = true;
+        m_problem = {};
+    }
+}
+
+void DobotRobot::takeMode(double now_s) {
+    const bool isQuiet = m_isHalting || now_s < m_quietUntil_s;
+    if (m_mode == DobotMode::Error) {
+        m_alarm = m_alarm.value_or(0);
+        m_planner.forget();
+        m_isHalting = false;
+        m_step.reset();
+    } else {
+        m_alarm.reset();
+    }
+    m_isDisabled = m_isDisabled || (m_mode == DobotMode::Disabled && !isQuiet);
+    if (const std::string words = heldWords(m_mode); !words.empty() && !isQuiet)
+        m_held = words;
+    if (m_isDisabled || !m_held.empty())
+        m_planner.forget();
+    if (m_isDisabled)
+        m_step.reset();
+}
+
+/// A move is over when the arm is idle and has been running since it was taken, or is there.
+void DobotRobot::followStep(double now_s) {
+    m_isIdleSeen = m_isIdleSeen && m_mode == DobotMode::Idle;
+    if (m_step && m_step->isTaken && m_mode == DobotMode::Running)
+        m_step->wasRunning = true;
+    if (m_mode != DobotMode::Idle || m_move_s)
+        return;
+    if (m_step) {
+        const bool isThere = outside(m_at, m_step->plan.to, m_step->plan.to) < kThere;
+        if (!m_step->wasRunning && !isThere && now_s - m_step->taken_s < kNotBegun_s)
+            return;
+        m_isPlaceToCheck = true;
+        if (!m_step->isCancelled)
+            m_spanFrom = m_spanTo; // at the very end of the step
+        m_step.reset();
+    }
+    if (m_isHalting && (m_asked || !m_toAsk.empty()))
+        return; // the reset itself is on its way
+    m_isHalting = false;
+    m_isIdleSeen = true;
+}
+
+void DobotRobot::checkPlace() {
+    const bool isDue = std::exchange(m_isPlaceToCheck, false) || m_step;
+    if (isDue && !m_spanFrom.empty()) {
+        const double error = outside(m_at, m_spanFrom, m_spanTo);
+        if (error > kElsewhere) {
+            m_elsewhere = error;
+            m_planner.forget();
+            stopMove();
+        }
+    }
+    if (m_isIdleSeen)
+        m_spanFrom = m_spanTo = m_at;
+}
+
+// --- What it is told ---
+
+void DobotRobot::act(double now_s) {
+    if (m_alarm == 0 && !m_asked && m_toAsk.empty() && now_s - m_askErrors_s > kErrorsPause_s) {
+        m_askErrors_s = now_s;
+        m_toAsk.emplace_back("GetErrorID()");
+    }
+    const bool mayMove = m_mode == DobotMode::Running || m_move_s || m_reset_s < m_halted_s;
+    if (m_isHalting && !m_asked && mayMove && now_s - m_reset_s > kResetAgain_s) {
+        m_toAsk.emplace_front("ResetRobot()");
+        m_reset_s = now_s;
+        m_quietUntil_s = std::max(m_quietUntil_s, now_s + kResetting_s);
+    }
+    if (!m_asked && !m_toAsk.empty()) {
+        std::string name = m_toAsk.front().substr(0, m_toAsk.front().find('('));
+        std::ranges::transform(name, name.begin(),
+                               [](char c) { return c < 'a' ? static_cast<char>(c + 32) : c; });
+        m_dashboard.link().write(m_toAsk.front());
+        m_toAsk.pop_front();
+        m_asked = Asked{name, now_s};
+    }
+    const bool isFree = m_isIdleSeen && !m_move_s && !m_isHalting && !m_asked && m_toAsk.empty();
+    if (isFree && m_linkState == LinkState::Live && alarm().code == MessageCode::None)
+        sendStep(now_s);
+}
+
+void DobotRobot::sendStep(double now_s) {
+    const auto plan = m_planner.next(m_at, now_s);
+    if (m_planner.isRefused())
+        note({MessageCode::RobotStepOutside, {}}, now_s);
+    if (!plan)
+        return;
+    for (std::size_t i = 0; i < m_still.size(); ++i) // its own noise is not followed, what a person did is
+        if (std::abs(m_still[i] - m_position[i]) > kElsewhere)
+            m_still[i] = m_position[i];
+    DobotPosition to = m_still;
+    const auto& axes = m_planner.map().axes();
+    for (std::size_t i = 0; i < axes.size(); ++i)
+        to[kDobotLetters.find(axes[i].letter)] = plan->to[i];
+    const auto move = dobotMove(to, kSpeed_percent, kAcceleration_percent);
+    if (!move)
+        return note(move.error().message, now_s);
+    m_spanFrom = plan->from;
+    m_spanTo = plan->to;
+    m_step = Step{*plan};
+    m_move_s = now_s;
+    m_isIdleSeen = false;
+    m_motion.link().write(*move);
+}
+
+void DobotRobot::stopMove() {
+    if (m_step)
+        m_step->isCancelled = true;
+    if (m_isHalting || !m_isOpen)
+        return;
+    m_isHalting = true; // the reset is sent, and again until it is idle and owes no reply
+    m_isIdleSeen = false;
+    m_halted_s = m_clock.now_s();
+    m_reset_s = -1e300;
+    act(m_halted_s);
+}
+
+// --- For the engine ---
+
+Error DobotRobot::notLive() const {
+    if (m_problem.code == MessageCode::None)
+        return Error(MessageCode::RobotOpening, m_feedback.link().name());
+    Error error;
+    error.message = m_problem;
+    return error;
+}
+
+bool DobotRobot::isMoving() const {
+    return m_step || m_mode == DobotMode::Running || m_mode == DobotMode::Jogging ||
+           m_mode == DobotMode::Dragged;
+}
+
+Message DobotRobot::alarm() const {
+    if (m_alarm)
+        return {MessageCode::RobotAlarm,
+                {*m_alarm == 0 ? "?" : std::to_string(*m_alarm), "as listed in the robot's manual"}};
+    if (m_isDisabled)
+        return {MessageCode::RobotDisabled, {}};
+    if (m_elsewhere)
+        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2)}};
+    if (!m_held.empty())
+        return {MessageCode::RobotHeld, {m_held}};
+    if (m_isSlow)
+        return {MessageCode::RobotSlow, {formatNumber(kSlow_s)}};
+    if (m_refused)
+        return {MessageCode::RobotRefused, {std::to_string(*m_refused), dobotErrorWords(*m_refused)}};
+    return {};
+}
+
+void DobotRobot::note(const Message& message, double now_s) {
+    m_note = message;
+    m_noteUntil_s = now_s + kNote_s;
+}
+
+DeviceStatus DobotRobot::status() const {
+    DeviceStatus out;
+    out.link = m_linkState;
+    if (m_linkState != LinkState::Live)
+        out.problem = m_problem;
+    else if (m_clock.now_s() < m_noteUntil_s)
+        out.problem = m_note;
+    out.lastReply_s = m_lastPacket_s;
+    out.replyTime_s = m_replyTime_s;
+    out.rate_Hz = m_rate_Hz;
+    out.identity = m_wasLive ? "Dobot" : "";
+    return out;
+}
+
+Result<RobotState> DobotRobot::state() {
+    if (m_linkState != LinkState::Live)
+        return notLive();
+    return RobotState{m_at_s, m_planner.map().coordinates(m_at), isMoving(), !m_elsewhere, alarm()};
+}
+
+Result<void> DobotRobot::setTwist(const Vector6d& twist, double validFor_s) {
+    if (!twist.allFinite() || !std::isfinite(validFor_s))
+        throw std::invalid_argument("DobotRobot: a twist is not finite");
+    if (m_linkState != LinkState::Live)
+        return notLive();
+    if (const Message what = alarm(); what.code != MessageCode::None) {
+        Error error;
+        error.message = what;
+        return error;
+    }
+    if (twist.isZero(0.0))
+        return halt();
+    m_planner.setTwist(twist, validFor_s, m_clock.now_s());
+    return {};
+}
+
+Result<void> DobotRobot::halt() {
+    m_planner.forget();
+    if (m_step || m_move_s || m_mode == DobotMode::Running)
+        stopMove();
+    if (m_linkState != LinkState::Live)
+        return notLive();
+    return {};
+}
+
+Result<void> DobotRobot::home() {
+    return Error(MessageCode::RobotCannotHome, m_feedback.link().name());
+}
+
+Result<void> DobotRobot::clearAlarm() {
+    if (m_linkState != LinkState::Live)
+        return notLive();
+    const double now_s = m_clock.now_s();
+    switch (alarm().code) {
+    case MessageCode::RobotAlarm:
+        m_toAsk = {"ClearError()", "EnableRobot()"};
+        m_quietUntil_s = now_s + kEnabling_s;
+        break;
+    case MessageCode::RobotDisabled:
+        m_isDisabled = false;
+        m_toAsk = {"EnableRobot()"};
+        m_quietUntil_s = now_s + kEnabling_s;
+        break;
+    case MessageCode::RobotHeld:
+        if (m_mode == DobotMode::Paused)
+            stopMove(); // what was paused is dropped
+        else if (*heldWords(m_mode) != '\0')
+            return Error(MessageCode::RobotHeld, m_feedback.link().name(), {m_held});
+        m_held.clear();
+        break;
+    case MessageCode::RobotSlow:
+        if (m_move_s)
+            return Error(MessageCode::RobotSlow, m_feedback.link().name(), {formatNumber(kSlow_s)});
+        m_isSlow = false;
+        break;
+    default:
+        m_elsewhere.reset();
+        m_refused.reset();
+        break;
+    }
+    return {};
+}
+
+} // namespace bask

@@ -1,0 +1,115 @@
+#pragma once
+// A four-axis Dobot arm (MG400, M1 Pro) as a Robot: bounded straight moves, one at a time.
+//
+// Its speed is a share of its own, not a number: each step is a short move, then it waits until the step's
+// time is over. Its encoders are absolute; it needs no homing.
+
+#include "engine/base/clock.h"
+#include "engine/devices/device.h"
+#include "engine/devices/robot.h"
+#include "engine/drivers/link_keeper.h"
+#include "engine/drivers/step_planner.h"
+#include "engine/protocols/dobot_messages.h"
+#include "engine/protocols/line_splitter.h"
+
+#include <deque>
+#include <optional>
+
+namespace bask {
+
+class DobotRobot final : public Robot, public Device {
+public:
+    static constexpr double kElsewhere = 0.5; ///< mm, degrees; as GrblRobot's
+    static constexpr int kSpeed_percent = 5, kAcceleration_percent = 20;
+
+    /// Links to its ports 29999, 30003 and 30004, and the clock, must outlive it. Axes are X, Y, Z and R;
+    /// those that the map does not have are kept where they are found.
+    DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback, const Clock& clock, AxisMap map,
+               MotionGuard guard);
+
+    void work() override;
+    DeviceStatus status() const override;
+
+    Result<RobotState> state() override;
+    /// An Error, too, while something keeps it from moving. Throws std::invalid_argument for numbers that are
+    /// not finite.
+    Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
+    Result<void> halt() override;
+    Result<void> home() override; ///< RobotCannotHome
+    /// Clears what state() shows as its alarm; ends an alarm or a pause, and enables it.
+    Result<void> clearAlarm() override;
+
+    /// Replies that did not fit what was asked or could not be read.
+    int discarded() const { return m_discarded; }
+
+private:
+    struct Asked {
+        std::string command; ///< in small letters
+        double sent_s;
+    };
+    struct Step {
+        PlannedStep plan;
+        double taken_s = 0.0;
+        bool isTaken = false, wasRunning = false, isCancelled = false;
+    };
+
+    bool areLinksOpen(double now_s);
+    void begin(double now_s);
+    void lose(const Message& why, double now_s);
+    void watch(double now_s);
+    void listen(double now_s);
+    void takeReply(const DobotReply& reply, double now_s);
+    void takeMoveReply(const std::string& text, double now_s);
+    void takeFeedback(const DobotFeedback& feedback, double now_s);
+    void takeMode(double now_s);
+    void followStep(double now_s);
+    void checkPlace();
+    std::vector<double> axesOf(const DobotPosition& position);
+    void discard(const std::string& words, double now_s);
+    void act(double now_s);
+    void sendStep(double now_s);
+    void stopMove();
+    bool isAtRest() const;
+    bool isMoving() const;
+    Message alarm() const;
+    void note(const Message& message, double now_s);
+    Error notLive() const;
+
+    LinkKeeper m_dashboard, m_motion, m_feedback;
+    const Clock& m_clock;
+    StepPlanner m_planner;
+
+    LinkState m_linkState = LinkState::Closed;
+    Message m_problem, m_note;
+    double m_noteUntil_s = -1e300;
+    bool m_isOpen = false, m_wasLive = false;
+    double m_opened_s = 0.0, m_lastPacket_s = -1e300, m_lastRead_s = 0.0, m_rate_Hz = 0.0,
+           m_replyTime_s = 0.0;
+    int m_discarded = 0;
+    LineSplitter m_dashboardReplies{";\r\n"}, m_motionReplies{";\r\n"};
+    DobotFeedbackReader m_packets;
+
+    std::deque<std::string> m_toAsk; ///< of the dashboard, one after the other
+    std::optional<Asked> m_asked;
+    std::optional<double> m_move_s; ///< a move that is not acknowledged
+    std::optional<Step> m_step;
+    bool m_isSetUp = false, m_isHalting = false, m_isIdleSeen = false;
+    double m_halted_s = 0.0, m_reset_s = -1e300;
+    double m_quietUntil_s = 0.0; ///< the modes that it goes through when reset or enabled are no alarms
+    double m_askErrors_s = -1e300;
+
+    DobotMode m_mode = DobotMode::Starting;
+    DobotPosition m_position{}, m_still{}; ///< as told; where axes without a coordinate stay
+    std::vector<double> m_at;
+    double m_at_s = 0.0;
+    std::vector<double> m_spanFrom, m_spanTo; ///< it stands between these
+    bool m_isPlaceToCheck = false;
+
+    std::optional<int> m_alarm; ///< 0: number not told
+    std::optional<int> m_refused;
+    std::optional<double> m_elsewhere;
+    std::string m_held;
+    bool m_isDisabled = false, m_isSlow = false;
+};
+
+} // namespace bask

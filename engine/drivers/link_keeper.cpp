@@ -1,0 +1,43 @@
+#include "engine/drivers/link_keeper.h"
+
+#include "engine/base/message_code.h"
+
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr double kReopen_s = 0.5;
+constexpr double kOpening_s = 3.0; // a link that neither opens nor fails is opened anew
+
+} // namespace
+
+LinkKeeper::Found LinkKeeper::work(double now_s) {
+    if (m_link.isOpen())
+        return std::exchange(m_isOpen, true) ? Found::Open : Found::Opened;
+    if (m_isOpen) {
+        m_isOpen = false;
+        m_tried_s = now_s;
+        return Found::Lost;
+    }
+    const bool hasFailed = m_link.problem().code != MessageCode::None;
+    if (now_s - m_tried_s >= (hasFailed ? kReopen_s : kOpening_s)) {
+        m_tried_s = now_s;
+        m_link.open();
+    }
+    return Found::Closed;
+}
+
+void LinkKeeper::close(double now_s) {
+    m_link.close();
+    m_isOpen = false;
+    m_tried_s = now_s;
+}
+
+Message LinkKeeper::problem() const {
+    const Message problem = m_link.problem();
+    return problem.code == MessageCode::None ? Message{MessageCode::LinkLost, {m_link.name(), "closed"}}
+                                             : problem;
+}
+
+} // namespace bask

@@ -1,0 +1,268 @@
+#include "engine/device_simulators/dobot_simulator.h"
+#include "engine/drivers/dobot_robot.h"
+#include "tests/engine/drivers/test_links.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+namespace bask::test {
+namespace {
+
+const std::vector<AxisSpec> kAxes{{'X', 0, false, 0.0}, {'Y', 1, false, 0.0}, {'Z', 2, false, 0.0}};
+
+class DobotRobotTest : public testing::Test {
+protected:
+    void make(const DobotSimulatorConfig& config = {}, std::vector<AxisSpec> axes = kAxes) {
+        m_robot.reset();
+        m_arm = std::make_unique<DobotSimulator>(config);
+        m_dashboard = std::make_unique<DeviceLink>(m_arm->dashboard(), m_clock);
+        m_motion = std::make_unique<DeviceLink>(m_arm->motion(), m_clock);
+        m_feedback = std::make_unique<DeviceLink>(m_arm->feedback(), m_clock);
+        m_robot = std::make_unique<DobotRobot>(*m_dashboard, *m_motion, *m_feedback, m_clock,
+                                               AxisMap(std::move(axes), Vector6d::Zero()),
+                                               [this](const Vector6d& target) { return m_guard(target); });
+    }
+    void makeLive(const DobotSimulatorConfig& config = {}) {
+        make(config);
+        run(0.5);
+        ASSERT_EQ(m_robot->status().link, LinkState::Live) << describe(m_robot->status().problem);
+    }
+    void run(double time_s) {
+        for (const double end_s = m_clock.now_s() + time_s; m_clock.now_s() < end_s - 1e-9;) {
+            m_clock.advance(0.005);
+            m_robot->work();
+        }
+    }
+    bool drive(const Vector6d& twist, double time_s) {
+        bool isTaken = false;
+        for (double t = 0.0; t < time_s - 1e-9; t += 0.1) {
+            isTaken = m_robot->setTwist(twist, 0.15).ok();
+            run(0.1);
+        }
+        return isTaken;
+    }
+    MessageCode alarm() {
+        const auto state = m_robot->state();
+        return state ? state->alarm.code : state.error().code();
+    }
+    double y() const { return m_arm->position()[1]; }
+
+    ManualClock m_clock;
+    MotionGuard m_guard = [](const Vector6d&) { return true; };
+    std::unique_ptr<DobotSimulator> m_arm;
+    std::unique_ptr<DeviceLink> m_dashboard, m_motion, m_feedback;
+    std::unique_ptr<DobotRobot> m_robot;
+    const Vector6d m_left = (Vector6d() << 0, 0.005, 0, 0, 0, 0).finished(); ///< 5 mm/s
+};
+
+// Catches a place in other units or of another axis, and one that is told newer than it was measured.
+TEST_F(DobotRobotTest, TellsWhereItIs) {
+    make({}, {{'Z', 2, false, 0.0}, {'R', 5, false, 0.1}});
+    EXPECT_EQ(m_robot->status().link, LinkState::Closed);
+    run(0.5);
+    const auto state = m_robot->state();
+    ASSERT_TRUE(state);
+    EXPECT_TRUE(state->coordinates.isApprox((Vector6d() << 0, 0, 0.05, 0, 0, 0.1).finished(), 1e-12));
+    EXPECT_TRUE(state->isPlaceSure);
+    EXPECT_LT(state->time_s, m_clock.now_s() - 0.008);
+    EXPECT_GT(state->time_s, m_clock.now_s() - 0.03);
+    EXPECT_EQ(m_robot->home().error().code(), MessageCode::RobotCannotHome);
+}
+
+// Catches a velocity that is not held, the axes that have no coordinate moved, or motion that does not
+// expire.
+TEST_F(DobotRobotTest, FollowsAVelocity) {
+    makeLive();
+    EXPECT_TRUE(drive(m_left, 10.0));
+    EXPECT_GT(y(), 0.6 * 50.0);
+    EXPECT_LT(y(), 50.0 + 0.75);
+    RecordProperty("mm_of_50", std::to_string(y()));
+    run(0.4);
+    const double stood = y();
+    run(2.0);
+    EXPECT_EQ(y(), stood);
+    EXPECT_DOUBLE_EQ(m_arm->position()[3], 0.0);
+    EXPECT_EQ(m_robot->discarded(), 0);
+    EXPECT_FALSE(m_robot->state()->moving);
+}
+
+// Catches a halt that comes to the arm before the move that it is for, and is not repeated.
+TEST_F(DobotRobotTest, AHaltThatOvertakesItsMoveStillStopsIt) {
+    DobotSimulatorConfig config;
+    config.moveDelay_s = 0.2;
+    config.fullSpeed_mm_s = 100.0; // 5 mm/s at 5 %
+    makeLive(config);
+    ASSERT_TRUE(m_robot->setTwist(4.0 * m_left, 0.5)); // 10 mm
+    run(0.05);
+    EXPECT_TRUE(m_robot->halt());
+    EXPECT_TRUE(m_robot->state()->moving);
+    run(3.0);
+    EXPECT_LT(y(), 1.5);
+    EXPECT_GT(y(), 0.0); // it had begun
+    EXPECT_FALSE(m_robot->state()->moving);
+    EXPECT_EQ(alarm(), MessageCode::None);
+    m_dashboard->takeSent();
+    EXPECT_TRUE(m_robot->halt());
+    EXPECT_EQ(m_dashboard->takeSent(), "");
+    EXPECT_TRUE(drive(m_left, 2.0));
+    EXPECT_GT(y(), 3.0);
+}
+
+// Catches an arm in alarm that is driven on, or whose alarm has no number, or cannot be ended.
+TEST_F(DobotRobotTest, AlarmsAreToldAndCleared) {
+    makeLive();
+    drive(m_left, 1.0);
+    ASSERT_TRUE(m_arm->setFault("alarm"));
+    run(0.2);
+    EXPECT_EQ(m_robot->state()->alarm,
+              (Message{MessageCode::RobotAlarm, {"22", "as listed in the robot's manual"}}));
+    EXPECT_EQ(m_robot->setTwist(m_left, 0.1).error().code(), MessageCode::RobotAlarm);
+    EXPECT_TRUE(m_robot->clearAlarm());
+    run(0.5);
+    EXPECT_EQ(m_arm->mode(), DobotMode::Idle);
+    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_TRUE(m_robot->state()->isPlaceSure); // absolute encoders
+    EXPECT_TRUE(drive(m_left, 1.0));
+}
+
+// Catches an arm that is enabled by itself, or not when a person says so.
+TEST_F(DobotRobotTest, ADisabledArmIsEnabledByAPerson) {
+    DobotSimulatorConfig config;
+    config.startsDisabled = true;
+    makeLive(config);
+    EXPECT_EQ(alarm(), MessageCode::RobotDisabled);
+    run(10.0);
+    EXPECT_EQ(m_arm->mode(), DobotMode::Disabled);
+    EXPECT_TRUE(m_robot->clearAlarm());
+    run(0.5);
+    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_TRUE(drive(m_left, 1.0));
+    ASSERT_TRUE(m_arm->setFault("disabled"));
+    run(6.0);
+    EXPECT_FALSE(drive(m_left, 0.2));
+    EXPECT_EQ(alarm(), MessageCode::RobotDisabled);
+}
+
+// Catches a paused move that goes on when the pause is cleared.
+TEST_F(DobotRobotTest, APauseIsDropped) {
+    DobotSimulatorConfig config;
+    config.fullSpeed_mm_s = 100.0;
+    makeLive(config);
+    ASSERT_TRUE(m_robot->setTwist(4.0 * m_left, 0.5));
+    run(0.3);
+    ASSERT_TRUE(m_arm->setFault("paused"));
+    run(0.5);
+    EXPECT_EQ(alarm(), MessageCode::RobotHeld);
+    const double stood = y();
+    EXPECT_TRUE(m_robot->clearAlarm());
+    run(2.0);
+    EXPECT_EQ(y(), stood);
+    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_TRUE(drive(m_left, 1.0));
+}
+
+TEST_F(DobotRobotTest, WhatGoesWrongInAMoveIsTold) {
+    makeLive();
+    ASSERT_TRUE(m_arm->setFault("lost-steps"));
+    drive(m_left, 1.0);
+    EXPECT_EQ(alarm(), MessageCode::RobotElsewhere);
+    EXPECT_FALSE(m_robot->state()->isPlaceSure);
+    ASSERT_TRUE(m_arm->setFault("none"));
+    EXPECT_TRUE(m_robot->clearAlarm());
+    EXPECT_TRUE(drive(m_left, 1.0));
+    run(1.0);
+    ASSERT_TRUE(m_arm->setFault("slow-reply"));
+    const double stood = y();
+    EXPECT_TRUE(m_robot->setTwist(4.0 * m_left, 0.5));
+    run(2.2);
+    EXPECT_EQ(alarm(), MessageCode::RobotSlow);
+    EXPECT_EQ(m_robot->clearAlarm().error().code(), MessageCode::RobotSlow);
+    ASSERT_TRUE(m_arm->setFault("none"));
+    run(2.0);
+    EXPECT_LT(y() - stood, 6.0); // stopped on its way, though it began late
+    EXPECT_TRUE(m_robot->clearAlarm());
+    EXPECT_TRUE(drive(m_left, 1.0));
+}
+
+// Catches a dead arm that is believed, or not found again; one port of the three is enough.
+TEST_F(DobotRobotTest, LostPortsAreFoundAgain) {
+    makeLive();
+    for (DeviceLink* link : {m_dashboard.get(), m_motion.get(), m_feedback.get()}) {
+        link->unplug();
+        run(0.05);
+        EXPECT_EQ(m_robot->status().link, LinkState::Lost);
+        EXPECT_EQ(m_robot->state().error().code(), MessageCode::LinkLost);
+        const int before = link->opened();
+        run(5.0);
+        EXPECT_LE(link->opened() - before, 11);
+        link->plug();
+        run(2.0);
+        EXPECT_EQ(m_robot->status().link, LinkState::Live);
+    }
+    ASSERT_TRUE(m_arm->setFault("silent"));
+    run(1.2);
+    EXPECT_EQ(m_robot->state().error().code(), MessageCode::DeviceSilent);
+    ASSERT_TRUE(m_arm->setFault("none"));
+    run(4.0);
+    EXPECT_EQ(m_robot->status().link, LinkState::Live);
+    EXPECT_TRUE(drive(m_left, 0.5));
+}
+
+// Catches an axis that the arm does not have, and numbers without sense.
+TEST_F(DobotRobotTest, BrokenSettingsAreTold) {
+    make({}, {{'X', 0, false, 0.0}, {'A', 3, false, 0.0}});
+    run(1.0);
+    EXPECT_EQ(m_robot->state().error().code(), MessageCode::DeviceAnswersWrong);
+    makeLive();
+    EXPECT_THROW((void)m_robot->setTwist(Vector6d::Constant(std::nan("")), 0.1), std::invalid_argument);
+}
+
+// Catches a move whose target was not approved, or a second one before the first is over, over random
+// commands and faults.
+TEST_F(DobotRobotTest, NoTargetIsOutsideAndOneMoveAtATime) {
+    m_guard = [](const Vector6d& q) {
+        return std::abs(q[1]) <= 0.03 && q[2] >= 0.02 && q[2] <= 0.08 && std::abs(q[0] - 0.2) <= 0.03;
+    };
+    makeLive();
+    std::mt19937 random(11);
+    const auto uniform = [&](double a, double b) { return std::uniform_real_distribution(a, b)(random); };
+    const auto faults = m_arm->faults();
+    int moves = 0;
+    for (int i = 0; i < 30'000 && !HasFatalFailure(); ++i) {
+        const double action = uniform(0.0, 1000.0);
+        if (action < 500.0)
+            (void)m_robot->setTwist(0.03 * Vector6d::NullaryExpr([&] { return uniform(-1.0, 1.0); }),
+                                    uniform(0.0, 1.0));
+        else if (action < 560.0)
+            (void)m_robot->halt();
+        else if (action < 660.0)
+            (void)m_robot->clearAlarm();
+        else if (action < 664.0)
+            ASSERT_TRUE(m_arm->setFault(faults[static_cast<std::size_t>(uniform(0.0, 7.999))]));
+        else if (action < 680.0)
+            ASSERT_TRUE(m_arm->setFault("none"));
+        else if (action < 682.0)
+            m_motion->unplug();
+        else if (action < 690.0)
+            m_motion->plug();
+        run(uniform(0.0, 0.1));
+        ASSERT_LE(m_arm->queued(), 1U);
+        const std::string sent = m_motion->takeSent();
+        for (std::size_t at = sent.find("MovL("); at != std::string::npos; at = sent.find("MovL(", at + 1)) {
+            double x = 0.0, py = 0.0, z = 0.0, turn = 0.0;
+            ASSERT_EQ(std::sscanf(sent.c_str() + at, "MovL(%lf,%lf,%lf,%lf,", &x, &py, &z, &turn), 4);
+            ASSERT_TRUE(m_guard((Vector6d() << x / 1000.0, py / 1000.0, z / 1000.0, 0, 0, 0).finished()))
+                << sent;
+            ASSERT_EQ(turn, 0.0);
+            ++moves;
+        }
+    }
+    EXPECT_GT(moves, 1000);
+    RecordProperty("moves", moves);
+}
+
+} // namespace
+} // namespace bask::test
