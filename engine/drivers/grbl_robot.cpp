@@ -25,16 +25,6 @@ constexpr double kNote_s = 5.0;
 constexpr double kSetUpPause_s = 1.0;
 constexpr int kNotTold = -1;
 
-/// How far outside of the box between two corners, in the worst axis.
-double outside(const std::vector<double>& at, const std::vector<double>& a, const std::vector<double>& b) {
-    double worst = 0.0;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        const auto [low, high] = std::minmax(a[i], b[i]);
-        worst = std::max({worst, low - at[i], at[i] - high});
-    }
-    return worst;
-}
-
 std::string wordsOr(std::string words, const char* otherwise) {
     return words.empty() ? otherwise : words;
 }
