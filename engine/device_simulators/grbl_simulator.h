@@ -52,6 +52,10 @@ public:
     std::string state() const;
 
 private:
+    static constexpr std::size_t kBlocks = 15;
+    static constexpr double kInch_mm = 25.4;
+    static constexpr double kThere = 1e-9;
+
     enum class State { Idle, Run, Hold, Jog, Alarm, Door, Home };
     struct Line {
         double time_s; ///< when it is taken
@@ -89,6 +93,7 @@ private:
     void startUp(bool isLocked);
     void raiseAlarm(int number);
     void cancelJog();
+    static double distance(const std::vector<double>& a, const std::vector<double>& b);
     void move(double dt_s);
     void moveHome(double dt_s);
     double speedAllowed(double left) const;

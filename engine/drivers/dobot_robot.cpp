@@ -23,16 +23,6 @@ constexpr double kNoReply_s = 5.0;
 constexpr double kNote_s = 5.0;
 constexpr double kErrorsPause_s = 1.0;
 
-/// How far outside of the box between two corners, in the worst axis.
-double outside(const std::vector<double>& at, const std::vector<double>& a, const std::vector<double>& b) {
-    double worst = 0.0;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        const auto [low, high] = std::minmax(a[i], b[i]);
-        worst = std::max({worst, low - at[i], at[i] - high});
-    }
-    return worst;
-}
-
 /// Words of a mode in which somebody else has the arm; empty: nobody has.
 const char* heldWords(DobotMode mode) {
     switch (mode) {

@@ -10,7 +10,6 @@
 namespace bask {
 namespace {
 
-constexpr double kSettle_s = 0.2;     // what was under way when the link was opened is not heard
 constexpr double kFirstReply_s = 3.0; // an Arduino that resets on opening takes up to 2 s
 constexpr double kSilence_s = 1.0;
 constexpr double kResetTime_s = 2.0;
@@ -20,37 +19,11 @@ constexpr double kReply_s = 0.4; // a report that has not come by then is asked 
 constexpr double kStepMargin_s = 0.01;
 constexpr double kSlow_s = 2.0;
 constexpr double kFenceAfter_s = 0.5, kFenceTime_s = 5.0;
-constexpr double kQuiet_s = 0.5;
 constexpr double kNote_s = 5.0;
 constexpr double kSetUpPause_s = 1.0;
-constexpr int kNotTold = -1;
-
-/// How far outside of the box between two corners, in the worst axis.
-double outside(const std::vector<double>& at, const std::vector<double>& a, const std::vector<double>& b) {
-    double worst = 0.0;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-        const auto [low, high] = std::minmax(a[i], b[i]);
-        worst = std::max({worst, low - at[i], at[i] - high});
-    }
-    return worst;
-}
 
 std::string wordsOr(std::string words, const char* otherwise) {
     return words.empty() ? otherwise : words;
-}
-
-/// "1.1h" of "VER:1.1h.20190825:".
-std::string versionIn(const std::string& report) {
-    constexpr std::size_t kDate = 9;
-    const std::string version = report.substr(4, report.find(':', 4) - 4);
-    return version.size() > kDate && version[version.size() - kDate] == '.'
-               ? version.substr(0, version.size() - kDate)
-               : version;
-}
-
-Message refusal(int error) {
-    return {MessageCode::RobotRefused,
-            {std::to_string(error), wordsOr(grblErrorWords(error), "not known to Bask")}};
 }
 
 } // namespace
@@ -169,243 +142,6 @@ void GrblRobot::ask(double now_s) {
         m_link.write(std::string(1, grbl::kJogCancel));
     m_link.write(std::string(1, grbl::kStatus));
     m_asked_s = m_lastAsk_s = now_s;
-}
-
-// --- What it says ---
-
-void GrblRobot::listen(double now_s) {
-    m_splitter.add(m_link.read());
-    while (const auto text = m_splitter.next()) {
-        const GrblLine line = parseGrblLine(*text);
-        if (now_s - m_opened_s >= kSettle_s || std::holds_alternative<GrblBanner>(line))
-            take(line, now_s);
-    }
-}
-
-void GrblRobot::take(const GrblLine& line, double now_s) {
-    if (std::holds_alternative<GrblOk>(line)) {
-        takeAnswer(0, now_s);
-    } else if (const auto* error = std::get_if<GrblError>(&line)) {
-        takeAnswer(error->number, now_s);
-    } else if (const auto* alarm = std::get_if<GrblAlarm>(&line)) {
-        m_alarm = alarm->number;
-        m_isPlaceInDoubt = m_isPlaceInDoubt || !isPlaceKept(alarm->number);
-        m_planner.forget();
-        if (m_line && m_line->kind == Kind::Home)
-            m_line.reset(); // it has failed
-    } else if (const auto* status = std::get_if<GrblStatus>(&line)) {
-        takeStatus(*status, now_s);
-    } else if (const auto* banner = std::get_if<GrblBanner>(&line)) {
-        takeBanner(*banner, now_s);
-    } else if (const auto* report = std::get_if<GrblReport>(&line)) {
-        takeReport(report->text, now_s);
-    } else if (const auto* setting = std::get_if<GrblSetting>(&line)) {
-        takeSetting(*setting);
-    } else if (const auto* garbage = std::get_if<GrblGarbage>(&line)) {
-        m_lastGarbage = garbage->text;
-        discard(garbage->text, now_s);
-    }
-}
-
-void GrblRobot::discard(const std::string& words, double now_s) {
-    ++m_discarded;
-    note({MessageCode::DeviceAnswersWrong, {m_link.name(), words}}, now_s);
-}
-
-void GrblRobot::takeAnswer(int error, double now_s) {
-    const std::string words = error == 0 ? "ok" : "error:" + std::to_string(error);
-    // An ok that is left from before would acknowledge lines whose own report has not come.
-    const bool fits = m_line && (m_line->kind != Kind::Settings || m_line->hasReport || error != 0);
-    if (fits) {
-        const Pending line = *m_line;
-        m_line.reset();
-        m_isIdleSeen = false;
-        m_heard_s = now_s;
-        takeAnswerTo(line, error, now_s);
-    } else if (now_s >= m_linesFrom_s) { // before, it is the fence's own
-        discard(words, now_s);
-    }
-}
-
-void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
-    switch (line.kind) {
-    case Kind::Settings: // a controller that refuses them when at rest is not asked again
-        m_isSetUp = !m_tellsInches && (error == 0 || isResting());
-        if (m_isSetUp)
-            m_setUpFrom_s = now_s;
-        break;
-    case Kind::Version:
-        if (m_identity.empty())
-            m_identity = "Grbl";
-        break;
-    case Kind::Jog:
-        if (m_step && error == 0) {
-            m_step->isTaken = true;
-            m_step->end_s = now_s + m_step->plan.time_s + kStepMargin_s;
-        } else {
-            m_step.reset();
-            m_planner.forget();
-            m_refused = error;
-        }
-        break;
-    case Kind::Home:
-        if (error == 0)
-            takeHome();
-        [[fallthrough]];
-    case Kind::Unlock:
-        if (error != 0)
-            note(refusal(error), now_s);
-        break;
-    }
-}
-
-void GrblRobot::takeHome() {
-    m_isHomed = true;
-    m_hasRestarted = m_isPlaceInDoubt = false;
-    m_elsewhere.reset();
-    m_refused.reset();
-}
-
-std::vector<double> GrblRobot::positionsIn(const GrblStatus& status) {
-    if (!status.offset.empty())
-        m_offset = status.offset;
-    std::vector<double> all = status.machine;
-    if (all.empty() && !status.work.empty() && m_offset.size() == status.work.size()) {
-        all = status.work;
-        for (std::size_t i = 0; i < all.size(); ++i)
-            all[i] += m_offset[i];
-    }
-    if (all.empty())
-        return {};
-    std::vector<double> out;
-    for (const AxisSpec& axis : m_planner.map().axes()) {
-        const std::size_t index = grbl::kLetters.find(axis.letter);
-        if (index >= all.size()) {
-            m_problem = {MessageCode::DeviceAnswersWrong,
-                         {m_link.name(), std::string("no axis ") + axis.letter}};
-            return {};
-        }
-        out.push_back(all[index]);
-    }
-    return out;
-}
-
-void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
-    m_status = status;
-    const std::vector<double> at = positionsIn(status);
-    if (now_s > m_lastReply_s && m_lastReply_s > m_opened_s)
-        m_rate_Hz += 0.2 * (1.0 / (now_s - m_lastReply_s) - m_rate_Hz);
-    m_lastReply_s = m_heard_s = now_s;
-    if (m_asked_s)
-        m_replyTime_s = now_s - *m_asked_s;
-    // Measured after it was asked for; one that nobody asked for, after the one before.
-    const double measured_s = m_asked_s ? *m_asked_s : std::max(m_at_s, m_opened_s);
-    m_asked_s.reset();
-    takeState(status);
-    if (at.empty() || m_tellsInches) {
-        m_linkState = m_wasLive ? LinkState::Lost : LinkState::Opening;
-        return;
-    }
-    m_at = at;
-    m_at_s = measured_s;
-    checkPlace();
-    if (status.state == GrblState::Idle && !m_line) {
-        m_isHalting = false;
-        m_isIdleSeen = true;
-        m_step.reset();
-        m_spanFrom = m_spanTo = at;
-    }
-    if (m_isSetUp || !isResting()) {
-        m_linkState = LinkState::Live;
-        m_wasLive = true;
-        m_problem = {};
-    }
-}
-
-void GrblRobot::takeState(const GrblStatus& status) {
-    m_isIdleSeen = m_isIdleSeen && status.state == GrblState::Idle;
-    if (status.isHomed)
-        m_isHomed = *status.isHomed;
-    if (status.state == GrblState::Alarm) {
-        if (!m_alarm)
-            m_alarm = status.part.value_or(kNotTold);
-        m_isPlaceInDoubt = m_isPlaceInDoubt || !isPlaceKept(*m_alarm);
-        m_planner.forget();
-        m_step.reset();
-        m_isHalting = false;
-        return;
-    }
-    m_alarm.reset();
-    const bool isHeld = status.state == GrblState::Hold || status.state == GrblState::Door ||
-                        status.state == GrblState::Check || status.state == GrblState::Sleep ||
-                        status.state == GrblState::Tool;
-    if (!isHeld || m_reset_s)
-        return;
-    m_held = status.word;
-    m_isPlaceInDoubt = m_isPlaceInDoubt || status.state == GrblState::Sleep; // its motors are off
-    m_planner.forget();
-    m_step.reset();
-}
-
-void GrblRobot::checkPlace() {
-    const bool isFound = std::exchange(m_isPlaceToCheck, false) && !m_hasRestarted;
-    const bool isEnded = m_step && m_step->isTaken && m_status.state == GrblState::Idle;
-    if (m_spanFrom.empty() || (!isFound && !m_step))
-        return;
-    const bool isDue = isEnded && !m_step->isCancelled; // at the very end of the step
-    const double error = outside(m_at, isDue ? m_spanTo : m_spanFrom, m_spanTo);
-    if (error <= kElsewhere)
-        return;
-    m_elsewhere = error;
-    m_planner.forget();
-    stopJog();
-}
-
-void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
-    m_identity = banner.identity;
-    if (m_reset_s) {
-        m_isPlaceToCheck = true;
-    } else {
-        m_next.reset();
-        m_isSetUp = m_isHomed = false;
-        m_setUpFrom_s = now_s;
-        m_hasRestarted = m_hasRestarted || m_wasLive;
-        m_alarm.reset(); // the next report tells
-    }
-    m_heard_s = now_s;
-    m_reset_s.reset();
-    m_asked_s.reset();
-    m_offset.clear();
-    dropMotion();
-}
-
-void GrblRobot::takeReport(const std::string& text, double now_s) {
-    if (text.starts_with("GC:") && m_fence_s) {
-        m_fence_s.reset();
-        if (m_line) { // it was done, or never will be
-            m_isPlaceToCheck = m_step.has_value();
-            m_step.reset();
-            m_line.reset();
-        }
-        m_isIdleSeen = false;
-        m_linesFrom_s = now_s + kQuiet_s;
-    } else if (text.starts_with("VER:") && m_identity.empty()) {
-        m_identity = "Grbl " + versionIn(text);
-    }
-}
-
-void GrblRobot::takeSetting(const GrblSetting& setting) {
-    if (!m_line || m_line->kind != Kind::Settings)
-        return;
-    m_line->hasReport = true;
-    if (setting.number == 22)
-        m_canHome = setting.value != "0";
-    if (setting.number != 13)
-        return;
-    m_tellsInches = setting.value != "0";
-    if (m_tellsInches)
-        m_problem = {MessageCode::DeviceAnswersWrong,
-                     {m_link.name(), "it tells its place in inches; set $13=0 in it"}};
 }
 
 // --- What it is told ---
@@ -535,6 +271,11 @@ Message GrblRobot::alarm() const {
     if (!isPlaceSure())
         return {MessageCode::RobotPlaceUnsure, {}};
     return {};
+}
+
+Message GrblRobot::refusal(int error) {
+    return {MessageCode::RobotRefused,
+            {std::to_string(error), wordsOr(grblErrorWords(error), "not known to Bask")}};
 }
 
 void GrblRobot::note(const Message& message, double now_s) {

@@ -42,6 +42,9 @@ public:
     int discarded() const { return m_discarded; }
 
 private:
+    static constexpr double kSettle_s = 0.2; ///< what was under way when the link was opened is not heard
+    static constexpr int kNotTold = -1;      ///< the number of an alarm
+
     enum class Kind { Settings, Version, Jog, Unlock, Home };
     /// The line that is not acknowledged.
     struct Pending {
@@ -96,6 +99,7 @@ private:
     bool isHomingDue() const { return m_mustHome && !m_isHomed; }
     bool isResting() const; ///< Idle or Alarm, where it reads its `$` lines
     Message alarm() const;
+    static Message refusal(int error);
     void note(const Message& message, double now_s);
     Error notLive() const;
 
@@ -137,7 +141,7 @@ private:
     std::vector<double> m_spanFrom, m_spanTo; ///< it stands between these
     bool m_isPlaceToCheck = false;
 
-    std::optional<int> m_alarm; ///< -1: number not told
+    std::optional<int> m_alarm;
     std::optional<int> m_refused;
     std::optional<double> m_elsewhere;
     std::string m_held;

@@ -14,6 +14,15 @@ constexpr double kRefusedPause_s = 0.1; // the guard is not asked the same again
 
 } // namespace
 
+double outside(const std::vector<double>& at, const std::vector<double>& a, const std::vector<double>& b) {
+    double worst = 0.0;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const auto [low, high] = std::minmax(a[i], b[i]);
+        worst = std::max({worst, low - at[i], at[i] - high});
+    }
+    return worst;
+}
+
 StepPlanner::StepPlanner(AxisMap map, MotionGuard guard) : m_map(std::move(map)), m_guard(std::move(guard)) {}
 
 void StepPlanner::setTwist(const Vector6d& twist, double validFor_s, double now_s) {
@@ -41,8 +50,7 @@ std::vector<double> StepPlanner::rounded(const Vector6d& coordinates) const {
 Vector6d StepPlanner::startFrom(const std::vector<double>& at) const {
     if (m_goal) {
         const std::vector<double> goal = m_map.positions(*m_goal);
-        const auto isNear = [](double a, double b) { return std::abs(a - b) <= kSlack; };
-        if (std::equal(goal.begin(), goal.end(), at.begin(), isNear))
+        if (outside(at, goal, goal) <= kSlack)
             return *m_goal;
     }
     return m_map.coordinates(at);

@@ -18,6 +18,9 @@ struct PlannedStep {
     double time_s = 0.0;    ///< that it should take
 };
 
+/// How far `at` is outside of the box between two corners, in the worst axis.
+double outside(const std::vector<double>& at, const std::vector<double>& a, const std::vector<double>& b);
+
 class StepPlanner {
 public:
     static constexpr double kLongest_s = 0.5;

@@ -211,6 +211,45 @@ TEST_F(DobotRobotTest, LostPortsAreFoundAgain) {
     EXPECT_TRUE(drive(m_left, 0.5));
 }
 
+// Catches an arm on its way to another place than it was sent to that is let go on, and replies to something
+// else that are taken for its own.
+TEST(DobotBytes, AnArmThatLeavesItsWayIsStopped) {
+    ManualClock clock;
+    ScriptedLink dashboard, motion, feedback;
+    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kAxes, Vector6d::Zero()),
+                     [](const Vector6d&) { return true; });
+    const auto run = [&](DobotMode mode, double x) {
+        for (int i = 0; i < 4; ++i) {
+            feedback.say(dobotPacket({mode, {x, 0.0, 0.0, 7.0}}));
+            clock.advance(0.005);
+            robot.work();
+        }
+    };
+    run(DobotMode::Idle, 200.0);
+    EXPECT_EQ(dashboard.takeSent(), "User(0)");
+    dashboard.say("0,{},Tool(0);0,{},User(0)");
+    run(DobotMode::Idle, 200.0);
+    EXPECT_EQ(robot.discarded(), 1);
+    EXPECT_EQ(dashboard.takeSent(), "");
+    dashboard.say(";");
+    run(DobotMode::Idle, 200.0);
+    EXPECT_EQ(dashboard.takeSent(), "Tool(0)");
+    EXPECT_FALSE(robot.state());
+    dashboard.say("0,{},Tool(0);");
+    run(DobotMode::Idle, 200.0);
+    ASSERT_TRUE(robot.state());
+    ASSERT_TRUE(robot.setTwist((Vector6d() << 0.01, 0, 0, 0, 0, 0).finished(), 0.5));
+    run(DobotMode::Idle, 200.0);
+    EXPECT_EQ(motion.takeSent(), "MovL(205.000,0.000,0.000,7.000,SpeedL=5,AccL=20)");
+    motion.say("0,{},MovL(205.000,0.000,0.000,7.000,SpeedL=5,AccL=20);");
+    run(DobotMode::Running, 203.0);
+    EXPECT_EQ(robot.state()->alarm.code, MessageCode::None);
+    EXPECT_EQ(dashboard.takeSent(), "");
+    run(DobotMode::Running, 206.0);
+    EXPECT_EQ(dashboard.takeSent(), "ResetRobot()");
+    EXPECT_EQ(robot.state()->alarm, (Message{MessageCode::RobotElsewhere, {"1"}}));
+}
+
 // Catches an axis that the arm does not have, and numbers without sense.
 TEST_F(DobotRobotTest, BrokenSettingsAreTold) {
     make({}, {{'X', 0, false, 0.0}, {'A', 3, false, 0.0}});

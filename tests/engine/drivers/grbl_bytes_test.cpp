@@ -65,6 +65,19 @@ TEST_F(GrblBytesTest, OneStepAtATime) {
                 0.01); // the time that the first one had, though it ended early
 }
 
+// Catches a robot on its way to another place than it was sent to (a digit damaged by the cable) that is let
+// go on.
+TEST_F(GrblBytesTest, ARobotThatLeavesItsWayIsStopped) {
+    goLive();
+    ASSERT_TRUE(m_robot.setTwist(m_twist, 10.0));
+    sentAfter(0.005);
+    answered("ok\r\n<Jog|MPos:0.300,0.000,0.400>\r\n");
+    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_EQ(answered("<Jog|MPos:0.400,0.000,2.600>\r\n").substr(0, 1), "\x85");
+    EXPECT_EQ(m_robot.state()->alarm, (Message{MessageCode::RobotElsewhere, {"0.6"}}));
+    EXPECT_FALSE(m_robot.state()->isPlaceSure);
+}
+
 // Catches an acknowledgement of before that frees the way for the next line.
 TEST_F(GrblBytesTest, StrayAcknowledgementsAreDiscarded) {
     goLive();
