@@ -108,9 +108,10 @@ private:
             });
         if (isStartUp)
             return later(Wish::Arm, Reset{});
-        m_outcome.fault = true;
-        if (m_wish != Wish::Arm)
+        if (m_wish != Wish::Arm) {
+            m_outcome.fault = true;
             return over();
+        }
         const Message reason = snapshot.reasons.empty() ? Message() : snapshot.reasons.front();
         if (m_clock.now_s() - m_began_s > kReadyWithin_s)
             return end(Error(reason.code, {}, reason.args));

@@ -1,0 +1,106 @@
+#pragma once
+// A simulated rig behind three serial ports and an engine that runs an experiment on it, each a process of
+// its own.
+
+#include "engine/base/pose.h"
+#include "tests/support/wait_for.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <optional>
+#include <vector>
+
+namespace bask::test {
+
+/// What is truly so at the simulated rig.
+struct BenchState {
+    double plate_degC = 0.0;
+    bool isHeating = false;
+    Eigen::Vector3d place_m = Eigen::Vector3d::Zero();
+    std::vector<double> objects_degC;
+};
+
+class RigProcesses : public testing::Test {
+protected:
+    RigProcesses() {
+        QFile source(QStringLiteral(BASK_TEST_DATA "/rig/three-thin-disks.json"));
+        EXPECT_TRUE(source.open(QIODevice::ReadOnly));
+        const QByteArray text = source.readAll().replace("PORTS", m_folder.path().toUtf8());
+        QFile file(experiment());
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    }
+    ~RigProcesses() override {
+        for (QProcess* process : {&engine, &bench}) {
+            ::kill(static_cast<pid_t>(process->processId()), SIGCONT);
+            process->kill();
+            process->waitForFinished();
+        }
+    }
+
+    QString experiment() const { return m_folder.filePath(QStringLiteral("rig.json")); }
+    QString session() const { return m_folder.filePath(QStringLiteral("run.bask")); }
+
+    void startBench() {
+        bench.start(QStringLiteral(BASK_PROGRAM), {QStringLiteral("simulate-rig"), experiment()});
+        ASSERT_TRUE(waitFor([&] { return told().contains("heater "); }));
+    }
+    void startEngine(const QStringList& arguments = {}) {
+        engine.setProcessChannelMode(QProcess::MergedChannels);
+        engine.start(QStringLiteral(BASK_PROGRAM),
+                     QStringList{QStringLiteral("run"), experiment(), QStringLiteral("--live"),
+                                 QStringLiteral("-o"), session()} +
+                         arguments);
+    }
+    /// The heat is on: the run has begun.
+    void waitUntilHeating() {
+        ASSERT_TRUE(waitFor([&] { return state().isHeating; }, 60000)) << engine.readAll().toStdString();
+    }
+
+    void tell(const QByteArray& line) {
+        bench.write(line + '\n');
+        ASSERT_TRUE(bench.waitForBytesWritten(5000));
+        ASSERT_TRUE(waitFor([&] { return told().contains(line + '\n'); }));
+    }
+    BenchState state() {
+        m_told.clear();
+        bench.write("state\n");
+        BenchState out;
+        if (!waitFor([&] { return told().contains("degC\n"); }, 5000))
+            return out;
+        static const QRegularExpression kLine(
+            QStringLiteral("plate (\\S+) degC (\\w+); robot (\\S+) (\\S+) (\\S+) m; objects (.*) degC"));
+        const auto match = kLine.match(QString::fromUtf8(m_told));
+        out.plate_degC = match.captured(1).toDouble();
+        out.isHeating = match.captured(2) == QLatin1String("heating");
+        out.place_m = {match.captured(3).toDouble(), match.captured(4).toDouble(),
+                       match.captured(5).toDouble()};
+        for (const QString& value : match.captured(6).split(QLatin1Char(' ')))
+            out.objects_degC.push_back(value.toDouble());
+        return out;
+    }
+    /// Its exit code, once it has ended.
+    std::optional<int> ended(int limit_ms) {
+        if (!engine.waitForFinished(limit_ms) || engine.exitStatus() != QProcess::NormalExit)
+            return std::nullopt;
+        return engine.exitCode();
+    }
+
+    QProcess bench, engine;
+
+private:
+    const QByteArray& told() {
+        bench.waitForReadyRead(5);
+        return m_told += bench.readAllStandardOutput();
+    }
+    QTemporaryDir m_folder;
+    QByteArray m_told;
+};
+
+} // namespace bask::test
