@@ -26,9 +26,9 @@ RigSpec readRoot(const json& j, Failure& failure) {
     else if (version > kRigFormat)
         root.fail(MessageCode::VersionTooNew, "version",
                   {std::to_string(version), std::to_string(kRigFormat)});
-    else if (version < kRigFormat && root.find("version") != nullptr)
-        root.fail(MessageCode::ValueUnknown, "version",
-                  {std::to_string(version), std::to_string(kRigFormat)});
+    else if (root.find("version") != nullptr && version < 1)
+        root.fail(MessageCode::ValueOutOfRange, "version",
+                  {std::to_string(version), "1", std::to_string(kRigFormat), ""});
     readPart(root, "rig", true,
              [&](const json& part, const std::string& path) { readRig(part, path, failure, rig); });
     root.close();
