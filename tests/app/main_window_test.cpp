@@ -384,19 +384,21 @@ TEST_F(MainWindowTest, TheRigPageMovesTheRobotAndSetsLimits) {
     EXPECT_TRUE(
         waitFor([&] { return std::abs(window->lastSnapshot().latest.coordinates[kX] - last) < 2e-4; }));
 
-    find<QTabWidget>("rigTabs")->setCurrentIndex(1);
-    find<QDoubleSpinBox>("upper.z")->setValue(260.0);
-    EXPECT_NEAR(window->document().experiment().robot.upper[kZ], 0.26, 1e-12);
-    window->pages().show(Page::Objects); // an edit there must not undo it
-    ASSERT_TRUE(waitForState(RunState::Ready));
-    click("addDisk");
-    EXPECT_NEAR(window->document().experiment().robot.upper[kZ], 0.26, 1e-12);
-
     ASSERT_TRUE(waitForState(RunState::Ready));
     click("armButton");
     ASSERT_TRUE(waitForState(RunState::Armed));
     EXPECT_FALSE(find<QAbstractButton>("stepUp.x")->isEnabled());
     EXPECT_FALSE(find<QDoubleSpinBox>("upper.z")->isEnabled());
+    click("stopRunButton"); // disarms
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    EXPECT_TRUE(find<QAbstractButton>("stepUp.x")->isEnabled());
+
+    find<QTabWidget>("rigTabs")->setCurrentIndex(1);
+    find<QDoubleSpinBox>("upper.z")->setValue(260.0);
+    EXPECT_NEAR(window->document().experiment().robot.upper[kZ], 0.26, 1e-12);
+    window->pages().show(Page::Objects); // an edit there must not undo it
+    click("addDisk");
+    EXPECT_NEAR(window->document().experiment().robot.upper[kZ], 0.26, 1e-12);
 }
 
 // Catches: an object that takes its neighbour's sensor, or cannot be added or removed at all, on a real rig.

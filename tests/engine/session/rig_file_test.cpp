@@ -79,7 +79,8 @@ TEST_F(RigFile, WhatIsNoRigIsRefusedInItsPlace) {
     const auto read = readRigFile(path);
     ASSERT_FALSE(read);
     EXPECT_EQ(read.error().code(), MessageCode::JsonUnknownKey);
-    EXPECT_EQ(read.error().where, path + ": rig.robot.prot");
+    EXPECT_EQ(read.error().where, path + ": rig.robot");
+    EXPECT_EQ(read.error().message.args.front(), "prot");
     write(R"({"format": "bask-rig", "version": 1, "rig": {"name": "a", "name": "b"}})");
     EXPECT_EQ(refusal(), MessageCode::JsonDuplicateKey);
 }
