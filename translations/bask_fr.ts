@@ -2517,7 +2517,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
         <message>
             <source>Speed while held</source>
-            <translation>Vitesse maintenue</translation>
+            <translation>Vitesse (maintien)</translation>
         </message>
         <message>
             <source>Of the largest speed that the robot's limits allow</source>

@@ -104,6 +104,9 @@ void CheckList::refresh() {
         } else {
             m_reasons[i].mark->hide();
             m_reasons[i].text->hide();
+            m_reasons[i].text->clear(); // it would stay in the language of its day
+            m_reasons[i].text->setAccessibleDescription({});
+            m_reasons[i].shown = -1;
         }
     }
 }

@@ -15,7 +15,7 @@ class QLabel;
 namespace bask {
 
 /// Object names: "check.devices", "check.place", "check.sensors", "check.source", "check.recording" and
-/// "reason.0" ..., each label's accessible description is "done", "wrong" or "waiting".
+/// "reason.0" ...; each label's accessible description says what its mark does.
 class CheckList : public QWidget {
     Q_OBJECT
 

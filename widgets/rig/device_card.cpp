@@ -8,6 +8,7 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 
 #include <algorithm>
@@ -40,7 +41,7 @@ void setText(QLabel* label, const QString& text) {
 } // namespace
 
 DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
-    : QFrame(parent), m_role(role), m_title(new QLabel(this)), m_driver(new QLabel(this)),
+    : QWidget(parent), m_role(role), m_title(new QLabel(this)), m_driver(new QLabel(this)),
       m_mark(new QLabel(this)), m_word(new QLabel(this)), m_age(new QLabel(this)),
       m_problem(new QLabel(this)), m_setUp(new QPushButton(this)), m_remove(new QPushButton(this)) {
     const auto name = [role](const char* part) {
@@ -53,7 +54,6 @@ DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
     m_problem->setObjectName(name("problem"));
     m_setUp->setObjectName(name("setUp"));
     m_remove->setObjectName(name("remove"));
-    setFrameShape(QFrame::StyledPanel);
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     m_title->setFont(bold);
@@ -86,6 +86,13 @@ DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
     retranslate();
 }
 
+void DeviceCard::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(hairline(isDark(this)));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);
+}
+
 void DeviceCard::setRig(const std::optional<RigSpec>& rig) {
     m_rig = rig;
     m_state.reset();
@@ -115,9 +122,9 @@ void DeviceCard::showDevice() {
     m_driver->setToolTip(text);
     m_setUp->setVisible(m_rig.has_value());
     m_setUp->setText(isThere ? tr("Change…") : tr("Set up…"));
-    m_setUp->setAccessibleName(roleWord(m_role) + QStringLiteral(": ") + m_setUp->text());
+    m_setUp->setAccessibleName(roleWord(m_role) + QStringLiteral(", ") + m_setUp->text());
     m_remove->setVisible(isThere);
-    m_remove->setAccessibleName(roleWord(m_role) + QStringLiteral(": ") + m_remove->text());
+    m_remove->setAccessibleName(roleWord(m_role) + QStringLiteral(", ") + m_remove->text());
     showState();
 }
 
@@ -172,7 +179,7 @@ void DeviceCard::retranslate() {
 }
 
 void DeviceCard::changeEvent(QEvent* event) {
-    QFrame::changeEvent(event);
+    QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
     if (event->type() == QEvent::PaletteChange) {

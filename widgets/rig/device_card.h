@@ -3,7 +3,7 @@
 
 #include "widgets/rig/device_words.h"
 
-#include <QFrame>
+#include <QWidget>
 
 #include <optional>
 
@@ -14,7 +14,7 @@ namespace bask {
 
 /// Object names end in the role's ("robot"): "card.", "driver.", "state.", "age.", "problem.", "setUp.",
 /// "remove.".
-class DeviceCard : public QFrame {
+class DeviceCard : public QWidget {
     Q_OBJECT
 
 public:
@@ -33,6 +33,7 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
 
 private:
     void showDevice();
