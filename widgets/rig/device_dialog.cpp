@@ -250,7 +250,7 @@ void DeviceDialog::useProfileFile(const QString& path) {
     addProfile(*profile);
 }
 
-SerialSpec DeviceDialog::usual() const {
+LineSettings DeviceDialog::usual() const {
     const int driver = m_driver->currentData().toInt();
     switch (m_role) {
     case DeviceRole::Robot:

@@ -67,7 +67,7 @@ private:
     bool isModbus() const;
     bool hasLine() const; ///< it is on a serial line
     bool hasPort() const;
-    SerialSpec usual() const;
+    LineSettings usual() const;
     void showParts();
     void showPort();
     QString triedText(const TriedDevice& tried) const;

@@ -10,6 +10,9 @@
 
 namespace bask {
 
+/// Of a serial line, as every device has them.
+using LineSettings = decltype(RobotDeviceSpec::serial);
+
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,
                                          DeviceRole::Camera};
 
@@ -32,9 +35,9 @@ RigSpec withDevice(RigSpec rig, DeviceRole role, const RigSpec& other);
 QString ageText(double age_s);
 
 /// As the devices of a driver leave the factory, mostly.
-SerialSpec usualLine(RobotDriver driver);
-SerialSpec usualLine(ThermometerDriver driver);
-SerialSpec usualLine(HeatSourceDriver driver);
+LineSettings usualLine(RobotDriver driver);
+LineSettings usualLine(ThermometerDriver driver);
+LineSettings usualLine(HeatSourceDriver driver);
 
 /// Objects came or went: each that stays, by its name, keeps its channel, new ones have the lowest that are
 /// free. With as many as before nothing changes.

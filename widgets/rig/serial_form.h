@@ -1,7 +1,7 @@
 #pragma once
 // The settings of a serial line: speed, data bits, parity, stop bits.
 
-#include "engine/session/rig_spec.h"
+#include "widgets/rig/device_words.h"
 
 #include <QWidget>
 
@@ -16,8 +16,8 @@ class SerialForm : public QWidget {
 public:
     explicit SerialForm(QWidget* parent = nullptr);
 
-    void setLine(const SerialSpec& line);
-    SerialSpec line() const;
+    void setLine(const LineSettings& line);
+    LineSettings line() const;
 
 protected:
     void changeEvent(QEvent* event) override;
