@@ -179,6 +179,7 @@ void JogPanel::apply(const Snapshot& snapshot, bool mayMove) {
     m_isPlaceSure = snapshot.isPlaceSure;
     if (!m_isMoving)
         m_goal.reset();
+    m_mayHome = mayMove || snapshot.state == RunState::Fault; // which may be for its unsure place
     if (!m_mayMove)
         letGo();
     if (!m_isPoseTaken && m_at.allFinite() && !snapshot.latest.objects.empty())
@@ -196,8 +197,9 @@ void JogPanel::showEnabled() {
         for (QWidget* part :
              std::initializer_list<QWidget*>{row.holdDown, row.stepDown, row.stepUp, row.holdUp, row.goTo})
             part->setEnabled(m_mayMove);
-    for (QWidget* part : {m_go, m_take, m_home})
-        part->setEnabled(m_mayMove);
+    m_go->setEnabled(m_mayMove);
+    m_take->setEnabled(m_mayMove);
+    m_home->setEnabled(m_mayHome);
     const bool isTrouble = m_alarm.code != MessageCode::None || !m_isPlaceSure;
     m_clear->setEnabled(isTrouble);
     const Message problem = m_isPlaceSure || m_alarm.code != MessageCode::None
@@ -246,7 +248,8 @@ void JogPanel::letGo() {
         return;
     m_held = nullptr;
     m_repeat.stop();
-    emit commandWanted(Jog{});
+    if (m_mayMove) // else the engine has taken the robot already, and would refuse
+        emit commandWanted(Jog{});
 }
 
 void JogPanel::takePose() {

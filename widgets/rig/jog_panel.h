@@ -69,6 +69,7 @@ private:
     std::optional<Vector6d> m_goal; ///< of the steps that are still under way
     bool m_isMoving = false;
     bool m_mayMove = false;
+    bool m_mayHome = false;
     bool m_isPoseTaken = false; ///< once by itself: the fields begin where the robot is
     Message m_alarm;
     bool m_isPlaceSure = true;

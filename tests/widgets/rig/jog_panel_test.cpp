@@ -117,8 +117,9 @@ TEST_F(JogPanelTest, WhateverTakesTheButtonAwayEndsTheMotion) {
     const auto isEnded = [this] { return std::get<Jog>(sent.back()).twist.norm() == 0.0; };
 
     QTest::mousePress(button, Qt::LeftButton);
-    panel.apply(snapshot, false); // armed
-    EXPECT_TRUE(isEnded());
+    panel.apply(snapshot, false); // armed: the engine has the robot, a zero Jog would be refused
+    EXPECT_FALSE(panel.findChild<QTimer*>()->isActive());
+    EXPECT_EQ(sent.size(), 1U);
     panel.apply(snapshot, true);
     QTest::mouseRelease(button, Qt::LeftButton);
 
@@ -194,6 +195,8 @@ TEST_F(JogPanelTest, FollowsWhatTheEngineAllows) {
     snapshot.isPlaceSure = false;
     panel.apply(snapshot, true);
     EXPECT_TRUE(child<QLabel>("robotProblem")->isVisible());
+    snapshot.state = RunState::Fault; // for that very reason
+    panel.apply(snapshot, false);
     click("homeRobot");
     EXPECT_TRUE(std::holds_alternative<HomeRobot>(sent.back()));
 }
