@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array kVerbNames{"arm", "start", "hold", "resume", "stop", "emergencyStop", "reset"};
 constexpr std::array kVerbIcons{"arm", "start", "hold", "resume", "stop", "", "reset"};
-constexpr std::array kPageNames{"objects", "calibrate", "targets", "run", "review"};
+constexpr std::array kPageNames{"rig", "objects", "calibrate", "targets", "run", "review"};
 constexpr std::array kUnits{TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit};
 constexpr std::array kUnitNames{"celsius", "kelvin", "fahrenheit"};
 constexpr std::array kThemes{Theme::System, Theme::Light, Theme::Dark};
@@ -244,8 +244,9 @@ void Actions::retranslateRun() {
 
 void Actions::retranslateView() {
     m_viewMenu->setTitle(tr("&View"));
-    const std::array pages{tr("Objects"), tr("Calibrate"), tr("Targets"), tr("Run"), tr("Review")};
-    const std::array tips{tr("What is held in front of the source: outlines, materials, mounting"),
+    const std::array pages{tr("Rig"), tr("Objects"), tr("Calibrate"), tr("Targets"), tr("Run"), tr("Review")};
+    const std::array tips{tr("The devices, what must be so before a run, and the robot and the heat by hand"),
+                          tr("What is held in front of the source: outlines, materials, mounting"),
                           tr("The camera: its lens, where it stands, and where the source is"),
                           tr("What temperature each object shall have, and whether it can be reached"),
                           tr("Temperatures, the scene and the controller during a run"),

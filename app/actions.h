@@ -22,7 +22,7 @@ namespace bask {
 /// Verbs of a run, in the order of use.
 enum class Verb { Arm, Start, Hold, Resume, Stop, EmergencyStop, Reset };
 inline constexpr int kVerbs = 7;
-inline constexpr int kPages = 5;
+inline constexpr int kPages = 6;
 
 /// Whether the engine takes the verb now; nothing else enables a button.
 bool allows(const Snapshot& snapshot, Verb verb);

@@ -122,7 +122,7 @@ void MainWindow::showEvents() {
 void MainWindow::perform(Verb verb) {
     switch (verb) {
     case Verb::Arm:
-        return arm();
+        return m_last.simulated ? arm() : askArm();
     case Verb::Start:
         m_pages->show(Page::Run);
         return m_engine.send(Start{false}); // the engine judges the targets; its refusal asks for the tick
@@ -137,6 +137,25 @@ void MainWindow::perform(Verb verb) {
     case Verb::Reset:
         return m_engine.send(Reset{});
     }
+}
+
+/// On the way up a person decides; STOP can be pressed meanwhile.
+void MainWindow::askArm() {
+    delete findChild<QMessageBox*>(QStringLiteral("armQuestion"));
+    auto* box = new QMessageBox(
+        QMessageBox::Warning, tr("Arm the real rig"),
+        tr("This rig is real: once the run is started, the robot moves and the source heats. Is everybody "
+           "and everything out of the way?"),
+        QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("armQuestion"));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* go = box->addButton(tr("Arm"), QMessageBox::AcceptRole);
+    QPushButton* stay = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
+    box->setDefaultButton(stay);
+    box->setEscapeButton(stay);
+    connect(go, &QPushButton::clicked, this, &MainWindow::arm);
+    box->setModal(false);
+    box->show();
 }
 
 void MainWindow::arm() {
@@ -177,6 +196,20 @@ void MainWindow::showReason(int index) {
         return m_pages->show(Page::Calibrate);
     case MessageCode::ReasonNoExperiment:
         return m_pages->show(Page::Objects);
+    case MessageCode::ReasonRobotLost:
+    case MessageCode::ReasonSourceLost:
+    case MessageCode::RobotPlaceUnsure:
+    case MessageCode::RobotRestarted:
+    case MessageCode::RobotAlarm:
+    case MessageCode::RobotHeld:
+    case MessageCode::RobotDisabled:
+    case MessageCode::RobotOpening:
+    case MessageCode::RigIncomplete:
+    case MessageCode::LinkNotOpened:
+    case MessageCode::LinkLost:
+    case MessageCode::DeviceSilent:
+    case MessageCode::DeviceOther:
+        return m_pages->show(Page::Rig);
     default:
         return m_pages->show(Page::Run);
     }

@@ -62,6 +62,7 @@ private:
     void apply(const Snapshot& snapshot);
     void takeRows(const Snapshot& snapshot);
     void perform(Verb verb);
+    void askArm();
     void arm();
     void askInfeasible();
     void refuse(const Message& refusal);

@@ -7,6 +7,8 @@
 #include "widgets/objects/objects_page.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/review_page.h"
+#include "widgets/rig/device_words.h"
+#include "widgets/rig/rig_page.h"
 #include "widgets/run/run_page.h"
 #include "widgets/targets/targets_page.h"
 #include "widgets/targets/verdict_text.h"
@@ -19,11 +21,13 @@ namespace bask {
 
 PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     : QWidget(parent), m_document(document), m_files(files), m_bar(new MessageBar(this)),
-      m_pages(new QStackedWidget(this)), m_objects(new ObjectsPage), m_calibrate(new CalibratePage),
-      m_targets(new TargetsPage), m_run(new RunPage), m_review(new ReviewPage) {
+      m_pages(new QStackedWidget(this)), m_rig(new RigPage), m_objects(new ObjectsPage),
+      m_calibrate(new CalibratePage), m_targets(new TargetsPage), m_run(new RunPage),
+      m_review(new ReviewPage) {
     m_bar->setObjectName(QStringLiteral("messageBar"));
     m_pages->setObjectName(QStringLiteral("pages"));
-    for (QWidget* page : std::initializer_list<QWidget*>{m_objects, m_calibrate, m_targets, m_run, m_review})
+    for (QWidget* page :
+         std::initializer_list<QWidget*>{m_rig, m_objects, m_calibrate, m_targets, m_run, m_review})
         m_pages->addWidget(page);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -31,6 +35,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     column->addWidget(m_bar);
     column->addWidget(m_pages, 1);
 
+    connectRig();
     connectObjects();
     connectCalibrate();
     connectDocument();
@@ -64,9 +69,24 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connect(&m_files, &SessionActions::told, this, &PageHost::showNote);
 }
 
+void PageHost::connectRig() {
+    connect(m_rig, &RigPage::commandIssued, this, &PageHost::commandIssued);
+    connect(m_rig, &RigPage::experimentEdited, this, [this](const Experiment& experiment) {
+        if (const auto edited = m_document.edit(experiment); !edited)
+            return m_rig->showError(sentence(edited.error()));
+        m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
+    });
+    connect(m_rig, &RigPage::openRigRequested, &m_files, &SessionActions::openRig);
+    connect(m_rig, &RigPage::saveRigRequested, &m_files, &SessionActions::saveRig);
+    connect(&m_files, &SessionActions::rigRead, m_rig, &RigPage::useRig);
+}
+
 void PageHost::connectObjects() {
-    connect(m_objects, &ObjectsPage::experimentEdited, this, [this](const Experiment& experiment) {
+    connect(m_objects, &ObjectsPage::experimentEdited, this, [this](Experiment experiment) {
         const Experiment before = m_document.experiment();
+        experiment.rig = before.rig;
+        if (experiment.rig && experiment.rig->thermometer)
+            keepChannels(before.objects, experiment.objects, experiment.rig->thermometer->channels);
         if (const auto edited = m_document.edit(experiment); !edited) {
             m_objects->setExperiment(before);
             m_objects->showError(sentence(edited.error()));
@@ -129,17 +149,20 @@ void PageHost::connectDocument() {
         emit commandIssued(LoadExperiment{m_document.experiment()});
     });
     connect(&m_document, &Document::visionChanged, this, [this] {
+        m_rig->setExperiment(m_document.experiment());
         m_objects->setExperiment(m_document.experiment());
         m_calibrate->setExperiment(m_document.experiment());
         emit commandIssued(SetVision{m_document.experiment().vision});
     });
     connect(&m_document, &Document::edited, this, [this] {
+        m_rig->setExperiment(m_document.experiment());
         m_calibrate->setExperiment(m_document.experiment());
         m_targets->setExperiment(m_document.experiment());
         m_run->setExperiment(m_document.experiment());
         emit commandIssued(LoadExperiment{m_document.experiment()});
     });
     connect(&m_document, &Document::targetsChanged, this, [this] {
+        m_rig->setExperiment(m_document.experiment());
         m_objects->setExperiment(m_document.experiment());
         m_targets->setExperiment(m_document.experiment());
         std::vector<double> targets_K;
@@ -149,6 +172,7 @@ void PageHost::connectDocument() {
         emit commandIssued(SetTargets{targets_K});
     });
     connect(&m_document, &Document::controllerChanged, this, [this] {
+        m_rig->setExperiment(m_document.experiment());
         m_objects->setExperiment(m_document.experiment());
         emit commandIssued(SetController{m_document.experiment().controller});
     });
@@ -210,6 +234,7 @@ void PageHost::reportInfeasible() {
 }
 
 void PageHost::showDocument() {
+    m_rig->setExperiment(m_document.experiment());
     m_objects->setExperiment(m_document.experiment());
     m_calibrate->setExperiment(m_document.experiment());
     m_targets->setExperiment(m_document.experiment());
@@ -303,6 +328,7 @@ void PageHost::show(const VisionView& view) {
 void PageHost::apply(const Snapshot& snapshot) {
     m_run->apply(snapshot);
     const bool editable = allowsEdits(snapshot.state);
+    m_rig->apply(snapshot, editable);
     m_calibrate->setRobot(snapshot.latest.coordinates, snapshot.isMoving,
                           editable && snapshot.state != RunState::Fault);
     const bool targetsEditable = snapshot.state != RunState::Stopping; // the engine refuses them then
@@ -314,6 +340,7 @@ void PageHost::apply(const Snapshot& snapshot) {
 }
 
 void PageHost::setTemperatureUnit(TemperatureUnit unit) {
+    m_rig->setTemperatureUnit(unit);
     m_objects->setTemperatureUnit(unit);
     m_targets->setTemperatureUnit(unit);
     m_run->setTemperatureUnit(unit);

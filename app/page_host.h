@@ -1,5 +1,5 @@
 #pragma once
-// The five pages with the message bar over them, wired to the document and the engine.
+// The six pages with the message bar over them, wired to the document and the engine.
 
 #include "app/document.h"
 #include "app/session_actions.h"
@@ -23,10 +23,11 @@ class CalibratePage;
 class MessageBar;
 class ObjectsPage;
 class ReviewPage;
+class RigPage;
 class RunPage;
 class TargetsPage;
 
-enum class Page { Objects, Calibrate, Targets, Run, Review };
+enum class Page { Rig, Objects, Calibrate, Targets, Run, Review };
 
 /// Edits go to the document, which refuses or takes them; what the engine must know goes out as
 /// commandIssued. Object names: "pages", "messageBar".
@@ -60,6 +61,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void connectRig();
     void connectObjects();
     void connectCalibrate();
     void connectDocument();
@@ -77,6 +79,7 @@ private:
     SessionActions& m_files;
     MessageBar* m_bar;
     QStackedWidget* m_pages;
+    RigPage* m_rig;
     ObjectsPage* m_objects;
     CalibratePage* m_calibrate;
     TargetsPage* m_targets;

@@ -4,6 +4,7 @@
 #include "app/examples.h"
 #include "app/settings_store.h"
 #include "engine/base/message_code.h"
+#include "engine/session/rig_file.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -231,6 +232,34 @@ QString SessionActions::nextRecordingPath() {
     for (int n = 2; QFileInfo::exists(path); ++n)
         path = folder.filePath(QStringLiteral("%1-%2.bask").arg(stamp).arg(n));
     return path;
+}
+
+void SessionActions::openRig() {
+    const QString path = ask({FileQuestion::Kind::OpenFile,
+                              tr("Open a rig"),
+                              m_settings.lastFolder(),
+                              tr("Rigs (*.json);;All files (*)"),
+                              {}});
+    if (path.isEmpty())
+        return;
+    if (const auto rig = readRigFile(path.toStdString()))
+        emit rigRead(*rig);
+    else
+        emit problem(sentence(rig.error()));
+}
+
+void SessionActions::saveRig() {
+    const auto& rig = m_document.experiment().rig;
+    if (!rig)
+        return;
+    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the rig"),
+                              QDir(m_settings.lastFolder()).filePath(QStringLiteral("rig.json")),
+                              tr("Rigs (*.json);;All files (*)"), QStringLiteral("json")});
+    if (path.isEmpty())
+        return;
+    if (const auto written = writeRigFile(*rig, path.toStdString()); !written)
+        return emit problem(sentence(written.error()));
+    emit told(tr("The rig was saved as %1.").arg(path));
 }
 
 } // namespace bask

@@ -53,6 +53,9 @@ public:
     bool saveAs();
     void saveSession();
     void exportSession();
+    /// The devices of a rig file; the open experiment's into one.
+    void openRig();
+    void saveRig();
 
     /// A changed experiment may be lost: asks to save. False: stay.
     bool mayDiscard();
@@ -66,6 +69,7 @@ signals:
     void problem(const QString& sentence);
     void told(const QString& sentence);
     void sessionOpened(std::shared_ptr<const bask::SessionRecord> record);
+    void rigRead(const bask::RigSpec& rig);
     void recentChanged();
     void recordingChanged();
 

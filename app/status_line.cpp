@@ -2,6 +2,7 @@
 
 #include "app/language.h"
 #include "widgets/common/display.h"
+#include "widgets/rig/device_words.h"
 
 #include <QEvent>
 #include <QFileInfo>
@@ -46,6 +47,7 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_speed = snapshot.simulationSpeed;
     m_rows = snapshot.recordedRows;
     m_tracking = snapshot.tracking;
+    m_devices = snapshot.devices;
     m_recording = QString::fromStdString(snapshot.recordingPath);
     refresh();
 }
@@ -64,7 +66,7 @@ void StatusLine::refresh() {
         set(m_ageLabel, tr("engine not answering"));
         return;
     }
-    set(m_ageLabel, m_any ? tr("readings %1 s old").arg(m_age_s, 0, 'f', 1) : tr("no readings"));
+    set(m_ageLabel, ageText());
     const QString speed =
         m_speed > 1.0 ? QStringLiteral(" ") + tr("(simulation ×%1)").arg(m_speed, 0, 'g', 3) : QString();
     set(m_loopLabel, tr("loop %1 Hz, late %2").arg(m_rate_Hz, 0, 'f', 1).arg(m_late) + speed);
@@ -75,6 +77,18 @@ void StatusLine::refresh() {
             ? tr("not recording")
             : tr("recording %1, %2 samples").arg(QFileInfo(m_recording).fileName()).arg(m_rows));
     m_recordingLabel->setToolTip(m_recording);
+}
+
+QString StatusLine::ageText() const {
+    QStringList ages;
+    for (const RigDeviceState& device : m_devices) {
+        const QString age = device.status.link == LinkState::Live ? bask::ageText(device.age_s) : QString();
+        ages << roleWord(device.role).toLower() + u' ' +
+                    (age.isEmpty() ? linkWord(device.status.link).toLower() : age);
+    }
+    if (!ages.isEmpty())
+        return ages.join(QStringLiteral(", "));
+    return m_any ? tr("readings %1 s old").arg(m_age_s, 0, 'f', 1) : tr("no readings");
 }
 
 QString StatusLine::trackingText() const {
@@ -100,7 +114,8 @@ void StatusLine::showLanguage(const QString& code) {
 }
 
 void StatusLine::retranslate() {
-    m_ageLabel->setToolTip(tr("Age of the newest temperature readings"));
+    m_ageLabel->setToolTip(
+        tr("Age of the newest temperature readings; of a real rig, of each device's newest answer"));
     m_loopLabel->setToolTip(tr("Control steps a second, and how many began late"));
     m_trackingLabel->setToolTip(tr("How the camera follows the source: time from the light to the pose, two "
                                    "standard deviations of its place"));

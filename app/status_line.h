@@ -1,6 +1,6 @@
 #pragma once
-// The line at the window's foot: age of the readings, loop rate and late steps, how the source is followed,
-// recording, unit, language.
+// The line at the window's foot: age of the readings or of each device's answers, loop rate and late steps,
+// how the source is followed, recording, unit, language.
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
@@ -31,6 +31,7 @@ protected:
 private:
     void refresh();
     void retranslate();
+    QString ageText() const;
     QString trackingText() const;
 
     bool m_answering = true;
@@ -42,6 +43,7 @@ private:
     std::size_t m_rows = 0;
     QString m_recording;
     std::optional<SourceTracking> m_tracking;
+    std::vector<RigDeviceState> m_devices; ///< of a real rig
     QLabel* m_ageLabel;
     QLabel* m_loopLabel;
     QLabel* m_trackingLabel;

@@ -67,6 +67,7 @@ WIDGETS = {
     "common": set(),
     "plots": {"common"},
     "scene": {"common"},
+    "rig": {"common"},
     "objects": {"common", "plots", "scene"},
     "calibrate": {"common", "plots"},
     "targets": {"common", "plots", "scene"},

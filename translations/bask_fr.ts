@@ -1215,6 +1215,41 @@
             <source>Camera lost</source>
             <translation>Caméra perdue</translation>
         </message>
+        <message>
+            <source>Rig</source>
+            <translation>Banc</translation>
+        </message>
+        <message>
+            <source>The devices, what must be so before a run, and the robot and the heat by hand</source>
+            <translation>Les appareils, ce qui doit être en ordre avant un essai, le robot et le chauffage à la main</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::AxisTable</name>
+        <message>
+            <source>Axis</source>
+            <translation>Axe</translation>
+        </message>
+        <message>
+            <source>Where the axis reads zero</source>
+            <translation>Là où l’axe indique zéro</translation>
+        </message>
+        <message>
+            <source>Axis that drives %1</source>
+            <translation>Axe qui entraîne %1</translation>
+        </message>
+        <message>
+            <source>reversed</source>
+            <translation>inversé</translation>
+        </message>
+        <message>
+            <source>The axis of %1 counts the other way</source>
+            <translation>L’axe de %1 compte dans l’autre sens</translation>
+        </message>
+        <message>
+            <source>%1 where its axis reads zero</source>
+            <translation>%1 là où son axe indique zéro</translation>
+        </message>
     </context>
     <context>
         <name>bask::CalibrationAge</name>
@@ -1274,6 +1309,97 @@
                 <numerusform>il y a %n jour</numerusform>
                 <numerusform>il y a %n jours</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::CheckList</name>
+        <message>
+            <source>done</source>
+            <translation>fait</translation>
+        </message>
+        <message>
+            <source>wrong</source>
+            <translation>en défaut</translation>
+        </message>
+        <message>
+            <source>not yet</source>
+            <translation>pas encore</translation>
+        </message>
+        <message>
+            <source>Before a run</source>
+            <translation>Avant un essai</translation>
+        </message>
+        <message>
+            <source>Devices: simulated</source>
+            <translation>Appareils : simulés</translation>
+        </message>
+        <message>
+            <source>Devices: none set up as %1</source>
+            <translation>Appareils : aucun réglé pour %1</translation>
+        </message>
+        <message>
+            <source>Devices: no answer from %1</source>
+            <translation>Appareils : pas de réponse de %1</translation>
+        </message>
+        <message>
+            <source>Devices: all answer</source>
+            <translation>Appareils : tous répondent</translation>
+        </message>
+        <message>
+            <source>Robot: in alarm</source>
+            <translation>Robot : en alarme</translation>
+        </message>
+        <message>
+            <source>Robot: its place is not sure</source>
+            <translation>Robot : sa position n’est pas sûre</translation>
+        </message>
+        <message>
+            <source>Robot: its place is sure</source>
+            <translation>Robot : sa position est sûre</translation>
+        </message>
+        <message>
+            <source>Sensors: no readings yet</source>
+            <translation>Capteurs : pas encore de mesures</translation>
+        </message>
+        <message>
+            <source>Sensors: the newest readings are %1 old</source>
+            <translation>Capteurs : les dernières mesures datent de %1</translation>
+        </message>
+        <message>
+            <source>Sensors: %1 of %2 without a valid reading</source>
+            <translation>Capteurs : %1 sur %2 sans mesure valable</translation>
+        </message>
+        <message>
+            <source>Sensors: fresh and valid</source>
+            <translation>Capteurs : mesures récentes et valables</translation>
+        </message>
+        <message>
+            <source>Source: no temperature yet</source>
+            <translation>Source : pas encore de température</translation>
+        </message>
+        <message>
+            <source>Source: warm, %1</source>
+            <translation>Source : chaude, %1</translation>
+        </message>
+        <message>
+            <source>Source: %1, not at %2 yet</source>
+            <translation>Source : %1, pas encore à %2</translation>
+        </message>
+        <message>
+            <source>Source: %1, above %2</source>
+            <translation>Source : %1, au-dessus de %2</translation>
+        </message>
+        <message>
+            <source>Recording: not possible</source>
+            <translation>Enregistrement : impossible</translation>
+        </message>
+        <message>
+            <source>Recording: begins with Arm</source>
+            <translation>Enregistrement : commence avec Armer</translation>
+        </message>
+        <message>
+            <source>Recording: on</source>
+            <translation>Enregistrement : en cours</translation>
         </message>
     </context>
     <context>
@@ -1469,6 +1595,255 @@
         <message>
             <source>Place of the plane along its axis</source>
             <translation>Place du plan le long de son axe</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Device</name>
+        <message>
+            <source>Robot</source>
+            <translation>Robot</translation>
+        </message>
+        <message>
+            <source>Thermometer</source>
+            <translation>Thermomètre</translation>
+        </message>
+        <message>
+            <source>Heat source</source>
+            <translation>Source de chaleur</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>Caméra</translation>
+        </message>
+        <message>
+            <source>Closed</source>
+            <translation>Fermé</translation>
+        </message>
+        <message>
+            <source>Opening</source>
+            <translation>En ouverture</translation>
+        </message>
+        <message>
+            <source>Live</source>
+            <translation>Actif</translation>
+        </message>
+        <message>
+            <source>Lost</source>
+            <translation>Perdu</translation>
+        </message>
+        <message>
+            <source>Grbl or grblHAL (G-code)</source>
+            <translation>Grbl ou grblHAL (G-code)</translation>
+        </message>
+        <message>
+            <source>Dobot MG400 or M1 Pro (network)</source>
+            <translation>Dobot MG400 ou M1 Pro (réseau)</translation>
+        </message>
+        <message>
+            <source>Modbus RTU module</source>
+            <translation>Module Modbus RTU</translation>
+        </message>
+        <message>
+            <source>Lines of text (MAX31865)</source>
+            <translation>Lignes de texte (MAX31865)</translation>
+        </message>
+        <message>
+            <source>Kept hot by a person</source>
+            <translation>Maintenue chaude par une personne</translation>
+        </message>
+        <message>
+            <source>Hotplate (NAMUR, IKA)</source>
+            <translation>Plaque chauffante (NAMUR, IKA)</translation>
+        </message>
+        <message>
+            <source>Modbus RTU controller</source>
+            <translation>Régulateur Modbus RTU</translation>
+        </message>
+        <message>
+            <source>Pictures</source>
+            <translation>Images</translation>
+        </message>
+        <message>
+            <source>%1 ms</source>
+            <translation>%1 ms</translation>
+        </message>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::DeviceCard</name>
+        <message>
+            <source>Change…</source>
+            <translation>Modifier…</translation>
+        </message>
+        <message>
+            <source>Set up…</source>
+            <translation>Régler…</translation>
+        </message>
+        <message>
+            <source>Simulated</source>
+            <translation>Simulé</translation>
+        </message>
+        <message>
+            <source>None</source>
+            <translation>Aucun</translation>
+        </message>
+        <message>
+            <source>%1 ago</source>
+            <translation>il y a %1</translation>
+        </message>
+        <message>
+            <source>%1 Hz</source>
+            <translation>%1 Hz</translation>
+        </message>
+        <message>
+            <source>Not in use yet</source>
+            <translation>Pas encore utilisé</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Retirer</translation>
+        </message>
+        <message>
+            <source>Age of its newest answer, and answers a second</source>
+            <translation>Âge de sa dernière réponse, et réponses par seconde</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::DeviceDialog</name>
+        <message>
+            <source>Take a profile from a file</source>
+            <translation>Prendre un profil dans un fichier</translation>
+        </message>
+        <message>
+            <source>Profiles (*.json)</source>
+            <translation>Profils (*.json)</translation>
+        </message>
+        <message>
+            <source>Asking…</source>
+            <translation>Interrogation…</translation>
+        </message>
+        <message>
+            <source>Channels %1</source>
+            <translation>Voies %1</translation>
+        </message>
+        <message>
+            <source>Temperature %1</source>
+            <translation>Température %1</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>Caméra</translation>
+        </message>
+        <message>
+            <source>A number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…)</source>
+            <translation>Un numéro (0), un appareil (/dev/video0), un fichier vidéo, un dossier d’images ou une adresse (rtsp://…)</translation>
+        </message>
+        <message>
+            <source>Port</source>
+            <translation>Port</translation>
+        </message>
+        <message>
+            <source>Address</source>
+            <translation>Adresse</translation>
+        </message>
+        <message>
+            <source>Choose one, or type its path</source>
+            <translation>Choisissez-en un, ou tapez son chemin</translation>
+        </message>
+        <message>
+            <source>Host name or IP address of the robot</source>
+            <translation>Nom d’hôte ou adresse IP du robot</translation>
+        </message>
+        <message>
+            <source>Set up: %1</source>
+            <translation>Réglage : %1</translation>
+        </message>
+        <message>
+            <source>Driver</source>
+            <translation>Pilote</translation>
+        </message>
+        <message>
+            <source>Refresh</source>
+            <translation>Actualiser</translation>
+        </message>
+        <message>
+            <source>Look for ports anew</source>
+            <translation>Chercher de nouveau les ports</translation>
+        </message>
+        <message>
+            <source>Line</source>
+            <translation>Ligne</translation>
+        </message>
+        <message>
+            <source>Axes</source>
+            <translation>Axes</translation>
+        </message>
+        <message>
+            <source>Its place is not sure before it was homed</source>
+            <translation>Sa position n’est sûre qu’après la prise d’origine</translation>
+        </message>
+        <message>
+            <source>Device</source>
+            <translation>Appareil</translation>
+        </message>
+        <message>
+            <source>From file…</source>
+            <translation>D’un fichier…</translation>
+        </message>
+        <message>
+            <source>Take what the device's registers mean from a file</source>
+            <translation>Prendre dans un fichier le sens des registres de l’appareil</translation>
+        </message>
+        <message>
+            <source>Unit</source>
+            <translation>Unité</translation>
+        </message>
+        <message>
+            <source>The device's Modbus address</source>
+            <translation>L’adresse Modbus de l’appareil</translation>
+        </message>
+        <message>
+            <source>Channels</source>
+            <translation>Voies</translation>
+        </message>
+        <message>
+            <source>The channel of each object's sensor, counted from 0</source>
+            <translation>La voie du capteur de chaque objet, comptée à partir de 0</translation>
+        </message>
+        <message>
+            <source>Watchdog</source>
+            <translation>Chien de garde</translation>
+        </message>
+        <message>
+            <source>The device switches its heat off when it has heard nothing for so long</source>
+            <translation>L’appareil coupe son chauffage s’il n’entend rien pendant ce temps</translation>
+        </message>
+        <message>
+            <source>Its external probe measures the surface</source>
+            <translation>Sa sonde externe mesure la surface</translation>
+        </message>
+        <message>
+            <source>Test read</source>
+            <translation>Lecture d’essai</translation>
+        </message>
+        <message>
+            <source>Ask the device without using it. Nothing moves or heats.</source>
+            <translation>Interroger l’appareil sans l’utiliser. Rien ne bouge ni ne chauffe.</translation>
+        </message>
+        <message>
+            <source>Use</source>
+            <translation>Utiliser</translation>
+        </message>
+        <message>
+            <source>Use this device in the experiment</source>
+            <translation>Utiliser cet appareil dans l’expérience</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
         </message>
     </context>
     <context>
@@ -1681,6 +2056,69 @@
         <message>
             <source>not settled</source>
             <translation>non stabilisé</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::HeatPanel</name>
+        <message>
+            <source>Heat the source</source>
+            <translation>Chauffer la source</translation>
+        </message>
+        <message>
+            <source>The source heats towards %1 until it is switched off. Is nothing on it or near it that must not get hot?</source>
+            <translation>La source chauffe vers %1 jusqu’à ce qu’on l’arrête. N’y a-t-il rien dessus ou à côté qui ne doive pas chauffer ?</translation>
+        </message>
+        <message>
+            <source>Heat</source>
+            <translation>Chauffer</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>A person keeps the source hot: %1 as typed last.</source>
+            <translation>Une personne maintient la source chaude : %1 selon la dernière saisie.</translation>
+        </message>
+        <message>
+            <source>Heating towards %1: %2 now.</source>
+            <translation>Chauffage vers %1 : %2 à présent.</translation>
+        </message>
+        <message>
+            <source>The heat is on: %1 now.</source>
+            <translation>Le chauffage est en marche : %1 à présent.</translation>
+        </message>
+        <message>
+            <source>The heat is off: %1 now.</source>
+            <translation>Le chauffage est arrêté : %1 à présent.</translation>
+        </message>
+        <message>
+            <source>Set point</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Set point of the source</source>
+            <translation>Consigne de la source</translation>
+        </message>
+        <message>
+            <source>Heat the source until it is switched off</source>
+            <translation>Chauffer la source jusqu’à ce qu’on l’arrête</translation>
+        </message>
+        <message>
+            <source>Heat off</source>
+            <translation>Arrêter le chauffage</translation>
+        </message>
+        <message>
+            <source>Measured by you</source>
+            <translation>Mesurée par vous</translation>
+        </message>
+        <message>
+            <source>Temperature of the source as you measured it</source>
+            <translation>Température de la source que vous avez mesurée</translation>
+        </message>
+        <message>
+            <source>Take</source>
+            <translation>Prendre</translation>
         </message>
     </context>
     <context>
@@ -2064,6 +2502,148 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::JogPanel</name>
+        <message>
+            <source>Step</source>
+            <translation>Pas</translation>
+        </message>
+        <message>
+            <source>Step along an axis</source>
+            <translation>Pas le long d’un axe</translation>
+        </message>
+        <message>
+            <source>Step about an axis</source>
+            <translation>Pas autour d’un axe</translation>
+        </message>
+        <message>
+            <source>Speed while held</source>
+            <translation>Vitesse (maintien)</translation>
+        </message>
+        <message>
+            <source>Of the largest speed that the robot's limits allow</source>
+            <translation>Part de la plus grande vitesse que permettent les limites du robot</translation>
+        </message>
+        <message>
+            <source>Go to</source>
+            <translation>Aller à</translation>
+        </message>
+        <message>
+            <source>One step of %1 down</source>
+            <translation>Un pas de %1 vers le bas</translation>
+        </message>
+        <message>
+            <source>One step of %1 up</source>
+            <translation>Un pas de %1 vers le haut</translation>
+        </message>
+        <message>
+            <source>%1 downwards for as long as this is held</source>
+            <translation>%1 diminue tant que ce bouton est maintenu</translation>
+        </message>
+        <message>
+            <source>%1 upwards for as long as this is held</source>
+            <translation>%1 augmente tant que ce bouton est maintenu</translation>
+        </message>
+        <message>
+            <source>%1 to go to</source>
+            <translation>%1 à atteindre</translation>
+        </message>
+        <message>
+            <source>Go</source>
+            <translation>Aller</translation>
+        </message>
+        <message>
+            <source>Move to these coordinates; Hold (F7) ends it</source>
+            <translation>Aller à ces coordonnées ; Pause (F7) y met fin</translation>
+        </message>
+        <message>
+            <source>Here</source>
+            <translation>Ici</translation>
+        </message>
+        <message>
+            <source>Put in where the robot is</source>
+            <translation>Mettre la position présente du robot</translation>
+        </message>
+        <message>
+            <source>Home</source>
+            <translation>Prise d’origine</translation>
+        </message>
+        <message>
+            <source>The robot seeks its switches to know its place: it moves</source>
+            <translation>Le robot cherche ses butées pour connaître sa position : il bouge</translation>
+        </message>
+        <message>
+            <source>Clear alarm</source>
+            <translation>Effacer l’alarme</translation>
+        </message>
+        <message>
+            <source>After you have seen to it: the robot is where it says. Nothing moves.</source>
+            <translation>Après y avoir remédié : le robot est là où il le dit. Rien ne bouge.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::LimitsPanel</name>
+        <message>
+            <source>Heat source</source>
+            <translation>Source de chaleur</translation>
+        </message>
+        <message>
+            <source>Measured temperature</source>
+            <translation>Température mesurée</translation>
+        </message>
+        <message>
+            <source>Set point of runs</source>
+            <translation>Consigne des essais</translation>
+        </message>
+        <message>
+            <source>Emittance</source>
+            <translation>Émissivité</translation>
+        </message>
+        <message>
+            <source>Emittance of the source</source>
+            <translation>Émissivité de la source</translation>
+        </message>
+        <message>
+            <source>Workspace of the end-effector</source>
+            <translation>Espace de travail de l’effecteur</translation>
+        </message>
+        <message>
+            <source>From</source>
+            <translation>De</translation>
+        </message>
+        <message>
+            <source>To</source>
+            <translation>À</translation>
+        </message>
+        <message>
+            <source>Least %1</source>
+            <translation>%1 le plus petit</translation>
+        </message>
+        <message>
+            <source>Largest %1</source>
+            <translation>%1 le plus grand</translation>
+        </message>
+        <message>
+            <source>Limits of motion</source>
+            <translation>Limites de mouvement</translation>
+        </message>
+        <message>
+            <source>Largest speed</source>
+            <translation>Plus grande vitesse</translation>
+        </message>
+        <message>
+            <source>Largest turning speed</source>
+            <translation>Plus grande vitesse de rotation</translation>
+        </message>
+        <message>
+            <source>Clearance to the source</source>
+            <translation>Distance de garde à la source</translation>
+        </message>
+        <message>
+            <source>Least distance of any point of an object from the source's plane</source>
+            <translation>Plus petite distance de tout point d’un objet au plan de la source</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::MainWindow</name>
         <message>
             <source>Events and notes</source>
@@ -2088,6 +2668,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Keep running</source>
             <translation>Continuer l’essai</translation>
+        </message>
+        <message>
+            <source>Arm the real rig</source>
+            <translation>Armer le banc réel</translation>
+        </message>
+        <message>
+            <source>This rig is real: once the run is started, the robot moves and the source heats. Is everybody and everything out of the way?</source>
+            <translation>Ce banc est réel : une fois l’essai lancé, le robot bouge et la source chauffe. Personne ni rien n’est-il sur le passage ?</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>Armer</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
         </message>
     </context>
     <context>
@@ -3072,6 +3668,80 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::RigDevices</name>
+        <message>
+            <source>Simulated rig</source>
+            <translation>Banc simulé</translation>
+        </message>
+        <message>
+            <source>No device moves or heats. The real rig's set-up is kept for later.</source>
+            <translation>Aucun appareil ne bouge ni ne chauffe. Le réglage du banc réel est gardé pour plus tard.</translation>
+        </message>
+        <message>
+            <source>Real rig</source>
+            <translation>Banc réel</translation>
+        </message>
+        <message>
+            <source>The devices below</source>
+            <translation>Les appareils ci-dessous</translation>
+        </message>
+        <message>
+            <source>Name of the rig</source>
+            <translation>Nom du banc</translation>
+        </message>
+        <message>
+            <source>Open rig…</source>
+            <translation>Ouvrir un banc…</translation>
+        </message>
+        <message>
+            <source>Take the devices from a rig file</source>
+            <translation>Prendre les appareils dans un fichier de banc</translation>
+        </message>
+        <message>
+            <source>Save rig…</source>
+            <translation>Enregistrer le banc…</translation>
+        </message>
+        <message>
+            <source>Write these devices to a rig file, for other experiments</source>
+            <translation>Écrire ces appareils dans un fichier de banc, pour d’autres expériences</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RigPage</name>
+        <message>
+            <source>The rig was set up for %1 objects, and there are %2: check the thermometer's channels.</source>
+            <translation>Le banc était réglé pour %1 objets, et il y en a %2 : vérifiez les voies du thermomètre.</translation>
+        </message>
+        <message>
+            <source>A run is armed or on: it has the robot and the heat.</source>
+            <translation>Un essai est armé ou en cours : il dispose du robot et du chauffage.</translation>
+        </message>
+        <message>
+            <source>A stop or a fault is latched. Press Reset first.</source>
+            <translation>Un arrêt ou un défaut est verrouillé. Appuyez d’abord sur Réinitialiser.</translation>
+        </message>
+        <message>
+            <source>By hand</source>
+            <translation>À la main</translation>
+        </message>
+        <message>
+            <source>Source and limits</source>
+            <translation>Source et limites</translation>
+        </message>
+        <message>
+            <source>Robot</source>
+            <translation>Robot</translation>
+        </message>
+        <message>
+            <source>Heat</source>
+            <translation>Chauffage</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>Banc</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::RigPanel</name>
         <message>
             <source>%1 mm</source>
@@ -3543,6 +4213,37 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
     </context>
     <context>
+        <name>bask::SerialForm</name>
+        <message>
+            <source>no parity</source>
+            <translation>sans parité</translation>
+        </message>
+        <message>
+            <source>even parity</source>
+            <translation>parité paire</translation>
+        </message>
+        <message>
+            <source>odd parity</source>
+            <translation>parité impaire</translation>
+        </message>
+        <message>
+            <source>Speed of the line, baud</source>
+            <translation>Vitesse de la ligne, bauds</translation>
+        </message>
+        <message>
+            <source>Data bits</source>
+            <translation>Bits de données</translation>
+        </message>
+        <message>
+            <source>Parity</source>
+            <translation>Parité</translation>
+        </message>
+        <message>
+            <source>Stop bits</source>
+            <translation>Bits d’arrêt</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::SessionActions</name>
         <message>
             <source>Unsaved experiment</source>
@@ -3618,6 +4319,22 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>the folder cannot be made</source>
             <translation>le dossier ne peut pas être créé</translation>
+        </message>
+        <message>
+            <source>Open a rig</source>
+            <translation>Ouvrir un banc</translation>
+        </message>
+        <message>
+            <source>Rigs (*.json);;All files (*)</source>
+            <translation>Bancs (*.json);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>Save the rig</source>
+            <translation>Enregistrer le banc</translation>
+        </message>
+        <message>
+            <source>The rig was saved as %1.</source>
+            <translation>Le banc a été enregistré sous %1.</translation>
         </message>
     </context>
     <context>
@@ -3781,10 +4498,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>enregistre %1, %2 échantillons</translation>
         </message>
         <message>
-            <source>Age of the newest temperature readings</source>
-            <translation>Âge des dernières mesures de température</translation>
-        </message>
-        <message>
             <source>Control steps a second, and how many began late</source>
             <translation>Pas de commande par seconde, et combien ont commencé en retard</translation>
         </message>
@@ -3819,6 +4532,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>How the camera follows the source: time from the light to the pose, two standard deviations of its place</source>
             <translation>Comment la caméra suit la source : temps de la lumière à la pose, deux écarts types de sa place</translation>
+        </message>
+        <message>
+            <source>Age of the newest temperature readings; of a real rig, of each device's newest answer</source>
+            <translation>Âge des dernières mesures de température ; pour un banc réel, de la dernière réponse de chaque appareil</translation>
         </message>
     </context>
     <context>

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <type_traits>
 
 namespace bask {
@@ -491,23 +490,10 @@ Result<Experiment> experimentFromJson(const std::string& text, const std::string
 }
 
 Result<Experiment> readExperiment(const std::string& path) {
-    namespace fs = std::filesystem;
-    std::error_code code;
-    const fs::file_status status = fs::status(path, code);
-    if (!fs::exists(status))
-        return Error(MessageCode::FileNotFound, path);
-    if (!fs::is_regular_file(status))
-        return Error(MessageCode::FileUnreadable, path, {"not a file"});
-    const std::uintmax_t size = fs::file_size(path, code);
-    if (!code && size > kMaxFileSize)
-        return Error(MessageCode::FileTooLarge, path, {std::to_string(size >> 20) + " MiB", "32 MiB"});
-    std::ifstream file(path, std::ios::binary);
-    if (!file)
-        return Error(MessageCode::FileUnreadable, path, {"access refused"});
-    std::string text(static_cast<std::size_t>(size), '\0');
-    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
-        return Error(MessageCode::FileUnreadable, path, {"it ended early"});
-    return experimentFromJson(text, path, fs::path(path).parent_path().string());
+    const auto text = readTextFile(path, kMaxFileSize);
+    if (!text)
+        return text.error();
+    return experimentFromJson(*text, path, std::filesystem::path(path).parent_path().string());
 }
 
 } // namespace bask

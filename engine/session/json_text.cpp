@@ -4,6 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include <filesystem>
+#include <fstream>
 #include <set>
 #include <vector>
 
@@ -73,6 +75,27 @@ std::optional<Message> checkJsonText(const std::string& text) {
     if (json::sax_parse(text, &check))
         return std::nullopt;
     return check.message().value_or(Message{MessageCode::JsonSyntax, {}});
+}
+
+Result<std::string> readTextFile(const std::string& path, std::uintmax_t most) {
+    namespace fs = std::filesystem;
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (!fs::exists(status))
+        return Error(MessageCode::FileNotFound, path);
+    if (!fs::is_regular_file(status))
+        return Error(MessageCode::FileUnreadable, path, {"not a file"});
+    const std::uintmax_t size = fs::file_size(path, code);
+    if (!code && size > most)
+        return Error(MessageCode::FileTooLarge, path,
+                     {std::to_string(size >> 20) + " MiB", std::to_string(most >> 20) + " MiB"});
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return Error(MessageCode::FileUnreadable, path, {"access refused"});
+    std::string text(static_cast<std::size_t>(size), '\0');
+    if (!file.read(text.data(), static_cast<std::streamsize>(text.size())))
+        return Error(MessageCode::FileUnreadable, path, {"it ended early"});
+    return text;
 }
 
 } // namespace bask

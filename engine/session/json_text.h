@@ -1,8 +1,9 @@
 #pragma once
 // A look at a JSON text before a tree is built of it, and its bad parts in printable words.
 
-#include "engine/base/message.h"
+#include "engine/base/result.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,5 +16,8 @@ std::optional<Message> checkJsonText(const std::string& text);
 /// Words from a parser or a file, fit for a sentence: one line of plain characters, not too long, without the
 /// JSON library's error id.
 std::string plainWords(const std::string& words);
+
+/// The whole of a file that is at most so large, bytes. Errors: FileNotFound, FileUnreadable, FileTooLarge.
+Result<std::string> readTextFile(const std::string& path, std::uintmax_t most);
 
 } // namespace bask

@@ -222,7 +222,7 @@ void readRig(const json& j, const std::string& path, Failure& failure, RigSpec& 
 }
 
 Json rigJson(const RigSpec& rig) {
-    Json j;
+    Json j = Json::object(); // also without a device
     if (!rig.name.empty())
         j["name"] = rig.name;
     if (rig.robot)

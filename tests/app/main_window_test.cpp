@@ -6,6 +6,7 @@
 #include "widgets/common/message_bar.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
+#include "widgets/objects/objects_page.h"
 #include "widgets/targets/reach_bar.h"
 #include "widgets/targets/reach_map.h"
 #include "widgets/targets/targets_page.h"
@@ -14,9 +15,11 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
 #include <QMenu>
+#include <QMessageBox>
 #include <QOpenGLWidget>
 #include <QSplitter>
 #include <QTabWidget>
@@ -360,6 +363,99 @@ TEST_F(MainWindowTest, TheCalibratePageMeasuresTheCamerasPlace) {
     window->pages().show(Page::Calibrate);
     EXPECT_TRUE(waitFor([&] { return find<QLabel>("rigStatus")->text().contains("armed"); }));
     EXPECT_FALSE(find<QAbstractButton>("placeTour")->isEnabled());
+}
+
+// Catches: a Rig page that is not connected: steps that do not reach the robot, limits that do not reach the
+// other pages, a robot that can be moved while a run is armed.
+TEST_F(MainWindowTest, TheRigPageMovesTheRobotAndSetsLimits) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(goFast());
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    QTest::keyClick(window.get(), Qt::Key_1, Qt::ControlModifier);
+    ASSERT_EQ(window->pages().page(), Page::Rig);
+    const double before = window->lastSnapshot().latest.coordinates[kX];
+    find<QComboBox>("stepLength")->setCurrentIndex(2);
+    click("stepUp.x");
+    EXPECT_TRUE(waitFor(
+        [&] { return std::abs(window->lastSnapshot().latest.coordinates[kX] - before - 0.01) < 2e-4; }));
+    find<QDoubleSpinBox>("goTo.x")->setValue(1e9); // the workspace's end
+    click("goToPose");
+    const double last = window->document().experiment().robot.upper[kX];
+    EXPECT_TRUE(
+        waitFor([&] { return std::abs(window->lastSnapshot().latest.coordinates[kX] - last) < 2e-4; }));
+
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    click("armButton");
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    EXPECT_FALSE(find<QAbstractButton>("stepUp.x")->isEnabled());
+    EXPECT_FALSE(find<QDoubleSpinBox>("upper.z")->isEnabled());
+    click("stopRunButton"); // disarms
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    EXPECT_TRUE(find<QAbstractButton>("stepUp.x")->isEnabled());
+
+    find<QTabWidget>("rigTabs")->setCurrentIndex(1);
+    find<QDoubleSpinBox>("upper.z")->setValue(260.0);
+    EXPECT_NEAR(window->document().experiment().robot.upper[kZ], 0.26, 1e-12);
+    window->pages().show(Page::Objects); // an edit there must not undo it
+    click("addDisk");
+    EXPECT_NEAR(window->document().experiment().robot.upper[kZ], 0.26, 1e-12);
+}
+
+// Catches: an object that takes its neighbour's sensor, or cannot be added or removed at all, on a real rig.
+TEST_F(MainWindowTest, ChannelsFollowTheObjects) {
+    openWindow();
+    Experiment experiment = window->document().experiment();
+    experiment.rig.emplace().thermometer.emplace().driver = ThermometerDriver::Stream;
+    experiment.rig->thermometer->port = "/dev/none";
+    experiment.rig->thermometer->channels = {4, 2, 0};
+    experiment.objects.back().target_K = experiment.objects.front().target_K;
+    window->document().open(experiment, {});
+    window->pages().objects()->selectObject(0);
+    window->pages().show(Page::Objects);
+    click("removeObject");
+    const auto& rig = window->document().experiment().rig;
+    ASSERT_TRUE(rig);
+    EXPECT_EQ(rig->thermometer->channels, (std::vector{2, 0}));
+    click("addDisk");
+    EXPECT_EQ(window->document().experiment().rig->thermometer->channels, (std::vector{2, 0, 1}));
+}
+
+// Catches: a real rig that is armed by one click, ages of its devices that nobody sees, a rig that is said to
+// be simulated.
+TEST_F(MainWindowTest, ALiveRigIsArmedAfterAQuestion) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(goFast());
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    const auto seeLive = [this] { // as a real rig would be told
+        Snapshot live = window->lastSnapshot();
+        live.simulated = false;
+        live.newSamples.clear();
+        for (const DeviceRole role : {DeviceRole::Robot, DeviceRole::HeatSource}) {
+            live.devices.emplace_back().role = role;
+            live.devices.back().status.link = LinkState::Live;
+            live.devices.back().age_s = 0.012;
+        }
+        live.devices.back().status.link = LinkState::Lost;
+        emit window->engine().snapshot(live);
+    };
+    const auto question = [this] { return window->findChild<QMessageBox*>(QStringLiteral("armQuestion")); };
+    seeLive();
+    EXPECT_EQ(find<QLabel>("sampleAge")->text(), QStringLiteral("robot 12 ms, heat source lost"));
+    EXPECT_EQ(find<QFrame>("rigTag")->accessibleName(), QStringLiteral("LIVE"));
+    window->actions().verb(Verb::Arm)->trigger();
+    ASSERT_TRUE(question());
+    EXPECT_FALSE(question()->isModal());         // STOP stays within reach
+    QTest::keyClick(question(), Qt::Key_Return); // the default answer
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_FALSE(question());
+    EXPECT_EQ(state(), RunState::Ready);
+    seeLive();
+    window->actions().verb(Verb::Arm)->trigger();
+    ASSERT_TRUE(question());
+    for (QAbstractButton* button : question()->buttons())
+        if (question()->buttonRole(button) == QMessageBox::AcceptRole)
+            QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(waitForState(RunState::Armed));
 }
 
 // Catches: a change lost by closing.

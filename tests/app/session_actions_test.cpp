@@ -74,5 +74,37 @@ TEST_F(SessionActionsTest, RecordingsNeverShareAName) {
     EXPECT_NE(files.nextRecordingPath(), first);
 }
 
+// Catches: a rig that cannot be taken from one experiment to another, and a bad rig file that is not told by
+// its name.
+TEST_F(SessionActionsTest, ARigGoesThroughItsFile) {
+    const QTemporaryDir folder;
+    Experiment experiment = Document::blank();
+    experiment.rig.emplace().name = "bench";
+    experiment.rig->source.emplace();
+    document.open(experiment, {});
+    std::vector<RigSpec> read;
+    QObject::connect(&files, &SessionActions::rigRead, [&](const RigSpec& rig) { read.push_back(rig); });
+    FileQuestion::Kind asked = FileQuestion::Kind::Folder;
+    files.setFileChooser([&](const FileQuestion& question) {
+        asked = question.kind;
+        return folder.filePath(QStringLiteral("bench")); // without the suffix, as people type it
+    });
+    files.saveRig();
+    EXPECT_EQ(asked, FileQuestion::Kind::SaveFile);
+    ASSERT_TRUE(QFile::exists(folder.filePath(QStringLiteral("bench.json"))));
+    files.setFileChooser([&](const FileQuestion&) { return folder.filePath(QStringLiteral("bench.json")); });
+    files.openRig();
+    ASSERT_EQ(read.size(), 1U);
+    EXPECT_EQ(read.back(), *experiment.rig);
+    EXPECT_TRUE(problems.isEmpty());
+
+    QFile file(folder.filePath(QStringLiteral("bench.json")));
+    ASSERT_TRUE(file.resize(file.size() / 2));
+    files.openRig();
+    EXPECT_EQ(read.size(), 1U);
+    ASSERT_EQ(problems.size(), 1);
+    EXPECT_TRUE(problems[0].contains(QStringLiteral("bench.json"))) << problems[0].toStdString();
+}
+
 } // namespace
 } // namespace bask::test

@@ -46,7 +46,7 @@ void WindowTest::closeWindow() {
 }
 
 void WindowTest::goFast() {
-    QTest::keyClick(window.get(), Qt::Key_4, Qt::ControlModifier);
+    QTest::keyClick(window.get(), Qt::Key_5, Qt::ControlModifier);
     auto* speed = find<QComboBox>("simulationSpeed");
     speed->setFocus();
     QTest::keyClick(speed, Qt::Key_End);
@@ -78,7 +78,7 @@ void WindowTest::keepPicture(const QString& name) {
 }
 
 void WindowTest::keepPictures(const QString& prefix) {
-    const std::array names{"objects", "calibrate", "targets", "run", "review"};
+    const std::array names{"rig", "objects", "calibrate", "targets", "run", "review"};
     for (std::size_t i = 0; i < names.size(); ++i) {
         window->pages().show(static_cast<Page>(i));
         keepPicture(prefix + u'-' + QLatin1String(names[i]));

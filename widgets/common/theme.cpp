@@ -45,12 +45,19 @@ public:
     void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                        const QWidget* widget) const override {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
-        if (element != PE_IndicatorCheckBox || !isDark(option->palette))
+        const bool isRadio = element == PE_IndicatorRadioButton;
+        if ((element != PE_IndicatorCheckBox && !isRadio) || !isDark(option->palette))
             return;
         painter->save();
         painter->setBrush(Qt::NoBrush);
         painter->setPen(secondaryText(true));
-        painter->drawRect(option->rect.adjusted(0, 0, -1, -1));
+        const QRect frame = option->rect.adjusted(0, 0, -1, -1);
+        if (isRadio) {
+            painter->setRenderHint(QPainter::Antialiasing);
+            painter->drawEllipse(frame);
+        } else {
+            painter->drawRect(frame);
+        }
         painter->restore();
     }
 };

@@ -1,0 +1,210 @@
+// A device set up as a person would: driver, port, its settings, a test read.
+
+#include "widgets/rig/device_dialog.h"
+
+#include "engine/base/message_code.h"
+#include "tests/widgets/rig/rig_bench.h"
+#include "widgets/common/message_bar.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFile>
+#include <QLabel>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace bask {
+namespace {
+
+struct DeviceDialogTest : testing::Test {
+    std::unique_ptr<DeviceDialog> dialog;
+    std::vector<RigSpec> tried, used;
+
+    void open(DeviceRole role, const RigSpec& rig = {}) {
+        dialog = std::make_unique<DeviceDialog>(role, rig, std::vector<std::string>{"left", "right"});
+        QObject::connect(dialog.get(), &DeviceDialog::tryWanted, dialog.get(),
+                         [this](const RigSpec& device) { tried.push_back(device); });
+        QObject::connect(dialog.get(), &DeviceDialog::useWanted, dialog.get(),
+                         [this](const RigSpec& device) { used.push_back(device); });
+        dialog->show();
+    }
+    template <class T> T* child(const char* name) {
+        T* found = dialog->findChild<T*>(QLatin1String(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    void click(const char* name) { QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton); }
+    void choose(const char* name, int index) {
+        auto* box = child<QComboBox>(name);
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Home);
+        for (int i = 0; i < index; ++i)
+            QTest::keyClick(box, Qt::Key_Down);
+        ASSERT_EQ(box->currentIndex(), index);
+        emit box->activated(index);
+    }
+    void typePort(const QString& path) { child<QComboBox>("port")->setEditText(path); }
+};
+
+} // namespace
+
+// Catches a device that changes by being looked at: every field must come back as it went in.
+TEST_F(DeviceDialogTest, WhatIsSetUpComesBackUnchanged) {
+    RigSpec rig = test::realRig();
+    rig.robot->mustHome = true;
+    rig.robot->serial = {250000, 8, 'O', 2};
+    rig.robot->axes = {{'X', kY, true, 0.123456789}, {'Y', kX, false, -0.05}, {'A', kThetaZ, true, 0.3}};
+    rig.thermometer->driver = ThermometerDriver::Modbus;
+    rig.thermometer->unit = 17;
+    rig.thermometer->profile = shippedProfiles().front();
+    rig.thermometer->channels = {1, 0};
+    rig.source->isProbeUsed = true;
+    rig.source->watchdog_s = 45.0;
+    rig.camera = "/dev/video3";
+    for (const DeviceRole role : kDeviceRoles) {
+        open(role, rig);
+        EXPECT_EQ(dialog->device(), withDevice({}, role, rig)) << roleName(role);
+    }
+}
+
+// Catches line settings that are not what a driver's devices leave the factory with.
+TEST_F(DeviceDialogTest, ADriverBringsItsUsualLine) {
+    open(DeviceRole::HeatSource);
+    EXPECT_FALSE(child<QComboBox>("port")->isVisible()); // by hand
+    choose("driver", 1);
+    EXPECT_EQ(dialog->device().source->driver, HeatSourceDriver::Namur);
+    EXPECT_EQ(dialog->device().source->serial, (LineSettings{9600, 7, 'E', 1}));
+    EXPECT_TRUE(child<QCheckBox>("probe")->isVisible());
+    EXPECT_FALSE(child<QSpinBox>("unit")->isVisible());
+    choose("driver", 2);
+    EXPECT_EQ(dialog->device().source->serial, (LineSettings{19200, 8, 'E', 1}));
+    EXPECT_TRUE(child<QSpinBox>("unit")->isVisible());
+    open(DeviceRole::Robot);
+    EXPECT_EQ(dialog->device().robot->serial, (LineSettings{115200, 8, 'N', 1}));
+    choose("driver", 1); // a Dobot has R for A, and no line
+    EXPECT_EQ(dialog->device().robot->axes.back().letter, 'R');
+    EXPECT_EQ(dialog->device().robot->axes.back().coordinate, kThetaZ);
+    EXPECT_FALSE(child<QComboBox>("baud")->isVisible());
+}
+
+// Catches profiles of thermometers offered as controllers, and a controller that cannot be set up at all.
+TEST_F(DeviceDialogTest, ProfilesAreThoseOfTheRole) {
+    open(DeviceRole::Thermometer);
+    const int thermometers = child<QComboBox>("profile")->count();
+    for (int i = 0; i < thermometers; ++i) {
+        child<QComboBox>("profile")->setCurrentIndex(i);
+        EXPECT_TRUE(dialog->device().thermometer->profile.channel) << i;
+    }
+    open(DeviceRole::HeatSource);
+    choose("driver", 2);
+    const int controllers = child<QComboBox>("profile")->count();
+    for (int i = 0; i < controllers; ++i) {
+        child<QComboBox>("profile")->setCurrentIndex(i);
+        EXPECT_TRUE(dialog->device().source->profile.setPoint) << i;
+        EXPECT_EQ(child<QDoubleSpinBox>("watchdog")->isVisible(),
+                  dialog->device().source->profile.watchdog.has_value());
+    }
+    EXPECT_GT(thermometers, 0);
+    EXPECT_GT(controllers, 0);
+}
+
+// Catches a profile file that is taken though it is damaged, or refused without a word.
+TEST_F(DeviceDialogTest, AProfileComesFromAFile) {
+    QTemporaryDir folder;
+    const QString good = folder.filePath("good.json"), bad = folder.filePath("bad.json");
+    ModbusProfile profile;
+    for (const ModbusProfile& shipped : shippedProfiles())
+        if (shipped.channel)
+            profile = shipped;
+    profile.name = "of-our-lab";
+    profile.title = "Of our lab";
+    QFile file(good);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write(QByteArray::fromStdString(modbusProfileToJson(profile)));
+    file.close();
+    QFile(good).copy(bad);
+    QFile broken(bad);
+    ASSERT_TRUE(broken.resize(broken.size() / 2));
+
+    open(DeviceRole::Thermometer);
+    dialog->useProfileFile(bad);
+    EXPECT_TRUE(child<MessageBar>("deviceMessage")->sentence().contains("bad.json"));
+    EXPECT_NE(dialog->device().thermometer->profile, profile);
+    dialog->useProfileFile(folder.filePath("none.json"));
+    EXPECT_TRUE(child<MessageBar>("deviceMessage")->sentence().contains("none.json"));
+    dialog->useProfileFile(good);
+    EXPECT_EQ(child<MessageBar>("deviceMessage")->sentence(), "");
+    EXPECT_EQ(dialog->device().thermometer->profile, profile);
+    EXPECT_EQ(child<QComboBox>("profile")->currentText(), "Of our lab");
+}
+
+// Catches a list of ports that overwrites a path that was typed, or that cannot be typed into.
+TEST_F(DeviceDialogTest, PortsAreListedAndTyped) {
+    open(DeviceRole::Robot);
+    dialog->setPorts({{"/dev/serial/by-id/usb-one", "FTDI (ttyUSB0)"}, {"/dev/ttyS0", "8250"}});
+    EXPECT_EQ(dialog->device().robot->port, "/dev/serial/by-id/usb-one");
+    EXPECT_EQ(child<QLabel>("portDescription")->text(), "FTDI (ttyUSB0)");
+    typePort(" /tmp/pty-robot ");
+    EXPECT_EQ(dialog->device().robot->port, "/tmp/pty-robot");
+    EXPECT_FALSE(child<QLabel>("portDescription")->isVisible());
+    dialog->setPorts({{"/dev/ttyS0", "8250"}});
+    EXPECT_EQ(dialog->device().robot->port, "/tmp/pty-robot");
+}
+
+// Catches a test read that asks another device than the one set up, or does not show what came.
+TEST_F(DeviceDialogTest, ATestReadShowsWhatTheDeviceSays) {
+    open(DeviceRole::Thermometer);
+    choose("driver", 1);
+    typePort("/dev/ttyTEMP");
+    click("tryDevice");
+    ASSERT_EQ(tried.size(), 1U);
+    EXPECT_EQ(tried.back(), dialog->device());
+    EXPECT_FALSE(tried.back().robot || tried.back().source);
+
+    TriedDevice answer;
+    answer.state.status.link = LinkState::Live;
+    answer.state.status.identity = "MAX31865";
+    answer.temperatures_K = {296.55, std::numeric_limits<double>::quiet_NaN()};
+    dialog->setTried(answer);
+    const auto text = [this] { return child<QLabel>("tryResult")->text(); };
+    EXPECT_TRUE(text().contains("Live: MAX31865")) << text().toStdString();
+    EXPECT_TRUE(text().contains(QStringLiteral("0: 23.4\u00a0\u00b0C, 1: \u2014"))) << text().toStdString();
+
+    answer.state.status = {};
+    answer.state.status.link = LinkState::Lost;
+    answer.state.status.problem = {MessageCode::DeviceSilent, {"/dev/ttyTEMP", "2"}};
+    dialog->setTried(answer);
+    EXPECT_TRUE(text().contains("has not answered for 2 s")) << text().toStdString();
+
+    open(DeviceRole::Robot);
+    click("tryDevice");
+    answer = {};
+    answer.coordinates = Vector6d::Zero();
+    (*answer.coordinates)[kZ] = 0.1234;
+    dialog->setTried(answer);
+    EXPECT_TRUE(text().contains(QStringLiteral("z 123.40\u00a0mm"))) << text().toStdString();
+}
+
+// Catches an object that has no channel to choose, and channels beyond the module's last.
+TEST_F(DeviceDialogTest, EachObjectHasItsChannel) {
+    open(DeviceRole::Thermometer);
+    choose("driver", 1);
+    child<QSpinBox>("channel.0")->setValue(5);
+    child<QSpinBox>("channel.1")->setValue(2);
+    typePort("/dev/ttyTEMP");
+    click("useDevice");
+    ASSERT_EQ(used.size(), 1U);
+    EXPECT_EQ(used.back().thermometer->channels, (std::vector{5, 2}));
+    choose("driver", 0);
+    const int last = dialog->device().thermometer->profile.channels - 1;
+    EXPECT_EQ(child<QSpinBox>("channel.0")->maximum(), last);
+}
+
+} // namespace bask

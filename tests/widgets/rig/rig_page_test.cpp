@@ -1,0 +1,345 @@
+// The Rig page as a person uses it: which rig, its devices, the checklist, the heat, the limits.
+
+#include "widgets/rig/rig_page.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "tests/support/longer_translator.h"
+#include "tests/widgets/rig/rig_bench.h"
+#include "widgets/common/message_bar.h"
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/rig/device_dialog.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QRadioButton>
+#include <QScrollArea>
+#include <QTabWidget>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+/// A document that takes what validates, and an engine that says what it is told to.
+struct RigPageTest : testing::Test {
+    Experiment experiment = test::twoDisks();
+    RigPage page;
+    std::vector<Command> sent;
+    int edits = 0;
+    QString refusal; ///< of every edit; empty: taken
+
+    RigPageTest() {
+        QObject::connect(&page, &RigPage::commandIssued, &page,
+                         [this](const Command& command) { sent.push_back(command); });
+        QObject::connect(&page, &RigPage::experimentEdited, &page, [this](const Experiment& changed) {
+            ++edits;
+            const auto valid = validate(changed);
+            if (!refusal.isEmpty() || !valid)
+                return page.showError(refusal.isEmpty() ? QString::fromStdString(describe(valid.error()))
+                                                        : refusal);
+            experiment = changed;
+            page.setExperiment(experiment);
+            apply();
+        });
+        page.resize(1010, 480);
+        page.setExperiment(experiment);
+        page.show();
+        page.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&page));
+        apply();
+    }
+    void apply() { page.apply(test::quietSnapshot(experiment), true); }
+    void useReal() {
+        experiment.rig = test::realRig();
+        page.setExperiment(experiment);
+        apply();
+    }
+    template <class T> T* child(const char* name) {
+        T* found = page.findChild<T*>(QLatin1String(name));
+        EXPECT_NE(found, nullptr) << name;
+        return found;
+    }
+    QString text(const char* name) { return child<QLabel>(name)->text(); }
+    void click(const char* name) { QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton); }
+    template <class T> const T* last() { return sent.empty() ? nullptr : std::get_if<T>(&sent.back()); }
+    DeviceDialog* dialog() {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        return page.findChild<DeviceDialog*>("deviceDialog");
+    }
+};
+
+} // namespace
+
+// Catches a real rig whose set-up is gone after one click on the simulated one.
+TEST_F(RigPageTest, TheRealRigIsKeptWhileTheSimulatedOneIsUsed) {
+    useReal();
+    EXPECT_TRUE(child<QRadioButton>("useReal")->isChecked());
+    click("useSimulated");
+    EXPECT_FALSE(experiment.rig);
+    EXPECT_EQ(text("state.robot"), "Simulated");
+    EXPECT_FALSE(child<QPushButton>("setUp.robot")->isVisible());
+    EXPECT_FALSE(child<QPushButton>("saveRig")->isEnabled());
+    click("useReal");
+    EXPECT_EQ(experiment.rig, test::realRig());
+    EXPECT_EQ(edits, 2);
+    click("useReal"); // it is in use: nothing to do
+    EXPECT_EQ(edits, 2);
+}
+
+// Catches a choice that shows what was asked for instead of what is in use.
+TEST_F(RigPageTest, ARefusedChoiceIsTakenBackInWords) {
+    refusal = "a run is on";
+    click("useReal");
+    EXPECT_TRUE(child<QRadioButton>("useSimulated")->isChecked());
+    EXPECT_EQ(child<MessageBar>("rigMessage")->sentence(), refusal);
+    refusal.clear();
+    click("useReal");
+    EXPECT_TRUE(experiment.rig);
+    EXPECT_EQ(child<MessageBar>("rigMessage")->sentence(), "");
+}
+
+// Catches a rig of three sensors that cannot be used for two objects, or whose channels change unsaid.
+TEST_F(RigPageTest, ARigOfOtherObjectsIsMadeToFitAndSaid) {
+    RigSpec rig = test::realRig();
+    rig.thermometer->channels = {3, 1, 2};
+    page.useRig(rig);
+    ASSERT_TRUE(experiment.rig);
+    EXPECT_EQ(experiment.rig->thermometer->channels, (std::vector{3, 1}));
+    EXPECT_TRUE(child<MessageBar>("rigMessage")->sentence().contains("3 objects"));
+}
+
+// Catches a state, an age or a problem that the page keeps to itself, and a state told by colour alone.
+TEST_F(RigPageTest, TheCardsTellHowTheDevicesAre) {
+    useReal();
+    EXPECT_EQ(text("driver.robot"), QStringLiteral("Grbl or grblHAL (G-code) \u00b7 /dev/ttyROBOT"));
+    EXPECT_EQ(text("state.robot"), "Live");
+    EXPECT_EQ(text("age.robot"), "12 ms ago, 10.0 Hz");
+    EXPECT_EQ(text("state.camera"), "None");
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.devices[0].status.link = LinkState::Lost;
+    snapshot.devices[0].status.problem = {MessageCode::LinkLost, {"/dev/ttyROBOT", "unplugged"}};
+    snapshot.devices[1].status.link = LinkState::Opening;
+    snapshot.devices[1].age_s = 1e300;
+    page.apply(snapshot, true);
+    EXPECT_EQ(text("state.robot"), "Lost");
+    EXPECT_TRUE(text("problem.robot").contains("unplugged")) << text("problem.robot").toStdString();
+    EXPECT_TRUE(child<QLabel>("problem.robot")->isVisible());
+    EXPECT_EQ(text("state.thermometer"), "Opening");
+    EXPECT_EQ(text("age.thermometer"), "");
+    apply();
+    EXPECT_FALSE(child<QLabel>("problem.robot")->isVisible());
+}
+
+// Catches a device that is set up in the dialog and not in the experiment, or the other way round.
+TEST_F(RigPageTest, ADeviceIsSetUpTriedAndUsed) {
+    page.useRig(RigSpec());
+    click("setUp.robot");
+    ASSERT_TRUE(dialog());
+    EXPECT_TRUE(last<ListPorts>());
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.ports.emplace().push_back({"/dev/ttyUSB7", "FTDI"});
+    page.apply(snapshot, true);
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("tryDevice"), Qt::LeftButton);
+    ASSERT_TRUE(last<TryDevice>());
+    EXPECT_EQ(last<TryDevice>()->rig.robot->port, "/dev/ttyUSB7");
+    EXPECT_FALSE(experiment.rig->robot); // only tried
+    snapshot.ports.reset();
+    snapshot.tried.emplace().state.status.identity = "Grbl 1.1h";
+    page.apply(snapshot, true);
+    EXPECT_TRUE(dialog()->findChild<QLabel*>("tryResult")->text().contains("Grbl 1.1h"));
+
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("useDevice"), Qt::LeftButton);
+    ASSERT_TRUE(last<TryDevice>()); // its port is let go for the rig
+    EXPECT_EQ(last<TryDevice>()->rig, RigSpec());
+    ASSERT_TRUE(experiment.rig->robot);
+    EXPECT_EQ(experiment.rig->robot->port, "/dev/ttyUSB7");
+    EXPECT_FALSE(dialog());
+    click("remove.robot");
+    EXPECT_FALSE(experiment.rig->robot);
+}
+
+// Catches a dialog that closes on a refusal, hides it, or keeps a port open after Cancel.
+TEST_F(RigPageTest, ARefusedDeviceStaysInItsDialog) {
+    page.useRig(test::realRig());
+    click("setUp.thermometer");
+    dialog()->findChild<QComboBox*>("port")->setEditText("/dev/ttyROBOT"); // the robot's
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("useDevice"), Qt::LeftButton);
+    ASSERT_TRUE(dialog());
+    EXPECT_TRUE(dialog()->findChild<MessageBar*>("deviceMessage")->sentence().contains("two devices are on"));
+    EXPECT_EQ(child<MessageBar>("rigMessage")->sentence(), "");
+    EXPECT_EQ(experiment.rig, test::realRig());
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("tryDevice"), Qt::LeftButton);
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("cancelDevice"), Qt::LeftButton);
+    ASSERT_TRUE(last<TryDevice>());
+    EXPECT_EQ(last<TryDevice>()->rig, RigSpec());
+    EXPECT_FALSE(dialog());
+    const std::size_t count = sent.size();
+    click("setUp.robot"); // looked at only: nothing to end
+    QTest::mouseClick(dialog()->findChild<QPushButton*>("cancelDevice"), Qt::LeftButton);
+    EXPECT_EQ(sent.size(), count + 1); // ListPorts
+}
+
+// Catches devices, limits or motion that can be changed during a run.
+TEST_F(RigPageTest, ARunLocksThePage) {
+    useReal();
+    click("setUp.robot");
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.state = RunState::Armed;
+    page.apply(snapshot, false);
+    EXPECT_FALSE(dialog());
+    for (const char* name : {"useSimulated", "useReal", "openRig", "setUp.robot", "remove.robot", "stepUp.x",
+                             "goToPose", "heatOn"})
+        EXPECT_FALSE(child<QAbstractButton>(name)->isEnabled()) << name;
+    EXPECT_FALSE(child<QDoubleSpinBox>("upper.z")->isEnabled());
+    EXPECT_TRUE(child<QLabel>("manualReason")->isVisible());
+    snapshot.state = RunState::Fault; // may be set up, not moved
+    page.apply(snapshot, true);
+    EXPECT_TRUE(child<QPushButton>("setUp.robot")->isEnabled());
+    EXPECT_FALSE(child<QAbstractButton>("stepUp.x")->isEnabled());
+    EXPECT_TRUE(text("manualReason").contains("Reset"));
+    apply();
+    EXPECT_TRUE(child<QAbstractButton>("stepUp.x")->isEnabled());
+    EXPECT_FALSE(child<QLabel>("manualReason")->isVisible());
+}
+
+// Catches a real source that heats by one slip of the mouse, and a question where nothing can happen.
+TEST_F(RigPageTest, HeatOnTheRealRigAsksOnTheWayUpOnly) {
+    child<QuantitySpinBox>("heatSetPoint")->setValue_K(350.0);
+    click("heatOn"); // simulated
+    ASSERT_TRUE(last<SetHeat>());
+    EXPECT_NEAR(*last<SetHeat>()->setPoint_K, 350.0, 1e-9);
+
+    useReal();
+    sent.clear();
+    click("heatOn");
+    auto* question = child<QMessageBox>("heatQuestion");
+    EXPECT_FALSE(question->isModal()); // STOP stays within reach
+    EXPECT_TRUE(sent.empty());
+    QTest::keyClick(question, Qt::Key_Return); // the default answer
+    EXPECT_TRUE(sent.empty());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    click("heatOn");
+    for (QAbstractButton* button : child<QMessageBox>("heatQuestion")->buttons())
+        if (child<QMessageBox>("heatQuestion")->buttonRole(button) == QMessageBox::AcceptRole)
+            QTest::mouseClick(button, Qt::LeftButton);
+    ASSERT_TRUE(last<SetHeat>());
+    EXPECT_NEAR(*last<SetHeat>()->setPoint_K, 350.0, 1e-9);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.heatSetPoint_K = 350.0;
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("heatState").contains(QStringLiteral("Heating towards 76.9\u00a0\u00b0C")));
+    child<QuantitySpinBox>("heatSetPoint")->setValue_K(340.0); // less
+    click("heatOn");
+    EXPECT_NEAR(*last<SetHeat>()->setPoint_K, 340.0, 1e-9);
+    click("heatOff");
+    ASSERT_TRUE(last<SetHeat>());
+    EXPECT_FALSE(last<SetHeat>()->setPoint_K);
+}
+
+// Catches a source kept hot by a person that is offered switches, or no place to type.
+TEST_F(RigPageTest, ATypedTemperatureReachesTheEngine) {
+    useReal();
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.isSourceByHand = true;
+    page.apply(snapshot, true);
+    EXPECT_FALSE(child<QPushButton>("heatOn")->isVisible());
+    auto* field = child<QuantitySpinBox>("typedSource");
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, "180");
+    QTest::keyClick(field, Qt::Key_Return);
+    click("takeTyped");
+    ASSERT_TRUE(last<TypeSourceTemperature>());
+    EXPECT_NEAR(last<TypeSourceTemperature>()->temperature_K, kelvinFromCelsius(180.0), 1e-9);
+}
+
+// Catches a limit that is read in the wrong unit, rounds its neighbours, or stays shown though refused.
+TEST_F(RigPageTest, LimitsAreTheExperiments) {
+    child<QTabWidget>("rigTabs")->setCurrentIndex(1);
+    const RobotLimits before = experiment.robot;
+    child<QDoubleSpinBox>("upper.z")->setValue(250.0);
+    EXPECT_NEAR(experiment.robot.upper[kZ], 0.25, 1e-12);
+    child<QDoubleSpinBox>("maxRotation")->setValue(9.0);
+    EXPECT_NEAR(experiment.robot.maxRotation_rad_s, radFromDeg(9.0), 1e-12);
+    child<QDoubleSpinBox>("clearance")->setValue(12.0);
+    EXPECT_NEAR(experiment.robot.clearance_m, 0.012, 1e-12);
+    EXPECT_EQ(experiment.robot.lower, before.lower); // to the last digit
+    EXPECT_EQ(edits, 3);
+    child<QDoubleSpinBox>("upper.z")->setValue(-900.0); // under the lower one
+    EXPECT_NE(child<MessageBar>("rigMessage")->sentence(), "");
+    EXPECT_NEAR(child<QDoubleSpinBox>("upper.z")->value(), 250.0, 1e-9);
+    child<QDoubleSpinBox>("sourceEmittance")->setValue(0.5);
+    EXPECT_NEAR(experiment.source.emittance, 0.5, 1e-12);
+    EXPECT_FALSE(child<QDoubleSpinBox>("upper.theta_z")->isVisible()); // not free
+}
+
+// Catches a tick where something is wrong, and reasons of the engine that are not shown.
+TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
+    const auto state = [this](const char* name) { return child<QLabel>(name)->accessibleDescription(); };
+    EXPECT_EQ(state("check.devices"), "done"); // simulated
+    EXPECT_EQ(state("check.sensors"), "done");
+    EXPECT_EQ(state("check.source"), "not yet"); // 26.9 of 200 degC
+    useReal();
+    EXPECT_EQ(state("check.devices"), "done");
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.devices[2].status.link = LinkState::Lost;
+    snapshot.isPlaceSure = false;
+    snapshot.latest.objects[1].valid = false;
+    snapshot.heatSetPoint_K = 304.0;
+    snapshot.reasons = {{MessageCode::RobotPlaceUnsure, {}}, {MessageCode::ReasonRecorderFailed, {"full"}}};
+    page.apply(snapshot, true);
+    EXPECT_EQ(state("check.devices"), "wrong");
+    EXPECT_TRUE(text("check.devices").contains("Heat source"));
+    EXPECT_EQ(state("check.place"), "wrong");
+    EXPECT_TRUE(text("check.sensors").contains("1 of 2"));
+    EXPECT_EQ(state("check.source"), "done"); // within 5 K
+    EXPECT_EQ(state("check.recording"), "wrong");
+    EXPECT_TRUE(text("reason.0").contains("place"));
+    EXPECT_TRUE(text("reason.1").contains("full"));
+    snapshot.sampleAge_s = 3.1 * experiment.sampling.period_s;
+    snapshot.reasons.clear();
+    page.apply(snapshot, true);
+    EXPECT_EQ(state("check.sensors"), "wrong");
+    EXPECT_FALSE(child<QLabel>("reason.0")->isVisible());
+    experiment.rig->source.reset();
+    page.setExperiment(experiment);
+    EXPECT_TRUE(text("check.devices").contains("none set up"));
+}
+
+// Catches a rig that cannot be given its name.
+TEST_F(RigPageTest, ARigHasAName) {
+    useReal();
+    auto* name = child<QLineEdit>("rigName");
+    EXPECT_EQ(name->text(), "bench 2");
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, "bench 3");
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_EQ(experiment.rig->name, "bench 3");
+    EXPECT_EQ(edits, 1);
+}
+
+// Catches a layout that longer words push out of a small window.
+TEST_F(RigPageTest, LongerWordsStillFit) {
+    useReal();
+    LongerTranslator longer;
+    QCoreApplication::installTranslator(&longer);
+    QApplication::processEvents();
+    for (QScrollArea* scroll : page.findChildren<QScrollArea*>()) {
+        EXPECT_LE(scroll->widget()->minimumSizeHint().width(),
+                  scroll->isVisible() ? scroll->viewport()->width() : 420);
+    }
+    EXPECT_LE(page.minimumSizeHint().width(), 1010);
+    QCoreApplication::removeTranslator(&longer);
+}
+
+} // namespace bask

@@ -1,0 +1,61 @@
+#pragma once
+// What must be so before a run, ticked or crossed, and the engine's reasons in full.
+
+#include "engine/base/units.h"
+#include "engine/runtime/snapshot.h"
+#include "engine/session/experiment.h"
+
+#include <QWidget>
+
+#include <vector>
+
+class QGridLayout;
+class QLabel;
+
+namespace bask {
+
+/// Object names: "check.devices", "check.place", "check.sensors", "check.source", "check.recording" and
+/// "reason.0" ...; each label's accessible description says what its mark does.
+class CheckList : public QWidget {
+    Q_OBJECT
+
+public:
+    /// The source counts as warm within this of its set point, K.
+    static constexpr double kWarm_K = 5.0;
+
+    explicit CheckList(QWidget* parent = nullptr);
+
+    void setExperiment(const Experiment& experiment);
+    void apply(const Snapshot& snapshot);
+    void setTemperatureUnit(TemperatureUnit unit);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    enum class Kind { Done, Wrong, Waiting, Reason };
+    struct Line {
+        QLabel *mark, *text;
+        int shown = -1; ///< kind of the mark that is drawn
+    };
+    Line addLine(const QString& name);
+    void put(Line& line, Kind kind, const QString& text);
+    void refresh();
+    void showDevices();
+    void showPlace();
+    void showSensors();
+    void showSource();
+    void showRecording();
+
+    Snapshot m_last;
+    double m_period_s = 1.0;
+    double m_setPoint_K = 0.0;
+    std::optional<RigSpec> m_rig;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    QLabel* m_title;
+    QGridLayout* m_grid;
+    Line m_devices, m_place, m_sensors, m_source, m_recording;
+    std::vector<Line> m_reasons;
+};
+
+} // namespace bask

@@ -1,0 +1,38 @@
+#include "widgets/rig/coordinate_words.h"
+
+#include "engine/base/units.h"
+#include "widgets/common/display.h"
+
+#include <array>
+
+namespace bask {
+namespace {
+
+constexpr double kMmPerM = 1000.0;
+
+} // namespace
+
+QString coordinateWord(int coordinate) {
+    static const std::array<QString, 6> words{QStringLiteral("x"),       QStringLiteral("y"),
+                                              QStringLiteral("z"),       QStringLiteral("\u03b8x"),
+                                              QStringLiteral("\u03b8y"), QStringLiteral("\u03b8z")};
+    return words[static_cast<std::size_t>(coordinate)];
+}
+
+QString coordinateSymbol(int coordinate) {
+    return coordinate < kThetaX ? QStringLiteral("\u00a0mm") : QStringLiteral("\u00b0");
+}
+
+double shownCoordinate(int coordinate, double si) {
+    return coordinate < kThetaX ? kMmPerM * si : degFromRad(si);
+}
+
+double coordinateFromShown(int coordinate, double shown) {
+    return coordinate < kThetaX ? shown / kMmPerM : radFromDeg(shown);
+}
+
+QString coordinateReadout(int coordinate, double si) {
+    return formatSigned(shownCoordinate(coordinate, si), 2).remove(u'+') + coordinateSymbol(coordinate);
+}
+
+} // namespace bask

@@ -1,0 +1,477 @@
+#include "widgets/rig/device_dialog.h"
+
+#include "engine/base/message_code.h"
+#include "widgets/common/display.h"
+#include "widgets/common/message_bar.h"
+#include "widgets/rig/axis_table.h"
+#include "widgets/rig/coordinate_words.h"
+#include "widgets/rig/serial_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFile>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr int kMostChannel = 63; ///< of a stream
+constexpr qint64 kMostProfile = 1 << 20;
+
+std::vector<AxisSpec> usualAxes(RobotDriver driver) {
+    if (driver == RobotDriver::Grbl)
+        return RobotDeviceSpec().axes;
+    return {{'X', kX, false, 0.0}, {'Y', kY, false, 0.0}, {'Z', kZ, false, 0.0}, {'R', kThetaZ, false, 0.0}};
+}
+
+QString driverName(DeviceRole role, int driver) {
+    switch (role) {
+    case DeviceRole::Robot:
+        return driverWord(static_cast<RobotDriver>(driver));
+    case DeviceRole::Thermometer:
+        return driverWord(static_cast<ThermometerDriver>(driver));
+    default:
+        return driverWord(static_cast<HeatSourceDriver>(driver));
+    }
+}
+
+} // namespace
+
+DeviceDialog::DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vector<std::string>& objects,
+                           QWidget* parent)
+    : QDialog(parent), m_role(role), m_objects(objects), m_driver(new QComboBox(this)),
+      m_port(new QComboBox(this)), m_profile(new QComboBox(this)), m_driverLabel(new QLabel(this)),
+      m_portLabel(new QLabel(this)), m_portDescription(new QLabel(this)), m_lineLabel(new QLabel(this)),
+      m_axesLabel(new QLabel(this)), m_profileLabel(new QLabel(this)), m_unitLabel(new QLabel(this)),
+      m_channelsLabel(new QLabel(this)), m_watchdogLabel(new QLabel(this)), m_result(new QLabel(this)),
+      m_refresh(new QPushButton(this)), m_profileFile(new QPushButton(this)), m_try(new QPushButton(this)),
+      m_use(new QPushButton(this)), m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)),
+      m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_line(new SerialForm(this)),
+      m_axes(new AxisTable(this)), m_mustHome(new QCheckBox(this)), m_probe(new QCheckBox(this)),
+      m_unitNumber(new QSpinBox(this)), m_watchdog(new QDoubleSpinBox(this)),
+      m_message(new MessageBar(this)) {
+    setObjectName("deviceDialog");
+    setModal(false);
+    build();
+    fill(rig);
+    retranslate();
+    showParts();
+}
+
+void DeviceDialog::build() {
+    m_driver->setObjectName("driver");
+    m_port->setObjectName("port");
+    m_port->setEditable(true);
+    m_port->setInsertPolicy(QComboBox::NoInsert);
+    m_port->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_port->setMinimumContentsLength(30);
+    m_portDescription->setObjectName("portDescription");
+    m_refresh->setObjectName("refreshPorts");
+    m_try->setObjectName("tryDevice");
+    m_result->setObjectName("tryResult");
+    m_result->setWordWrap(true);
+    m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_use->setObjectName("useDevice");
+    m_cancel->setObjectName("cancelDevice");
+    m_message->setObjectName("deviceMessage");
+    for (QPushButton* button : {m_refresh, m_profileFile, m_try, m_cancel})
+        button->setAutoDefault(false);
+
+    auto* port = new QGridLayout(m_portPart);
+    port->setContentsMargins(0, 0, 0, 0);
+    port->setColumnStretch(0, 1);
+    port->addWidget(m_port, 0, 0);
+    port->addWidget(m_refresh, 0, 1);
+    port->addWidget(m_portDescription, 1, 0, 1, 2);
+    m_form = new QFormLayout;
+    m_form->addRow(m_driverLabel, m_driver);
+    m_form->addRow(m_portLabel, m_portPart);
+    m_form->addRow(m_lineLabel, m_line);
+    buildDriverParts(m_form);
+
+    auto* trial = new QHBoxLayout;
+    trial->addWidget(m_try, 0, Qt::AlignTop);
+    trial->addWidget(m_result, 1);
+    auto* buttons = new QHBoxLayout;
+    buttons->addStretch(1);
+    buttons->addWidget(m_cancel);
+    buttons->addWidget(m_use);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(m_message);
+    layout->addLayout(m_form);
+    layout->addLayout(trial);
+    layout->addStretch(1);
+    layout->addLayout(buttons);
+    setMinimumWidth(520);
+
+    connect(m_driver, &QComboBox::activated, this, &DeviceDialog::takeDriver);
+    connect(m_profile, &QComboBox::currentIndexChanged, this, &DeviceDialog::showParts);
+    connect(m_profileFile, &QPushButton::clicked, this, &DeviceDialog::chooseProfileFile);
+    connect(m_port, &QComboBox::editTextChanged, this, &DeviceDialog::showPort);
+    connect(m_refresh, &QPushButton::clicked, this, &DeviceDialog::portsWanted);
+    connect(m_try, &QPushButton::clicked, this, &DeviceDialog::tryDevice);
+    connect(m_use, &QPushButton::clicked, this, [this] {
+        m_message->clear();
+        emit useWanted(device());
+    });
+    connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
+}
+
+void DeviceDialog::buildDriverParts(QFormLayout* form) {
+    m_mustHome->setObjectName("mustHome");
+    m_profile->setObjectName("profile");
+    m_profileFile->setObjectName("profileFile");
+    m_unitNumber->setObjectName("unit");
+    m_unitNumber->setRange(1, 247);
+    m_watchdog->setObjectName("watchdog");
+    m_watchdog->setRange(20.0, 1500.0);
+    m_watchdog->setDecimals(0);
+    m_probe->setObjectName("probe");
+
+    auto* profile = new QHBoxLayout(m_profilePart);
+    profile->setContentsMargins(0, 0, 0, 0);
+    profile->addWidget(m_profile, 1);
+    profile->addWidget(m_profileFile);
+    auto* channels = new QGridLayout(m_channelsPart);
+    channels->setContentsMargins(0, 0, 0, 0);
+    channels->setColumnStretch(2, 1);
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        auto* field = new QSpinBox(m_channelsPart);
+        field->setObjectName(QStringLiteral("channel.%1").arg(i));
+        field->setRange(0, kMostChannel);
+        field->setAccessibleName(QString::fromStdString(m_objects[i]));
+        channels->addWidget(new QLabel(QString::fromStdString(m_objects[i]), m_channelsPart),
+                            static_cast<int>(i), 0);
+        channels->addWidget(field, static_cast<int>(i), 1);
+        m_channels.push_back(field);
+    }
+    form->addRow(m_axesLabel, m_axes);
+    form->addRow(QString(), m_mustHome);
+    form->addRow(m_profileLabel, m_profilePart);
+    form->addRow(m_unitLabel, m_unitNumber);
+    form->addRow(m_channelsLabel, m_channelsPart);
+    form->addRow(m_watchdogLabel, m_watchdog);
+    form->addRow(QString(), m_probe);
+}
+
+void DeviceDialog::fill(const RigSpec& rig) {
+    const auto addDrivers = [this](auto... drivers) {
+        (m_driver->addItem(QString(), static_cast<int>(drivers)), ...);
+    };
+    const auto choose = [this](int driver) { m_driver->setCurrentIndex(m_driver->findData(driver)); };
+    if (m_role == DeviceRole::Robot) {
+        addDrivers(RobotDriver::Grbl, RobotDriver::Dobot);
+        const RobotDeviceSpec robot = rig.robot.value_or(RobotDeviceSpec());
+        choose(static_cast<int>(robot.driver));
+        m_line->setLine(rig.robot ? robot.serial : usual());
+        m_axes->setAxes(robot.axes);
+        m_mustHome->setChecked(robot.mustHome);
+    } else if (m_role == DeviceRole::Thermometer) {
+        addDrivers(ThermometerDriver::Modbus, ThermometerDriver::Stream);
+        const ThermometerDeviceSpec thermometer = rig.thermometer.value_or(ThermometerDeviceSpec());
+        choose(static_cast<int>(thermometer.driver));
+        m_line->setLine(rig.thermometer ? thermometer.serial : usual());
+        offerProfiles();
+        if (rig.thermometer && isModbus())
+            addProfile(thermometer.profile);
+        m_unitNumber->setValue(thermometer.unit);
+        const std::vector<int> channels = channelsFor(thermometer.channels, m_objects.size());
+        for (std::size_t i = 0; i < m_channels.size(); ++i)
+            m_channels[i]->setValue(channels[i]);
+    } else if (m_role == DeviceRole::HeatSource) {
+        addDrivers(HeatSourceDriver::ByHand, HeatSourceDriver::Namur, HeatSourceDriver::Modbus);
+        const HeatSourceDeviceSpec source = rig.source.value_or(HeatSourceDeviceSpec());
+        choose(static_cast<int>(source.driver));
+        m_line->setLine(rig.source && hasPort() ? source.serial : usual());
+        offerProfiles();
+        if (rig.source && isModbus())
+            addProfile(source.profile);
+        m_unitNumber->setValue(source.unit);
+        m_watchdog->setValue(source.watchdog_s);
+        m_probe->setChecked(source.isProbeUsed);
+    }
+    m_port->setEditText(portText(rig, m_role));
+}
+
+/// Those that fit the role.
+void DeviceDialog::offerProfiles() {
+    for (const ModbusProfile& profile : shippedProfiles()) {
+        const bool isThermometer = profile.channel.has_value();
+        const bool isController = profile.processValue && profile.setPoint;
+        if (m_role == DeviceRole::Thermometer ? isThermometer : isController)
+            addProfile(profile);
+    }
+    m_profile->setCurrentIndex(m_profiles.empty() ? -1 : 0);
+}
+
+/// Listed and chosen.
+void DeviceDialog::addProfile(const ModbusProfile& profile) {
+    const auto it = std::ranges::find(m_profiles, profile);
+    const auto index = static_cast<int>(it - m_profiles.begin());
+    if (it == m_profiles.end()) {
+        m_profiles.push_back(profile);
+        m_profile->addItem(QString::fromStdString(profile.title.empty() ? profile.name : profile.title));
+        m_profile->setItemData(index, QString::fromStdString(profile.source), Qt::ToolTipRole);
+    }
+    m_profile->setCurrentIndex(index);
+}
+
+void DeviceDialog::chooseProfileFile() {
+    const QString path =
+        QFileDialog::getOpenFileName(this, tr("Take a profile from a file"), {}, tr("Profiles (*.json)"));
+    if (!path.isEmpty())
+        useProfileFile(path);
+}
+
+void DeviceDialog::useProfileFile(const QString& path) {
+    QFile file(path);
+    const auto fail = [this, &path](const Message& message) {
+        showError(path + QStringLiteral(": ") + messageText(message));
+    };
+    if (!file.open(QIODevice::ReadOnly))
+        return fail({MessageCode::FileUnreadable, {file.errorString().toStdString()}});
+    if (file.size() > kMostProfile)
+        return fail({MessageCode::FileTooLarge, {std::to_string(file.size() >> 20) + " MiB", "1 MiB"}});
+    const auto profile = modbusProfileFromJson(file.readAll().toStdString(), {});
+    if (!profile)
+        return showError(path + QStringLiteral(": ") + QString::fromStdString(profile.error().where) +
+                         QStringLiteral(": ") + messageText(profile.error().message));
+    m_message->clear();
+    addProfile(*profile);
+}
+
+LineSettings DeviceDialog::usual() const {
+    const int driver = m_driver->currentData().toInt();
+    switch (m_role) {
+    case DeviceRole::Robot:
+        return usualLine(static_cast<RobotDriver>(driver));
+    case DeviceRole::Thermometer:
+        return usualLine(static_cast<ThermometerDriver>(driver));
+    default:
+        return usualLine(static_cast<HeatSourceDriver>(driver));
+    }
+}
+
+void DeviceDialog::takeDriver() {
+    m_line->setLine(usual());
+    if (m_role == DeviceRole::Robot) {
+        // Axes that nobody touched become those of the new driver.
+        const auto driver = static_cast<RobotDriver>(m_driver->currentData().toInt());
+        const auto other = driver == RobotDriver::Grbl ? RobotDriver::Dobot : RobotDriver::Grbl;
+        if (m_axes->axes() == usualAxes(other))
+            m_axes->setAxes(usualAxes(driver));
+    }
+    m_result->clear();
+    showParts();
+}
+
+bool DeviceDialog::isModbus() const {
+    const int driver = m_driver->currentData().toInt();
+    return (m_role == DeviceRole::Thermometer && driver == static_cast<int>(ThermometerDriver::Modbus)) ||
+           (m_role == DeviceRole::HeatSource && driver == static_cast<int>(HeatSourceDriver::Modbus));
+}
+
+bool DeviceDialog::hasPort() const {
+    return m_role != DeviceRole::HeatSource ||
+           m_driver->currentData().toInt() != static_cast<int>(HeatSourceDriver::ByHand);
+}
+
+bool DeviceDialog::hasLine() const {
+    const bool isNetwork = m_role == DeviceRole::Robot &&
+                           m_driver->currentData().toInt() == static_cast<int>(RobotDriver::Dobot);
+    return hasPort() && !isNetwork && m_role != DeviceRole::Camera;
+}
+
+RigSpec DeviceDialog::device() const {
+    RigSpec rig;
+    const std::string port = m_port->currentText().trimmed().toStdString();
+    const int driver = m_driver->currentData().toInt();
+    const ModbusProfile profile = isModbus() && m_profile->currentIndex() >= 0
+                                      ? m_profiles[static_cast<std::size_t>(m_profile->currentIndex())]
+                                      : ModbusProfile();
+    switch (m_role) {
+    case DeviceRole::Robot:
+        rig.robot = {static_cast<RobotDriver>(driver), port, m_line->line(), m_axes->axes(),
+                     m_mustHome->isChecked()};
+        break;
+    case DeviceRole::Thermometer:
+        rig.thermometer = {
+            static_cast<ThermometerDriver>(driver), port, m_line->line(), m_unitNumber->value(), profile, {}};
+        for (const QSpinBox* channel : m_channels)
+            rig.thermometer->channels.push_back(channel->value());
+        break;
+    case DeviceRole::HeatSource:
+        rig.source.emplace().driver = static_cast<HeatSourceDriver>(driver);
+        if (!hasPort())
+            break;
+        rig.source->port = port;
+        rig.source->serial = m_line->line();
+        rig.source->unit = m_unitNumber->value();
+        rig.source->profile = profile;
+        rig.source->watchdog_s = m_watchdog->value();
+        rig.source->isProbeUsed = !isModbus() && m_probe->isChecked();
+        break;
+    case DeviceRole::Camera:
+        rig.camera = port;
+        break;
+    }
+    return rig;
+}
+
+void DeviceDialog::tryDevice() {
+    m_message->clear();
+    m_result->setText(tr("Asking…"));
+    emit tryWanted(device());
+}
+
+void DeviceDialog::setPorts(const std::vector<SerialPort>& ports) {
+    m_ports = ports;
+    const QString typed = m_port->currentText();
+    m_port->clear();
+    if (hasLine())
+        for (const SerialPort& port : ports)
+            m_port->addItem(QString::fromStdString(port.path));
+    m_port->setEditText(typed.isEmpty() && m_port->count() > 0 ? m_port->itemText(0) : typed);
+    showPort();
+}
+
+void DeviceDialog::showPort() {
+    const auto it = std::ranges::find(m_ports, m_port->currentText().toStdString(), &SerialPort::path);
+    m_portDescription->setText(it == m_ports.end() ? QString() : QString::fromStdString(it->description));
+    m_portDescription->setVisible(!m_portDescription->text().isEmpty());
+}
+
+QString DeviceDialog::triedText(const TriedDevice& tried) const {
+    const DeviceStatus& status = tried.state.status;
+    QStringList lines{linkWord(status.link)};
+    if (!status.identity.empty())
+        lines.front() += QStringLiteral(": ") + QString::fromStdString(status.identity);
+    if (m_role == DeviceRole::Thermometer) {
+        QStringList channels;
+        for (std::size_t i = 0; i < tried.temperatures_K.size(); ++i)
+            channels << QStringLiteral("%1: %2").arg(i).arg(
+                formatTemperature(tried.temperatures_K[i], m_unit));
+        if (!channels.isEmpty())
+            lines << tr("Channels %1").arg(channels.join(QStringLiteral(", ")));
+    } else if (!tried.temperatures_K.empty()) {
+        lines << tr("Temperature %1").arg(formatTemperature(tried.temperatures_K.front(), m_unit));
+    }
+    if (tried.coordinates) {
+        QStringList at;
+        for (const AxisSpec& axis : m_axes->axes())
+            at << coordinateWord(axis.coordinate) + u' ' +
+                      coordinateReadout(axis.coordinate, (*tried.coordinates)[axis.coordinate]);
+        lines << at.join(QStringLiteral(", "));
+    }
+    if (status.problem.code != MessageCode::None)
+        lines << sentenceText(status.problem);
+    return lines.join(u'\n');
+}
+
+void DeviceDialog::setTried(const TriedDevice& tried) {
+    if (const QString text = triedText(tried); text != m_result->text())
+        m_result->setText(text);
+}
+
+void DeviceDialog::showError(const QString& sentence) {
+    m_result->clear();
+    m_message->say(MessageBar::Kind::Problem, sentence);
+}
+
+void DeviceDialog::showParts() {
+    const auto showRow = [this](QWidget* field, bool show) {
+        field->setVisible(show);
+        if (QWidget* label = m_form->labelForField(field))
+            label->setVisible(show);
+    };
+    const bool isNamur = m_role == DeviceRole::HeatSource && hasPort() && !isModbus();
+    const int profile = m_profile->currentIndex();
+    const bool isWatched = isModbus() && m_role == DeviceRole::HeatSource && profile >= 0 &&
+                           m_profiles[static_cast<std::size_t>(profile)].watchdog;
+    showRow(m_driver, m_role != DeviceRole::Camera);
+    showRow(m_portPart, hasPort());
+    m_refresh->setVisible(hasLine());
+    showRow(m_line, hasLine());
+    showRow(m_axes, m_role == DeviceRole::Robot);
+    showRow(m_mustHome, m_role == DeviceRole::Robot);
+    showRow(m_profilePart, isModbus());
+    showRow(m_unitNumber, isModbus());
+    showRow(m_channelsPart, m_role == DeviceRole::Thermometer);
+    showRow(m_watchdog, isNamur || isWatched);
+    showRow(m_probe, isNamur);
+    m_try->setVisible(hasPort());
+    m_result->setVisible(hasPort());
+    const int last = isModbus() && profile >= 0
+                         ? std::max(0, m_profiles[static_cast<std::size_t>(profile)].channels - 1)
+                         : kMostChannel;
+    for (QSpinBox* channel : m_channels)
+        channel->setMaximum(last);
+    retranslateParts();
+    showPort();
+    adjustSize();
+}
+
+void DeviceDialog::retranslateParts() {
+    if (m_role == DeviceRole::Camera) {
+        m_portLabel->setText(tr("Camera"));
+        m_port->setToolTip(
+            tr("A number (0), a device (/dev/video0), a video file, a folder of pictures or an address "
+               "(rtsp://…)"));
+    } else {
+        m_portLabel->setText(hasLine() ? tr("Port") : tr("Address"));
+        m_port->setToolTip(hasLine() ? tr("Choose one, or type its path")
+                                     : tr("Host name or IP address of the robot"));
+    }
+    m_port->setAccessibleName(m_portLabel->text());
+}
+
+void DeviceDialog::retranslate() {
+    setWindowTitle(tr("Set up: %1").arg(roleWord(m_role)));
+    m_driverLabel->setText(tr("Driver"));
+    m_driver->setAccessibleName(tr("Driver"));
+    for (int i = 0; i < m_driver->count(); ++i)
+        m_driver->setItemText(i, driverName(m_role, m_driver->itemData(i).toInt()));
+    m_refresh->setText(tr("Refresh"));
+    m_refresh->setToolTip(tr("Look for ports anew"));
+    m_lineLabel->setText(tr("Line"));
+    m_axesLabel->setText(tr("Axes"));
+    m_mustHome->setText(tr("Its place is not sure before it was homed"));
+    m_profileLabel->setText(tr("Device"));
+    m_profile->setAccessibleName(tr("Device"));
+    m_profileFile->setText(tr("From file…"));
+    m_profileFile->setToolTip(tr("Take what the device's registers mean from a file"));
+    m_unitLabel->setText(tr("Unit"));
+    m_unitNumber->setToolTip(tr("The device's Modbus address"));
+    m_unitNumber->setAccessibleName(tr("Unit"));
+    m_channelsLabel->setText(tr("Channels"));
+    m_channelsPart->setToolTip(tr("The channel of each object's sensor, counted from 0"));
+    m_watchdogLabel->setText(tr("Watchdog"));
+    m_watchdog->setSuffix(QStringLiteral("\u00a0s"));
+    m_watchdog->setToolTip(tr("The device switches its heat off when it has heard nothing for so long"));
+    m_watchdog->setAccessibleName(tr("Watchdog"));
+    m_probe->setText(tr("Its external probe measures the surface"));
+    m_try->setText(tr("Test read"));
+    m_try->setToolTip(tr("Ask the device without using it. Nothing moves or heats."));
+    m_use->setText(tr("Use"));
+    m_use->setToolTip(tr("Use this device in the experiment"));
+    m_cancel->setText(tr("Cancel"));
+    retranslateParts();
+}
+
+void DeviceDialog::changeEvent(QEvent* event) {
+    QDialog::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace bask

@@ -1,0 +1,98 @@
+#pragma once
+// One device is set up: driver, port and line, what its driver needs, a test read, and then it is used.
+
+#include "engine/base/units.h"
+#include "widgets/rig/device_words.h"
+
+#include <QDialog>
+
+#include <string>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QGridLayout;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+
+namespace bask {
+
+class AxisTable;
+class MessageBar;
+class SerialForm;
+
+/// Not modal. Object names: "driver", "port", "portDescription", "refreshPorts", those of SerialForm and
+/// AxisTable, "mustHome", "profile", "profileFile", "unit", "channel.0" ..., "watchdog", "probe",
+/// "tryDevice", "tryResult", "useDevice", "cancelDevice", "deviceMessage".
+class DeviceDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `rig`: the device of this role as it is set up now, if it is.
+    DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vector<std::string>& objects,
+                 QWidget* parent = nullptr);
+
+    DeviceRole role() const { return m_role; }
+    /// With this device alone.
+    RigSpec device() const;
+
+    void setPorts(const std::vector<SerialPort>& ports);
+    /// What the device says that is tried.
+    void setTried(const TriedDevice& tried);
+    void showError(const QString& sentence);
+    void setTemperatureUnit(TemperatureUnit unit) { m_unit = unit; }
+    /// A Modbus device described by a file of its own.
+    void useProfileFile(const QString& path);
+
+signals:
+    void portsWanted();
+    void tryWanted(const bask::RigSpec& device);
+    void useWanted(const bask::RigSpec& device);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void buildDriverParts(QFormLayout* form);
+    void fill(const RigSpec& rig);
+    void offerProfiles();
+    void addProfile(const ModbusProfile& profile);
+    void chooseProfileFile();
+    void takeDriver();
+    void tryDevice();
+    bool isModbus() const;
+    bool hasLine() const; ///< it is on a serial line
+    bool hasPort() const;
+    LineSettings usual() const;
+    void showParts();
+    void showPort();
+    QString triedText(const TriedDevice& tried) const;
+    void retranslate();
+    void retranslateParts();
+
+    DeviceRole m_role;
+    std::vector<std::string> m_objects;
+    std::vector<ModbusProfile> m_profiles; ///< as listed
+    std::vector<SerialPort> m_ports;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+
+    QFormLayout* m_form = nullptr;
+    QComboBox *m_driver, *m_port, *m_profile;
+    QLabel *m_driverLabel, *m_portLabel, *m_portDescription, *m_lineLabel, *m_axesLabel, *m_profileLabel,
+        *m_unitLabel, *m_channelsLabel, *m_watchdogLabel, *m_result;
+    QPushButton *m_refresh, *m_profileFile, *m_try, *m_use, *m_cancel;
+    QWidget *m_portPart, *m_profilePart, *m_channelsPart;
+    SerialForm* m_line;
+    AxisTable* m_axes;
+    QCheckBox *m_mustHome, *m_probe;
+    QSpinBox* m_unitNumber;
+    QDoubleSpinBox* m_watchdog;
+    std::vector<QSpinBox*> m_channels;
+    MessageBar* m_message;
+};
+
+} // namespace bask

@@ -1,0 +1,203 @@
+#include "widgets/rig/device_words.h"
+
+#include "widgets/common/display.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(bask::Device)
+};
+
+constexpr double kLongestAge_s = 1e6; ///< more stands for never
+
+} // namespace
+
+const char* roleName(DeviceRole role) {
+    constexpr std::array names{"robot", "thermometer", "source", "camera"};
+    return names[static_cast<std::size_t>(role)];
+}
+
+QString roleWord(DeviceRole role) {
+    switch (role) {
+    case DeviceRole::Robot:
+        return Words::tr("Robot");
+    case DeviceRole::Thermometer:
+        return Words::tr("Thermometer");
+    case DeviceRole::HeatSource:
+        return Words::tr("Heat source");
+    case DeviceRole::Camera:
+        return Words::tr("Camera");
+    }
+    return {};
+}
+
+QString linkWord(LinkState state) {
+    switch (state) {
+    case LinkState::Closed:
+        return Words::tr("Closed");
+    case LinkState::Opening:
+        return Words::tr("Opening");
+    case LinkState::Live:
+        return Words::tr("Live");
+    case LinkState::Lost:
+        return Words::tr("Lost");
+    }
+    return {};
+}
+
+QString driverWord(RobotDriver driver) {
+    return driver == RobotDriver::Grbl ? Words::tr("Grbl or grblHAL (G-code)")
+                                       : Words::tr("Dobot MG400 or M1 Pro (network)");
+}
+
+QString driverWord(ThermometerDriver driver) {
+    return driver == ThermometerDriver::Modbus ? Words::tr("Modbus RTU module")
+                                               : Words::tr("Lines of text (MAX31865)");
+}
+
+QString driverWord(HeatSourceDriver driver) {
+    switch (driver) {
+    case HeatSourceDriver::ByHand:
+        return Words::tr("Kept hot by a person");
+    case HeatSourceDriver::Namur:
+        return Words::tr("Hotplate (NAMUR, IKA)");
+    case HeatSourceDriver::Modbus:
+        return Words::tr("Modbus RTU controller");
+    }
+    return {};
+}
+
+bool hasDevice(const RigSpec& rig, DeviceRole role) {
+    switch (role) {
+    case DeviceRole::Robot:
+        return rig.robot.has_value();
+    case DeviceRole::Thermometer:
+        return rig.thermometer.has_value();
+    case DeviceRole::HeatSource:
+        return rig.source.has_value();
+    case DeviceRole::Camera:
+        return !rig.camera.empty();
+    }
+    return false;
+}
+
+QString driverText(const RigSpec& rig, DeviceRole role) {
+    if (!hasDevice(rig, role))
+        return {};
+    const auto withTitle = [](const QString& word, const ModbusProfile& profile) {
+        return profile.title.empty() ? word : QString::fromStdString(profile.title);
+    };
+    switch (role) {
+    case DeviceRole::Robot:
+        return driverWord(rig.robot->driver);
+    case DeviceRole::Thermometer:
+        return rig.thermometer->driver == ThermometerDriver::Modbus
+                   ? withTitle(driverWord(rig.thermometer->driver), rig.thermometer->profile)
+                   : driverWord(rig.thermometer->driver);
+    case DeviceRole::HeatSource:
+        return rig.source->driver == HeatSourceDriver::Modbus
+                   ? withTitle(driverWord(rig.source->driver), rig.source->profile)
+                   : driverWord(rig.source->driver);
+    case DeviceRole::Camera:
+        return Words::tr("Pictures");
+    }
+    return {};
+}
+
+QString portText(const RigSpec& rig, DeviceRole role) {
+    if (!hasDevice(rig, role))
+        return {};
+    switch (role) {
+    case DeviceRole::Robot:
+        return QString::fromStdString(rig.robot->port);
+    case DeviceRole::Thermometer:
+        return QString::fromStdString(rig.thermometer->port);
+    case DeviceRole::HeatSource:
+        return rig.source->driver == HeatSourceDriver::ByHand ? QString()
+                                                              : QString::fromStdString(rig.source->port);
+    case DeviceRole::Camera:
+        return QString::fromStdString(rig.camera);
+    }
+    return {};
+}
+
+RigSpec withDevice(RigSpec rig, DeviceRole role, const RigSpec& other) {
+    switch (role) {
+    case DeviceRole::Robot:
+        rig.robot = other.robot;
+        break;
+    case DeviceRole::Thermometer:
+        rig.thermometer = other.thermometer;
+        break;
+    case DeviceRole::HeatSource:
+        rig.source = other.source;
+        break;
+    case DeviceRole::Camera:
+        rig.camera = other.camera;
+        break;
+    }
+    return rig;
+}
+
+RigSpec withoutDevice(RigSpec rig, DeviceRole role) {
+    return withDevice(std::move(rig), role, RigSpec());
+}
+
+QString ageText(double age_s) {
+    if (!(age_s < kLongestAge_s))
+        return {};
+    if (age_s < 0.9995)
+        return Words::tr("%1 ms").arg(std::max(0.0, 1000.0 * age_s), 0, 'f', 0);
+    return age_s < 99.95 ? Words::tr("%1 s").arg(QLocale().toString(age_s, 'f', 1)) : formatDuration(age_s);
+}
+
+LineSettings usualLine(RobotDriver) {
+    return {115200, 8, 'N', 1};
+}
+
+LineSettings usualLine(ThermometerDriver driver) {
+    return driver == ThermometerDriver::Modbus ? LineSettings{19200, 8, 'E', 1}
+                                               : LineSettings{115200, 8, 'N', 1};
+}
+
+LineSettings usualLine(HeatSourceDriver driver) {
+    return driver == HeatSourceDriver::Namur ? LineSettings{9600, 7, 'E', 1} : LineSettings{19200, 8, 'E', 1};
+}
+
+void keepChannels(const std::vector<ObjectSpec>& before, const std::vector<ObjectSpec>& after,
+                  std::vector<int>& channels) {
+    if (before.size() == after.size() || channels.size() != before.size())
+        return;
+    constexpr int kNew = -1;
+    std::vector<int> kept(after.size(), kNew);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        const auto it = std::ranges::find(before, after[i].name, &ObjectSpec::name);
+        if (it != before.end())
+            kept[i] = channels[static_cast<std::size_t>(it - before.begin())];
+    }
+    int free = 0;
+    for (int& channel : kept)
+        if (channel == kNew) {
+            while (std::ranges::find(kept, free) != kept.end())
+                ++free;
+            channel = free;
+        }
+    channels = std::move(kept);
+}
+
+std::vector<int> channelsFor(std::vector<int> channels, std::size_t objects) {
+    if (channels.size() > objects)
+        channels.resize(objects);
+    for (int free = 0; channels.size() < objects; ++free)
+        if (std::ranges::find(channels, free) == channels.end())
+            channels.push_back(free);
+    return channels;
+}
+
+} // namespace bask

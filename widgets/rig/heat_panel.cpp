@@ -1,0 +1,143 @@
+#include "widgets/rig/heat_panel.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/quantity_spin_box.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace bask {
+
+HeatPanel::HeatPanel(QWidget* parent)
+    : QWidget(parent), m_setPointLabel(new QLabel(this)), m_typedLabel(new QLabel(this)),
+      m_state(new QLabel(this)), m_setPoint(new QuantitySpinBox(this)), m_typed(new QuantitySpinBox(this)),
+      m_on(new QPushButton(this)), m_off(new QPushButton(this)), m_take(new QPushButton(this)) {
+    m_setPoint->setObjectName("heatSetPoint");
+    m_typed->setObjectName("typedSource");
+    m_on->setObjectName("heatOn");
+    m_off->setObjectName("heatOff");
+    m_take->setObjectName("takeTyped");
+    m_state->setObjectName("heatState");
+    m_state->setWordWrap(true);
+    for (QuantitySpinBox* field : {m_setPoint, m_typed}) {
+        field->setRange_K(kLeastTemperature_degC + kZeroCelsius_K, kMostTemperature_degC + kZeroCelsius_K);
+        field->setMinimumWidth(110);
+    }
+    m_setPointLabel->setBuddy(m_setPoint);
+    m_typedLabel->setBuddy(m_typed);
+    const auto row = [](std::initializer_list<QWidget*> parts) {
+        auto* made = new QHBoxLayout;
+        for (QWidget* part : parts)
+            made->addWidget(part);
+        made->addStretch(1);
+        return made;
+    };
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_state);
+    layout->addLayout(row({m_setPointLabel, m_setPoint, m_on, m_off}));
+    layout->addLayout(row({m_typedLabel, m_typed, m_take}));
+    connect(m_on, &QPushButton::clicked, this, &HeatPanel::heat);
+    connect(m_off, &QPushButton::clicked, this, [this] { emit commandWanted(SetHeat{}); });
+    connect(m_take, &QPushButton::clicked, this,
+            [this] { emit commandWanted(TypeSourceTemperature{m_typed->value_K()}); });
+    retranslate();
+}
+
+void HeatPanel::setUsual(double setPoint_K) {
+    if (setPoint_K == m_usual_K)
+        return;
+    m_usual_K = setPoint_K;
+    m_setPoint->setValue_K(setPoint_K);
+    m_typed->setValue_K(setPoint_K);
+}
+
+void HeatPanel::apply(const Snapshot& snapshot, bool mayHeat) {
+    m_last.simulated = snapshot.simulated;
+    m_last.heatOn = snapshot.heatOn;
+    m_last.heatSetPoint_K = snapshot.heatSetPoint_K;
+    m_last.isSourceByHand = snapshot.isSourceByHand;
+    m_last.latest.source_K = snapshot.latest.source_K;
+    m_mayHeat = mayHeat;
+    showState();
+}
+
+void HeatPanel::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    m_setPoint->setTemperatureUnit(unit);
+    m_typed->setTemperatureUnit(unit);
+    showState();
+}
+
+void HeatPanel::heat() {
+    const double wanted_K = m_setPoint->value_K();
+    const bool isMore = !m_last.heatSetPoint_K || wanted_K > *m_last.heatSetPoint_K;
+    if (!m_last.simulated && isMore)
+        return ask(wanted_K);
+    emit commandWanted(SetHeat{wanted_K});
+}
+
+void HeatPanel::ask(double setPoint_K) {
+    delete findChild<QMessageBox*>("heatQuestion");
+    auto* box = new QMessageBox(
+        QMessageBox::Warning, tr("Heat the source"),
+        tr("The source heats towards %1 until it is switched off. Is nothing on it or near it that must not "
+           "get hot?")
+            .arg(formatTemperature(setPoint_K, m_unit)),
+        QMessageBox::NoButton, this);
+    box->setObjectName("heatQuestion");
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    const QPushButton* heat = box->addButton(tr("Heat"), QMessageBox::AcceptRole);
+    QPushButton* leave = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
+    box->setDefaultButton(leave);
+    box->setEscapeButton(leave);
+    connect(heat, &QPushButton::clicked, this,
+            [this, setPoint_K] { emit commandWanted(SetHeat{setPoint_K}); });
+    box->setModal(false); // STOP can be pressed meanwhile
+    box->show();
+}
+
+void HeatPanel::showState() {
+    const bool byHand = m_last.isSourceByHand;
+    for (QWidget* part : std::initializer_list<QWidget*>{m_setPointLabel, m_setPoint, m_on, m_off})
+        part->setVisible(!byHand);
+    for (QWidget* part : std::initializer_list<QWidget*>{m_typedLabel, m_typed, m_take})
+        part->setVisible(byHand);
+    m_on->setEnabled(m_mayHeat);
+    m_setPoint->setEnabled(m_mayHeat);
+    const QString now = formatTemperature(m_last.latest.source_K, m_unit);
+    QString text;
+    if (byHand)
+        text = tr("A person keeps the source hot: %1 as typed last.").arg(now);
+    else if (m_last.heatSetPoint_K)
+        text = tr("Heating towards %1: %2 now.").arg(formatTemperature(*m_last.heatSetPoint_K, m_unit), now);
+    else if (m_last.heatOn)
+        text = tr("The heat is on: %1 now.").arg(now);
+    else
+        text = tr("The heat is off: %1 now.").arg(now);
+    if (text != m_state->text())
+        m_state->setText(text);
+}
+
+void HeatPanel::retranslate() {
+    m_setPointLabel->setText(tr("Set point"));
+    m_setPoint->setAccessibleName(tr("Set point of the source"));
+    m_on->setText(tr("Heat"));
+    m_on->setToolTip(tr("Heat the source until it is switched off"));
+    m_off->setText(tr("Heat off"));
+    m_typedLabel->setText(tr("Measured by you"));
+    m_typed->setAccessibleName(tr("Temperature of the source as you measured it"));
+    m_take->setText(tr("Take"));
+    showState();
+}
+
+void HeatPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace bask

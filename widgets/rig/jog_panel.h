@@ -1,0 +1,88 @@
+#pragma once
+// The robot by hand: steps, motion while a button is held, a pose to go to, home, alarms cleared.
+
+#include "engine/control/robot_limits.h"
+#include "engine/runtime/command.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QTimer>
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+class QSpinBox;
+class QToolButton;
+
+namespace bask {
+
+/// A button that is held sends Jog every kRepeat_ms, and a zero one when it is let go, whatever lets it go.
+/// Object names end in the coordinate's ("theta_x"): "at.", "stepDown.", "stepUp.", "holdDown.", "holdUp.",
+/// "goTo."; others "stepLength", "stepAngle", "jogSpeed", "goToPose", "takePose", "homeRobot", "clearAlarm",
+/// "robotProblem".
+class JogPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int kRepeat_ms = 200;
+
+    explicit JogPanel(QWidget* parent = nullptr);
+
+    void setLimits(const RobotLimits& limits);
+    /// `mayMove`: no run is armed or on, nothing is latched.
+    void apply(const Snapshot& snapshot, bool mayMove);
+
+signals:
+    void commandWanted(const bask::Command& command);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    bool event(QEvent* event) override;
+
+private:
+    struct Row {
+        QLabel *name, *at;
+        QToolButton *holdDown, *stepDown, *stepUp, *holdUp;
+        QDoubleSpinBox* goTo;
+    };
+    QWidget* buildSteps();
+    QWidget* buildRows();
+    QWidget* buildButtons();
+    QToolButton* stepButton(int coordinate, int direction);
+    QToolButton* holdButton(int coordinate, int direction);
+    void step(int coordinate, int direction);
+    void hold(QToolButton* button, int coordinate, int direction);
+    void repeat();
+    void letGo();
+    void takePose();
+    void goToPose();
+    void showEnabled();
+    void retranslate();
+
+    RobotLimits m_limits;
+    Vector6d m_at = Vector6d::Zero();
+    std::optional<Vector6d> m_goal; ///< of the steps that are still under way
+    bool m_isMoving = false;
+    bool m_mayMove = false;
+    bool m_mayHome = false;
+    bool m_isPoseTaken = false; ///< once by itself: the fields begin where the robot is
+    Message m_alarm;
+    bool m_isPlaceSure = true;
+
+    QToolButton* m_held = nullptr; ///< the button that moves the robot now
+    int m_heldCoordinate = 0, m_heldDirection = 0;
+    QTimer m_repeat{this};
+
+    std::array<Row, 6> m_rows{};
+    QLabel *m_stepLabel, *m_speedLabel, *m_goLabel, *m_problem;
+    QComboBox *m_stepLength, *m_stepAngle;
+    QSpinBox* m_speed;
+    QPushButton *m_go, *m_take, *m_home, *m_clear;
+};
+
+} // namespace bask

@@ -1,0 +1,208 @@
+#include "widgets/rig/limits_panel.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/rig/coordinate_words.h"
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+namespace bask {
+namespace {
+
+constexpr double kMmPerM = 1000.0;
+
+QLabel* title(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    QFont font = label->font();
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+    return label;
+}
+
+void setQuietly(QDoubleSpinBox* field, double value) {
+    const QSignalBlocker block(field);
+    field->setValue(value);
+}
+
+} // namespace
+
+LimitsPanel::LimitsPanel(QWidget* parent)
+    : QWidget(parent), m_sourceTitle(title(this)), m_workspaceTitle(title(this)), m_speedTitle(title(this)),
+      m_measuredLabel(new QLabel(this)), m_measured(new QLabel(this)), m_setPointLabel(new QLabel(this)),
+      m_emittanceLabel(new QLabel(this)), m_setPoint(new QuantitySpinBox(this)),
+      m_lowerLabel(new QLabel(this)), m_upperLabel(new QLabel(this)), m_maxSpeedLabel(new QLabel(this)),
+      m_maxRotationLabel(new QLabel(this)), m_clearanceLabel(new QLabel(this)) {
+    m_measured->setObjectName("measuredSource");
+    m_setPoint->setObjectName("sourceSetPoint");
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    layout->addWidget(m_sourceTitle);
+    layout->addWidget(buildSource());
+    layout->addSpacing(6);
+    layout->addWidget(m_workspaceTitle);
+    layout->addWidget(buildWorkspace());
+    layout->addSpacing(6);
+    layout->addWidget(m_speedTitle);
+    layout->addWidget(buildSpeeds());
+    layout->addStretch(1);
+    retranslate();
+}
+
+QDoubleSpinBox* LimitsPanel::number(const QString& name, double least, double most, int decimals,
+                                    const QString& suffix, const Apply& apply) {
+    auto* field = new QDoubleSpinBox(this);
+    field->setObjectName(name);
+    field->setDecimals(decimals);
+    field->setRange(least, most);
+    field->setSuffix(suffix);
+    field->setKeyboardTracking(false);
+    field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(field, &QDoubleSpinBox::valueChanged, this, [this, apply](double value) { edit(apply, value); });
+    return field;
+}
+
+QWidget* LimitsPanel::buildSource() {
+    auto* part = new QWidget(this);
+    m_setPoint->setRange_K(kelvinFromCelsius(kLeastTemperature_degC),
+                           kelvinFromCelsius(kMostTemperature_degC));
+    const Apply setPoint = [](Experiment& e, double value_K) { e.source.temperature_K = value_K; };
+    connect(m_setPoint, &QuantitySpinBox::valueEdited_K, this,
+            [this, setPoint](double value_K) { edit(setPoint, value_K); });
+    m_emittance = number("sourceEmittance", 0.01, 1.0, 3, {},
+                         [](Experiment& e, double value) { e.source.emittance = value; });
+    m_emittance->setSingleStep(0.01);
+    auto* form = new QFormLayout(part);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(m_measuredLabel, m_measured);
+    form->addRow(m_setPointLabel, m_setPoint);
+    form->addRow(m_emittanceLabel, m_emittance);
+    m_setPointLabel->setBuddy(m_setPoint);
+    m_emittanceLabel->setBuddy(m_emittance);
+    return part;
+}
+
+QWidget* LimitsPanel::buildWorkspace() {
+    auto* part = new QWidget(this);
+    auto* grid = new QGridLayout(part);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(2, 1);
+    grid->addWidget(m_lowerLabel, 0, 1);
+    grid->addWidget(m_upperLabel, 0, 2);
+    for (int k = 0; k < 6; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        const QString name = QLatin1String(kCoordinateNames[i]);
+        const double most = k < kThetaX ? 5000.0 : 180.0;
+        m_names[i] = new QLabel(coordinateWord(k), part);
+        m_lower[i] = number(QStringLiteral("lower.") + name, -most, most, 2, coordinateSymbol(k),
+                            [k](Experiment& e, double v) { e.robot.lower[k] = coordinateFromShown(k, v); });
+        m_upper[i] = number(QStringLiteral("upper.") + name, -most, most, 2, coordinateSymbol(k),
+                            [k](Experiment& e, double v) { e.robot.upper[k] = coordinateFromShown(k, v); });
+        grid->addWidget(m_names[i], k + 1, 0);
+        grid->addWidget(m_lower[i], k + 1, 1);
+        grid->addWidget(m_upper[i], k + 1, 2);
+    }
+    return part;
+}
+
+QWidget* LimitsPanel::buildSpeeds() {
+    auto* part = new QWidget(this);
+    m_maxSpeed = number("maxSpeed", 0.0, 1e5, 2, QStringLiteral("\u00a0mm/s"),
+                        [](Experiment& e, double v) { e.robot.maxSpeed_m_s = v / kMmPerM; });
+    m_maxRotation = number("maxRotation", 0.0, 570.0, 2, QStringLiteral("\u00b0/s"),
+                           [](Experiment& e, double v) { e.robot.maxRotation_rad_s = radFromDeg(v); });
+    m_clearance = number("clearance", 0.0, 1000.0, 2, QStringLiteral("\u00a0mm"),
+                         [](Experiment& e, double v) { e.robot.clearance_m = v / kMmPerM; });
+    auto* form = new QFormLayout(part);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(m_maxSpeedLabel, m_maxSpeed);
+    form->addRow(m_maxRotationLabel, m_maxRotation);
+    form->addRow(m_clearanceLabel, m_clearance);
+    m_maxSpeedLabel->setBuddy(m_maxSpeed);
+    m_maxRotationLabel->setBuddy(m_maxRotation);
+    m_clearanceLabel->setBuddy(m_clearance);
+    return part;
+}
+
+void LimitsPanel::edit(const Apply& apply, double value) {
+    Experiment changed = m_experiment;
+    apply(changed, value);
+    if (changed == m_experiment)
+        return;
+    emit edited(changed);
+    showValues(); // as it is now, if it was refused
+}
+
+void LimitsPanel::setExperiment(const Experiment& experiment) {
+    m_experiment = experiment;
+    showValues();
+}
+
+void LimitsPanel::setMeasured(double source_K) {
+    m_measured_K = source_K;
+    if (const QString text = formatTemperature(source_K, m_unit); text != m_measured->text())
+        m_measured->setText(text);
+}
+
+void LimitsPanel::setEditable(bool editable) {
+    for (QAbstractSpinBox* field : findChildren<QAbstractSpinBox*>())
+        field->setEnabled(editable);
+}
+
+void LimitsPanel::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    m_setPoint->setTemperatureUnit(unit);
+    setMeasured(m_measured_K);
+}
+
+void LimitsPanel::showValues() {
+    const RobotLimits& robot = m_experiment.robot;
+    m_setPoint->setValue_K(m_experiment.source.temperature_K);
+    setQuietly(m_emittance, m_experiment.source.emittance);
+    for (int k = 0; k < 6; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        setQuietly(m_lower[i], shownCoordinate(k, robot.lower[k]));
+        setQuietly(m_upper[i], shownCoordinate(k, robot.upper[k]));
+        for (QWidget* part : std::initializer_list<QWidget*>{m_names[i], m_lower[i], m_upper[i]})
+            part->setVisible(robot.free[i]);
+    }
+    setQuietly(m_maxSpeed, robot.maxSpeed_m_s * kMmPerM);
+    setQuietly(m_maxRotation, degFromRad(robot.maxRotation_rad_s));
+    setQuietly(m_clearance, robot.clearance_m * kMmPerM);
+}
+
+void LimitsPanel::retranslate() {
+    m_sourceTitle->setText(tr("Heat source"));
+    m_measuredLabel->setText(tr("Measured temperature"));
+    m_setPointLabel->setText(tr("Set point of runs"));
+    m_setPoint->setAccessibleName(m_setPointLabel->text());
+    m_emittanceLabel->setText(tr("Emittance"));
+    m_emittance->setAccessibleName(tr("Emittance of the source"));
+    m_workspaceTitle->setText(tr("Workspace of the end-effector"));
+    m_lowerLabel->setText(tr("From"));
+    m_upperLabel->setText(tr("To"));
+    for (int k = 0; k < 6; ++k) {
+        const auto i = static_cast<std::size_t>(k);
+        m_lower[i]->setAccessibleName(tr("Least %1").arg(coordinateWord(k)));
+        m_upper[i]->setAccessibleName(tr("Largest %1").arg(coordinateWord(k)));
+    }
+    m_speedTitle->setText(tr("Limits of motion"));
+    m_maxSpeedLabel->setText(tr("Largest speed"));
+    m_maxRotationLabel->setText(tr("Largest turning speed"));
+    m_clearanceLabel->setText(tr("Clearance to the source"));
+    m_clearance->setToolTip(tr("Least distance of any point of an object from the source's plane"));
+}
+
+void LimitsPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace bask

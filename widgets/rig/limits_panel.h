@@ -1,0 +1,64 @@
+#pragma once
+// The source and the robot's limits: what is typed here is the experiment's.
+
+#include "engine/base/units.h"
+#include "engine/session/experiment.h"
+
+#include <QWidget>
+
+#include <array>
+#include <functional>
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace bask {
+
+class QuantitySpinBox;
+
+/// Each change is one `edited`; fields show what setExperiment gave last. Object names: "measuredSource",
+/// "sourceSetPoint", "sourceEmittance", "lower.x" ..., "upper.x" ..., "maxSpeed", "maxRotation",
+/// "clearance".
+class LimitsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LimitsPanel(QWidget* parent = nullptr);
+
+    void setExperiment(const Experiment& experiment);
+    void setMeasured(double source_K); ///< NaN: not known
+    void setEditable(bool editable);
+    void setTemperatureUnit(TemperatureUnit unit);
+
+signals:
+    void edited(const bask::Experiment& experiment);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    using Apply = std::function<void(Experiment&, double)>;
+    QDoubleSpinBox* number(const QString& name, double least, double most, int decimals,
+                           const QString& suffix, const Apply& apply);
+    QWidget* buildSource();
+    QWidget* buildWorkspace();
+    QWidget* buildSpeeds();
+    void edit(const Apply& apply, double value);
+    void showValues();
+    void retranslate();
+
+    Experiment m_experiment;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    double m_measured_K = 0.0;
+    QLabel *m_sourceTitle, *m_workspaceTitle, *m_speedTitle;
+    QLabel *m_measuredLabel, *m_measured, *m_setPointLabel, *m_emittanceLabel;
+    QuantitySpinBox* m_setPoint;
+    QDoubleSpinBox* m_emittance = nullptr;
+    QLabel *m_lowerLabel, *m_upperLabel;
+    std::array<QLabel*, 6> m_names{};
+    std::array<QDoubleSpinBox*, 6> m_lower{}, m_upper{};
+    QLabel *m_maxSpeedLabel, *m_maxRotationLabel, *m_clearanceLabel;
+    QDoubleSpinBox *m_maxSpeed = nullptr, *m_maxRotation = nullptr, *m_clearance = nullptr;
+};
+
+} // namespace bask

@@ -1,0 +1,55 @@
+#pragma once
+// Which rig: the simulated one, or a real one with a device a role.
+
+#include "widgets/rig/device_words.h"
+
+#include <QWidget>
+
+#include <array>
+#include <optional>
+
+class QLineEdit;
+class QPushButton;
+class QRadioButton;
+
+namespace bask {
+
+class DeviceCard;
+
+/// Object names: "useSimulated", "useReal", "rigName", "openRig", "saveRig" and those of DeviceCard.
+class RigDevices : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RigDevices(QWidget* parent = nullptr);
+
+    void setRig(const std::optional<RigSpec>& rig);
+    /// By role, as the engine tells them.
+    void setStates(const std::vector<RigDeviceState>& states);
+    void setEditable(bool editable);
+
+signals:
+    void simulatedWanted();
+    void realWanted();
+    void named(const QString& name);
+    void openWanted();
+    void saveWanted();
+    void setUpWanted(bask::DeviceRole role);
+    void removeWanted(bask::DeviceRole role);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void showChoice();
+
+    std::optional<RigSpec> m_rig;
+    bool m_editable = true;
+    QRadioButton *m_simulated, *m_real;
+    QLineEdit* m_name;
+    QPushButton *m_open, *m_save;
+    std::array<DeviceCard*, 4> m_cards{};
+};
+
+} // namespace bask

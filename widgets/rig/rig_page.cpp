@@ -1,0 +1,281 @@
+#include "widgets/rig/rig_page.h"
+
+#include "widgets/common/message_bar.h"
+#include "widgets/rig/check_list.h"
+#include "widgets/rig/device_dialog.h"
+#include "widgets/rig/device_words.h"
+#include "widgets/rig/heat_panel.h"
+#include "widgets/rig/jog_panel.h"
+#include "widgets/rig/limits_panel.h"
+#include "widgets/rig/rig_devices.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QTabWidget>
+
+#include <limits>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr int kPanelWidth = 440;
+
+QLabel* title(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    QFont font = label->font();
+    font.setWeight(QFont::DemiBold);
+    label->setFont(font);
+    return label;
+}
+
+} // namespace
+
+RigPage::RigPage(QWidget* parent)
+    : QWidget(parent), m_message(new MessageBar(this)), m_devices(new RigDevices(this)),
+      m_checks(new CheckList(this)), m_tabs(new QTabWidget(this)), m_reason(new QLabel(this)),
+      m_robotTitle(title(this)), m_heatTitle(title(this)), m_jog(new JogPanel(this)),
+      m_heat(new HeatPanel(this)), m_limits(new LimitsPanel(this)) {
+    m_message->setObjectName("rigMessage");
+    m_tabs->setObjectName("rigTabs");
+    m_tabs->setDocumentMode(true);
+    m_tabs->setFixedWidth(kPanelWidth);
+    m_tabs->addTab(scrolled(buildManual()), QString());
+    m_tabs->addTab(scrolled(m_limits), QString());
+
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(12);
+    columns->addWidget(scrolled(buildLeft()), 1);
+    columns->addWidget(m_tabs);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 12, 12, 12);
+    layout->setSpacing(8);
+    layout->addWidget(m_message);
+    layout->addLayout(columns, 1);
+    connectAll();
+    retranslate();
+}
+
+QScrollArea* RigPage::scrolled(QWidget* content) {
+    auto* inside = new QWidget(this);
+    auto* column = new QVBoxLayout(inside);
+    column->setContentsMargins(2, 8, 8, 4);
+    column->addWidget(content);
+    column->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidget(inside);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    return scroll;
+}
+
+QWidget* RigPage::buildLeft() {
+    auto* part = new QWidget(this);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(14);
+    column->addWidget(m_devices);
+    column->addWidget(m_checks);
+    return part;
+}
+
+QWidget* RigPage::buildManual() {
+    auto* part = new QWidget(this);
+    m_reason->setObjectName("manualReason");
+    m_reason->setWordWrap(true);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
+    column->addWidget(m_reason);
+    column->addWidget(m_robotTitle);
+    column->addWidget(m_jog);
+    column->addSpacing(8);
+    column->addWidget(m_heatTitle);
+    column->addWidget(m_heat);
+    return part;
+}
+
+void RigPage::connectAll() {
+    connect(m_devices, &RigDevices::simulatedWanted, this, &RigPage::useSimulated);
+    connect(m_devices, &RigDevices::realWanted, this, [this] { useRig(m_kept.value_or(RigSpec())); });
+    connect(m_devices, &RigDevices::openWanted, this, &RigPage::openRigRequested);
+    connect(m_devices, &RigDevices::saveWanted, this, &RigPage::saveRigRequested);
+    connect(m_devices, &RigDevices::setUpWanted, this, &RigPage::setUp);
+    connect(m_devices, &RigDevices::removeWanted, this, &RigPage::remove);
+    connect(m_devices, &RigDevices::named, this, [this](const QString& name) {
+        Experiment changed = m_experiment;
+        if (!changed.rig)
+            return;
+        changed.rig->name = name.toStdString();
+        edit(changed);
+    });
+    connect(m_limits, &LimitsPanel::edited, this, [this](const Experiment& changed) { edit(changed); });
+    connect(m_jog, &JogPanel::commandWanted, this, &RigPage::commandIssued);
+    connect(m_heat, &HeatPanel::commandWanted, this, &RigPage::commandIssued);
+}
+
+bool RigPage::edit(const Experiment& experiment) {
+    m_refusal.clear();
+    m_message->clear();
+    emit experimentEdited(experiment);
+    if (m_refusal.isEmpty())
+        return true;
+    m_devices->setRig(m_experiment.rig); // as it still is
+    m_message->say(MessageBar::Kind::Problem, m_refusal);
+    return false;
+}
+
+void RigPage::useSimulated() {
+    Experiment changed = m_experiment;
+    changed.rig.reset();
+    edit(changed);
+}
+
+void RigPage::useRig(const RigSpec& rig) {
+    Experiment changed = m_experiment;
+    changed.rig = rig;
+    const std::size_t objects = changed.objects.size();
+    const std::size_t channels = rig.thermometer ? rig.thermometer->channels.size() : objects;
+    if (rig.thermometer)
+        changed.rig->thermometer->channels = channelsFor(rig.thermometer->channels, objects);
+    if (edit(changed) && channels != objects)
+        m_message->say(MessageBar::Kind::Note,
+                       tr("The rig was set up for %1 objects, and there are %2: check the thermometer's "
+                          "channels.")
+                           .arg(channels)
+                           .arg(objects));
+}
+
+void RigPage::setUp(DeviceRole role) {
+    if (m_dialog && m_dialog->role() == role) {
+        m_dialog->raise();
+        return m_dialog->activateWindow();
+    }
+    closeDialog();
+    std::vector<std::string> objects;
+    for (const ObjectSpec& object : m_experiment.objects)
+        objects.push_back(object.name);
+    m_dialog = new DeviceDialog(role, m_experiment.rig.value_or(RigSpec()), objects, this);
+    m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+    m_dialog->setTemperatureUnit(m_unit);
+    connect(m_dialog, &DeviceDialog::portsWanted, this, [this] { emit commandIssued(ListPorts{}); });
+    connect(m_dialog, &DeviceDialog::tryWanted, this, [this](const RigSpec& device) {
+        m_isTrying = true;
+        emit commandIssued(TryDevice{device});
+    });
+    connect(m_dialog, &DeviceDialog::useWanted, this,
+            [this, role](const RigSpec& device) { take(role, device); });
+    connect(m_dialog, &QDialog::finished, this, &RigPage::endTrial);
+    emit commandIssued(ListPorts{});
+    m_dialog->show();
+}
+
+/// The port is free again for the rig.
+void RigPage::endTrial() {
+    if (std::exchange(m_isTrying, false))
+        emit commandIssued(TryDevice{});
+}
+
+void RigPage::take(DeviceRole role, const RigSpec& device) {
+    endTrial();
+    Experiment changed = m_experiment;
+    changed.rig = withDevice(changed.rig.value_or(RigSpec()), role, device);
+    if (edit(changed))
+        return closeDialog();
+    m_message->clear();
+    m_dialog->showError(m_refusal);
+}
+
+void RigPage::closeDialog() {
+    if (m_dialog)
+        m_dialog->close(); // which ends its trial, too
+}
+
+void RigPage::remove(DeviceRole role) {
+    Experiment changed = m_experiment;
+    if (!changed.rig)
+        return;
+    changed.rig = withoutDevice(*changed.rig, role);
+    edit(changed);
+}
+
+void RigPage::setExperiment(const Experiment& experiment) {
+    if (m_experiment.rig && !experiment.rig)
+        m_kept = m_experiment.rig;
+    const bool areLimitsNew = m_experiment.robot != experiment.robot;
+    const bool isRigNew = m_experiment.rig != experiment.rig;
+    m_experiment = experiment;
+    if (isRigNew)
+        m_devices->setRig(experiment.rig);
+    m_checks->setExperiment(experiment);
+    if (areLimitsNew)
+        m_jog->setLimits(experiment.robot);
+    m_heat->setUsual(experiment.source.temperature_K);
+    m_limits->setExperiment(experiment);
+}
+
+void RigPage::apply(const Snapshot& snapshot, bool editable) {
+    const bool isFree = editable && snapshot.state != RunState::Fault && snapshot.state != RunState::Idle;
+    if (m_editable != editable || m_state != snapshot.state) {
+        m_editable = editable;
+        m_state = snapshot.state;
+        m_devices->setEditable(editable);
+        m_limits->setEditable(editable);
+        showManual();
+    }
+    m_devices->setStates(snapshot.devices);
+    m_checks->apply(snapshot);
+    m_jog->apply(snapshot, isFree);
+    m_heat->apply(snapshot, isFree);
+    m_limits->setMeasured(snapshot.latest.objects.empty() ? std::numeric_limits<double>::quiet_NaN()
+                                                          : snapshot.latest.source_K);
+    if (!m_dialog)
+        return;
+    if (snapshot.ports)
+        m_dialog->setPorts(*snapshot.ports);
+    if (snapshot.tried && m_isTrying)
+        m_dialog->setTried(*snapshot.tried);
+    if (!editable)
+        closeDialog();
+}
+
+void RigPage::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    m_checks->setTemperatureUnit(unit);
+    m_heat->setTemperatureUnit(unit);
+    m_limits->setTemperatureUnit(unit);
+    if (m_dialog)
+        m_dialog->setTemperatureUnit(unit);
+}
+
+void RigPage::showManual() {
+    QString reason;
+    if (!m_editable)
+        reason = tr("A run is armed or on: it has the robot and the heat.");
+    else if (m_state == RunState::Fault)
+        reason = tr("A stop or a fault is latched. Press Reset first.");
+    m_reason->setText(reason);
+    m_reason->setVisible(!reason.isEmpty());
+}
+
+void RigPage::retranslate() {
+    m_tabs->setTabText(0, tr("By hand"));
+    m_tabs->setTabText(1, tr("Source and limits"));
+    m_robotTitle->setText(tr("Robot"));
+    m_heatTitle->setText(tr("Heat"));
+    setAccessibleName(tr("Rig"));
+    m_message->clear(); // it speaks the old language
+    showManual();
+}
+
+void RigPage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace bask

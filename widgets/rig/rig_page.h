@@ -1,0 +1,92 @@
+#pragma once
+// The Rig page: which rig and its devices, what must be so before a run, the robot and the heat by hand, the
+// source and the limits.
+
+#include "engine/base/units.h"
+#include "engine/runtime/command.h"
+#include "engine/runtime/snapshot.h"
+#include "engine/session/experiment.h"
+
+#include <QPointer>
+#include <QWidget>
+
+#include <optional>
+
+class QLabel;
+class QScrollArea;
+class QTabWidget;
+
+namespace bask {
+
+class CheckList;
+class DeviceDialog;
+class HeatPanel;
+class JogPanel;
+class LimitsPanel;
+class MessageBar;
+class RigDevices;
+
+/// Setters in, signals out. An edit is one experimentEdited with the whole value; the receiver answers a
+/// refused one with showError before it returns, else with setExperiment.
+///
+/// Object names: "rigMessage" (MessageBar), "rigTabs", "manualReason", and those of RigDevices, CheckList,
+/// JogPanel, HeatPanel, LimitsPanel and DeviceDialog.
+class RigPage : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit RigPage(QWidget* parent = nullptr);
+
+    void setExperiment(const Experiment& experiment);
+    /// `editable`: no run is armed or on.
+    void apply(const Snapshot& snapshot, bool editable);
+    void setTemperatureUnit(TemperatureUnit unit);
+    /// Why the edit under way is refused.
+    void showError(const QString& sentence) { m_refusal = sentence; }
+    /// The devices of a rig file, with as many channels as there are objects.
+    void useRig(const RigSpec& rig);
+
+signals:
+    void experimentEdited(const bask::Experiment& experiment);
+    void commandIssued(const bask::Command& command);
+    void openRigRequested();
+    void saveRigRequested();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    QScrollArea* scrolled(QWidget* content);
+    QWidget* buildLeft();
+    QWidget* buildManual();
+    void connectAll();
+    bool edit(const Experiment& experiment); ///< false: refused, and told on the page
+    void useSimulated();
+    void setUp(DeviceRole role);
+    void endTrial();
+    void closeDialog();
+    void take(DeviceRole role, const RigSpec& device);
+    void remove(DeviceRole role);
+    void showManual();
+    void retranslate();
+
+    Experiment m_experiment;
+    std::optional<RigSpec> m_kept; ///< the real rig, while the simulated one is in use
+    RunState m_state = RunState::Idle;
+    bool m_editable = true;
+    QString m_refusal;       ///< of the newest edit; empty: it was taken
+    bool m_isTrying = false; ///< the engine keeps a device open for the dialog
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+
+    MessageBar* m_message;
+    RigDevices* m_devices;
+    CheckList* m_checks;
+    QTabWidget* m_tabs;
+    QLabel *m_reason, *m_robotTitle, *m_heatTitle;
+    JogPanel* m_jog;
+    HeatPanel* m_heat;
+    LimitsPanel* m_limits;
+    QPointer<DeviceDialog> m_dialog;
+};
+
+} // namespace bask
