@@ -922,6 +922,202 @@
             <source>%1 views of %2 that are enough</source>
             <translation>%1 vues sur les %2 qui suffisent</translation>
         </message>
+        <message>
+            <source>"%1" and "%2" are far from the source but %3 K apart. One sensor is wrong or off its object: check both.</source>
+            <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
+        </message>
+        <message>
+            <source>"%1" cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.</source>
+            <translation>« %1 » ne peut pas être ouvert : %2. Vérifiez le câble et le nom du port ; Bask réessaie de lui-même.</translation>
+        </message>
+        <message>
+            <source>"%1" exists and is not a link; choose another path</source>
+            <translation>« %1 » existe et n’est pas un lien ; choisissez un autre chemin</translation>
+        </message>
+        <message>
+            <source>"%1" has %2 °C, above its limit of %3 °C. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
+            <translation>« %1 » est à %2 °C, au-dessus de sa limite de %3 °C. Il est éloigné et le chauffage est coupé. Vérifiez l’objet et son capteur ; réarmez une fois qu’il a refroidi.</translation>
+        </message>
+        <message>
+            <source>"%1" has %2 °C, above its warning limit of %3 °C. The robot holds: look whether target and limits are right, then resume or stop.</source>
+            <translation>« %1 » est à %2 °C, au-dessus de sa limite d’avertissement de %3 °C. Le robot attend : voyez si la consigne et les limites sont justes, puis reprenez ou arrêtez.</translation>
+        </message>
+        <message>
+            <source>"%1" is not an axis; axes are X, Y, Z, A, B, C and R</source>
+            <translation>« %1 » n’est pas un axe ; les axes sont X, Y, Z, A, B, C et R</translation>
+        </message>
+        <message>
+            <source>"%1" should have warmed by %2 K in %3 s and has not: its sensor may be off, or the object gone. Check it, then reset.</source>
+            <translation>« %1 » aurait dû chauffer de %2 K en %3 s et ne l’a pas fait : son capteur est peut-être décollé, ou l’objet absent. Vérifiez, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>"%1" takes no more bytes: the device does not read. Check its power and the flow control of the port.</source>
+            <translation>« %1 » ne prend plus d’octets : l’appareil ne lit pas. Vérifiez son alimentation et le contrôle de flux du port.</translation>
+        </message>
+        <message>
+            <source>%1 channels for %2 objects; give each object one</source>
+            <translation>%1 voies pour %2 objets ; donnez-en une à chaque objet</translation>
+        </message>
+        <message>
+            <source>%1 is free, but no axis of the robot drives it</source>
+            <translation>%1 est libre, mais aucun axe du robot ne l’entraîne</translation>
+        </message>
+        <message>
+            <source>Bask has just connected to the rig. Check it, then reset.</source>
+            <translation>Bask vient de se connecter au banc. Vérifiez-le, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.</source>
+            <translation>Il ne reste que %1 Mo sur le disque ; un enregistrement en demande %2 Mo. Libérez de la place, puis armez de nouveau.</translation>
+        </message>
+        <message>
+            <source>The control loop was held up for %1 s; the robot stood. Close other programs on this computer.</source>
+            <translation>La boucle de commande a été retenue %1 s ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
+        </message>
+        <message>
+            <source>The heat source has told no temperature for %1 s.</source>
+            <translation>La source de chaleur n’a donné aucune température depuis %1 s.</translation>
+        </message>
+        <message>
+            <source>The robot has not taken a line for %1 s.</source>
+            <translation>Le robot n’a pris aucune ligne depuis %1 s.</translation>
+        </message>
+        <message>
+            <source>The robot has not told its state yet.</source>
+            <translation>Le robot n’a pas encore donné son état.</translation>
+        </message>
+        <message>
+            <source>The robot is %1 mm from where its steps should have brought it. It may have been pushed or have lost steps: check it, home it, then reset.</source>
+            <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The robot is held at its own panel (%1). Release it there, then clear the alarm.</source>
+            <translation>Le robot est retenu à son propre panneau (%1). Libérez-le là, puis effacez l’alarme.</translation>
+        </message>
+        <message>
+            <source>The robot is switched off at its own controller. Enable it, then clear the alarm.</source>
+            <translation>Le robot est désactivé à son propre contrôleur. Activez-le, puis effacez l’alarme.</translation>
+        </message>
+        <message>
+            <source>The robot may not know its own place. Home it, or confirm its place.</source>
+            <translation>Le robot ne connaît peut-être pas sa position. Faites sa prise d’origine, ou confirmez sa position.</translation>
+        </message>
+        <message>
+            <source>The robot refused a line with error %1: %2.</source>
+            <translation>Le robot a refusé une ligne, erreur %1 : %2.</translation>
+        </message>
+        <message>
+            <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
+            <translation>Le robot signale l’alarme %1 : %2. Remédiez-y, effacez l’alarme, et faites la prise d’origine si sa position n’est pas sûre.</translation>
+        </message>
+        <message>
+            <source>The robot's controller has restarted: what it was told last is lost, and its place is not sure. Home it, or confirm its place, then reset.</source>
+            <translation>Le contrôleur du robot a redémarré : le dernier ordre est perdu et sa position n’est pas sûre. Faites sa prise d’origine, ou confirmez sa position, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" has given the very same value for %2 s: it, or its device, has stopped. Check it, then resume.</source>
+            <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s : lui ou son appareil s’est arrêté. Vérifiez-le, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" is open: a wire or the plug is off. Mend it, then resume.</source>
+            <translation>Le capteur de « %1 » est ouvert : un fil ou la fiche est débranché. Réparez, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" is shorted: look at its wires and plug. Mend it, then resume.</source>
+            <translation>Le capteur de « %1 » est en court-circuit : voyez ses fils et sa fiche. Réparez, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, then resume.</source>
+            <translation>Le capteur de « %1 » a sauté de %2 K/s, plus que les %3 K/s que la chaleur permet. Cherchez un faux contact, puis reprenez.</translation>
+        </message>
+        <message>
+            <source>The source has %1 °C, above its limit of %2 °C. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
+            <translation>La source est à %1 °C, au-dessus de sa limite de %2 °C. Les objets sont éloignés et le chauffage est coupé. Vérifiez son régulateur et son capteur ; réarmez une fois qu’elle a refroidi.</translation>
+        </message>
+        <message>
+            <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
+            <translation>La source est à %1 °C et ne s’approche plus de %2 °C depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The source warmed by %1 K in %2 s though its heat is off. Switch it off at its mains, then reset.</source>
+            <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé. Coupez-la au secteur, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
+            <translation>La source a été réglée à %1 °C et relit %2 °C. Vérifiez son propre panneau et ses limites, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
+            <translation>un pas du robot sortirait de son espace de travail ou s’approcherait trop de la source ; il n’a pas été envoyé</translation>
+        </message>
+        <message>
+            <source>fault raised: %1</source>
+            <translation>défaut provoqué : %1</translation>
+        </message>
+        <message>
+            <source>faults can be simulated on the simulated rig only</source>
+            <translation>les défauts ne peuvent être simulés que sur le banc simulé</translation>
+        </message>
+        <message>
+            <source>over: %1</source>
+            <translation>terminé : %1</translation>
+        </message>
+        <message>
+            <source>the axis %1 is given twice</source>
+            <translation>l’axe %1 est donné deux fois</translation>
+        </message>
+        <message>
+            <source>the device on "%1" answered something else than was asked: %2. It was not used.</source>
+            <translation>l’appareil sur « %1 » a répondu autre chose que demandé : %2. La réponse n’a pas été utilisée.</translation>
+        </message>
+        <message>
+            <source>the device on "%1" has not answered for %2 s. Check its power, the cable, and the speed and unit set for it.</source>
+            <translation>l’appareil sur « %1 » ne répond plus depuis %2 s. Vérifiez son alimentation, le câble, ainsi que la vitesse et l’adresse réglées.</translation>
+        </message>
+        <message>
+            <source>the device on "%1" is not the one that is set: it says "%2". Check the port and the driver.</source>
+            <translation>l’appareil sur « %1 » n’est pas celui qui est réglé : il dit « %2 ». Vérifiez le port et le pilote.</translation>
+        </message>
+        <message>
+            <source>the experiment has no rig of its own ("rig"), only the simulated one</source>
+            <translation>l’expérience n’a pas de banc à elle (« rig »), seulement le banc simulé</translation>
+        </message>
+        <message>
+            <source>the link to "%1" was lost: %2. Check the cable; Bask opens it again as soon as it is there.</source>
+            <translation>la liaison avec « %1 » est perdue : %2. Vérifiez le câble ; Bask la rouvre dès qu’elle revient.</translation>
+        </message>
+        <message>
+            <source>the profile "%1" is that of another kind of device</source>
+            <translation>le profil « %1 » est celui d’une autre sorte d’appareil</translation>
+        </message>
+        <message>
+            <source>the rig has no %1; set one, or use the simulated rig</source>
+            <translation>il manque au banc : %1 ; configurez cet appareil, ou utilisez le banc simulé</translation>
+        </message>
+        <message>
+            <source>the robot has no axis</source>
+            <translation>le robot n’a aucun axe</translation>
+        </message>
+        <message>
+            <source>this robot has no homing</source>
+            <translation>ce robot n’a pas de prise d’origine</translation>
+        </message>
+        <message>
+            <source>two axes drive %1</source>
+            <translation>deux axes entraînent %1</translation>
+        </message>
+        <message>
+            <source>two devices are on "%1"; only Modbus devices of different units and the same line settings can share a port</source>
+            <translation>deux appareils sont sur « %1 » ; seuls des appareils Modbus d’adresses différentes et de mêmes réglages de ligne peuvent partager un port</translation>
+        </message>
+        <message>
+            <source>two objects have channel %1; give each its own</source>
+            <translation>deux objets ont la voie %1 ; donnez à chacun la sienne</translation>
+        </message>
+        <message>
+            <source>unit %2 on "%1" refuses the request with exception %3. Check the profile set for it.</source>
+            <translation>l’appareil d’adresse %2 sur « %1 » refuse la demande avec l’exception %3. Vérifiez le profil réglé.</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>
