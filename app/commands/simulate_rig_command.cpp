@@ -146,6 +146,8 @@ int simulateRigCommand(const QStringList& arguments) {
                                      "ends it, \"state\" prints what is truly so.\n"
                                      "Exit code: 0 ended, 2 bad input, or no terminal there.");
     parser.addOption({{"h", "help"}, "Displays this help."});
+    parser.addOption(
+        {"heating-time", "Time constant of the plate while it heats, in seconds.", "SECONDS", "60"});
     parser.addPositionalArgument("EXPERIMENT.json", "An experiment with a rig.");
     if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;
@@ -153,9 +155,12 @@ int simulateRigCommand(const QStringList& arguments) {
     const auto experiment = readExperiment(path);
     if (!experiment)
         return refuse(kName, experiment.error());
-    const auto devices = benchDevices(*experiment);
+    auto devices = benchDevices(*experiment);
     if (!devices)
         return refuse(kName, Error(devices.error().code(), path, devices.error().message.args));
+    devices->heating_s = parser.value("heating-time").toDouble();
+    if (!(devices->heating_s >= 1.0 && devices->heating_s <= 1e5))
+        return refuse(kName, QStringLiteral("--heating-time is in seconds, 1 to 1e5"));
     Bench bench(simulatedRigConfig(*experiment), *devices);
     BenchServer server(bench);
     isOver = 0;

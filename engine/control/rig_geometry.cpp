@@ -112,13 +112,13 @@ bool RigGeometry::allowed(const Vector6d& q) const {
     return m_mounted.empty() || lowestPoint_m(q) >= m_limits.clearance_m - kSlack;
 }
 
-bool RigGeometry::mayStep(const Vector6d& from, const Vector6d& to) const {
+bool RigGeometry::mayStep(const Vector6d& from, const Vector6d& to, const RobotLimits& limits) const {
     for (const int k : m_free)
-        if (!(to[k] >= std::min(m_limits.lower[k], from[k]) - kSlack &&
-              to[k] <= std::max(m_limits.upper[k], from[k]) + kSlack))
+        if (!(to[k] >= std::min(limits.lower[k], from[k]) - kSlack &&
+              to[k] <= std::max(limits.upper[k], from[k]) + kSlack))
             return false;
     return m_mounted.empty() ||
-           lowestPoint_m(to) >= std::min(m_limits.clearance_m, lowestPoint_m(from)) - kSlack;
+           lowestPoint_m(to) >= std::min(limits.clearance_m, lowestPoint_m(from)) - kSlack;
 }
 
 } // namespace bask

@@ -57,8 +57,9 @@ public:
     double lowestPoint_m(const Vector6d& q) const;
     /// Inside the workspace and at least the clearance from the source plane, within 1e-9.
     bool allowed(const Vector6d& q) const;
-    /// As allowed(to), but for what is outside at `from` already: there the step only may not lead farther out.
-    bool mayStep(const Vector6d& from, const Vector6d& to) const;
+    /// As allowed(to) under these limits, but for what is outside at `from` already: there the step only may
+    /// not lead farther out.
+    bool mayStep(const Vector6d& from, const Vector6d& to, const RobotLimits& limits) const;
 
 private:
     Pose X_SE(const Vector6d& q) const;

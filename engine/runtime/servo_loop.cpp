@@ -35,9 +35,31 @@ const char* runStateName(RunState state) {
     return "";
 }
 
+namespace {
+
+// A real robot's steps are rounded: going along a limit, every second one would be outside, and not be sent.
+constexpr double kMargin_m = 2e-5;
+constexpr double kMargin_rad = 1e-4;
+
+Experiment insideLimits(Experiment experiment) {
+    RobotLimits& limits = experiment.robot;
+    limits.clearance_m += kMargin_m;
+    for (int k = 0; k < 6; ++k) {
+        const double margin = k < 3 ? kMargin_m : kMargin_rad;
+        if (limits.upper[k] - limits.lower[k] < 4.0 * margin)
+            continue;
+        limits.lower[k] += margin;
+        limits.upper[k] -= margin;
+    }
+    return experiment;
+}
+
+} // namespace
+
 ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock)
     : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock),
-      m_geometry(rigGeometry(experiment)), m_sensors(experiment.objects.size(), experiment.sampling) {
+      m_geometry(rigGeometry(m_devices.truth ? experiment : insideLimits(experiment))),
+      m_sensors(experiment.objects.size(), experiment.sampling) {
     m_coordinates = experiment.start;
     m_latest.source = experiment.source.pose;
 }

@@ -65,8 +65,10 @@ public:
     const Message& robotAlarm() const { return m_robot.alarm; }
     bool isPlaceSure() const { return m_robot.isPlaceSure; }
     std::optional<double> heatSetPoint_K() const;
-    /// RigGeometry::mayStep with the source where it is known to be now.
-    bool mayStep(const Vector6d& from, const Vector6d& to) const { return m_geometry->mayStep(from, to); }
+    /// Whether a robot may be sent from one place to another, with the source where it is known to be now.
+    bool mayStep(const Vector6d& from, const Vector6d& to) const {
+        return m_geometry->mayStep(from, to, m_experiment.robot);
+    }
     /// Refused while a run is armed or on.
     Result<void> setVision(const VisionSpec& vision);
     void addNote(const std::string& text);
@@ -127,7 +129,7 @@ private:
     Experiment m_experiment;
     RigDevices m_devices;
     const Clock& m_clock;
-    std::shared_ptr<const RigGeometry> m_geometry;
+    std::shared_ptr<const RigGeometry> m_geometry; ///< of a real rig a little inside of its limits
     SensorChannels m_sensors;
     std::unique_ptr<Controller> m_controller;
 

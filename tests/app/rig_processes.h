@@ -48,7 +48,8 @@ protected:
     QString session() const { return m_folder.filePath(QStringLiteral("run.bask")); }
 
     void startBench() {
-        bench.start(QStringLiteral(BASK_PROGRAM), {QStringLiteral("simulate-rig"), experiment()});
+        bench.start(QStringLiteral(BASK_PROGRAM), {QStringLiteral("simulate-rig"), experiment(),
+                                                   QStringLiteral("--heating-time"), QStringLiteral("10")});
         ASSERT_TRUE(waitFor([&] { return told().contains("heater "); }));
     }
     void startEngine(const QStringList& arguments = {}) {

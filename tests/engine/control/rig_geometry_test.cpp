@@ -141,24 +141,25 @@ TEST(RigGeometry, AStepOutOfAForbiddenPlaceIsAllowedAndNoneIntoIt) {
     Draw draw(4);
     const Rig rig(draw);
     const RigGeometry geometry = rig.at(Pose::Identity());
+    const RobotLimits& limits = geometry.limits();
     const auto at = [](double x, double z) {
         Vector6d q = Vector6d::Zero();
         q[kX] = x;
         q[kZ] = z;
         return q;
     };
-    EXPECT_TRUE(geometry.mayStep(at(0.0, 0.15), at(0.1, 0.2)));
-    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(0.0, -0.05))) << "into the source";
-    EXPECT_FALSE(geometry.mayStep(at(0.19, 0.15), at(0.21, 0.15)));
-    EXPECT_TRUE(geometry.mayStep(at(0.25, 0.15), at(0.22, 0.15)));
-    EXPECT_FALSE(geometry.mayStep(at(0.25, 0.15), at(0.26, 0.15)));
-    EXPECT_FALSE(geometry.mayStep(at(0.25, 0.15), at(0.22, -0.05))) << "one way back, another out";
+    EXPECT_TRUE(geometry.mayStep(at(0.0, 0.15), at(0.1, 0.2), limits));
+    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(0.0, -0.05), limits)) << "into the source";
+    EXPECT_FALSE(geometry.mayStep(at(0.19, 0.15), at(0.21, 0.15), limits));
+    EXPECT_TRUE(geometry.mayStep(at(0.25, 0.15), at(0.22, 0.15), limits));
+    EXPECT_FALSE(geometry.mayStep(at(0.25, 0.15), at(0.26, 0.15), limits));
+    EXPECT_FALSE(geometry.mayStep(at(0.25, 0.15), at(0.22, -0.05), limits)) << "one way back, another out";
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(nan, 0.15)));
-    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(0.0, nan)));
+    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(nan, 0.15), limits));
+    EXPECT_FALSE(geometry.mayStep(at(0.0, 0.15), at(0.0, nan), limits));
     const RigGeometry risen = rig.at(Pose(Eigen::Translation3d(0.0, 0.0, 0.2)));
-    EXPECT_TRUE(risen.mayStep(at(0.0, 0.15), at(0.0, 0.18))) << "off a source that came nearer";
-    EXPECT_FALSE(risen.mayStep(at(0.0, 0.15), at(0.0, 0.149)));
+    EXPECT_TRUE(risen.mayStep(at(0.0, 0.15), at(0.0, 0.18), limits)) << "off a source that came nearer";
+    EXPECT_FALSE(risen.mayStep(at(0.0, 0.15), at(0.0, 0.149), limits));
 }
 
 // Catches a copy that keeps something of where the source was.
