@@ -2,6 +2,7 @@
 // The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session,
 // publishes snapshots.
 
+#include "engine/runtime/alarm_log.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/runtime/snapshot.h"
@@ -25,7 +26,8 @@ namespace bask {
 class EngineWorker : public QObject {
     Q_OBJECT
 public:
-    EngineWorker();
+    /// `alarmFile`: keeps the alarms over a restart; empty: nothing does.
+    explicit EngineWorker(std::string alarmFile = {});
     ~EngineWorker() override;
 
 public slots:
@@ -53,6 +55,10 @@ private:
     Result<void> load(const Experiment& experiment);
     Result<void> armWith(const std::string& recordingPath);
     void applyFault(const SimulateFault& fault);
+    Result<void> acknowledge(std::optional<std::uint64_t> id); ///< empty: all
+    void updateAlarms();
+    void keepAlarms();
+    void watchDisk();
     Result<void> setVision(const VisionSpec& vision);
     void watch(const WatchCamera& wanted);
     Result<void> choose(const std::string& camera);
@@ -62,6 +68,10 @@ private:
 
     std::unique_ptr<Session> m_session;
     std::unique_ptr<SessionWriter> m_writer;
+    std::string m_alarmFile;
+    AlarmLog m_alarms;
+    bool m_isAlarmFileBad = false; ///< told once
+    double m_sinceDisk_s = 0.0;
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
     WatchCamera m_watch;
