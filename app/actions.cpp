@@ -68,9 +68,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
 
-    for (QMenu** menu :
-         {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu, &m_unitMenu,
-          &m_themeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_sensorMenu, &m_helpMenu})
+    for (QMenu** menu : {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu,
+                         &m_unitMenu, &m_themeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_helpMenu})
         *menu = new QMenu(window);
     m_fileMenu->setToolTipsVisible(true);
     m_runMenu->setToolTipsVisible(true);
@@ -145,19 +144,60 @@ void Actions::makeView() {
 }
 
 void Actions::makeFaults() {
-    m_robotLost = make("robotLost");
-    m_sourceLost = make("sourceLost");
-    m_sourceCovered = make("sourceCovered");
-    m_cameraLost = make("cameraLost");
-    m_restore = make("restoreDevices");
-    const auto fault = [this](QAction* action, SimulatedFault kind) {
-        connect(action, &QAction::triggered, this, [this, kind] { emit faultChosen({kind, 0}); });
+    for (int i = 0; i < kSimulatedFaults; ++i) {
+        const auto fault = static_cast<SimulatedFault>(i);
+        const auto k = static_cast<std::size_t>(i);
+        if (isOfObject(fault)) {
+            m_objectFaults[k] = new QMenu(m_window);
+            continue;
+        }
+        m_rigFaults[k] = make(fault == SimulatedFault::None ? "restoreDevices" : simulatedFaultName(fault));
+        connect(m_rigFaults[k], &QAction::triggered, this, [this, fault] { emit faultChosen({fault, 0}); });
+    }
+}
+
+void Actions::fillFaults() {
+    for (QMenu* menu : m_objectFaults)
+        if (menu)
+            m_faultMenu->addMenu(menu);
+    m_faultMenu->addSeparator();
+    for (std::size_t k = 1; k < m_rigFaults.size(); ++k)
+        if (m_rigFaults[k])
+            m_faultMenu->addAction(m_rigFaults[k]);
+    m_faultMenu->addSeparator();
+    m_faultMenu->addAction(m_rigFaults.front());
+}
+
+void Actions::retranslateFaults() {
+    const auto say = [this](SimulatedFault fault, const QString& text) {
+        const auto k = static_cast<std::size_t>(fault);
+        if (m_objectFaults[k])
+            m_objectFaults[k]->setTitle(text);
+        else
+            m_rigFaults[k]->setText(text);
     };
-    fault(m_robotLost, SimulatedFault::RobotLost);
-    fault(m_sourceLost, SimulatedFault::SourceLost);
-    fault(m_sourceCovered, SimulatedFault::SourceCovered);
-    fault(m_cameraLost, SimulatedFault::CameraLost);
-    fault(m_restore, SimulatedFault::None);
+    m_faultMenu->setTitle(tr("&Simulate fault"));
+    say(SimulatedFault::None, tr("Restore all devices"));
+    say(SimulatedFault::SensorLost, tr("Sensor lost"));
+    say(SimulatedFault::SensorOpen, tr("Sensor open"));
+    say(SimulatedFault::SensorShort, tr("Sensor shorted"));
+    say(SimulatedFault::SensorFrozen, tr("Sensor frozen"));
+    say(SimulatedFault::SensorJumping, tr("Sensor jumping"));
+    say(SimulatedFault::SensorOff, tr("Sensor off its object"));
+    say(SimulatedFault::ObjectHot, tr("Object heated otherwise"));
+    say(SimulatedFault::RobotLost, tr("Robot lost"));
+    say(SimulatedFault::RobotAlarm, tr("Robot in alarm"));
+    say(SimulatedFault::RobotRestarted, tr("Robot restarted"));
+    say(SimulatedFault::RobotSlow, tr("Robot slow"));
+    say(SimulatedFault::SourceLost, tr("Heat source lost"));
+    say(SimulatedFault::SourceSilent, tr("Heat source without temperature"));
+    say(SimulatedFault::SourceNotHeating, tr("Heat source does not heat"));
+    say(SimulatedFault::SourceHeatsAlone, tr("Heat source heats unasked"));
+    say(SimulatedFault::SourceOverheats, tr("Heat source overheats"));
+    say(SimulatedFault::SourceLimited, tr("Heat source limited by itself"));
+    say(SimulatedFault::SourceKeepsHeat, tr("Heat source cannot be switched off"));
+    say(SimulatedFault::SourceCovered, tr("Source hidden from the camera"));
+    say(SimulatedFault::CameraLost, tr("Camera lost"));
 }
 
 void Actions::fillMenus(QMenuBar* bar) {
@@ -185,10 +225,7 @@ void Actions::fillMenus(QMenuBar* bar) {
         m_themeMenu->addAction(action);
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
-    m_faultMenu->addMenu(m_sensorMenu);
-    m_faultMenu->addActions({m_robotLost, m_sourceLost, m_sourceCovered, m_cameraLost});
-    m_faultMenu->addSeparator();
-    m_faultMenu->addAction(m_restore);
+    fillFaults();
     m_helpMenu->addAction(about);
     for (QMenu* menu : {m_fileMenu, m_editMenu, m_runMenu, m_viewMenu, m_toolsMenu, m_helpMenu})
         bar->addMenu(menu);
@@ -266,13 +303,7 @@ void Actions::retranslateView() {
     m_themes[2]->setText(tr("Dark"));
     m_languageMenu->setTitle(tr("&Language"));
     m_toolsMenu->setTitle(tr("&Tools"));
-    m_faultMenu->setTitle(tr("&Simulate fault"));
-    m_sensorMenu->setTitle(tr("Sensor lost"));
-    m_robotLost->setText(tr("Robot lost"));
-    m_sourceLost->setText(tr("Heat source lost"));
-    m_sourceCovered->setText(tr("Source hidden from the camera"));
-    m_cameraLost->setText(tr("Camera lost"));
-    m_restore->setText(tr("Restore all devices"));
+    retranslateFaults();
 }
 
 void Actions::restyle(const QPalette& palette) {
@@ -293,11 +324,15 @@ void Actions::apply(const Snapshot& snapshot) {
 }
 
 void Actions::setObjects(const QStringList& names) {
-    m_sensorMenu->clear();
-    for (qsizetype i = 0; i < names.size(); ++i)
-        connect(m_sensorMenu->addAction(plain(names[i])), &QAction::triggered, this, [this, i] {
-            emit faultChosen({SimulatedFault::SensorLost, static_cast<std::size_t>(i)});
-        });
+    for (std::size_t k = 0; k < m_objectFaults.size(); ++k) {
+        if (!m_objectFaults[k])
+            continue;
+        m_objectFaults[k]->clear();
+        for (qsizetype i = 0; i < names.size(); ++i)
+            connect(m_objectFaults[k]->addAction(plain(names[i])), &QAction::triggered, this, [this, k, i] {
+                emit faultChosen({static_cast<SimulatedFault>(k), static_cast<std::size_t>(i)});
+            });
+    }
 }
 
 void Actions::setRecent(const QStringList& files) {

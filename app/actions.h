@@ -72,6 +72,8 @@ private:
     void makeVerbs();
     void makeView();
     void makeFaults();
+    void fillFaults();
+    void retranslateFaults();
     void retranslateFile();
     void retranslateRun();
     void retranslateView();
@@ -82,9 +84,10 @@ private:
     QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_languageGroup;
     std::array<QAction*, 3> m_units{}, m_themes{};
     QList<QAction*> m_languages;
-    QAction *m_robotLost, *m_sourceLost, *m_sourceCovered, *m_cameraLost, *m_restore;
+    std::array<QAction*, kSimulatedFaults> m_rigFaults{}; ///< by SimulatedFault; null: of objects
+    std::array<QMenu*, kSimulatedFaults> m_objectFaults{};
     QMenu *m_fileMenu, *m_exampleMenu, *m_recentMenu, *m_editMenu, *m_runMenu, *m_viewMenu, *m_unitMenu,
-        *m_themeMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_sensorMenu, *m_helpMenu;
+        *m_themeMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_helpMenu;
 };
 
 } // namespace bask

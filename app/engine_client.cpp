@@ -19,12 +19,12 @@ EngineClient::~EngineClient() {
     shutDown(std::chrono::seconds(3));
 }
 
-void EngineClient::start() {
+void EngineClient::start(const QString& alarmFile) {
     if (m_thread != nullptr)
         return;
     m_thread = new QThread;
     m_thread->setObjectName(QStringLiteral("engine"));
-    m_worker = new EngineWorker;
+    m_worker = new EngineWorker(alarmFile.toStdString());
     m_worker->moveToThread(m_thread);
     connect(m_thread, &QThread::started, m_worker, &EngineWorker::start);
     connect(m_thread, &QThread::finished, m_worker, &QObject::deleteLater);

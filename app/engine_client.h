@@ -29,7 +29,8 @@ public:
     explicit EngineClient(QObject* parent = nullptr);
     ~EngineClient() override; ///< shutDown with a bound of 3 s
 
-    void start();
+    /// `alarmFile` keeps the alarms over a restart; empty: nothing does.
+    void start(const QString& alarmFile = {});
     void send(const Command& command);
 
     /// Safe state, recording closed, thread ended. False when the engine did not answer in time; its thread

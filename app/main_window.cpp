@@ -60,7 +60,7 @@ MainWindow::MainWindow() : m_files(m_document, m_settings, this), m_actions((ini
 MainWindow::~MainWindow() = default;
 
 void MainWindow::begin(const QString& path) {
-    m_engine.start();
+    m_engine.start(alarmFile());
     if (path.isEmpty()) {
         m_files.openExample(QStringLiteral("three-objects"), false);
         return;

@@ -22,6 +22,11 @@ QString settingsFile() {
                             : QDir(folder).filePath(QStringLiteral("bask.ini"));
 }
 
+QDir dataFolder() {
+    const QString folder = overrideFolder();
+    return folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) : folder;
+}
+
 QString windowKey(const char* what) {
     return QStringLiteral("window/%1-%2").arg(what).arg(kWindowVersion);
 }
@@ -29,10 +34,12 @@ QString windowKey(const char* what) {
 } // namespace
 
 QString recordingFolder() {
-    const QString folder = overrideFolder();
-    const QString base =
-        folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) : folder;
-    return QDir(base).filePath(QStringLiteral("sessions"));
+    return dataFolder().filePath(QStringLiteral("sessions"));
+}
+
+QString alarmFile() {
+    const QDir folder = dataFolder();
+    return folder.mkpath(QStringLiteral(".")) ? folder.filePath(QStringLiteral("alarms.json")) : QString();
 }
 
 SettingsStore::SettingsStore() : m_settings(settingsFile(), QSettings::IniFormat) {}

@@ -46,5 +46,7 @@ private:
 
 /// Where runs are recorded: AppLocalDataLocation/sessions, or BASK_SETTINGS_DIR/sessions.
 QString recordingFolder();
+/// Where alarms are kept over a restart; its folder is made. Empty: it cannot be.
+QString alarmFile();
 
 } // namespace bask

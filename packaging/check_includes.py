@@ -45,6 +45,7 @@ VALUE_HEADERS = {
     "engine/exchange/reachable_file.h",
     "engine/exchange/target_surfaces.h",
     "engine/control/robot_limits.h",
+    "engine/session/alarm.h",
     "engine/session/experiment.h",
     "engine/session/experiment_rig.h",
     "engine/session/mounting_check.h",
@@ -58,6 +59,7 @@ VALUE_HEADERS = {
     "engine/protocols/modbus_profile.h",
     "engine/protocols/serial_settings.h",
     "engine/session/rig_spec.h",
+    "engine/session/safety_spec.h",
     "engine/vision/vision_view.h",
     "engine/runtime/command.h",
     "engine/runtime/snapshot.h",
@@ -123,7 +125,7 @@ def is_svg_source(path):
 def is_json_inside(path):
     """Headers between session's own readers and writers of JSON; nobody else includes them."""
     return path.as_posix() in {"engine/session/json_fields.h", "engine/session/json_quantities.h",
-                               "engine/session/rig_json.h", "engine/session/vision_json.h"}
+                               "engine/session/rig_json.h", "engine/session/safety_json.h", "engine/session/vision_json.h"}
 
 
 def qt_in_engine(path):

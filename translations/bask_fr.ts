@@ -947,10 +947,6 @@
             <translation>« %1 » n’est pas un axe ; les axes sont X, Y, Z, A, B, C et R</translation>
         </message>
         <message>
-            <source>"%1" should have warmed by %2 K in %3 s and has not: its sensor may be off, or the object gone. Check it, then reset.</source>
-            <translation>« %1 » aurait dû chauffer de %2 K en %3 s et ne l’a pas fait : son capteur est peut-être décollé, ou l’objet absent. Vérifiez, puis réarmez.</translation>
-        </message>
-        <message>
             <source>"%1" takes no more bytes: the device does not read. Check its power and the flow control of the port.</source>
             <translation>« %1 » ne prend plus d’octets : l’appareil ne lit pas. Vérifiez son alimentation et le contrôle de flux du port.</translation>
         </message>
@@ -973,14 +969,6 @@
         <message>
             <source>The control loop was held up for %1 s; the robot stood. Close other programs on this computer.</source>
             <translation>La boucle de commande a été retenue %1 s ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
-        </message>
-        <message>
-            <source>The heat source has told no temperature for %1 s.</source>
-            <translation>La source de chaleur n’a donné aucune température depuis %1 s.</translation>
-        </message>
-        <message>
-            <source>The robot has not taken a line for %1 s.</source>
-            <translation>Le robot n’a pris aucune ligne depuis %1 s.</translation>
         </message>
         <message>
             <source>The robot has not told its state yet.</source>
@@ -1117,6 +1105,26 @@
         <message>
             <source>unit %2 on "%1" refuses the request with exception %3. Check the profile set for it.</source>
             <translation>l’appareil d’adresse %2 sur « %1 » refuse la demande avec l’exception %3. Vérifiez le profil réglé.</translation>
+        </message>
+        <message>
+            <source>The heat source did not take the order to switch off. Switch it off at its mains. It says: %1</source>
+            <translation>La source de chaleur n’a pas pris l’ordre de s’éteindre. Coupez-la au secteur. Elle dit : %1</translation>
+        </message>
+        <message>
+            <source>The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.</source>
+            <translation>La source de chaleur n’a donné aucune température depuis %1 s. Vérifiez son capteur et sa liaison, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.</source>
+            <translation>Le robot n’a rien dit ni rien pris depuis %1 s ; le chauffage est coupé. Vérifiez son contrôleur, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.</source>
+            <translation>La source est chauffée à la main, Bask ne peut donc pas l’éteindre : elle est à %1 °C. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
+        </message>
+        <message>
+            <source>The temperature of "%1" should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
+            <translation>La température de « %1 » aurait dû changer de %2 K en %3 s et ne l’a pas fait : capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez, puis réarmez.</translation>
         </message>
     </context>
     <context>
@@ -1418,6 +1426,66 @@
         <message>
             <source>The devices, what must be so before a run, and the robot and the heat by hand</source>
             <translation>Les appareils, ce qui doit être en ordre avant un essai, le robot et le chauffage à la main</translation>
+        </message>
+        <message>
+            <source>Heat source cannot be switched off</source>
+            <translation>La source ne s’éteint plus</translation>
+        </message>
+        <message>
+            <source>Heat source does not heat</source>
+            <translation>La source ne chauffe pas</translation>
+        </message>
+        <message>
+            <source>Heat source heats unasked</source>
+            <translation>La source chauffe sans ordre</translation>
+        </message>
+        <message>
+            <source>Heat source limited by itself</source>
+            <translation>Source limitée par elle-même</translation>
+        </message>
+        <message>
+            <source>Heat source overheats</source>
+            <translation>La source surchauffe</translation>
+        </message>
+        <message>
+            <source>Heat source without temperature</source>
+            <translation>Source sans température</translation>
+        </message>
+        <message>
+            <source>Object heated otherwise</source>
+            <translation>Objet chauffé autrement</translation>
+        </message>
+        <message>
+            <source>Robot in alarm</source>
+            <translation>Robot en alarme</translation>
+        </message>
+        <message>
+            <source>Robot restarted</source>
+            <translation>Robot redémarré</translation>
+        </message>
+        <message>
+            <source>Robot slow</source>
+            <translation>Robot lent</translation>
+        </message>
+        <message>
+            <source>Sensor frozen</source>
+            <translation>Capteur figé</translation>
+        </message>
+        <message>
+            <source>Sensor jumping</source>
+            <translation>Capteur qui saute</translation>
+        </message>
+        <message>
+            <source>Sensor off its object</source>
+            <translation>Capteur décollé</translation>
+        </message>
+        <message>
+            <source>Sensor open</source>
+            <translation>Capteur ouvert</translation>
+        </message>
+        <message>
+            <source>Sensor shorted</source>
+            <translation>Capteur en court-circuit</translation>
         </message>
     </context>
     <context>

@@ -77,7 +77,7 @@ private:
         std::ranges::copy(snapshot.newEvents, std::back_inserter(m_outcome.events));
         for (const TraceSample& sample : snapshot.newSamples)
             note(sample);
-        if (snapshot.refusal.code != MessageCode::None)
+        if (snapshot.refusal.code != MessageCode::None && !m_isResetting) // a reset may come too early
             return end(Error(snapshot.refusal.code, {}, snapshot.refusal.args));
         if (m_isPosting) // else its answer would be taken for the state before it
             return;
@@ -123,7 +123,8 @@ private:
     void later(Wish wish, const Command& command) {
         m_wish = wish;
         m_isPosting = true;
-        if (std::holds_alternative<Reset>(command))
+        m_isResetting = std::holds_alternative<Reset>(command);
+        if (m_isResetting)
             m_reset_s = m_clock.now_s();
         QTimer::singleShot(0, &m_worker, [this, command] {
             m_isPosting = false;
@@ -195,7 +196,7 @@ private:
     SteadyClock m_clock;
     EngineWorker m_worker;
     Wish m_wish = Wish::Arm;
-    bool m_isPosting = false, m_isOver = false, m_isEmergency = false;
+    bool m_isPosting = false, m_isResetting = false, m_isOver = false, m_isEmergency = false;
     double m_began_s = SteadyClock().now_s();
     double m_reset_s = -HUGE_VAL, m_stopped_s = 0.0;
     std::vector<double> m_withinSince_s; ///< infinite: outside of the band

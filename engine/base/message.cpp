@@ -239,7 +239,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(RobotCannotHome, QT_TRANSLATE_NOOP("Message", "this robot has no homing")),
     Entry BASK_MESSAGE(RobotStepOutside, QT_TRANSLATE_NOOP("Message", "a step of the robot would leave its workspace or come too near to the source; it was not sent")),
     Entry BASK_MESSAGE(RobotElsewhere, QT_TRANSLATE_NOOP("Message", "The robot is %1 mm from where its steps should have brought it. It may have been pushed or have lost steps: check it, home it, then reset.")),
-    Entry BASK_MESSAGE(RobotSlow, QT_TRANSLATE_NOOP("Message", "The robot has not taken a line for %1 s.")),
+    Entry BASK_MESSAGE(RobotSlow, QT_TRANSLATE_NOOP("Message", "The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.")),
     Entry BASK_MESSAGE(AxesNone, QT_TRANSLATE_NOOP("Message", "the robot has no axis")),
     Entry BASK_MESSAGE(AxisLetterUnknown, QT_TRANSLATE_NOOP("Message", "\"%1\" is not an axis; axes are X, Y, Z, A, B, C and R")),
     Entry BASK_MESSAGE(AxisLetterTwice, QT_TRANSLATE_NOOP("Message", "the axis %1 is given twice")),
@@ -262,15 +262,17 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(SafetySensorFrozen, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given the very same value for %2 s: it, or its device, has stopped. Check it, then resume.")),
     Entry BASK_MESSAGE(SafetySensorJump, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, then resume.")),
     Entry BASK_MESSAGE(SafetySensorsApart, QT_TRANSLATE_NOOP("Message", "\"%1\" and \"%2\" are far from the source but %3 K apart. One sensor is wrong or off its object: check both.")),
-    Entry BASK_MESSAGE(SafetyNotWarming, QT_TRANSLATE_NOOP("Message", "\"%1\" should have warmed by %2 K in %3 s and has not: its sensor may be off, or the object gone. Check it, then reset.")),
+    Entry BASK_MESSAGE(SafetyNotWarming, QT_TRANSLATE_NOOP("Message", "The temperature of \"%1\" should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.")),
     Entry BASK_MESSAGE(SafetySourceNotHeating, QT_TRANSLATE_NOOP("Message", "The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.")),
     Entry BASK_MESSAGE(SafetySourceHeatsUnasked, QT_TRANSLATE_NOOP("Message", "The source warmed by %1 K in %2 s though its heat is off. Switch it off at its mains, then reset.")),
     Entry BASK_MESSAGE(SafetySetPointOther, QT_TRANSLATE_NOOP("Message", "The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.")),
     Entry BASK_MESSAGE(SafetyLoopLate, QT_TRANSLATE_NOOP("Message", "The control loop was held up for %1 s; the robot stood. Close other programs on this computer.")),
     Entry BASK_MESSAGE(SafetyDiskLow, QT_TRANSLATE_NOOP("Message", "Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.")),
-    Entry BASK_MESSAGE(SafetySourceSilent, QT_TRANSLATE_NOOP("Message", "The heat source has told no temperature for %1 s.")),
+    Entry BASK_MESSAGE(SafetySourceSilent, QT_TRANSLATE_NOOP("Message", "The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.")),
     Entry BASK_MESSAGE(EventFault, QT_TRANSLATE_NOOP("Message", "fault raised: %1")),
     Entry BASK_MESSAGE(EventAlarmOver, QT_TRANSLATE_NOOP("Message", "over: %1")),
+    Entry BASK_MESSAGE(SafetyHeatNotOff, QT_TRANSLATE_NOOP("Message", "The heat source did not take the order to switch off. Switch it off at its mains. It says: %1")),
+    Entry BASK_MESSAGE(SafetyHeatByHand, QT_TRANSLATE_NOOP("Message", "The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.")),
 };
 // clang-format on
 
@@ -305,7 +307,43 @@ int alarmPriority(MessageCode code) {
     case MessageCode::ReasonInternalFault:
     case MessageCode::ReasonEmergencyStop:
     case MessageCode::EventEmergencyStop:
+    case MessageCode::LinkNotOpened:
+    case MessageCode::LinkLost:
+    case MessageCode::LinkStuck:
+    case MessageCode::DeviceSilent:
+    case MessageCode::DeviceOther:
+    case MessageCode::DeviceException:
+    case MessageCode::RobotOpening:
+    case MessageCode::RobotAlarm:
+    case MessageCode::RobotRefused:
+    case MessageCode::RobotRestarted:
+    case MessageCode::RobotPlaceUnsure:
+    case MessageCode::RobotHeld:
+    case MessageCode::RobotDisabled:
+    case MessageCode::RobotStepOutside:
+    case MessageCode::RobotElsewhere:
+    case MessageCode::RobotSlow:
+    case MessageCode::SafetyStartUp:
+    case MessageCode::SafetyObjectHot:
+    case MessageCode::SafetySourceHot:
+    case MessageCode::SafetySensorOpen:
+    case MessageCode::SafetySensorShort:
+    case MessageCode::SafetySensorFrozen:
+    case MessageCode::SafetySensorJump:
+    case MessageCode::SafetyNotWarming:
+    case MessageCode::SafetySourceNotHeating:
+    case MessageCode::SafetySourceHeatsUnasked:
+    case MessageCode::SafetySetPointOther:
+    case MessageCode::SafetySourceSilent:
+    case MessageCode::SafetyHeatNotOff:
+    case MessageCode::SafetyHeatByHand:
         return 1;
+    case MessageCode::SafetyObjectWarm:
+    case MessageCode::SafetySensorsApart:
+    case MessageCode::SafetyDiskLow:
+    case MessageCode::DeviceAnswersWrong:
+        return 2;
+    case MessageCode::SafetyLoopLate:
     case MessageCode::EventCompromise:
     case MessageCode::EventNotSettled:
     case MessageCode::TargetAboveCeiling:

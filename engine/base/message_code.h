@@ -257,7 +257,7 @@ enum class MessageCode : int {
     SafetySensorFrozen,       ///< %1 object, %2 s
     SafetySensorJump,         ///< %1 object, %2 K/s, %3 K/s
     SafetySensorsApart,       ///< %1 object, %2 object, %3 K
-    SafetyNotWarming,         ///< %1 object, %2 K, %3 s
+    SafetyNotWarming,         ///< %1 object, %2 K with sign, %3 s
     SafetySourceNotHeating,   ///< %1 degC, %2 degC, %3 s
     SafetySourceHeatsUnasked, ///< %1 K, %2 s
     SafetySetPointOther,      ///< %1 degC, %2 degC
@@ -266,6 +266,8 @@ enum class MessageCode : int {
     SafetySourceSilent,       ///< %1 s
     EventFault,               ///< %1 name
     EventAlarmOver,           ///< %1 sentence
+    SafetyHeatNotOff,         ///< %1 words
+    SafetyHeatByHand,         ///< %1 degC
 };
 
 } // namespace bask

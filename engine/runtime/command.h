@@ -5,6 +5,7 @@
 #include "engine/control/controller_settings.h"
 #include "engine/session/experiment.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <variant>
@@ -43,11 +44,17 @@ struct AddNote {
 struct SetSimulationSpeed {
     double factor = 1.0;
 }; ///< simulated seconds a second, 1..20; fewer where the camera that follows the source is behind
-enum class SimulatedFault { None, SensorLost, RobotLost, SourceLost, SourceCovered, CameraLost };
+/// Instead of the one before; None ends it.
 struct SimulateFault {
     SimulatedFault fault = SimulatedFault::None;
     std::size_t object = 0;
 };
+
+/// By its number in the snapshot: seen by a person.
+struct AcknowledgeAlarm {
+    std::uint64_t id = 0;
+};
+struct AcknowledgeAll {};
 
 /// Markers and calibrations: refused while a run is on.
 struct SetVision {
@@ -95,9 +102,10 @@ struct TryDevice {
     RigSpec rig; ///< with one device
 };
 
-using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
-                             SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
-                             SimulateFault, SetVision, WatchCamera, ChooseCamera, MoveTo, Jog, HomeRobot,
-                             ClearRobotAlarm, SetHeat, TypeSourceTemperature, ListPorts, TryDevice>;
+using Command =
+    std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, SetTargets,
+                 ReportInfeasible, SetController, AddNote, SetSimulationSpeed, SimulateFault,
+                 AcknowledgeAlarm, AcknowledgeAll, SetVision, WatchCamera, ChooseCamera, MoveTo, Jog,
+                 HomeRobot, ClearRobotAlarm, SetHeat, TypeSourceTemperature, ListPorts, TryDevice>;
 
 } // namespace bask

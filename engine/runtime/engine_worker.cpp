@@ -2,12 +2,15 @@
 
 #include "engine/base/message_code.h"
 #include "engine/devices/video_camera.h"
+#include "engine/runtime/fault_script.h"
 #include "engine/runtime/real_rig.h"
 #include "engine/runtime/rig_setup.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 
 namespace bask {
 namespace {
@@ -18,6 +21,7 @@ constexpr double kPublish_s = 0.05;
 constexpr double kLongestGap_s =
     1.0; ///< of wall time that is made up for, after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
+constexpr double kDisk_s = 5.0;     ///< between looks at the room on the disk
 constexpr int kLongestStep_ms = 50; ///< of the rig, between looks at the command queue
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
@@ -45,6 +49,18 @@ TriedDevice triedState(RealRig& rig) {
     return out;
 }
 
+double utc_s() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// Where a file is or will be; empty: the system does not tell.
+std::optional<double> diskFree_MB(const std::string& file) {
+    std::error_code code;
+    const auto folder = std::filesystem::absolute(file, code).parent_path();
+    const auto space = std::filesystem::space(folder, code);
+    return code ? std::nullopt : std::optional(static_cast<double>(space.available) * 1e-6);
+}
+
 } // namespace
 
 struct EngineWorker::Session {
@@ -65,7 +81,7 @@ struct EngineWorker::Session {
         : simulated(experiment.rig ? nullptr
                                    : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
           real(experiment.rig ? std::make_unique<RealRig>(experiment, steady) : nullptr), tracker(*this),
-          loop(experiment, devices(), clock()) {
+          loop(experiment, devices(), clock()), script(experiment.simulation.faults) {
         if (Camera* camera = simulated ? &simulated->camera() : real->camera())
             vision.emplace(*camera, simulated ? "simulated" : experiment.rig->camera, clock());
         if (real)
@@ -76,7 +92,7 @@ struct EngineWorker::Session {
     const Clock& clock() const { return simulated ? simulated->clock() : steady; }
     RigDevices devices() {
         if (!simulated)
-            return {real->robot(), real->thermometer(), real->heatSource(), {}, &tracker};
+            return {real->robot(), real->thermometer(), real->heatSource(), {}, &tracker, true};
         return {simulated->robot(), simulated->thermometer(), simulated->heatSource(),
                 [this] { return simulated->trueTemperatures_K(); }, &tracker};
     }
@@ -87,6 +103,7 @@ struct EngineWorker::Session {
     std::optional<VisionThread> vision; ///< where there is a camera
     Tracker tracker;
     ServoLoop loop;
+    FaultScript script;
 };
 
 struct EngineWorker::RealCamera {
@@ -96,7 +113,7 @@ struct EngineWorker::RealCamera {
     VisionThread vision;
 };
 
-EngineWorker::EngineWorker() {
+EngineWorker::EngineWorker(std::string alarmFile) : m_alarmFile(std::move(alarmFile)) {
     qRegisterMetaType<bask::Command>();
     qRegisterMetaType<bask::Snapshot>();
     qRegisterMetaType<std::shared_ptr<const bask::VisionView>>();
@@ -110,6 +127,12 @@ void EngineWorker::start() {
     connect(m_timer, &QTimer::timeout, this, &EngineWorker::onTimer);
     m_wall.start();
     m_timer->start(kTimer_ms);
+    if (!m_alarmFile.empty()) {
+        if (auto before = readAlarms(m_alarmFile))
+            m_alarms = AlarmLog(std::move(*before));
+        else
+            m_pending.newEvents.push_back({0.0, before.error().message}); // written anew with the next alarm
+    }
     publish();
 }
 
@@ -147,6 +170,7 @@ void EngineWorker::post(const bask::Command& command) {
     m_pending.refusal = result ? Message{} : result.error().message;
     record();
     closeFinished();
+    updateAlarms();
     publish();
 }
 
@@ -244,6 +268,13 @@ void EngineWorker::handOnView() {
 
 Result<void> EngineWorker::armWith(const std::string& recordingPath) {
     ServoLoop& loop = m_session->loop;
+    if (!recordingPath.empty()) {
+        const double least_MB = loop.experiment().safety.leastDisk_MB;
+        const auto free_MB = diskFree_MB(recordingPath);
+        if (free_MB && *free_MB < least_MB)
+            return Error(MessageCode::SafetyDiskLow, {},
+                         {formatNumber(std::floor(*free_MB), 6), formatNumber(least_MB, 6)});
+    }
     if (const auto armed = loop.arm(); !armed)
         return armed;
     closeRecording();
@@ -266,12 +297,18 @@ Result<void> EngineWorker::apply(const Command& command) {
         m_speed = std::clamp(speed->factor, 1.0, kMaxSpeed);
         return {};
     }
+    if (const auto* one = std::get_if<AcknowledgeAlarm>(&command))
+        return acknowledge(one->id);
+    if (std::holds_alternative<AcknowledgeAll>(command))
+        return acknowledge(std::nullopt);
     if (!m_session)
         return Error(MessageCode::ReasonNoExperiment, {});
     ServoLoop& loop = m_session->loop;
     return std::visit(Overloaded{
                           [](const LoadExperiment&) { return Result<void>(); },
                           [](const SetSimulationSpeed&) { return Result<void>(); },
+                          [](const AcknowledgeAlarm&) { return Result<void>(); },
+                          [](const AcknowledgeAll&) { return Result<void>(); },
                           [&](const WatchCamera& wanted) { return watch(wanted), Result<void>(); },
                           [&](const ChooseCamera& camera) { return choose(camera.name); },
                           [&](const SetVision& set) { return setVision(set.vision); },
@@ -305,16 +342,45 @@ Result<void> EngineWorker::apply(const Command& command) {
 Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
     if (!m_session->simulated)
         return Error(MessageCode::FaultOnRealRig, {});
-    SimulatedRig& rig = *m_session->simulated;
-    for (std::size_t i = 0; i < m_session->loop.experiment().objects.size(); ++i)
-        rig.simulatedThermometer().setLost(i, fault.fault == SimulatedFault::SensorLost && i == fault.object);
-    rig.simulatedRobot().setLinkLost(fault.fault == SimulatedFault::RobotLost);
-    rig.simulatedHeatSource().setLinkLost(fault.fault == SimulatedFault::SourceLost);
-    rig.simulatedSourceTracker().setLost(fault.fault == SimulatedFault::SourceCovered ||
-                                         fault.fault == SimulatedFault::CameraLost);
-    rig.simulatedCamera().setCovered(fault.fault == SimulatedFault::SourceCovered);
-    rig.simulatedCamera().setUnplugged(fault.fault == SimulatedFault::CameraLost);
+    clearFaults(*m_session->simulated);
+    setFault(*m_session->simulated, fault.fault, fault.object, true);
+    if (fault.fault != SimulatedFault::None)
+        m_session->loop.reportFault(simulatedFaultName(fault.fault));
     return {};
+}
+
+Result<void> EngineWorker::acknowledge(std::optional<std::uint64_t> id) {
+    std::vector<Alarm> seen;
+    for (const Alarm& alarm : m_alarms.alarms())
+        if (!alarm.isAcknowledged && (!id || alarm.id == *id))
+            seen.push_back(alarm);
+    const bool changed = id ? m_alarms.acknowledge(*id) : m_alarms.acknowledgeAll();
+    if (changed)
+        keepAlarms();
+    for (const Alarm& alarm : seen)
+        if (m_session)
+            m_session->loop.reportAcknowledged(alarm);
+    return {};
+}
+
+void EngineWorker::updateAlarms() {
+    if (m_session && m_alarms.update(utc_s(), m_session->loop.alarmConditions()))
+        keepAlarms();
+}
+
+void EngineWorker::keepAlarms() {
+    if (m_alarmFile.empty())
+        return;
+    const auto written = writeAlarms(m_alarms.alarms(), m_alarmFile);
+    if (!written && !m_isAlarmFileBad)
+        m_pending.newEvents.push_back(
+            {m_session ? m_session->loop.runTime_s() : 0.0, written.error().message});
+    m_isAlarmFileBad = !written;
+}
+
+void EngineWorker::watchDisk() {
+    m_sinceDisk_s = 0.0;
+    m_session->loop.setDiskFree_MB(m_writer ? diskFree_MB(m_writer->path()) : std::nullopt);
 }
 
 void EngineWorker::onTimer() {
@@ -325,6 +391,9 @@ void EngineWorker::onTimer() {
     if (m_tried)
         m_tried->work();
     if (m_session) {
+        m_sinceDisk_s += wall_s;
+        if (m_sinceDisk_s >= kDisk_s)
+            watchDisk();
         try {
             if (m_watch.board && m_isBoardOut == isInUse())
                 watch(m_watch);
@@ -354,6 +423,7 @@ void EngineWorker::tick() {
     ++m_ticksSinceRate;
     record();
     closeFinished();
+    updateAlarms();
 }
 
 void EngineWorker::advanceSimulated(double wall_s) {
@@ -371,6 +441,11 @@ void EngineWorker::advanceSimulated(double wall_s) {
         dt_s -= step_s;
         m_untilTick_s -= step_s;
         if (m_untilTick_s <= 1e-9) {
+            ServoLoop& loop = m_session->loop;
+            if (loop.running())
+                for (const std::string& name :
+                     m_session->script.play(*m_session->simulated, loop.runTime_s()))
+                    loop.reportFault(name);
             m_untilTick_s = period_s;
             tick();
         }
@@ -427,6 +502,7 @@ void EngineWorker::publish() {
     snapshot.simulationSpeed = m_speed;
     snapshot.loopRate_Hz = m_loopRate_Hz;
     snapshot.lateSteps = m_lateSteps;
+    snapshot.alarms = m_alarms.alarms();
     if (m_session) {
         const ServoLoop& loop = m_session->loop;
         snapshot.state = loop.state();

@@ -2,6 +2,7 @@
 // The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session,
 // publishes snapshots.
 
+#include "engine/runtime/alarm_log.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/runtime/snapshot.h"
@@ -26,7 +27,8 @@ class RealRig;
 class EngineWorker : public QObject {
     Q_OBJECT
 public:
-    EngineWorker();
+    /// `alarmFile`: keeps the alarms over a restart; empty: nothing does.
+    explicit EngineWorker(std::string alarmFile = {});
     ~EngineWorker() override;
 
 public slots:
@@ -57,6 +59,10 @@ private:
     Result<void> load(const Experiment& experiment);
     Result<void> armWith(const std::string& recordingPath);
     Result<void> applyFault(const SimulateFault& fault);
+    Result<void> acknowledge(std::optional<std::uint64_t> id); ///< empty: all
+    void updateAlarms();
+    void keepAlarms();
+    void watchDisk();
     Result<void> setVision(const VisionSpec& vision);
     void watch(const WatchCamera& wanted);
     Result<void> choose(const std::string& camera);
@@ -68,6 +74,10 @@ private:
 
     std::unique_ptr<Session> m_session;
     std::unique_ptr<SessionWriter> m_writer;
+    std::string m_alarmFile;
+    AlarmLog m_alarms;
+    bool m_isAlarmFileBad = false; ///< told once
+    double m_sinceDisk_s = 0.0;
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
     WatchCamera m_watch;

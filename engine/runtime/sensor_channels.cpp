@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kLeastPlausible_K = 173.15; ///< -100 degC: an open or shorted sensor reads beyond these
 constexpr double kMostPlausible_K = 1273.15;
-constexpr double kStalePeriods = 3.0;
+constexpr double kScatter_K = 2.0;         ///< of readings, noise and steps together: less is no jump
 constexpr double kAmbientSpread_K = 2.0;   ///< PT100 class B and noise
 constexpr double kAmbientDistance_K = 5.0; ///< of the mean from the experiment's environment
 
@@ -31,9 +31,39 @@ double mean(const std::vector<Reading>& window) {
 
 } // namespace
 
-SensorChannels::SensorChannels(std::size_t channels, const SamplingSpec& sampling) : m_sampling(sampling) {
+SensorChannels::SensorChannels(std::size_t channels, const SamplingSpec& sampling, SensorLimits limits)
+    : m_sampling(sampling), m_limits(std::move(limits)) {
     for (std::size_t i = 0; i < channels; ++i)
-        m_channels.push_back({RateEstimator(sampling.window, sampling.order), {}, 0.0, false});
+        m_channels.push_back(Channel{RateEstimator(sampling.window, sampling.order)});
+}
+
+double SensorChannels::largestRate_K_s(std::size_t i) const {
+    return i < m_limits.largestRates_K_s.size() ? m_limits.largestRates_K_s[i]
+                                                : std::numeric_limits<double>::infinity();
+}
+
+// Judged from the last reading that was believed, whose age lets the next be farther from it: a sensor that
+// was mended, or an object that was changed, is believed again after a while.
+bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
+    Channel& channel = m_channels[i];
+    if (channel.window.empty())
+        return false;
+    const Reading& last = channel.window.back();
+    if (!(reading.time_s > last.time_s))
+        return channel.jump.inARow > 0;
+    const double change_K = std::abs(reading.value_K - last.value_K);
+    const double since_s = reading.time_s - last.time_s;
+    if (change_K <= kScatter_K + largestRate_K_s(i) * since_s) {
+        channel.jump = {};
+        return false;
+    }
+    if (channel.jump.inARow == 0)
+        channel.jump.rate_K_s = change_K / since_s;
+    if (channel.jump.inARow == 0 || reading.time_s > channel.jump.time_s) { // once each
+        ++channel.jump.inARow;
+        channel.jump.time_s = reading.time_s;
+    }
+    return true;
 }
 
 void SensorChannels::add(const std::vector<Reading>& readings) {
@@ -41,7 +71,8 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
         throw std::invalid_argument("SensorChannels: one reading a channel");
     for (std::size_t i = 0; i < readings.size(); ++i) {
         Channel& channel = m_channels[i];
-        channel.lastInvalid = !plausible(readings[i]);
+        channel.lastFault = readings[i].fault;
+        channel.lastInvalid = !plausible(readings[i]) || isJump(i, readings[i]);
         if (channel.lastInvalid ||
             !channel.estimator.add(readings[i].time_s, readings[i].value_K + channel.offset_K))
             continue;
@@ -57,7 +88,7 @@ double SensorChannels::age_s(std::size_t i, double now_s) const {
 }
 
 bool SensorChannels::fresh(std::size_t i, double now_s) const {
-    return age_s(i, now_s) <= kStalePeriods * m_sampling.period_s;
+    return age_s(i, now_s) <= m_limits.stalePeriods * m_sampling.period_s;
 }
 
 double SensorChannels::measured_K(std::size_t i) const {

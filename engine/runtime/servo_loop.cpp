@@ -58,10 +58,13 @@ Experiment insideLimits(Experiment experiment) {
 
 ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clock& clock)
     : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock),
-      m_geometry(rigGeometry(m_devices.truth ? experiment : insideLimits(experiment))),
-      m_sensors(experiment.objects.size(), experiment.sampling) {
+      m_geometry(rigGeometry(m_devices.isReal ? insideLimits(experiment) : experiment)),
+      m_sensors(experiment.objects.size(), experiment.sampling, sensorLimits(experiment)),
+      m_safety(experiment), m_sourceRead_s(clock.now_s()) {
     m_coordinates = experiment.start;
     m_latest.source = experiment.source.pose;
+    if (m_devices.isReal)
+        fault({MessageCode::SafetyStartUp, {}});
 }
 
 ServoLoop::~ServoLoop() {
@@ -74,7 +77,7 @@ bool ServoLoop::running() const {
 }
 
 double ServoLoop::runTime_s() const {
-    return running() ? m_clock.now_s() - m_startTime_s : m_latest.time_s;
+    return m_runOn ? m_clock.now_s() - m_startTime_s : m_latest.time_s;
 }
 
 Error ServoLoop::refusal(const char* verb) const {
@@ -96,20 +99,42 @@ LoopRecord ServoLoop::takeRecord() {
 void ServoLoop::makeSafe() {
     endMove();
     m_handHeat_K.reset();
-    (void)m_devices.source.heatOff(); // of a dead link: the heat expires in the device
+    switchHeatOff();
+}
+
+void ServoLoop::switchHeatOff() {
+    const auto off = m_devices.source.heatOff(); // of a dead link: the heat expires in the device
+    m_heatOffProblem = off ? Message{} : off.error().message;
+    m_asked_K.reset();
 }
 
 void ServoLoop::endRun(const std::string& outcome) {
     m_outcome = outcome;
     makeSafe();
     m_controller.reset();
+    m_runOn = false;
+}
+
+void ServoLoop::addFault(Message reason) {
+    if (std::ranges::find(m_faults, reason) != m_faults.end())
+        return;
+    event(reason.code, reason.args);
+    m_faults.push_back(std::move(reason));
+}
+
+void ServoLoop::reportAcknowledged(const Alarm& alarm) {
+    std::string key;
+    for (const char letter : alarm.key) // object names may have any
+        key += letter == '"' || letter == '\\' ? std::string{'\\', letter} : std::string{letter};
+    command("acknowledge", "{\"alarm\":\"" + key + "\"}");
+}
+
+void ServoLoop::reportFault(const std::string& name) {
+    event(MessageCode::EventFault, {name});
 }
 
 void ServoLoop::fault(Message reason) {
-    if (std::ranges::find(m_faults, reason) == m_faults.end()) {
-        event(reason.code, reason.args);
-        m_faults.push_back(std::move(reason));
-    }
+    addFault(std::move(reason));
     if (m_state != RunState::Fault)
         endRun("fault");
     m_state = RunState::Fault;
@@ -123,6 +148,7 @@ Result<void> ServoLoop::arm() {
         if (const auto zeroed = m_sensors.zero(m_experiment.environment_K); !zeroed)
             return zeroed;
         takeReadings(); // or the first step would see them as they were before
+        m_safety.atRest(observe());
         event(MessageCode::EventZeroed);
     }
     const SourceSpec& source = m_experiment.source;
@@ -157,10 +183,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_withinBandSince_s = m_startTime_s;
     m_compromise.clear();
     m_compromiseTold = false;
-    m_retreatRaised = false;
-    m_sensorLost.assign(m_sensors.size(), false);
-    m_sourceLost = false;
-    m_lostLast_s = -std::numeric_limits<double>::infinity();
+    m_safety.forgetLoss();
     ControlModel model;
     model.geometry = m_geometry;
     const double environment_K = m_sensors.environment_K().value_or(m_experiment.environment_K);
@@ -171,6 +194,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_controller = makeController(m_experiment.controller, std::move(model));
     m_handHeat_K.reset();
     m_state = RunState::Running;
+    m_runOn = true;
     command("start", R"({"environment_K":)" + formatNumber(environment_K, 10) +
                          (acceptInfeasible ? R"(,"accept_infeasible":true})" : "}"));
     event(MessageCode::EventStarted);
@@ -188,7 +212,7 @@ Result<void> ServoLoop::hold() {
     if (m_state != RunState::Running && m_state != RunState::Settled)
         return refusal("Hold");
     m_state = RunState::Holding;
-    m_heldBySensor = false;
+    m_heldBySafety = false;
     standStill();
     command("hold");
     event(MessageCode::EventHeld);
@@ -210,8 +234,8 @@ Result<void> ServoLoop::resume() {
     if (const auto fresh = requireFreshSensors(); !fresh)
         return fresh;
     m_state = RunState::Running;
-    m_heldBySensor = false;
-    m_lostLast_s = -std::numeric_limits<double>::infinity();
+    m_heldBySafety = false;
+    m_safety.forgetLoss();
     m_withinBandSince_s = m_clock.now_s();
     command("resume");
     event(MessageCode::EventResumed);
@@ -226,13 +250,18 @@ Result<void> ServoLoop::stop() {
     m_outcome = m_state == RunState::Settled ? "settled" : "stopped";
     if (!allWithinBand())
         event(MessageCode::EventNotSettled, {objectsOffTarget()});
-    m_state = RunState::Stopping;
-    m_retreatMoved_s = m_clock.now_s();
-    (void)m_devices.source.heatOff();
     command("stop");
     event(MessageCode::EventStopped);
-    retreat(); // at once: the last velocity must not go on sideways
+    beginRetreat();
     return {};
+}
+
+void ServoLoop::beginRetreat() {
+    m_state = RunState::Stopping;
+    m_retreatRaised = false;
+    m_retreatMoved_s = m_clock.now_s();
+    switchHeatOff();
+    retreat(); // at once: the last velocity must not go on sideways
 }
 
 void ServoLoop::stopFor(Message reason) {
@@ -240,12 +269,18 @@ void ServoLoop::stopFor(Message reason) {
         fault(std::move(reason));
         return;
     }
-    if (std::ranges::find(m_faults, reason) == m_faults.end()) {
-        event(reason.code, reason.args);
-        m_faults.push_back(std::move(reason));
-    }
+    addFault(std::move(reason));
     if (m_state != RunState::Stopping)
         (void)stop();
+}
+
+void ServoLoop::retreatFor(Message reason) {
+    if (running() || m_state == RunState::Fault) // a fault stands still
+        return stopFor(std::move(reason));
+    addFault(std::move(reason));
+    m_goal.reset();
+    m_outcome = "fault";
+    beginRetreat();
 }
 
 void ServoLoop::emergencyStop() {
@@ -261,6 +296,11 @@ void ServoLoop::emergencyStop() {
 Result<void> ServoLoop::reset() {
     if (m_state != RunState::Fault)
         return refusal("Reset");
+    m_safety.restart(); // what the source and the objects did is over; what they do now is not
+    look();
+    watch();
+    if (const SafetyFinding* finding = m_safety.forbidsReset())
+        return Error(finding->message.code, {}, finding->message.args);
     m_faults.clear();
     m_state = RunState::NotReady;
     command("reset");
@@ -352,30 +392,49 @@ void ServoLoop::addNote(const std::string& text) {
 }
 
 std::vector<Message> ServoLoop::reasons() const {
-    if (m_state == RunState::Fault)
-        return m_faults;
-    std::vector<Message> out = m_faults; // those that a retreat will end in
-    const double now_s = m_clock.now_s();
-    for (std::size_t i = 0; i < m_sensors.size(); ++i) {
-        const std::string& name = m_experiment.objects[i].name;
-        if (m_sensors.fresh(i, now_s))
-            continue;
-        if (m_sensors.lastInvalid(i))
-            out.push_back({MessageCode::ReasonSensorInvalid, {name}});
-        else if (m_sensors.leastCount() > 0)
-            out.push_back(
-                {MessageCode::ReasonSensorStale, {name, formatNumber(m_sensors.age_s(i, now_s), 2)}});
+    std::vector<Message> out = m_faults; // also those that a retreat will end in
+    const auto isSaid = [&](MessageCode code) {
+        return std::ranges::any_of(m_faults, [&](const Message& said) { return said.code == code; });
+    };
+    for (const SafetyFinding& finding : m_safety.active()) {
+        const SafetyRow& row = safetyRow(finding.condition);
+        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid(finding.message.code))
+            out.push_back(finding.message);
     }
-    if (!sourceSeen())
+    if (m_state == RunState::Fault)
+        return out;
+    if (!sourceSeen() && m_sourceSeen_s < 0.0) // not seen yet, which is no alarm
         out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !m_sensors.full())
         out.push_back(
             {MessageCode::ReasonEstimatorFilling,
              {std::to_string(m_sensors.leastCount()), std::to_string(m_experiment.sampling.window)}});
-    if (m_state == RunState::Holding && !m_heldBySensor && out.empty())
+    if (m_state == RunState::Holding && !m_heldBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
     if (!m_compromise.empty() && running())
         out.push_back({MessageCode::EventCompromise, {m_compromise}});
+    return out;
+}
+
+std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
+    std::vector<AlarmCondition> out;
+    const auto add = [&](const Message& message, int priority) {
+        std::string key = messageName(message.code);
+        const bool isOfObject =
+            !message.args.empty() && std::ranges::any_of(m_experiment.objects, [&](const ObjectSpec& object) {
+                return object.name == message.args.front();
+            });
+        if (isOfObject)
+            key += ":" + message.args.front();
+        if (std::ranges::find(out, key, &AlarmCondition::key) == out.end())
+            out.push_back({std::move(key), message, priority});
+    };
+    for (const Message& reason : m_faults)
+        add(reason, 1);
+    for (const SafetyFinding& finding : m_safety.active())
+        add(finding.message, safetyRow(finding.condition).priority);
+    if (!m_compromise.empty() && running())
+        add({MessageCode::EventCompromise, {m_compromise}}, 3);
     return out;
 }
 

@@ -8,7 +8,9 @@
 #include "engine/devices/robot.h"
 #include "engine/devices/source_tracker.h"
 #include "engine/devices/thermometer.h"
+#include "engine/runtime/alarm_log.h"
 #include "engine/runtime/loop_record.h"
+#include "engine/runtime/safety_monitor.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/session/experiment.h"
@@ -29,6 +31,8 @@ struct RigDevices {
     std::function<std::vector<double>()> truth;
     /// Asked where the experiment's source is tracked; may be null.
     SourceTracker* tracker = nullptr;
+    /// Faulted from the start, until a person has looked and reset; and its source is hot with the heat off.
+    bool isReal = false;
 };
 
 /// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal
@@ -74,12 +78,20 @@ public:
     void addNote(const std::string& text);
     /// Safe state, latched: for failures that the loop does not see itself (the recorder).
     void fault(Message reason);
-    /// Retreat first, then the latched fault: for failures that leave the robot able to move.
+    /// A run retreats first, then the latched fault: for failures that leave the robot able to move.
     void stopFor(Message reason);
+    /// Free where the recording goes; empty: none is made.
+    void setDiskFree_MB(std::optional<double> free_MB) { m_diskFree_MB = free_MB; }
+    /// Its row in the record.
+    void reportAcknowledged(const Alarm& alarm);
+    /// An event, for the record of a simulated fault.
+    void reportFault(const std::string& name);
 
     RunState state() const { return m_state; }
     std::vector<Message> reasons() const;
-    /// A run is on: from Start until it has stopped.
+    /// Latched faults and what the safety monitor finds, the gravest first.
+    std::vector<AlarmCondition> alarmConditions() const;
+    /// A run is on, from Start until it has stopped; or a retreat, with or without one.
     bool running() const;
     double runTime_s() const;
     const Experiment& experiment() const { return m_experiment; }
@@ -94,6 +106,7 @@ public:
     LoopRecord takeRecord();
 
 private:
+    void look(); ///< at everything there is
     void readSensors();
     void takeReadings(); ///< from the channels into the latest sample
     void readSourcePose();
@@ -103,8 +116,14 @@ private:
     void goOn();               ///< towards the goal of moveTo
     bool isByHand() const;     ///< no run is armed or on, and nothing is latched
     void readRobotAndSource();
-    void watchSensors();
-    bool noteLosses(); ///< tells what has been lost or found; true while anything is lost
+    SafetyObservation observe() const;
+    void watch(); ///< the failsafe ladder
+    void react(const SafetyFinding& finding);
+    void tellEnd(const SafetyFinding& finding);
+    void addFault(Message reason);
+    void retreatFor(Message reason); ///< with or without a run
+    void beginRetreat();
+    void switchHeatOff();
     void control();
     void keepHeating();
     void backOff(); ///< off the source, which is too near
@@ -134,15 +153,20 @@ private:
     std::unique_ptr<Controller> m_controller;
 
     RunState m_state = RunState::NotReady;
-    std::vector<Message> m_faults;  ///< latched
-    std::vector<bool> m_sensorLost; ///< at the last sample of the run
-    bool m_sourceLost = false;      ///< tracked, but not seen at the last sample of the run
+    bool m_runOn = false;          ///< from Start to the end of its retreat
+    std::vector<Message> m_faults; ///< latched
+    SafetyMonitor m_safety;
+    Message m_thermometerProblem, m_robotProblem, m_sourceProblem, m_heatOffProblem; ///< None: none
+    RobotState m_robot;                                                              ///< told last
+    double m_sourceRead_s = 0.0;      ///< its newest valid temperature
+    std::optional<double> m_source_K; ///< that, unless it is too old
+    std::optional<double> m_asked_K;  ///< set point, while the heat is on
+    std::optional<double> m_diskFree_MB;
+    std::optional<double> m_tick_s; ///< the one before
     double m_sourceSeen_s = -1e300; ///< when it was last seen
     PoseReading m_sourceReading;
     std::optional<Vector6d> m_goal; ///< of moveTo
-    bool m_heldBySensor = false;
-    double m_lostSince_s = 0.0;    ///< when the present loss began
-    double m_lostLast_s = -1e300;  ///< when something was lost last
+    bool m_heldBySafety = false;
     bool m_retreatRaised = false;  ///< the retreat's way up is done
     double m_retreatMoved_s = 0.0; ///< when the retreating robot moved last
     Vector6d m_retreatFrom = Vector6d::Zero();
@@ -151,7 +175,6 @@ private:
     bool m_compromiseTold = false;
     double m_startTime_s = 0.0;
     double m_sourceStrength = 1.0;
-    RobotState m_robot;      ///< as it said last
     bool m_isHoming = false; ///< as asked for, also in a fault: it is then not halted
     double m_homingSince_s = 0.0;
     std::optional<double> m_handHeat_K; ///< set point by hand

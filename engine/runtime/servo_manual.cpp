@@ -74,7 +74,9 @@ double ServoLoop::mostHeat_K() const {
 Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
     if (!setPoint_K) { // off is never refused
         m_handHeat_K.reset();
-        return isByHand() || m_state == RunState::Fault ? m_devices.source.heatOff() : Result<void>();
+        if (isByHand() || m_state == RunState::Fault)
+            switchHeatOff();
+        return {};
     }
     if (!isByHand())
         return refusal("Heat");

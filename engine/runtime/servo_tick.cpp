@@ -12,8 +12,6 @@
 namespace bask {
 namespace {
 
-constexpr double kHeldLimit_s =
-    15.0; ///< a lost sensor or source holds this long, then the run ends with a retreat
 // A retreating robot that has not moved for so long will not: one may obey late and start slowly.
 constexpr double kStill_s = 15.0;
 constexpr double kStillPeriods = 3.0;
@@ -30,11 +28,9 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void ServoLoop::tick() {
     try {
-        readSensors();
-        readSourcePose();
-        readRobotAndSource();
-        if (running())
-            watchSensors();
+        look();
+        watch();
+        m_tick_s = m_clock.now_s();
         if (m_state == RunState::Running || m_state == RunState::Settled)
             control();
         else if (m_state == RunState::Stopping)
@@ -52,10 +48,17 @@ void ServoLoop::tick() {
     }
 }
 
+void ServoLoop::look() {
+    readSensors();
+    readSourcePose();
+    readRobotAndSource();
+}
+
 void ServoLoop::readSensors() {
     const auto readings = m_devices.thermometer.read();
     if (readings)
         m_sensors.add(*readings);
+    m_thermometerProblem = readings ? Message{} : readings.error().message;
     m_sampleTime_s = m_clock.now_s();
     takeReadings();
 }
@@ -109,6 +112,7 @@ bool ServoLoop::facesObjects(const Pose& X_RS) const {
 
 void ServoLoop::readRobotAndSource() {
     const auto robot = m_devices.robot.state();
+    m_robotProblem = robot ? Message{} : robot.error().message;
     if (robot) {
         m_robot = *robot;
         m_isHoming = m_isHoming && (robot->moving || m_clock.now_s() - m_homingSince_s < kHomingStarts_s);
@@ -117,61 +121,110 @@ void ServoLoop::readRobotAndSource() {
         const Eigen::VectorXd F = m_geometry->viewFactorsFast(m_coordinates);
         for (std::size_t i = 0; i < m_latest.objects.size(); ++i)
             m_latest.objects[i].viewFactor = F[static_cast<Eigen::Index>(i)];
-    } else {
-        fault(robot.error().message);
     }
     const auto source = m_devices.source.read();
-    if (!source) {
-        stopFor(source.error().message); // the robot can still take the objects away
-    } else if (source->valid) {
-        m_latest.source_K = source->value_K;
-        const SourceSpec& spec = m_experiment.source;
-        const double T3 = m_sensors.environment_K().value_or(m_experiment.environment_K);
-        m_sourceStrength = netSourcePower_W_m2(spec.model, source->value_K, spec.emittance, T3) /
-                           netSourcePower_W_m2(spec.model, spec.temperature_K, spec.emittance, T3);
-    }
-}
-
-bool ServoLoop::noteLosses() {
-    bool lost = false;
-    for (std::size_t i = 0; i < m_sensors.size(); ++i) {
-        const bool fresh = m_sensors.fresh(i, m_clock.now_s());
-        const std::string& name = m_experiment.objects[i].name;
-        if (fresh && m_sensorLost[i])
-            event(MessageCode::EventSensorBack, {name});
-        else if (!fresh && !m_sensorLost[i])
-            event(MessageCode::ReasonSensorInvalid, {name});
-        m_sensorLost[i] = !fresh;
-        lost = lost || !fresh;
-    }
-    const bool sourceLost = !sourceSeen();
-    if (sourceLost != m_sourceLost)
-        event(sourceLost ? MessageCode::ReasonSourcePoseLost : MessageCode::EventSourcePoseBack);
-    m_sourceLost = sourceLost;
-    return lost || sourceLost;
-}
-
-void ServoLoop::watchSensors() {
-    if (m_state == RunState::Stopping)
+    m_sourceProblem = source ? Message{} : source.error().message;
+    m_source_K.reset();
+    if (!source || !source->valid)
         return;
-    const double now_s = m_clock.now_s();
-    const bool lost = noteLosses();
-    // A loose contact is one loss: what comes back and goes does not begin anew.
-    if (lost && now_s - m_lostLast_s > kHeldLimit_s + 1.5 * m_experiment.sampling.period_s)
-        m_lostSince_s = now_s;
-    if (lost)
-        m_lostLast_s = now_s;
-    if (lost && m_state != RunState::Holding) {
+    m_sourceRead_s = m_devices.source.isByHand() ? m_clock.now_s() : source->time_s;
+    m_source_K = source->value_K;
+    m_latest.source_K = source->value_K;
+    const SourceSpec& spec = m_experiment.source;
+    const double T3 = m_sensors.environment_K().value_or(m_experiment.environment_K);
+    m_sourceStrength = netSourcePower_W_m2(spec.model, source->value_K, spec.emittance, T3) /
+                       netSourcePower_W_m2(spec.model, spec.temperature_K, spec.emittance, T3);
+}
+
+SafetyObservation ServoLoop::observe() const {
+    constexpr double kDark_K = 10.0; // over the room
+    SafetyObservation seen;
+    seen.now_s = m_clock.now_s();
+    seen.sinceTick_s = m_tick_s ? seen.now_s - *m_tick_s : 0.0;
+    for (std::size_t i = 0; i < m_sensors.size(); ++i) {
+        ObservedObject object;
+        object.age_s = m_sensors.age_s(i, seen.now_s);
+        object.isInvalid = m_sensors.lastInvalid(i);
+        object.isKnown = object.isInvalid || std::isfinite(object.age_s);
+        object.isLost = !m_sensors.fresh(i, seen.now_s);
+        object.fault = m_sensors.lastFault(i);
+        object.jump = m_sensors.jump(i);
+        object.largestRate_K_s = m_sensors.largestRate_K_s(i);
+        if (m_latest.objects[i].valid)
+            object.measured_K = m_latest.objects[i].measured_K;
+        object.viewFactor = m_latest.objects[i].viewFactor;
+        seen.objects.push_back(object);
+    }
+    seen.thermometerProblem = m_thermometerProblem;
+    seen.robotProblem = m_robotProblem;
+    seen.robotAlarm = m_robot.alarm;
+    seen.isPlaceSure = m_robot.isPlaceSure;
+    seen.robotAge_s = m_robotProblem.code == MessageCode::None ? seen.now_s - m_robot.time_s : 0.0;
+    seen.sourceProblem = m_sourceProblem;
+    seen.source_K = m_source_K;
+    seen.sourceAge_s = seen.now_s - m_sourceRead_s;
+    seen.sourceStrength = m_sourceStrength;
+    seen.asked_K = m_asked_K;
+    seen.readBack_K = m_devices.source.setPoint_K();
+    seen.isByHand = m_devices.source.isByHand();
+    seen.isHeatUnwanted = m_state == RunState::Stopping || m_state == RunState::Fault;
+    seen.heatOffProblem = m_heatOffProblem;
+    seen.isSourceDark = !m_asked_K && (!m_devices.isReal ||
+                                       (m_source_K && *m_source_K < m_experiment.environment_K + kDark_K));
+    seen.isSourcePoseLost = !sourceSeen() && m_sourceSeen_s >= 0.0;
+    seen.diskFree_MB = m_diskFree_MB;
+    return seen;
+}
+
+void ServoLoop::watch() {
+    const SafetyChanges changes = m_safety.watch(observe());
+    for (const SafetyFinding& finding : changes.ended)
+        tellEnd(finding);
+    for (const SafetyFinding& finding : changes.raised)
+        react(finding);
+    if (m_safety.isLost() && (m_state == RunState::Running || m_state == RunState::Settled)) {
         (void)hold();
-        m_heldBySensor = true;
-    } else if (lost && now_s - m_lostSince_s > kHeldLimit_s) {
+        m_heldBySafety = true;
+    } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
         (void)stop(); // whoever holds: nobody sees how hot the object is, or where the source
     }
 }
 
+void ServoLoop::react(const SafetyFinding& finding) {
+    const Message& message = finding.message;
+    switch (safetyRow(finding.condition).reaction) {
+    case SafetyReaction::Note:
+        return event(message.code, message.args);
+    case SafetyReaction::Hold:
+        event(message.code, message.args);
+        if (hold()) // of a run, or of a move of the operator's
+            m_heldBySafety = true;
+        return;
+    case SafetyReaction::Stop:
+        return stopFor(message);
+    case SafetyReaction::Retreat:
+        return retreatFor(message);
+    case SafetyReaction::Halt:
+        return fault(message);
+    }
+}
+
+void ServoLoop::tellEnd(const SafetyFinding& finding) {
+    const SafetyCondition condition = finding.condition;
+    if (condition >= SafetyCondition::SensorOpen && condition <= SafetyCondition::SensorFrozen)
+        event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
+    else if (condition == SafetyCondition::SourcePoseLost)
+        event(MessageCode::EventSourcePoseBack);
+    else
+        event(MessageCode::EventAlarmOver, {describe(finding.message)});
+}
+
 void ServoLoop::keepHeating() {
     const double validFor_s = kHeatPeriods * m_experiment.sampling.period_s;
-    if (const auto result = m_devices.source.keepHeating(*heatSetPoint_K(), validFor_s); !result)
+    const auto result = m_devices.source.keepHeating(*heatSetPoint_K(), validFor_s);
+    if (result)
+        m_asked_K = *heatSetPoint_K();
+    else
         stopFor(result.error().message);
 }
 
@@ -259,6 +312,8 @@ void ServoLoop::noteCompromise(const ControlOutput& output) {
 void ServoLoop::retreat() {
     // Off the source's plane first, then level: never sideways near the source. A robot that cannot come
     // nearer has arrived.
+    if (m_heatOffProblem.code != MessageCode::None)
+        switchHeatOff(); // again
     const RobotLimits& limits = m_experiment.robot;
     constexpr double kThere = 1e-3;
     const double now_s = m_clock.now_s();
@@ -285,8 +340,9 @@ void ServoLoop::retreat() {
     if (m_retreatRaised && arrived(goal)) {
         const std::string outcome = m_faults.empty() ? m_outcome : "fault";
         trace();
+        if (m_runOn)
+            m_latest.time_s = m_clock.now_s() - m_startTime_s;
         endRun(outcome);
-        m_latest.time_s = m_clock.now_s() - m_startTime_s;
         m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
         return;
     }
@@ -294,7 +350,7 @@ void ServoLoop::retreat() {
 }
 
 void ServoLoop::trace() {
-    if (!running())
+    if (!m_runOn)
         return;
     m_latest.time_s = m_clock.now_s() - m_startTime_s;
     m_record.samples.push_back(m_latest);

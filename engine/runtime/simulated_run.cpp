@@ -1,6 +1,7 @@
 #include "engine/runtime/simulated_run.h"
 
 #include "engine/base/message_code.h"
+#include "engine/runtime/fault_script.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/vision/camera_source_tracker.h"
 
@@ -56,10 +57,14 @@ public:
                  {rig.robot(), rig.thermometer(), rig.heatSource(),
                   [&rig] { return rig.trueTemperatures_K(); },
                   m_camera ? m_camera.get() : &rig.sourceTracker()},
-                 rig.clock()) {}
+                 rig.clock()),
+          m_script(experiment.simulation.faults) {}
 
     ServoLoop& loop() { return m_loop; }
     void period() {
+        if (m_loop.running())
+            for (const std::string& name : m_script.play(m_rig, m_loop.runTime_s()))
+                m_loop.reportFault(name);
         try {
             advance();
         } catch (const std::exception& exception) { // a source that is moved through the objects
@@ -83,6 +88,7 @@ private:
     SimulatedRig& m_rig;
     std::unique_ptr<CameraSourceTracker> m_camera; ///< where the camera follows the source
     ServoLoop m_loop;
+    FaultScript m_script;
 };
 
 } // namespace
@@ -157,6 +163,7 @@ Result<std::optional<double>> predictedSettling_s(const Experiment& experiment, 
     SimulatedRunOptions options;
     options.stop = stop;
     Experiment seen = experiment;
+    seen.simulation.faults.clear();
     seen.vision = {}; // a followed source by its true pose: pictures take ten times as long
     const auto outcome = runSimulated(seen, options);
     if (!outcome)

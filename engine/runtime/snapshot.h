@@ -5,6 +5,7 @@
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
 #include "engine/drivers/serial_ports.h"
+#include "engine/session/alarm.h"
 #include "engine/session/trace.h"
 
 #include <cstdint>
@@ -51,6 +52,7 @@ struct Snapshot {
     std::uint64_t sequence = 0;
     RunState state = RunState::Idle;
     std::vector<Message> reasons; ///< why not ready, holding or faulted, each a sentence with its remedy
+    std::vector<Alarm> alarms;    ///< as AlarmLog sorts them
     bool simulated = true;
     std::uint64_t runId = 0;  ///< grows with each Arm: a new trace begins
     double runTime_s = 0.0;   ///< since Start; 0 before

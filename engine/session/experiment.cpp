@@ -231,6 +231,11 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
     checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
     check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kLeastTemperature_degC,
                    kMostTemperature_degC);
+    for (const auto& [name, limit_K] :
+         {std::pair("warning", object.warning_K), std::pair("trip", object.trip_K)})
+        if (limit_K)
+            check.quantity(path + ".", name, EdgeUnit::Temperature, *limit_K, kLeastTemperature_degC,
+                           kMostTemperature_degC);
     if (const auto& rates = object.believedRates) {
         const std::string place = path + ".believed_rates.";
         check.positive(place + "lambda1_K_s", rates->lambda1, kMaxRate_K_s, "K/s");
@@ -418,6 +423,48 @@ void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
     check.range(path + "delay_s", camera.delay_s, 0.0, 1.0, "s");
 }
 
+/// The trip limits must lie over the warning limits, and the source's over what it is asked for.
+void checkSafety(Checker& check, const Experiment& e) {
+    const SafetySpec& s = e.safety;
+    const auto limit = [&](const std::string& path, std::string_view name, double value_K, double least_K) {
+        check.quantity(path, name, EdgeUnit::Temperature, value_K,
+                       std::max(kLeastTemperature_degC, celsiusFromKelvin(least_K)), kMostTemperature_degC);
+    };
+    limit("safety.", "warning", s.warning_K, 0.0);
+    limit("safety.", "trip", s.trip_K, s.warning_K);
+    for (std::size_t i = 0; i < e.objects.size() && !check.failed(); ++i)
+        limit("objects[" + to_string(i) + "].", "trip", tripLimit_K(e, e.objects[i]),
+              warningLimit_K(e, e.objects[i]));
+    if (s.sourceTrip_K)
+        limit("safety.", "source_trip", *s.sourceTrip_K, highestSetPoint_K(e.source));
+    check.range("safety.stale_periods", s.stalePeriods, 1.0, 1000.0);
+    check.range("safety.held_limit_s", s.heldLimit_s, 0.0, 3600.0, "s");
+    if (s.largestRate_K_s)
+        check.positive("safety.largest_rate_K_s", *s.largestRate_K_s, 1e5, "K/s");
+    check.range("safety.jumps", s.jumps, 1, 100);
+    check.range("safety.frozen_s", s.frozen_s, 1.0, 3600.0, "s");
+    check.range("safety.warming_K", s.warming_K, 0.5, 1000.0, "K");
+    check.range("safety.cross_check_K", s.crossCheck_K, 0.5, 1000.0, "K");
+    check.range("safety.source_heating_s", s.sourceHeating_s, 10.0, 36000.0, "s");
+    check.range("safety.source_band_K", s.sourceBand_K, 1.0, 1000.0, "K");
+    check.range("safety.source_unasked_K", s.sourceUnasked_K, 1.0, 1000.0, "K");
+    check.range("safety.least_disk_MB", s.leastDisk_MB, 0.0, 1e6, "MB");
+}
+
+void checkFaults(Checker& check, const Experiment& e) {
+    const std::vector<ScriptedFault>& faults = e.simulation.faults;
+    for (std::size_t i = 0; i < faults.size() && !check.failed(); ++i) {
+        const std::string path = "simulation.faults[" + to_string(i) + "].";
+        check.range(path + "time_s", faults[i].time_s, 0.0, kMaxTime_s, "s");
+        if (faults[i].until_s)
+            check.range(path + "until_s", *faults[i].until_s, faults[i].time_s, kMaxTime_s, "s");
+        if (faults[i].object >= e.objects.size())
+            check.fail(MessageCode::ValueOutOfRange, path + "object",
+                       {to_string(static_cast<std::ptrdiff_t>(faults[i].object)), "0",
+                        to_string(e.objects.size() - 1), ""});
+    }
+}
+
 /// The simulated source: where it goes and what it truly is.
 void checkTrueSource(Checker& check, const Experiment& e) {
     const TimeTable<Vector6d>& motion = e.simulation.sourceMotion;
@@ -473,6 +520,26 @@ double sourceSetPoint_K(const SourceSpec& source, double time_s) {
     return valueAt(source.temperatureProfile, time_s, source.temperature_K);
 }
 
+double highestSetPoint_K(const SourceSpec& source) {
+    double highest_K = source.temperatureProfile.empty() ? source.temperature_K : 0.0;
+    for (const auto& [unused_s, value_K] : source.temperatureProfile)
+        highest_K = std::max(highest_K, value_K);
+    return highest_K;
+}
+
+double warningLimit_K(const Experiment& experiment, const ObjectSpec& object) {
+    return object.warning_K.value_or(experiment.safety.warning_K);
+}
+
+double tripLimit_K(const Experiment& experiment, const ObjectSpec& object) {
+    return object.trip_K.value_or(experiment.safety.trip_K);
+}
+
+double sourceTripLimit_K(const Experiment& experiment) {
+    return experiment.safety.sourceTrip_K.value_or(highestSetPoint_K(experiment.source) +
+                                                   SafetySpec::kSourceOver_K);
+}
+
 Result<void> validate(const Experiment& e) {
     Checker check;
     if (e.title.size() > kMaxTitleLength)
@@ -488,6 +555,8 @@ Result<void> validate(const Experiment& e) {
     checkVision(check, e);
     if (e.rig && !check.failed())
         check.take(inside("rig.", checkRig(*e.rig, e.objects.size(), e.robot.free)));
+    checkSafety(check, e);
+    checkFaults(check, e);
     if (!check.failed())
         checkStart(check, e);
     if (check.failed())

@@ -6,6 +6,7 @@
 #include "engine/control/controller_settings.h"
 #include "engine/control/robot_limits.h"
 #include "engine/session/rig_spec.h"
+#include "engine/session/safety_spec.h"
 #include "engine/session/vision_spec.h"
 #include "engine/shape/contour_import.h"
 #include "engine/shape/shape.h"
@@ -72,6 +73,9 @@ struct ObjectSpec {
     std::optional<HeatRates> believedRates;
     /// What the simulated object truly is; empty: as believed.
     std::optional<Material> simulatedMaterial;
+    /// What it bears; empty: as all objects (SafetySpec).
+    std::optional<double> warning_K{};
+    std::optional<double> trip_K{};
     bool operator==(const ObjectSpec&) const = default;
 };
 
@@ -104,6 +108,7 @@ struct SimulationSpec {
     std::optional<double> sourceEmittance{}; ///< what the source truly has; empty: as believed
     std::optional<Vector6d> sourcePose{};    ///< where it truly lies at first; empty: as believed
     SimulatedCameraSpec camera{};
+    std::vector<ScriptedFault> faults{};
     bool operator==(const SimulationSpec&) const = default;
 };
 
@@ -119,6 +124,7 @@ struct Experiment {
     SimulationSpec simulation;
     VisionSpec vision;
     std::optional<RigSpec> rig; ///< the real devices; empty: it runs on the simulated rig
+    SafetySpec safety;
 
     bool operator==(const Experiment&) const = default;
 };
@@ -129,6 +135,14 @@ inline constexpr std::size_t kMostCorners = 5000; ///< of a polygon: more would 
 
 /// Set point of the source at a run time, K.
 double sourceSetPoint_K(const SourceSpec& source, double time_s);
+
+/// Of the whole run, K.
+double highestSetPoint_K(const SourceSpec& source);
+
+/// What is watched, K: the object's own limit or that of all.
+double warningLimit_K(const Experiment& experiment, const ObjectSpec& object);
+double tripLimit_K(const Experiment& experiment, const ObjectSpec& object);
+double sourceTripLimit_K(const Experiment& experiment);
 
 /// Checks every range and the relations between parts: N <= free coordinates, unique names, start inside the
 /// workspace and clear of the source, a source that can heat. The error's `where` is a JSON path such as

@@ -4,6 +4,7 @@
 #include "engine/session/json_fields.h"
 #include "engine/session/json_text.h"
 #include "engine/session/rig_json.h"
+#include "engine/session/safety_json.h"
 #include "engine/session/vision_json.h"
 
 #include <nlohmann/json.hpp>
@@ -271,6 +272,7 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
     readPart(fields, "simulated_material", false, [&](const json& part, const std::string& where) {
         readMaterial(part, where, failure, object.simulatedMaterial.emplace());
     });
+    readLimits(fields, object.warning_K, object.trip_K);
     fields.close();
     return object;
 }
@@ -400,6 +402,7 @@ void readSimulation(const json& j, const std::string& path, Failure& failure, Si
     readPart(fields, "camera", false, [&](const json& part, const std::string& where) {
         readSimulatedCamera(part, where, failure, out.camera);
     });
+    readFaults(fields, "faults", out.faults);
     fields.close();
 }
 
@@ -444,6 +447,7 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     readPart(root, "rig", false, [&](const json& value, const std::string& where) {
         readRig(value, where, failure, e.rig.emplace());
     });
+    part("safety", false, readSafety, e.safety);
     const json* objects = root.find("objects", true);
     // Keys first: an import is only worth its time in a file that is otherwise right.
     root.close();

@@ -2,6 +2,7 @@
 #include "engine/session/experiment.h"
 #include "engine/session/json_quantities.h"
 #include "engine/session/rig_json.h"
+#include "engine/session/safety_json.h"
 #include "engine/session/vision_json.h"
 
 #include <QSaveFile>
@@ -105,6 +106,7 @@ Json objectJson(const ObjectSpec& object) {
                                {"lambda3_K_s", rates->lambda3}};
     if (object.simulatedMaterial)
         j["simulated_material"] = materialJson(*object.simulatedMaterial);
+    putLimits(j, object.warning_K, object.trip_K);
     return j;
 }
 
@@ -181,6 +183,8 @@ Json simulationJson(const SimulationSpec& s) {
         j["source_pose"] = coordinatesJson(*s.sourcePose);
     if (s.camera != SimulatedCameraSpec())
         j["camera"] = simulatedCameraJson(s.camera);
+    if (!s.faults.empty())
+        j["faults"] = faultsJson(s.faults);
     return j;
 }
 
@@ -203,6 +207,8 @@ Json experimentJson(const Experiment& e) {
         j["vision"] = visionJson(e.vision);
     if (e.rig)
         j["rig"] = rigJson(*e.rig);
+    if (e.safety != SafetySpec())
+        j["safety"] = safetyJson(e.safety);
     return j;
 }
 

@@ -28,6 +28,7 @@ SimulatedRig::SimulatedRig(const SimulatedRigConfig& config)
         m_X_EO.push_back(poseFromCoordinates(object.mounting));
     }
     m_F.assign(m_contours.size(), 0.0);
+    m_isHot.assign(m_contours.size(), false);
     m_thermometer.observe(trueTemperatures_K());
     m_tracker.observe(m_X_RS);
     showCamera();
@@ -62,6 +63,9 @@ void SimulatedRig::step(double until_s) {
                                                 m_config.sourceEmittance, m_config.environment_K)
                           : 0.0;
     m_plant.advance(dt_s, m_F, J);
+    for (std::size_t i = 0; i < m_isHot.size(); ++i)
+        if (m_isHot[i])
+            m_plant.warm(i, kHot_K_s * dt_s);
     m_source.advance(dt_s);
     m_clock.advanceTo(until_s);
     m_thermometer.observe(trueTemperatures_K());

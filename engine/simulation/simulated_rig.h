@@ -59,6 +59,10 @@ public:
     std::vector<double> trueTemperatures_K() const;
     const Pose& X_RS() const { return m_X_RS; } ///< where the source truly is
 
+    /// Warmed by something else, kHot_K_s.
+    void setHot(std::size_t object, bool hot) { m_isHot.at(object) = hot; }
+    double environment_K() const { return m_config.environment_K; }
+
     SimulatedRobot& simulatedRobot() { return m_robot; }
     SimulatedThermometer& simulatedThermometer() { return m_thermometer; }
     SimulatedHeatSource& simulatedHeatSource() { return m_source; }
@@ -66,6 +70,7 @@ public:
     SimulatedCamera& simulatedCamera() { return m_camera; }
 
     static constexpr double kStep_s = 0.1;
+    static constexpr double kHot_K_s = 2.0;
 
 private:
     void step(double until_s);
@@ -86,6 +91,7 @@ private:
     Pose m_X_RS;
     bool m_heated = false; ///< in the last step
     double m_heatedSince_s = 0.0;
+    std::vector<bool> m_isHot;
     std::vector<double> m_F; ///< at m_computedAt, the end-effector in S
     std::optional<Pose> m_computedAt;
 };

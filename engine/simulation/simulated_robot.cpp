@@ -8,6 +8,11 @@
 #include <cmath>
 
 namespace bask {
+namespace {
+
+const Message kAlarm{MessageCode::RobotAlarm, {"1", "simulated hard limit"}};
+
+} // namespace
 
 SimulatedRobot::SimulatedRobot(const SimulatedRobotConfig& config, const Clock& clock)
     : m_config(config), m_clock(clock), m_exact(config.start) {}
@@ -23,29 +28,61 @@ Vector6d SimulatedRobot::coordinates() const {
 }
 
 Result<RobotState> SimulatedRobot::state() {
-    if (m_linkLost)
+    if (m_trouble == RobotTrouble::LinkLost)
         return Error(MessageCode::ReasonRobotLost, {}, {"simulated link lost"});
+    if (m_trouble == RobotTrouble::Slow)
+        return m_told;
     const bool told = m_clock.now_s() < m_expires_s && !m_wanted.isZero();
     const bool moving = told || !m_rates.isZero();
-    return RobotState{m_clock.now_s(), coordinates(), moving};
+    m_told = {m_clock.now_s(), coordinates(), moving};
+    m_told.isPlaceSure = m_trouble != RobotTrouble::Restarted;
+    if (m_trouble == RobotTrouble::Alarm)
+        m_told.alarm = kAlarm;
+    return m_told;
+}
+
+void SimulatedRobot::setTrouble(RobotTrouble trouble) {
+    if (trouble == m_trouble)
+        return;
+    m_trouble = trouble;
+    if (trouble == RobotTrouble::Alarm || trouble == RobotTrouble::Restarted) { // it stops at once
+        m_orders.clear();
+        m_wanted.setZero();
+        m_rates.setZero();
+    }
+}
+
+Result<void> SimulatedRobot::home() {
+    if (m_trouble == RobotTrouble::Restarted)
+        m_trouble = RobotTrouble::None;
+    return {};
+}
+
+Result<void> SimulatedRobot::clearAlarm() {
+    if (m_trouble == RobotTrouble::Alarm)
+        m_trouble = RobotTrouble::None;
+    return {};
 }
 
 Result<void> SimulatedRobot::setTwist(const Vector6d& twist, double validFor_s) {
-    if (m_linkLost)
+    if (m_trouble == RobotTrouble::LinkLost)
         return Error(MessageCode::ReasonRobotLost, {}, {"simulated link lost"});
+    if (m_trouble == RobotTrouble::Alarm)
+        return Error(kAlarm.code, {}, kAlarm.args);
     give(twist, validFor_s);
     return {};
 }
 
 Result<void> SimulatedRobot::halt() {
     give(Vector6d::Zero(), 0.0);
-    if (m_linkLost)
+    if (m_trouble == RobotTrouble::LinkLost)
         return Error(MessageCode::ReasonRobotLost, {}, {"simulated link lost"});
     return {};
 }
 
 void SimulatedRobot::give(const Vector6d& twist, double validFor_s) {
-    m_orders.push_back({m_clock.now_s() + m_config.latency_s, twist, validFor_s});
+    const double late_s = m_config.latency_s + (m_trouble == RobotTrouble::Slow ? kSlow_s : 0.0);
+    m_orders.push_back({m_clock.now_s() + late_s, twist, validFor_s});
     obey(m_clock.now_s());
 }
 

@@ -25,6 +25,15 @@ struct SimulatedRobotConfig {
     double latency_s = 0.0; ///< a command, halt too, takes effect this late
 };
 
+/// What a simulated robot can have.
+enum class RobotTrouble {
+    None,
+    LinkLost,
+    Alarm,
+    Restarted, ///< stands, and is not sure of its place
+    Slow       ///< tells nothing new, and obeys kSlow_s late
+};
+
 class SimulatedRobot final : public Robot {
 public:
     SimulatedRobot(const SimulatedRobotConfig& config, const Clock& clock);
@@ -32,14 +41,18 @@ public:
     Result<RobotState> state() override;
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
     Result<void> halt() override;
-    Result<void> home() override { return {}; } ///< its place is always sure
-    Result<void> clearAlarm() override { return {}; }
+    Result<void> home() override; ///< where it stands
+    Result<void> clearAlarm() override;
 
     /// Moves for dt_s of the clock's time.
     void advance(double dt_s);
     /// Where it stands: the steps that its motors have made.
     Vector6d coordinates() const;
-    void setLinkLost(bool lost) { m_linkLost = lost; }
+    void setLinkLost(bool lost) { m_trouble = lost ? RobotTrouble::LinkLost : RobotTrouble::None; }
+    /// An alarm, and a place that is not sure, last until they are cleared or another trouble is set.
+    void setTrouble(RobotTrouble trouble);
+
+    static constexpr double kSlow_s = 5.0;
 
 private:
     struct Order {
@@ -59,7 +72,8 @@ private:
     Vector6d m_rates = Vector6d::Zero();  ///< rates it has
     double m_expires_s = 0.0;
     std::deque<Order> m_orders; ///< on their way
-    bool m_linkLost = false;
+    RobotTrouble m_trouble = RobotTrouble::None;
+    RobotState m_told; ///< last
 };
 
 } // namespace bask

@@ -10,7 +10,7 @@ namespace bask {
 
 SimulatedThermometer::SimulatedThermometer(const SimulatedThermometerConfig& config, const Clock& clock)
     : m_config(config), m_clock(clock), m_random(config.seed),
-      m_lost(static_cast<std::size_t>(config.channels), false) {
+      m_troubles(static_cast<std::size_t>(config.channels)) {
     std::uniform_real_distribution<double> offset(-config.offset_K, config.offset_K);
     for (int i = 0; i < config.channels; ++i)
         m_offset_K.push_back(config.offset_K > 0.0 ? offset(m_random) : 0.0);
@@ -43,12 +43,48 @@ Result<std::vector<Reading>> SimulatedThermometer::read() {
         if (m_config.resolution_K > 0.0)
             value = std::round(value / m_config.resolution_K) * m_config.resolution_K;
         const bool dropped = m_config.dropout > 0.0 && dropout(m_random);
-        if (m_lost[i] || dropped)
+        out[i] = troubled(i, value);
+        if (dropped)
             out[i] = {m_clock.now_s(), std::numeric_limits<double>::quiet_NaN(), false};
-        else
-            out[i] = {m_clock.now_s(), value, true};
     }
     return out;
+}
+
+void SimulatedThermometer::setTrouble(std::size_t channel, SensorTrouble trouble, double room_K) {
+    Trouble& now = m_troubles.at(channel);
+    if (now.kind != trouble)
+        now.since_s = m_clock.now_s();
+    now.kind = trouble;
+    now.room_K = room_K;
+}
+
+Reading SimulatedThermometer::troubled(std::size_t channel, double value_K) {
+    Trouble& trouble = m_troubles[channel];
+    const double now_s = m_clock.now_s();
+    const auto none = [&](SensorFault fault) {
+        return Reading{now_s, std::numeric_limits<double>::quiet_NaN(), false, fault};
+    };
+    switch (trouble.kind) {
+    case SensorTrouble::Lost:
+        return none(SensorFault::None);
+    case SensorTrouble::Open:
+        return none(SensorFault::Open);
+    case SensorTrouble::Short:
+        return none(SensorFault::Short);
+    case SensorTrouble::Frozen:
+        return {now_s, trouble.last_K, true};
+    case SensorTrouble::Jumping:
+        if (std::fmod(now_s - trouble.since_s, 2.0 * kJumping_s) < kJumping_s)
+            value_K += kJump_K;
+        break;
+    case SensorTrouble::Off:
+        value_K += trouble.room_K - m_history.front().felt_K[channel];
+        break;
+    case SensorTrouble::None:
+        break;
+    }
+    trouble.last_K = value_K;
+    return {now_s, value_K, true};
 }
 
 SimulatedHeatSource::SimulatedHeatSource(double temperature_K, double environment_K, const Clock& clock)
@@ -56,13 +92,13 @@ SimulatedHeatSource::SimulatedHeatSource(double temperature_K, double environmen
       m_setPoint_K(temperature_K) {}
 
 Result<Reading> SimulatedHeatSource::read() {
-    if (m_linkLost)
+    if (m_trouble == SourceTrouble::LinkLost)
         return Error(MessageCode::ReasonSourceLost, {}, {"simulated link lost"});
-    return Reading{m_clock.now_s(), m_temperature_K, true};
+    return Reading{m_clock.now_s(), m_temperature_K, m_trouble != SourceTrouble::Silent};
 }
 
 Result<void> SimulatedHeatSource::keepHeating(double setPoint_K, double validFor_s) {
-    if (m_linkLost)
+    if (m_trouble == SourceTrouble::LinkLost)
         return Error(MessageCode::ReasonSourceLost, {}, {"simulated link lost"});
     m_setPoint_K = setPoint_K;
     m_expires_s = m_clock.now_s() + validFor_s;
@@ -72,8 +108,10 @@ Result<void> SimulatedHeatSource::keepHeating(double setPoint_K, double validFor
 }
 
 Result<void> SimulatedHeatSource::heatOff() {
+    if (m_trouble == SourceTrouble::KeepsHeat && heating())
+        return Error(MessageCode::ReasonSourceLost, {}, {"simulated order not taken"});
     m_on = false;
-    if (m_linkLost)
+    if (m_trouble == SourceTrouble::LinkLost)
         return Error(MessageCode::ReasonSourceLost, {}, {"simulated link lost"});
     return {};
 }
@@ -82,11 +120,22 @@ bool SimulatedHeatSource::heating() const {
     return m_on && m_clock.now_s() < m_expires_s + 1e-9;
 }
 
+std::optional<double> SimulatedHeatSource::setPoint_K() const {
+    return m_setPoint_K - (m_trouble == SourceTrouble::Limited ? kLimited_K : 0.0);
+}
+
 void SimulatedHeatSource::advance(double dt_s) {
-    if (heating())
-        m_temperature_K += (m_setPoint_K - m_temperature_K) * -std::expm1(-dt_s / kHeating_s);
+    const auto go = [&](double towards_K, double constant_s) {
+        m_temperature_K += (towards_K - m_temperature_K) * -std::expm1(-dt_s / constant_s);
+    };
+    if (m_trouble == SourceTrouble::Overheats)
+        m_temperature_K += kOverheating_K_s * dt_s;
+    else if (m_trouble == SourceTrouble::HeatsAlone && !heating())
+        m_temperature_K += kAlone_K_s * dt_s;
+    else if (heating() && m_trouble != SourceTrouble::NotHeating)
+        go(*setPoint_K(), kHeating_s);
     else if (m_everOn)
-        m_temperature_K += (m_environment_K - m_temperature_K) * -std::expm1(-dt_s / kCooling_s);
+        go(m_environment_K, kCooling_s);
 }
 
 } // namespace bask

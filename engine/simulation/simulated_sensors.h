@@ -22,6 +22,17 @@ struct SimulatedThermometerConfig {
     double dropout = 0.0; ///< probability that a channel gives no reading
 };
 
+/// What a simulated sensor can have.
+enum class SensorTrouble {
+    None,
+    Lost,    ///< gives no value
+    Open,    ///< and says so
+    Short,   ///< and says so
+    Frozen,  ///< gives its last value
+    Jumping, ///< reads kJump_K too much for every other kJumping_s
+    Off      ///< came off its object: reads the room
+};
+
 /// Follows true temperatures that it is given by observe().
 class SimulatedThermometer final : public Thermometer {
 public:
@@ -32,20 +43,46 @@ public:
 
     /// True temperatures at the clock's time.
     void observe(const std::vector<double>& true_K);
-    /// A lost channel answers, but as an open sensor.
-    void setLost(std::size_t channel, bool lost) { m_lost.at(channel) = lost; }
+    void setLost(std::size_t channel, bool lost) {
+        setTrouble(channel, lost ? SensorTrouble::Lost : SensorTrouble::None);
+    }
+    /// `room_K`: what a sensor reads that came off.
+    void setTrouble(std::size_t channel, SensorTrouble trouble, double room_K = 298.15);
+
+    static constexpr double kJump_K = 30.0;
+    static constexpr double kJumping_s = 10.0;
 
 private:
     struct Moment {
         double time_s;
         std::vector<double> felt_K; ///< of the sensor itself, which lags behind its object
     };
+    struct Trouble {
+        SensorTrouble kind = SensorTrouble::None;
+        double since_s = 0.0;
+        double room_K = 0.0;
+        double last_K = 0.0; ///< given last
+    };
+    Reading troubled(std::size_t channel, double value_K);
+
     SimulatedThermometerConfig m_config;
     const Clock& m_clock;
     std::mt19937_64 m_random;
     std::vector<double> m_offset_K;
-    std::vector<bool> m_lost;
+    std::vector<Trouble> m_troubles;
     std::deque<Moment> m_history;
+};
+
+/// What a simulated source can have.
+enum class SourceTrouble {
+    None,
+    LinkLost,
+    Silent,     ///< tells no temperature
+    NotHeating, ///< takes orders, and cools
+    HeatsAlone, ///< kAlone_K_s with its heat off
+    Overheats,  ///< kOverheating_K_s, whatever its set point
+    Limited,    ///< to kLimited_K below its set point
+    KeepsHeat   ///< takes no order to switch off
 };
 
 /// A plate kept at its set temperature behind a shutter: heat on opens the shutter, heat off closes it and
@@ -62,10 +99,16 @@ public:
     Result<void> keepHeating(double setPoint_K, double validFor_s) override;
     Result<void> heatOff() override;
     bool heating() const override;
+    std::optional<double> setPoint_K() const override;
 
     void advance(double dt_s);
     double temperature_K() const { return m_temperature_K; }
-    void setLinkLost(bool lost) { m_linkLost = lost; }
+    void setLinkLost(bool lost) { m_trouble = lost ? SourceTrouble::LinkLost : SourceTrouble::None; }
+    void setTrouble(SourceTrouble trouble) { m_trouble = trouble; }
+
+    static constexpr double kAlone_K_s = 1.0;
+    static constexpr double kOverheating_K_s = 2.0;
+    static constexpr double kLimited_K = 20.0;
 
 private:
     double m_temperature_K;
@@ -75,7 +118,7 @@ private:
     double m_expires_s = 0.0;
     bool m_on = false;
     bool m_everOn = false;
-    bool m_linkLost = false;
+    SourceTrouble m_trouble = SourceTrouble::None;
 };
 
 } // namespace bask

@@ -23,6 +23,8 @@ public:
     /// Advances by dt_s, in as many steps as the thinnest object needs, under constant view factors F and net
     /// source power J (W/m2).
     void advance(double dt_s, const std::vector<double>& F, double netSourcePower_W_m2);
+    /// By something else than the source.
+    void warm(std::size_t i, double by_K) { m_objects[i].temperature_K += by_K; }
     double temperature_K(std::size_t i) const { return m_objects[i].temperature_K; }
     std::size_t size() const { return m_objects.size(); }
 

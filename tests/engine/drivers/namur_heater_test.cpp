@@ -147,7 +147,8 @@ TEST_F(NamurHeaterTest, anEngineThatWasHeldUpStopsTheHeatFirst) {
     EXPECT_EQ(count("OUT_WD1@30"), 0u);
 }
 
-// Catches a plate whose watchdog ends every run with an error, though the engine lives and has switched it off.
+// Catches a plate whose watchdog ends every run with an error, though the engine lives and has switched it
+// off.
 TEST_F(NamurHeaterTest, theWatchdogStaysQuietAfterTheHeatWasSwitchedOff) {
     run(1.0);
     ASSERT_TRUE(m_heater.keepHeating(kSixty_K, 10.0).ok());

@@ -33,7 +33,7 @@ Experiment oneDisk() {
 /// Worker on its thread, with everything it published.
 class Rig : public QObject {
 public:
-    Rig() {
+    explicit Rig(const std::string& alarmFile = {}) : m_worker(alarmFile) {
         m_worker.moveToThread(&m_thread);
         connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
         connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
@@ -217,6 +217,64 @@ TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     rig.send(SimulateFault{SimulatedFault::None});
     rig.send(Reset{});
     EXPECT_TRUE(rig.reaches(RunState::Ready));
+}
+
+// Catches alarms that are not published, cannot be acknowledged, are not in the record, or are forgotten by a
+// restart.
+TEST(EngineWorker, AlarmsArePublishedAcknowledgedAndOutliveIt) {
+    const QTemporaryDir folder;
+    const std::string file = folder.filePath("alarms.json").toStdString();
+    const std::string path = folder.filePath("run.bask").toStdString();
+    {
+        Rig rig(file);
+        rig.send(SetSimulationSpeed{20.0});
+        rig.send(LoadExperiment{oneDisk()});
+        ASSERT_TRUE(rig.reaches(RunState::Ready));
+        EXPECT_TRUE(rig.last.alarms.empty());
+        rig.send(Arm{path});
+        rig.send(Start{});
+        ASSERT_TRUE(rig.reaches(RunState::Running));
+        rig.send(SimulateFault{SimulatedFault::RobotAlarm});
+        ASSERT_TRUE(rig.reaches(RunState::Fault));
+        ASSERT_TRUE(rig.waitFor([&] { return !rig.last.alarms.empty(); }));
+        const Alarm alarm = rig.last.alarms.front();
+        EXPECT_EQ(alarm.message.code, MessageCode::RobotAlarm);
+        EXPECT_TRUE(alarm.isActive && alarm.isFirst && !alarm.isAcknowledged);
+        EXPECT_GT(alarm.raised_s, 1.7e9);
+        rig.send(Reset{}); // still in alarm
+        ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::RobotAlarm; }));
+        rig.send(AcknowledgeAlarm{alarm.id});
+        ASSERT_TRUE(rig.waitFor([&] { return rig.last.alarms.front().isAcknowledged; }));
+        rig.send(SimulateFault{SimulatedFault::None});
+        rig.send(Reset{});
+        ASSERT_TRUE(rig.waitFor([&] { return rig.last.alarms.empty(); }));
+        rig.send(SimulateFault{SimulatedFault::SourceLost});
+        ASSERT_TRUE(rig.waitFor([&] { return !rig.last.alarms.empty(); }));
+    }
+    Rig rig(file);
+    ASSERT_TRUE(rig.waitFor([&] { return !rig.last.alarms.empty(); }));
+    EXPECT_EQ(rig.last.alarms.front().message.code, MessageCode::ReasonSourceLost);
+    EXPECT_TRUE(rig.last.alarms.front().isFromBefore);
+    EXPECT_FALSE(rig.last.alarms.front().isActive);
+    rig.send(AcknowledgeAll{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.alarms.empty(); }));
+    EXPECT_TRUE(readAlarms(file).value().empty());
+}
+
+// Catches a recording that is begun on a disk which has no room for it.
+TEST(EngineWorker, ARecordingNeedsRoomOnTheDisk) {
+    const QTemporaryDir folder;
+    Rig rig;
+    Experiment experiment = oneDisk();
+    experiment.safety.leastDisk_MB = 1e6; // a terabyte
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{experiment});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{folder.filePath("run.bask").toStdString()});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::SafetyDiskLow; }));
+    EXPECT_EQ(rig.last.state, RunState::Ready);
+    rig.send(Arm{});
+    EXPECT_TRUE(rig.reaches(RunState::Armed));
 }
 
 // Catches: a page without pictures, pictures that nobody wants, and a board that is not held before the

@@ -59,6 +59,8 @@ TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
     for (const bool isFollowed : {true, false}) {
         Experiment experiment = movingSource();
         experiment.source.tracked = isFollowed;
+        if (!isFollowed)
+            experiment.safety.warming_K = 1000.0; // or the run is ended, see below
         double away_K = 0.0; // at the end of its time 10 cm away and turned by 20 degrees
         SimulatedRunOptions options;
         options.duration_s = 900.0;
@@ -74,6 +76,20 @@ TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
         EXPECT_EQ(away_K < 0.5, isFollowed) << away_K;
         EXPECT_EQ(worstError_K(*outcome) < 0.5, isFollowed) << worstError_K(*outcome);
     }
+}
+
+// Catches a source that is carried away, and nobody is told that the objects do not follow their heat.
+TEST(FollowedSource, ThatIsCarriedAwayUnseenEndsTheRun) {
+    Experiment experiment = movingSource();
+    experiment.source.tracked = false;
+    SimulatedRunOptions options;
+    options.duration_s = 900.0;
+    const auto outcome = runSimulated(experiment, options);
+    ASSERT_TRUE(outcome) << describe(outcome.error());
+    EXPECT_TRUE(outcome->fault);
+    EXPECT_TRUE(std::ranges::any_of(outcome->events, [](const TraceEvent& event) {
+        return event.message.code == MessageCode::SafetyNotWarming;
+    }));
 }
 
 // Catches a tracked pose that drifts, is late, or is not told as sure as it is.

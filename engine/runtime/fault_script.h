@@ -1,0 +1,30 @@
+#pragma once
+// Faults of the simulated rig: one by its name, and those of an experiment's script at their times.
+
+#include "engine/session/safety_spec.h"
+#include "engine/simulation/simulated_rig.h"
+
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// Raises it, or ends it. Of an object that there is not: nothing.
+void setFault(SimulatedRig& rig, SimulatedFault fault, std::size_t object, bool isOn);
+/// Ends all.
+void clearFaults(SimulatedRig& rig);
+
+class FaultScript {
+public:
+    explicit FaultScript(std::vector<ScriptedFault> faults)
+        : m_faults(std::move(faults)), m_isOn(m_faults.size(), false) {}
+
+    /// At a run time. Answers the names of those that have been raised just now.
+    std::vector<std::string> play(SimulatedRig& rig, double runTime_s);
+
+private:
+    std::vector<ScriptedFault> m_faults;
+    std::vector<bool> m_isOn;
+};
+
+} // namespace bask

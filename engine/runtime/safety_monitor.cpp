@@ -1,0 +1,388 @@
+#include "engine/runtime/safety_monitor.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/runtime/rig_setup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+using Condition = SafetyCondition;
+using Reaction = SafetyReaction;
+
+constexpr double kHysteresis_K = 2.0;     ///< of the objects' and the source's limits
+constexpr double kWhileSame_K = 0.5;      ///< a sensor that gives the very same value is frozen beyond this
+constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a ramp that it follows late
+constexpr double kHandWarm_K = 30.0;      ///< over the room: a source that is worth a warning
+constexpr double kLate_s = 1.0;           ///< of the loop
+constexpr double kCoolingTimes = 5.0;     ///< time constants until an object is as cold as the room
+constexpr double kDiskHysteresis = 1.1;
+
+// Delays: a limit of temperature takes two readings of the source, whose readings nobody has checked for
+// jumps; the objects' have been. A set point is read back late. A
+// sensor that lags behind its object follows a turn late, and no matter of safety hurries there. A loop that
+// was late is told for a minute, so that a stutter is one alarm.
+// clang-format off
+constexpr std::array kLadder{
+    SafetyRow{Condition::RobotLost,          1, Reaction::Halt,    false, 0.0, 0.0},
+    SafetyRow{Condition::RobotAlarm,         1, Reaction::Halt,    false, 0.0, 0.0},
+    SafetyRow{Condition::RobotPlaceUnsure,   1, Reaction::Halt,    false, 0.0, 0.0},
+    SafetyRow{Condition::RobotSlow,          1, Reaction::Halt,    false, 0.0, 0.0},
+    SafetyRow{Condition::ObjectHot,          1, Reaction::Retreat, false, 0.0, 1.0},
+    SafetyRow{Condition::SourceHot,          1, Reaction::Retreat, false, 0.5, 1.0},
+    SafetyRow{Condition::SourceLost,         1, Reaction::Stop,    false, 0.0, 0.0},
+    SafetyRow{Condition::SourceSilent,       1, Reaction::Stop,    false, 0.0, 0.0},
+    SafetyRow{Condition::SourceNotHeating,   1, Reaction::Stop,    false, 0.0, 0.0},
+    SafetyRow{Condition::SourceHeatsUnasked, 1, Reaction::Stop,    false, 0.5, 0.0},
+    SafetyRow{Condition::SetPointOther,      1, Reaction::Stop,    false, 10.0, 0.0},
+    SafetyRow{Condition::NotWarming,         1, Reaction::Stop,    false, 30.0, 0.0},
+    SafetyRow{Condition::SensorOpen,         1, Reaction::Hold,    true,  0.0, 0.0},
+    SafetyRow{Condition::SensorShort,        1, Reaction::Hold,    true,  0.0, 0.0},
+    SafetyRow{Condition::SensorInvalid,      1, Reaction::Hold,    true,  0.0, 0.0},
+    SafetyRow{Condition::SensorStale,        1, Reaction::Hold,    true,  0.0, 0.0},
+    SafetyRow{Condition::SensorJump,         1, Reaction::Hold,    true,  0.0, 0.0},
+    SafetyRow{Condition::SensorFrozen,       1, Reaction::Hold,    true,  0.0, 0.0},
+    SafetyRow{Condition::SourcePoseLost,     1, Reaction::Hold,    true,  0.0, 0.0},
+    SafetyRow{Condition::ObjectWarm,         2, Reaction::Hold,    false, 0.0, 1.0},
+    SafetyRow{Condition::ThermometerLost,    1, Reaction::Note,    false, 0.0, 0.0},
+    SafetyRow{Condition::HeatNotOff,         1, Reaction::Note,    false, 0.0, 0.0},
+    SafetyRow{Condition::HeatByHand,         1, Reaction::Note,    false, 0.0, 0.0},
+    SafetyRow{Condition::SensorsApart,       2, Reaction::Note,    false, 10.0, 10.0},
+    SafetyRow{Condition::DiskLow,            2, Reaction::Note,    false, 0.0, 0.0},
+    SafetyRow{Condition::LoopLate,           3, Reaction::Note,    false, 0.0, 60.0},
+};
+// clang-format on
+
+/// What is wrong with one sensor has one name, the one that it had first.
+bool isOfSensor(Condition condition) {
+    return condition >= Condition::SensorOpen && condition <= Condition::SensorJump;
+}
+
+bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
+    return ofA == ofB && (a == b || (isOfSensor(a) && isOfSensor(b)));
+}
+
+std::string celsius(double t_K) {
+    return formatNumber(celsiusFromKelvin(t_K));
+}
+
+std::string oneDigit(double value) {
+    return formatNumber(std::round(value * 10.0) / 10.0, 6);
+}
+
+void sortByGravity(std::vector<SafetyFinding>& findings) {
+    std::ranges::stable_sort(findings, [](const SafetyFinding& a, const SafetyFinding& b) {
+        return safetyRow(a.condition).reaction > safetyRow(b.condition).reaction;
+    });
+}
+
+} // namespace
+
+const SafetyRow& safetyRow(SafetyCondition condition) {
+    const auto row = std::ranges::find(kLadder, condition, &SafetyRow::condition);
+    if (row == kLadder.end())
+        throw std::logic_error("safetyRow: no such row");
+    return *row;
+}
+
+SensorLimits sensorLimits(const Experiment& experiment) {
+    constexpr double kLeast_K_s = 2.0; // a hand on the object
+    constexpr double kTimes = 3.0;
+    Experiment hottest = experiment;
+    hottest.source.temperature_K = highestSetPoint_K(experiment.source);
+    SensorLimits limits{experiment.safety.stalePeriods, {}};
+    for (const HeatRates& rates : nominalRates(hottest, experiment.environment_K))
+        limits.largestRates_K_s.push_back(
+            experiment.safety.largestRate_K_s.value_or(std::max(kLeast_K_s, kTimes * rates.lambda1)));
+    return limits;
+}
+
+SafetyMonitor::SafetyMonitor(const Experiment& experiment)
+    : m_experiment(experiment), m_source(experiment.safety), m_coldAfter_s(0.0) {
+    const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const HeatRates rates = experiment.objects[i].believedRates.value_or(nominal[i]);
+        const double timeConstant_s = rates.timeConstant_s(experiment.environment_K);
+        m_objects.push_back({WarmingWatch(timeConstant_s, experiment.safety.warming_K), rates.lambda1});
+        m_coldAfter_s = std::max(m_coldAfter_s, kCoolingTimes * timeConstant_s);
+    }
+}
+
+SafetyChanges SafetyMonitor::watch(const SafetyObservation& seen) {
+    if (seen.objects.size() != m_objects.size())
+        throw std::invalid_argument("SafetyMonitor: one observation an object");
+    m_now_s = seen.now_s;
+    m_present.clear();
+    if (seen.asked_K)
+        m_lastHeat_s = seen.now_s;
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        addObject(i, seen);
+    addRobot(seen);
+    addSource(seen);
+    addHeating(seen);
+    addRig(seen);
+    SafetyChanges changes;
+    raise(seen, changes);
+    end(seen, changes);
+    sortByGravity(m_active);
+    sortByGravity(changes.raised);
+    // A loose contact is one loss: what comes back and goes does not begin anew.
+    if (isLost()) {
+        if (seen.now_s - m_lostLast_s >
+            m_experiment.safety.heldLimit_s + 1.5 * m_experiment.sampling.period_s)
+            m_lostSince_s = seen.now_s;
+        m_lostLast_s = seen.now_s;
+    }
+    return changes;
+}
+
+void SafetyMonitor::add(SafetyCondition condition, Message message, std::size_t object) {
+    m_present.push_back({condition, object, std::move(message)});
+}
+
+bool SafetyMonitor::isActive(SafetyCondition condition, std::size_t object) const {
+    return std::ranges::any_of(m_active, [&](const SafetyFinding& finding) {
+        return isSame(finding.condition, finding.object, condition, object);
+    });
+}
+
+void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
+    const ObservedObject& object = seen.objects[i];
+    addSensor(i, seen);
+    addWarming(i, seen);
+    if (!object.measured_K)
+        return;
+    const auto over = [&](Condition condition, MessageCode code, double limit_K) {
+        const double from_K = limit_K - (isActive(condition, i) ? kHysteresis_K : 0.0);
+        if (*object.measured_K > from_K)
+            add(condition,
+                {code, {name(i), oneDigit(celsiusFromKelvin(*object.measured_K)), celsius(limit_K)}}, i);
+    };
+    over(Condition::ObjectHot, MessageCode::SafetyObjectHot,
+         tripLimit_K(m_experiment, m_experiment.objects[i]));
+    over(Condition::ObjectWarm, MessageCode::SafetyObjectWarm,
+         warningLimit_K(m_experiment, m_experiment.objects[i]));
+}
+
+void SafetyMonitor::addSensor(std::size_t i, const SafetyObservation& seen) {
+    const ObservedObject& object = seen.objects[i];
+    const bool isJumping = object.jump.inARow >= m_experiment.safety.jumps;
+    if (!object.isKnown || !(object.isLost || isJumping))
+        return;
+    if (object.jump.inARow > 0)
+        add(Condition::SensorJump,
+            {MessageCode::SafetySensorJump,
+             {name(i), formatNumber(object.jump.rate_K_s, 3), formatNumber(object.largestRate_K_s, 3)}},
+            i);
+    else if (object.fault == SensorFault::Open)
+        add(Condition::SensorOpen, {MessageCode::SafetySensorOpen, {name(i)}}, i);
+    else if (object.fault == SensorFault::Short)
+        add(Condition::SensorShort, {MessageCode::SafetySensorShort, {name(i)}}, i);
+    else if (object.isInvalid || !std::isfinite(object.age_s))
+        add(Condition::SensorInvalid, {MessageCode::ReasonSensorInvalid, {name(i)}}, i);
+    else
+        add(Condition::SensorStale,
+            {MessageCode::ReasonSensorStale, {name(i), formatNumber(object.age_s, 2)}}, i);
+}
+
+double SafetyMonitor::power_K_s(std::size_t i, const SafetyObservation& seen) const {
+    return seen.isSourceDark ? 0.0
+                             : m_objects[i].lambda1_K_s * seen.sourceStrength * seen.objects[i].viewFactor;
+}
+
+void SafetyMonitor::atRest(const SafetyObservation& seen) {
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        if (seen.objects[i].measured_K)
+            m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K, power_K_s(i, seen));
+}
+
+void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
+    const ObservedObject& object = seen.objects[i];
+    ObjectWatch& watch = m_objects[i];
+    if (!object.measured_K)
+        return;
+    if (watch.frozenAt_K && *watch.frozenAt_K != *object.measured_K)
+        watch.frozenAt_K.reset();
+    if (object.age_s < 0.5 * m_experiment.sampling.period_s)
+        watch.warming.add(seen.now_s, *object.measured_K, power_K_s(i, seen));
+    const double same_s = watch.warming.sameFor_s();
+    if (seen.asked_K && !watch.frozenAt_K && same_s >= m_experiment.safety.frozen_s &&
+        watch.warming.unfollowedWhileSame(kWhileSame_K))
+        watch.frozenAt_K = object.measured_K, watch.frozenSince_s = seen.now_s - same_s;
+    if (watch.frozenAt_K)
+        add(Condition::SensorFrozen,
+            {MessageCode::SafetySensorFrozen, {name(i), formatNumber(seen.now_s - watch.frozenSince_s, 3)}},
+            i);
+    else if (const auto& found = watch.warming.unfollowed(); found && seen.asked_K)
+        add(Condition::NotWarming,
+            {MessageCode::SafetyNotWarming,
+             {name(i), formatNumber(found->expected_K, 2), formatNumber(found->time_s, 3)}},
+            i);
+}
+
+void SafetyMonitor::addRobot(const SafetyObservation& seen) {
+    const double slow_s =
+        std::max(kRobotSlow_s, m_experiment.safety.stalePeriods * m_experiment.sampling.period_s);
+    if (seen.robotProblem.code != MessageCode::None)
+        add(Condition::RobotLost, seen.robotProblem);
+    else if (seen.robotAge_s > slow_s)
+        add(Condition::RobotSlow, {MessageCode::RobotSlow, {formatNumber(seen.robotAge_s, 2)}});
+    if (seen.robotAlarm.code != MessageCode::None)
+        add(Condition::RobotAlarm, seen.robotAlarm);
+    if (!seen.isPlaceSure)
+        add(Condition::RobotPlaceUnsure, {MessageCode::RobotPlaceUnsure, {}});
+}
+
+void SafetyMonitor::addSource(const SafetyObservation& seen) {
+    const double silent_s =
+        std::max(kSourceSilent_s, m_experiment.safety.stalePeriods * m_experiment.sampling.period_s);
+    if (seen.sourceProblem.code != MessageCode::None)
+        add(Condition::SourceLost, seen.sourceProblem);
+    else if (seen.sourceAge_s > silent_s)
+        add(Condition::SourceSilent, {MessageCode::SafetySourceSilent, {formatNumber(seen.sourceAge_s, 2)}});
+    if (seen.heatOffProblem.code != MessageCode::None)
+        add(Condition::HeatNotOff, {MessageCode::SafetyHeatNotOff, {describe(seen.heatOffProblem)}});
+    if (seen.isSourcePoseLost)
+        add(Condition::SourcePoseLost, {MessageCode::ReasonSourcePoseLost, {}});
+    if (!seen.source_K)
+        return;
+    const double trip_K = sourceTripLimit_K(m_experiment);
+    const double from_K = trip_K - (isActive(Condition::SourceHot) ? kHysteresis_K : 0.0);
+    if (*seen.source_K > from_K)
+        add(Condition::SourceHot,
+            {MessageCode::SafetySourceHot, {oneDigit(celsiusFromKelvin(*seen.source_K)), celsius(trip_K)}});
+    if (seen.isByHand && seen.isHeatUnwanted && *seen.source_K > m_experiment.environment_K + kHandWarm_K)
+        add(Condition::HeatByHand, {MessageCode::SafetyHeatByHand, {celsius(*seen.source_K)}});
+}
+
+void SafetyMonitor::addHeating(const SafetyObservation& seen) {
+    if (seen.isByHand || !seen.source_K || seen.sourceProblem.code != MessageCode::None)
+        return;
+    m_source.add(seen.now_s, *seen.source_K, seen.asked_K);
+    if (const auto for_s = m_source.notHeatingFor_s())
+        add(Condition::SourceNotHeating, {MessageCode::SafetySourceNotHeating,
+                                          {oneDigit(celsiusFromKelvin(*seen.source_K)),
+                                           celsius(seen.asked_K.value_or(0.0)), formatNumber(*for_s, 3)}});
+    if (const auto warming = m_source.heatsUnasked())
+        add(Condition::SourceHeatsUnasked,
+            {MessageCode::SafetySourceHeatsUnasked,
+             {formatNumber(warming->gained_K, 3), formatNumber(warming->time_s, 3)}});
+    if (seen.asked_K && seen.readBack_K && std::abs(*seen.asked_K - *seen.readBack_K) > kSetPointTrifle_K)
+        add(Condition::SetPointOther,
+            {MessageCode::SafetySetPointOther, {celsius(*seen.asked_K), celsius(*seen.readBack_K)}});
+}
+
+void SafetyMonitor::addRig(const SafetyObservation& seen) {
+    const bool isThermometerDue =
+        std::ranges::any_of(seen.objects, &ObservedObject::isLost); // one that answers again in time is fine
+    if (seen.thermometerProblem.code != MessageCode::None && isThermometerDue)
+        add(Condition::ThermometerLost, seen.thermometerProblem);
+    if (seen.sinceTick_s > m_experiment.sampling.period_s + kLate_s)
+        add(Condition::LoopLate, {MessageCode::SafetyLoopLate,
+                                  {formatNumber(seen.sinceTick_s - m_experiment.sampling.period_s, 2)}});
+    const double disk_MB =
+        m_experiment.safety.leastDisk_MB * (isActive(Condition::DiskLow) ? kDiskHysteresis : 1.0);
+    if (seen.diskFree_MB && *seen.diskFree_MB < disk_MB)
+        add(Condition::DiskLow, {MessageCode::SafetyDiskLow,
+                                 {formatNumber(std::floor(*seen.diskFree_MB), 6),
+                                  formatNumber(m_experiment.safety.leastDisk_MB, 6)}});
+    addCrossCheck(seen);
+}
+
+// Cold objects before a cold source are as warm as the room, all of them; any other time they may differ.
+void SafetyMonitor::addCrossCheck(const SafetyObservation& seen) {
+    if (!seen.isSourceDark || seen.now_s - m_lastHeat_s < m_coldAfter_s)
+        return;
+    std::size_t least = 0, most = 0;
+    for (std::size_t i = 0; i < seen.objects.size(); ++i) {
+        if (!seen.objects[i].measured_K)
+            return;
+        if (*seen.objects[i].measured_K < *seen.objects[least].measured_K)
+            least = i;
+        if (*seen.objects[i].measured_K > *seen.objects[most].measured_K)
+            most = i;
+    }
+    const double apart_K = *seen.objects[most].measured_K - *seen.objects[least].measured_K;
+    if (apart_K > m_experiment.safety.crossCheck_K)
+        add(Condition::SensorsApart,
+            {MessageCode::SafetySensorsApart, {name(most), name(least), formatNumber(apart_K, 3)}});
+}
+
+void SafetyMonitor::raise(const SafetyObservation& seen, SafetyChanges& changes) {
+    std::vector<Pending> rising;
+    for (SafetyFinding& finding : m_present) {
+        const auto isIt = [&](const auto& other) {
+            return isSame(other.condition, other.object, finding.condition, finding.object);
+        };
+        if (const auto active = std::ranges::find_if(m_active, isIt); active != m_active.end()) {
+            if (active->condition == finding.condition)
+                active->message = finding.message;
+            continue;
+        }
+        const auto before = std::ranges::find_if(m_rising, isIt);
+        const double since_s = before != m_rising.end() ? before->since_s : seen.now_s;
+        if (seen.now_s - since_s >= safetyRow(finding.condition).on_s - 1e-9) {
+            m_active.push_back(finding);
+            changes.raised.push_back(finding);
+        } else {
+            rising.push_back({finding.condition, finding.object, since_s});
+        }
+    }
+    m_rising = std::move(rising);
+}
+
+void SafetyMonitor::end(const SafetyObservation& seen, SafetyChanges& changes) {
+    std::vector<Pending> ending;
+    std::vector<SafetyFinding> kept;
+    for (SafetyFinding& finding : m_active) {
+        const auto isIt = [&](const auto& other) {
+            return isSame(other.condition, other.object, finding.condition, finding.object);
+        };
+        if (std::ranges::any_of(m_present, isIt)) {
+            kept.push_back(std::move(finding));
+            continue;
+        }
+        const auto before = std::ranges::find_if(m_ending, isIt);
+        const double since_s = before != m_ending.end() ? before->since_s : seen.now_s;
+        if (seen.now_s - since_s >= safetyRow(finding.condition).off_s - 1e-9) {
+            changes.ended.push_back(std::move(finding));
+        } else {
+            ending.push_back({finding.condition, finding.object, since_s});
+            kept.push_back(std::move(finding));
+        }
+    }
+    m_active = std::move(kept);
+    m_ending = std::move(ending);
+}
+
+const SafetyFinding* SafetyMonitor::forbidsReset() const {
+    const bool isGrave =
+        !m_active.empty() && safetyRow(m_active.front().condition).reaction >= SafetyReaction::Stop;
+    return isGrave ? &m_active.front() : nullptr;
+}
+
+bool SafetyMonitor::isLost() const {
+    return std::ranges::any_of(
+        m_active, [](const SafetyFinding& finding) { return safetyRow(finding.condition).isEnding; });
+}
+
+bool SafetyMonitor::isLostTooLong() const {
+    return isLost() && m_now_s - m_lostSince_s > m_experiment.safety.heldLimit_s;
+}
+
+void SafetyMonitor::forgetLoss() {
+    m_lostLast_s = -1e300;
+}
+
+void SafetyMonitor::restart() {
+    m_source = SourceWatch(m_experiment.safety);
+    for (ObjectWatch& object : m_objects)
+        object.warming.reset();
+}
+
+} // namespace bask

@@ -1,0 +1,32 @@
+#include "engine/runtime/source_watch.h"
+
+namespace bask {
+
+void SourceWatch::add(double time_s, double temperature_K, std::optional<double> setPoint_K) {
+    const bool isOn = setPoint_K.has_value();
+    const bool isNearEnough = isOn && *setPoint_K - temperature_K <= m_limits.sourceBand_K;
+    const bool isBegun = m_time_s < -1e299 || isOn != m_wasOn;
+    const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K
+                                 : temperature_K <= m_from_K; // cooling is what it should do
+    if (isBegun || isNearEnough || isProgress) {
+        m_from_K = temperature_K;
+        m_since_s = time_s;
+    }
+    m_wasOn = isOn;
+    m_time_s = time_s;
+    m_temperature_K = temperature_K;
+}
+
+std::optional<double> SourceWatch::notHeatingFor_s() const {
+    if (!m_wasOn || m_time_s - m_since_s < m_limits.sourceHeating_s)
+        return std::nullopt;
+    return m_time_s - m_since_s;
+}
+
+std::optional<SourceWatch::Warming> SourceWatch::heatsUnasked() const {
+    if (m_wasOn || m_time_s < -1e299 || m_temperature_K < m_from_K + m_limits.sourceUnasked_K)
+        return std::nullopt;
+    return Warming{m_temperature_K - m_from_K, m_time_s - m_since_s};
+}
+
+} // namespace bask

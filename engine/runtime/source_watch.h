@@ -1,0 +1,34 @@
+#pragma once
+// Whether the source heats when it is asked to, and does not when it is not.
+
+#include "engine/session/safety_spec.h"
+
+#include <optional>
+
+namespace bask {
+
+class SourceWatch {
+public:
+    explicit SourceWatch(const SafetySpec& limits) : m_limits(limits) {}
+
+    /// A valid reading; the set point while its heat is on. Times grow.
+    void add(double time_s, double temperature_K, std::optional<double> setPoint_K);
+
+    /// How long it has come no nearer to a set point far above it, s; empty: it heats as it should.
+    std::optional<double> notHeatingFor_s() const;
+    struct Warming {
+        double gained_K = 0.0;
+        double time_s = 0.0;
+    };
+    /// With its heat off.
+    std::optional<Warming> heatsUnasked() const;
+
+private:
+    SafetySpec m_limits;
+    bool m_wasOn = false;
+    double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest
+    double m_since_s = 0.0;                          ///< of the last progress; of the least with heat off
+    double m_from_K = 0.0;                           ///< temperature then
+};
+
+} // namespace bask

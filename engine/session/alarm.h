@@ -1,0 +1,34 @@
+#pragma once
+// An alarm as people see it: what is wrong, whether it still is, whether somebody has seen it. And the file
+// that keeps alarms over a restart.
+
+#include "engine/base/result.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace bask {
+
+/// Gone from the list once it is both over and acknowledged.
+struct Alarm {
+    std::uint64_t id = 0; ///< acknowledged by this
+    std::string key;      ///< the same for the same condition of the same object
+    Message message;      ///< as raised last, with the values
+    int priority = 1;     ///< 1 the highest .. 3
+    bool isActive = true;
+    bool isAcknowledged = false;
+    bool isFirst = false;      ///< the first of those that came together: likely their cause
+    bool isFromBefore = false; ///< active when Bask was last left
+    int count = 1;             ///< raised so often since it was last acknowledged
+    double raised_s = 0.0;     ///< last, UTC seconds since 1970
+    double cleared_s = 0.0;    ///< last; 0: never
+    bool operator==(const Alarm&) const = default;
+};
+
+/// As written last; none where there is no file. Errors: a file that is damaged or of a newer version.
+Result<std::vector<Alarm>> readAlarms(const std::string& path);
+/// Whole or not at all.
+Result<void> writeAlarms(const std::vector<Alarm>& alarms, const std::string& path);
+
+} // namespace bask

@@ -1,0 +1,122 @@
+// Alarms: condition and acknowledgement apart, repeats, the first of many, and over a restart.
+
+#include "engine/base/message_code.h"
+#include "engine/runtime/alarm_log.h"
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+AlarmCondition open(const std::string& object) {
+    return {"SafetySensorOpen:" + object, {MessageCode::SafetySensorOpen, {object}}, 1};
+}
+AlarmCondition warm(const std::string& object) {
+    return {"SafetyObjectWarm:" + object, {MessageCode::SafetyObjectWarm, {object, "121", "120"}}, 2};
+}
+
+} // namespace
+
+// Catches an alarm that vanishes before anybody has seen it, or one that can never be got rid of.
+TEST(AlarmLog, AnAlarmStaysUntilItIsOverAndSeen) {
+    AlarmLog log;
+    EXPECT_TRUE(log.update(1.0, {open("a")}));
+    EXPECT_FALSE(log.update(2.0, {open("a")}));
+    EXPECT_TRUE(log.update(3.0, {})); // over, not seen
+    ASSERT_EQ(log.alarms().size(), 1U);
+    EXPECT_FALSE(log.alarms()[0].isActive);
+    EXPECT_EQ(log.alarms()[0].raised_s, 1.0);
+    EXPECT_EQ(log.alarms()[0].cleared_s, 3.0);
+    EXPECT_TRUE(log.acknowledge(log.alarms()[0].id));
+    EXPECT_TRUE(log.alarms().empty());
+
+    log.update(4.0, {open("a")});
+    EXPECT_TRUE(log.acknowledge(log.alarms()[0].id));
+    EXPECT_FALSE(log.acknowledge(log.alarms()[0].id));
+    ASSERT_EQ(log.alarms().size(), 1U); // seen, not over
+    log.update(5.0, {});
+    EXPECT_TRUE(log.alarms().empty());
+    EXPECT_FALSE(log.acknowledgeAll());
+}
+
+// Catches a chattering contact that floods the list, and one that is not told anew after it was seen.
+TEST(AlarmLog, RepeatsAreCountedAndAnAcknowledgedAlarmThatComesAgainIsNew) {
+    AlarmLog log;
+    for (int i = 0; i < 5; ++i) {
+        log.update(10.0 * i, {open("a")});
+        log.update(10.0 * i + 1.0, {});
+    }
+    ASSERT_EQ(log.alarms().size(), 1U);
+    EXPECT_EQ(log.alarms()[0].count, 5);
+    EXPECT_EQ(log.alarms()[0].raised_s, 40.0);
+    EXPECT_TRUE(log.acknowledgeAll());
+    log.update(100.0, {open("a")});
+    EXPECT_EQ(log.alarms()[0].count, 1);
+    EXPECT_FALSE(log.alarms()[0].isAcknowledged);
+}
+
+// Catches a list without its likely cause, or sorted so that the graver is below.
+TEST(AlarmLog, TheFirstIsMarkedAndTheGravestUnseenIsOnTop) {
+    AlarmLog log;
+    log.update(1.0, {warm("a")});
+    log.update(2.0, {open("b"), warm("a")});
+    ASSERT_EQ(log.alarms().size(), 2U);
+    EXPECT_EQ(log.alarms()[0].key, "SafetySensorOpen:b");
+    EXPECT_FALSE(log.alarms()[0].isFirst);
+    EXPECT_TRUE(log.alarms()[1].isFirst);
+    log.acknowledge(log.alarms()[0].id);
+    EXPECT_EQ(log.alarms()[0].key, "SafetyObjectWarm:a");
+    log.update(3.0, {});
+    log.update(4.0, {open("c")}); // another story
+    for (const Alarm& alarm : log.alarms())
+        EXPECT_EQ(alarm.isFirst, alarm.key == "SafetySensorOpen:c");
+}
+
+// Catches alarms that a crash takes along, that come back as if they held, or a file half written.
+TEST(AlarmLog, AlarmsOutliveARestart) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("alarms.json").toStdString();
+    EXPECT_TRUE(readAlarms(path).value().empty());
+    AlarmLog log;
+    log.update(1.0, {open("a"), warm("b")});
+    log.update(2.0, {open("a")});
+    ASSERT_TRUE(writeAlarms(log.alarms(), path));
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+    const auto read = readAlarms(path);
+    ASSERT_TRUE(read) << describe(read.error());
+    AlarmLog after(*read);
+    ASSERT_EQ(after.alarms().size(), 2U);
+    EXPECT_EQ(after.alarms()[0].message, open("a").message);
+    EXPECT_TRUE(after.alarms()[0].isFromBefore);
+    EXPECT_FALSE(after.alarms()[0].isActive);
+    EXPECT_FALSE(after.alarms()[1].isFromBefore);
+    after.update(10.0, {open("a")}); // and it is there again
+    EXPECT_TRUE(after.alarms()[0].isActive);
+    EXPECT_FALSE(after.alarms()[0].isFromBefore);
+    EXPECT_EQ(after.alarms()[0].count, 2);
+}
+
+// Catches a program that does not start, or believes nonsense, since its alarms are damaged.
+TEST(AlarmLog, ADamagedFileIsRefusedInWords) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("alarms.json");
+    for (const QByteArray text : {"", "{", "[]", "{\"format\":\"bask-alarms\",\"version\":2,\"alarms\":[]}",
+                                  "{\"format\":\"other\",\"version\":1,\"alarms\":[]}",
+                                  "{\"format\":\"bask-alarms\",\"version\":1,\"alarms\":{}}",
+                                  "{\"format\":\"bask-alarms\",\"version\":1,\"alarms\":[{\"key\":3}]}"}) {
+        QFile file(path);
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate));
+        file.write(text);
+        file.close();
+        const auto read = readAlarms(path.toStdString());
+        ASSERT_FALSE(read) << text.constData();
+        EXPECT_NE(describe(read.error()).find("alarms.json"), std::string::npos);
+    }
+    EXPECT_FALSE(writeAlarms({}, "/nowhere/alarms.json"));
+}
+
+} // namespace bask

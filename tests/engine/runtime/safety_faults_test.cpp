@@ -1,0 +1,376 @@
+// Every row of the failsafe ladder, raised on the simulated rig at 10 Hz: what is done, how soon, what is
+// said and recorded; in a run, in a manual move and in idle.
+
+#include "engine/base/message_code.h"
+#include "engine/runtime/fault_script.h"
+#include "engine/runtime/simulated_run.h"
+#include "tests/engine/runtime/loop_on_rig.h"
+
+#include <QTemporaryDir>
+
+#include <cmath>
+#include <ostream>
+
+namespace bask {
+namespace {
+
+Experiment fastDisks() {
+    Experiment experiment = twoDisks(40.0);
+    experiment.sampling = {0.1, 30, 2};
+    return experiment;
+}
+
+struct Rig : LoopOnRig {
+    explicit Rig(const Experiment& from = fastDisks()) : LoopOnRig(from) {}
+    /// Until the condition holds; answers how long that took, a large number when it never did.
+    template <class Condition> double until(Condition condition, double most_s) {
+        const double from_s = rig.clock().now_s();
+        while (!condition() && rig.clock().now_s() < from_s + most_s) {
+            periods(1);
+            for (const TraceEvent& event : loop.takeRecord().events)
+                events.push_back(event.message);
+        }
+        return condition() ? rig.clock().now_s() - from_s : 1e9;
+    }
+    bool isRecorded(MessageCode code) const {
+        return std::ranges::any_of(events, [&](const Message& message) { return message.code == code; });
+    }
+    bool isAlarm(MessageCode code) const {
+        return std::ranges::any_of(loop.alarmConditions(),
+                                   [&](const AlarmCondition& c) { return c.message.code == code; });
+    }
+    void run(double for_s) {
+        periods(40);
+        ASSERT_TRUE(loop.arm());
+        ASSERT_TRUE(loop.start(true));
+        (void)until([] { return false; }, for_s);
+        ASSERT_TRUE(loop.state() == RunState::Running || loop.state() == RunState::Settled);
+        events.clear();
+    }
+    std::vector<Message> events;
+};
+
+/// One row: fault, what it is told as, how soon, and the state at once and at the end.
+struct Row {
+    SimulatedFault fault;
+    MessageCode code;
+    double within_s;
+    RunState atOnce;
+    RunState atEnd;
+};
+
+void PrintTo(const Row& row, std::ostream* out) {
+    *out << simulatedFaultName(row.fault);
+}
+
+class Ladder : public ::testing::TestWithParam<Row> {};
+
+} // namespace
+
+// Catches a row that is not watched, reacts too late or wrongly, leaves heat or motion on, or is not in the
+// record.
+TEST_P(Ladder, ReactsInARun) {
+    const Row& row = GetParam();
+    Rig rig;
+    rig.run(20.0);
+    setFault(rig.rig, row.fault, 1, true);
+    const double took_s = rig.until([&] { return rig.isAlarm(row.code); }, row.within_s + 0.05);
+    EXPECT_LE(took_s, row.within_s + 0.05);
+    RecordProperty("seconds", std::to_string(took_s));
+    EXPECT_EQ(rig.loop.state(), row.atOnce) << runStateName(rig.loop.state());
+    EXPECT_TRUE(rig.isRecorded(row.code));
+    EXPECT_EQ(rig.loop.alarmConditions().front().message.code, row.code);
+    if (row.atOnce == RunState::Holding || row.atOnce == RunState::Fault) { // the robot stands
+        rig.periods(row.fault == SimulatedFault::RobotSlow ? 3 : 1);
+        const Vector6d at = rig.rig.simulatedRobot().coordinates();
+        rig.periods(5);
+        EXPECT_EQ(rig.rig.simulatedRobot().coordinates(), at);
+    }
+    if (row.atOnce != RunState::Holding) {
+        EXPECT_LE(rig.until([&] { return !rig.rig.heatSource().heating(); }, 1.0), 1.0);
+    }
+    EXPECT_LE(rig.until([&] { return rig.loop.state() == row.atEnd; }, 60.0), 60.0)
+        << runStateName(rig.loop.state());
+    EXPECT_FALSE(rig.rig.heatSource().heating());
+    for (const Message& message : rig.events)
+        EXPECT_EQ(describe(message).find("nan"), std::string::npos) << describe(message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Rows, Ladder,
+    ::testing::Values(
+        Row{SimulatedFault::SensorLost, MessageCode::ReasonSensorInvalid, 0.5, RunState::Holding,
+            RunState::Stopped},
+        Row{SimulatedFault::SensorOpen, MessageCode::SafetySensorOpen, 0.5, RunState::Holding,
+            RunState::Stopped},
+        Row{SimulatedFault::SensorShort, MessageCode::SafetySensorShort, 0.5, RunState::Holding,
+            RunState::Stopped},
+        Row{SimulatedFault::SensorJumping, MessageCode::SafetySensorJump, 0.5, RunState::Holding,
+            RunState::Stopped},
+        Row{SimulatedFault::SensorFrozen, MessageCode::SafetySensorFrozen, 60.0, RunState::Holding,
+            RunState::Stopped},
+        Row{SimulatedFault::RobotLost, MessageCode::ReasonRobotLost, 0.1, RunState::Fault, RunState::Fault},
+        Row{SimulatedFault::RobotAlarm, MessageCode::RobotAlarm, 0.1, RunState::Fault, RunState::Fault},
+        Row{SimulatedFault::RobotRestarted, MessageCode::RobotPlaceUnsure, 0.1, RunState::Fault,
+            RunState::Fault},
+        Row{SimulatedFault::RobotSlow, MessageCode::RobotSlow, 1.0, RunState::Fault, RunState::Fault},
+        Row{SimulatedFault::SourceLost, MessageCode::ReasonSourceLost, 0.1, RunState::Stopping,
+            RunState::Fault},
+        Row{SimulatedFault::SourceSilent, MessageCode::SafetySourceSilent, 3.2, RunState::Stopping,
+            RunState::Fault},
+        Row{SimulatedFault::SourceNotHeating, MessageCode::SafetySourceNotHeating, 180.0, RunState::Stopping,
+            RunState::Fault},
+        Row{SimulatedFault::SourceLimited, MessageCode::SafetySetPointOther, 10.2, RunState::Stopping,
+            RunState::Fault},
+        Row{SimulatedFault::SourceOverheats, MessageCode::SafetySourceHot, 26.0, RunState::Stopping,
+            RunState::Fault}),
+    [](const auto& row) {
+        std::string name = simulatedFaultName(row.param.fault);
+        std::erase(name, '-');
+        return name;
+    });
+
+// Catches limits of an object that are not watched in a run, or that do not act in their order.
+TEST(Safety, AHotObjectHoldsTheRunAndIsThenTakenAway) {
+    Rig rig;
+    rig.run(20.0);
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
+    ASSERT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyObjectWarm); }, 60.0), 60.0);
+    EXPECT_EQ(rig.loop.state(), RunState::Holding);
+    EXPECT_NEAR(rig.loop.latest().objects[0].measured_K, rig.experiment.safety.warning_K, 1.0);
+    ASSERT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyObjectHot); }, 30.0), 30.0);
+    EXPECT_NEAR(rig.loop.latest().objects[0].measured_K, rig.experiment.safety.trip_K, 1.0);
+    EXPECT_EQ(rig.loop.state(), RunState::Stopping);
+    EXPECT_FALSE(rig.loop.heatOn());
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0), 60.0);
+    EXPECT_NEAR(rig.rig.simulatedRobot().coordinates()[kZ], rig.experiment.robot.upper[kZ], 2e-3);
+    const auto refused = rig.loop.reset();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::SafetyObjectHot);
+}
+
+// Catches an object that gets too hot while nobody runs anything, also in a move and with the run armed.
+TEST(Safety, AHotObjectIsTakenAwayInEveryState) {
+    for (const std::string state : {"idle", "moving", "armed"}) {
+        Rig rig;
+        rig.periods(40);
+        if (state == "moving") {
+            Vector6d goal = rig.experiment.start;
+            goal[kZ] -= 0.1;
+            ASSERT_TRUE(rig.loop.moveTo(goal));
+        } else if (state == "armed") {
+            ASSERT_TRUE(rig.loop.arm());
+        }
+        setFault(rig.rig, SimulatedFault::ObjectHot, 1, true);
+        ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Stopping; }, 80.0), 80.0) << state;
+        EXPECT_NEAR(rig.loop.latest().objects[1].measured_K, rig.experiment.safety.trip_K, 1.0);
+        EXPECT_TRUE(rig.isRecorded(MessageCode::SafetyObjectHot));
+        ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0), 60.0) << state;
+        EXPECT_NEAR(rig.rig.simulatedRobot().coordinates()[kZ], rig.experiment.robot.upper[kZ], 2e-3);
+        EXPECT_TRUE(rig.loop.takeRecord().samples.empty()) << "no run";
+    }
+}
+
+// Catches devices that are only watched in a run, and a robot that moves by itself for a cable that came off.
+TEST(Safety, DevicesAreWatchedInIdleAndNothingMovesForThem) {
+    for (const auto& [fault, code] :
+         {std::pair(SimulatedFault::RobotLost, MessageCode::ReasonRobotLost),
+          std::pair(SimulatedFault::RobotAlarm, MessageCode::RobotAlarm),
+          std::pair(SimulatedFault::RobotRestarted, MessageCode::RobotPlaceUnsure),
+          std::pair(SimulatedFault::SourceLost, MessageCode::ReasonSourceLost),
+          std::pair(SimulatedFault::SourceSilent, MessageCode::SafetySourceSilent),
+          std::pair(SimulatedFault::SourceHeatsAlone, MessageCode::SafetySourceHeatsUnasked)}) {
+        Rig rig;
+        rig.periods(40);
+        const Vector6d at = rig.rig.simulatedRobot().coordinates();
+        setFault(rig.rig, fault, 0, true);
+        EXPECT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 15.0), 12.0);
+        EXPECT_TRUE(rig.isRecorded(code)) << messageName(code);
+        rig.periods(20);
+        EXPECT_EQ(rig.rig.simulatedRobot().coordinates(), at);
+        EXPECT_FALSE(rig.loop.arm());
+        setFault(rig.rig, fault, 0, false);
+        EXPECT_TRUE(rig.loop.reset()) << messageName(code);
+        rig.periods(2);
+        EXPECT_EQ(rig.loop.state(), RunState::Ready);
+    }
+}
+
+// Catches a manual move that goes on blindly; and one that cannot be made any more, though it is wanted.
+TEST(Safety, ALostSensorEndsAManualMoveOnce) {
+    Rig rig;
+    rig.periods(40);
+    Vector6d goal = rig.experiment.start;
+    goal[kX] += 0.15;
+    ASSERT_TRUE(rig.loop.moveTo(goal));
+    rig.periods(10);
+    setFault(rig.rig, SimulatedFault::SensorOpen, 0, true);
+    EXPECT_LE(rig.until([&] { return !rig.loop.isMoving(); }, 2.0), 0.5);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetySensorOpen));
+    ASSERT_TRUE(rig.loop.moveTo(goal)); // a person has seen the alarm and wants it all the same
+    rig.periods(20);
+    EXPECT_TRUE(rig.loop.isMoving());
+}
+
+// The sensor came off its object and shows the room. Catches a controller that goes on heating for ever.
+TEST(Safety, ASensorThatDoesNotWarmNearTheSourceEndsTheRun) {
+    Rig rig;
+    setFault(rig.rig, SimulatedFault::SensorOff, 0, true);
+    rig.run(1.0);
+    const double took_s = rig.until([&] { return rig.isAlarm(MessageCode::SafetyNotWarming); }, 300.0);
+    ASSERT_LE(took_s, 250.0);
+    EXPECT_GE(took_s, 10.0);
+    RecordProperty("seconds", std::to_string(took_s));
+    EXPECT_EQ(rig.loop.state(), RunState::Stopping);
+    EXPECT_FALSE(rig.loop.heatOn());
+    EXPECT_EQ(rig.loop.reasons().front().args.at(0), "left");
+}
+
+// Catches heat that stays on unnoticed since the source did not take the order.
+TEST(Safety, HeatThatCannotBeSwitchedOffIsTold) {
+    Rig rig;
+    rig.run(10.0);
+    setFault(rig.rig, SimulatedFault::SourceKeepsHeat, 0, true);
+    ASSERT_TRUE(rig.loop.stop());
+    rig.periods(1);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetyHeatNotOff));
+    EXPECT_TRUE(rig.rig.heatSource().heating());
+    setFault(rig.rig, SimulatedFault::SourceKeepsHeat, 0, false);
+    rig.periods(2);
+    EXPECT_FALSE(rig.isAlarm(MessageCode::SafetyHeatNotOff));
+    EXPECT_FALSE(rig.rig.heatSource().heating());
+}
+
+// A person keeps it hot. Catches an operator who believes that STOP has switched it off.
+TEST(Safety, ASourceHeatedByHandIsSaidToStayHot) {
+    struct ByHand final : HeatSource {
+        explicit ByHand(HeatSource& inner) : source(inner) {}
+        Result<Reading> read() override {
+            auto reading = source.read();
+            reading->time_s -= 1000.0; // typed long ago
+            return reading;
+        }
+        Result<void> keepHeating(double setPoint_K, double validFor_s) override {
+            return source.keepHeating(setPoint_K, validFor_s);
+        }
+        Result<void> heatOff() override { return source.heatOff(); }
+        bool heating() const override { return source.heating(); }
+        bool isByHand() const override { return true; }
+        HeatSource& source;
+    };
+    const Experiment experiment = fastDisks();
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    ByHand source(rig.heatSource());
+    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());
+    const auto periods = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    };
+    periods(40);
+    ASSERT_TRUE(loop.arm());
+    ASSERT_TRUE(loop.start(true));
+    periods(100);
+    ASSERT_EQ(loop.state(), RunState::Running);
+    loop.emergencyStop();
+    periods(1);
+    EXPECT_TRUE(std::ranges::any_of(
+        loop.reasons(), [](const Message& reason) { return reason.code == MessageCode::SafetyHeatByHand; }));
+}
+
+// Catches a real rig that can be run before anybody has looked at it.
+TEST(Safety, ARealRigStartsFaultedUntilAPersonResets) {
+    const Experiment experiment = fastDisks();
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), {}, nullptr, true},
+                   rig.clock());
+    const auto periods = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    };
+    periods(50);
+    ASSERT_EQ(loop.state(), RunState::Fault);
+    EXPECT_EQ(loop.reasons().front().code, MessageCode::SafetyStartUp);
+    rig.simulatedRobot().setTrouble(RobotTrouble::Restarted);
+    periods(1);
+    const auto refused = loop.reset();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::RobotPlaceUnsure);
+    ASSERT_TRUE(rig.robot().home());
+    ASSERT_TRUE(loop.reset());
+    periods(2);
+    EXPECT_EQ(loop.state(), RunState::Ready);
+}
+
+// Catches a loop that was held up without anybody being told.
+TEST(Safety, ALateLoopIsNoted) {
+    Rig rig;
+    rig.run(5.0);
+    rig.rig.advance(1.5);
+    rig.periods(1);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetyLoopLate));
+    EXPECT_EQ(rig.loop.state(), RunState::Running);
+    for (const AlarmCondition& condition : rig.loop.alarmConditions())
+        EXPECT_EQ(condition.priority, 3);
+}
+
+// Catches a disk that fills up unnoticed.
+TEST(Safety, AFullDiskIsToldOnceAndIsOverWhenThereIsRoom) {
+    Rig rig;
+    rig.run(1.0);
+    rig.loop.setDiskFree_MB(99.0);
+    rig.periods(1);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetyDiskLow));
+    rig.loop.setDiskFree_MB(105.0); // within the hysteresis
+    rig.periods(1);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetyDiskLow));
+    rig.loop.setDiskFree_MB(120.0);
+    rig.periods(1);
+    EXPECT_FALSE(rig.isAlarm(MessageCode::SafetyDiskLow));
+}
+
+// Catches a script that is not played, at other times than its own, or that is not in the session.
+TEST(Safety, AScriptedFaultIsInTheRecordWithWhatWasDone) {
+    const QTemporaryDir folder;
+    Experiment experiment = fastDisks();
+    experiment.simulation.faults = {{10.0, SimulatedFault::SensorOpen, 1, 12.0},
+                                    {15.0, SimulatedFault::RobotLost, 0, {}}};
+    SimulatedRunOptions options;
+    options.duration_s = 30.0;
+    options.sessionPath = folder.filePath("faults.bask").toStdString();
+    const auto outcome = runSimulated(experiment, options);
+    ASSERT_TRUE(outcome) << describe(outcome.error());
+    EXPECT_TRUE(outcome->fault);
+    const auto session = readSession(options.sessionPath);
+    ASSERT_TRUE(session) << describe(session.error());
+    EXPECT_EQ(session->outcome, "fault");
+    const auto at_s = [&](const Message& message) {
+        const auto event = std::ranges::find(session->events, message, &TraceEvent::message);
+        return event == session->events.end() ? -1.0 : event->time_s;
+    };
+    EXPECT_NEAR(at_s({MessageCode::EventFault, {"sensor-open"}}), 10.0, 0.11);
+    EXPECT_NEAR(at_s({MessageCode::SafetySensorOpen, {"right"}}), 10.4, 0.21);
+    EXPECT_NEAR(at_s({MessageCode::EventSensorBack, {"right"}}), 12.1, 0.21);
+    EXPECT_NEAR(at_s({MessageCode::ReasonRobotLost, {"simulated link lost"}}), 15.1, 0.21);
+}
+
+// Examples as they are shipped. Catches limits that cry wolf.
+TEST(Safety, NoFalseAlarmOverExamples) {
+    for (const std::string name : {"three-objects.json", "paper-adaptive.json", "bare-aluminium.json",
+                                   "paper/unfeasible-targets-80-80-80.json"}) {
+        const auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/" + name);
+        ASSERT_TRUE(experiment) << describe(experiment.error());
+        SimulatedRunOptions options;
+        options.duration_s = std::min(2400.0, experiment->simulation.durationLimit_s);
+        const auto outcome = runSimulated(*experiment, options);
+        ASSERT_TRUE(outcome);
+        for (const TraceEvent& event : outcome->events)
+            EXPECT_TRUE(alarmPriority(event.message.code) == 0 || alarmPriority(event.message.code) == 3)
+                << name << " at " << event.time_s << ": " << describe(event.message);
+    }
+}
+
+} // namespace bask

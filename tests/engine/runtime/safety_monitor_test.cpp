@@ -1,0 +1,192 @@
+// The ladder's table and its delays, with observations made by hand.
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/runtime/safety_monitor.h"
+#include "tests/engine/runtime/loop_on_rig.h"
+
+#include <limits>
+
+namespace bask {
+namespace {
+
+struct Monitor {
+    Monitor() : experiment(twoDisks(40.0)), monitor(experiment) {
+        seen.source_K = experiment.source.temperature_K;
+        for (int i = 0; i < 2; ++i) {
+            ObservedObject object;
+            object.isKnown = true;
+            object.measured_K = experiment.environment_K;
+            seen.objects.push_back(object);
+        }
+    }
+    SafetyChanges after(double seconds) {
+        seen.now_s += seconds;
+        seen.sinceTick_s = experiment.sampling.period_s;
+        return monitor.watch(seen);
+    }
+    bool isActive(SafetyCondition condition) const {
+        return std::ranges::any_of(monitor.active(),
+                                   [&](const SafetyFinding& f) { return f.condition == condition; });
+    }
+    Experiment experiment;
+    SafetyMonitor monitor;
+    SafetyObservation seen;
+};
+
+} // namespace
+
+// Catches a sentence whose priority in the lists is not that of its row.
+TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
+    for (const auto& [condition, code] :
+         {std::pair(SafetyCondition::RobotLost, MessageCode::ReasonRobotLost),
+          std::pair(SafetyCondition::RobotAlarm, MessageCode::RobotAlarm),
+          std::pair(SafetyCondition::RobotPlaceUnsure, MessageCode::RobotPlaceUnsure),
+          std::pair(SafetyCondition::RobotSlow, MessageCode::RobotSlow),
+          std::pair(SafetyCondition::ObjectHot, MessageCode::SafetyObjectHot),
+          std::pair(SafetyCondition::SourceHot, MessageCode::SafetySourceHot),
+          std::pair(SafetyCondition::SourceLost, MessageCode::ReasonSourceLost),
+          std::pair(SafetyCondition::SourceSilent, MessageCode::SafetySourceSilent),
+          std::pair(SafetyCondition::SourceNotHeating, MessageCode::SafetySourceNotHeating),
+          std::pair(SafetyCondition::SourceHeatsUnasked, MessageCode::SafetySourceHeatsUnasked),
+          std::pair(SafetyCondition::SetPointOther, MessageCode::SafetySetPointOther),
+          std::pair(SafetyCondition::NotWarming, MessageCode::SafetyNotWarming),
+          std::pair(SafetyCondition::SensorOpen, MessageCode::SafetySensorOpen),
+          std::pair(SafetyCondition::SensorShort, MessageCode::SafetySensorShort),
+          std::pair(SafetyCondition::SensorInvalid, MessageCode::ReasonSensorInvalid),
+          std::pair(SafetyCondition::SensorStale, MessageCode::ReasonSensorStale),
+          std::pair(SafetyCondition::SensorJump, MessageCode::SafetySensorJump),
+          std::pair(SafetyCondition::SensorFrozen, MessageCode::SafetySensorFrozen),
+          std::pair(SafetyCondition::SourcePoseLost, MessageCode::ReasonSourcePoseLost),
+          std::pair(SafetyCondition::ObjectWarm, MessageCode::SafetyObjectWarm),
+          std::pair(SafetyCondition::ThermometerLost, MessageCode::DeviceSilent),
+          std::pair(SafetyCondition::HeatNotOff, MessageCode::SafetyHeatNotOff),
+          std::pair(SafetyCondition::HeatByHand, MessageCode::SafetyHeatByHand),
+          std::pair(SafetyCondition::SensorsApart, MessageCode::SafetySensorsApart),
+          std::pair(SafetyCondition::DiskLow, MessageCode::SafetyDiskLow),
+          std::pair(SafetyCondition::LoopLate, MessageCode::SafetyLoopLate)})
+        EXPECT_EQ(safetyRow(condition).priority, alarmPriority(code)) << messageName(code);
+}
+
+// Catches a limit that chatters about its value, and one that a single wrong reading of the source trips.
+TEST(SafetyMonitor, LimitsHaveDelaysAndHysteresis) {
+    Monitor m;
+    const double warning_K = m.experiment.safety.warning_K;
+    m.seen.objects[0].measured_K = warning_K + 0.1;
+    const SafetyChanges changes = m.after(1.0);
+    ASSERT_EQ(changes.raised.size(), 1U);
+    EXPECT_EQ(
+        describe(changes.raised[0].message),
+        "\"left\" has 120.1 °C, above its warning limit of 120 °C. The robot holds: look whether target "
+        "and limits are right, then resume or stop.");
+    m.seen.objects[0].measured_K = warning_K - 1.5;
+    EXPECT_TRUE(m.after(1.0).ended.empty());
+    m.seen.objects[0].measured_K = warning_K - 2.5;
+    EXPECT_TRUE(m.after(0.5).ended.empty()); // off-delay
+    EXPECT_EQ(m.after(1.0).ended.size(), 1U);
+
+    m.seen.source_K = sourceTripLimit_K(m.experiment) + 100.0;
+    EXPECT_TRUE(m.after(0.1).raised.empty());
+    m.seen.source_K = m.experiment.source.temperature_K;
+    EXPECT_TRUE(m.after(0.1).raised.empty());
+    m.seen.source_K = sourceTripLimit_K(m.experiment) + 1.0;
+    m.after(0.1);
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceHot));
+    m.after(0.5);
+    EXPECT_TRUE(m.isActive(SafetyCondition::SourceHot));
+}
+
+// Catches a less grave reaction that is done first, since it was found first.
+TEST(SafetyMonitor, TheGravestComesFirst) {
+    Monitor m;
+    m.seen.objects[0].isLost = m.seen.objects[0].isInvalid = true;
+    m.seen.objects[0].measured_K.reset();
+    m.seen.objects[1].measured_K = m.experiment.safety.trip_K + 1.0;
+    m.seen.isPlaceSure = false;
+    const SafetyChanges changes = m.after(1.0);
+    ASSERT_GE(changes.raised.size(), 3U);
+    EXPECT_EQ(changes.raised[0].condition, SafetyCondition::RobotPlaceUnsure);
+    EXPECT_EQ(changes.raised[1].condition, SafetyCondition::ObjectHot);
+    ASSERT_NE(m.monitor.forbidsReset(), nullptr);
+    EXPECT_EQ(m.monitor.forbidsReset()->condition, SafetyCondition::RobotPlaceUnsure);
+}
+
+// Catches one broken wire that is told as three faults, and a sensor said to be back when it only fails
+// otherwise.
+TEST(SafetyMonitor, OneSensorHasOneTrouble) {
+    Monitor m;
+    ObservedObject& object = m.seen.objects[0];
+    object.isLost = object.isInvalid = true;
+    object.measured_K.reset();
+    object.fault = SensorFault::Open;
+    EXPECT_EQ(m.after(1.0).raised.size(), 1U);
+    object.isInvalid = false;
+    object.fault = SensorFault::None;
+    object.age_s = 9.0;
+    const SafetyChanges changes = m.after(1.0);
+    EXPECT_TRUE(changes.raised.empty());
+    EXPECT_TRUE(changes.ended.empty());
+    EXPECT_TRUE(m.isActive(SafetyCondition::SensorOpen));
+}
+
+// Catches a thermometer whose cable is off being told as sensors only; and before it was ever read.
+TEST(SafetyMonitor, AThermometerThatDoesNotAnswerIsNamed) {
+    Monitor m;
+    m.seen.thermometerProblem = {MessageCode::DeviceSilent, {"/dev/ttyUSB1", "2"}};
+    EXPECT_TRUE(m.after(1.0).raised.empty());
+    for (ObservedObject& object : m.seen.objects) {
+        object.isLost = true;
+        object.age_s = 4.0;
+        object.measured_K.reset();
+    }
+    EXPECT_EQ(m.after(1.0).raised.size(), 3U);
+    EXPECT_TRUE(m.isActive(SafetyCondition::ThermometerLost));
+    Monitor fresh;
+    for (ObservedObject& object : fresh.seen.objects) {
+        object = {};
+        object.isLost = true;
+        object.age_s = std::numeric_limits<double>::infinity();
+    }
+    EXPECT_TRUE(fresh.after(1.0).raised.empty());
+}
+
+// Catches sensors that disagree in a cold rig unnoticed, and objects at their targets taken for that.
+TEST(SafetyMonitor, SensorsAreComparedOnlyInAColdRig) {
+    Monitor m;
+    *m.seen.objects[1].measured_K += 8.0;
+    m.after(1.0);
+    EXPECT_TRUE(m.after(11.0).raised.size() == 1U && m.isActive(SafetyCondition::SensorsApart));
+    Monitor warm;
+    *warm.seen.objects[1].measured_K += 8.0;
+    warm.seen.asked_K = 473.15;
+    warm.seen.isSourceDark = false;
+    warm.after(1.0);
+    warm.seen.asked_K.reset();
+    warm.seen.isSourceDark = true;
+    warm.after(1.0);
+    EXPECT_TRUE(warm.after(600.0).raised.empty());
+    warm.after(4000.0);
+    EXPECT_EQ(warm.after(11.0).raised.size(), 1U);
+}
+
+// Catches jumps that an estimator takes, a channel that never comes back, and readings counted twice.
+TEST(SensorChannels, AJumpIsNoReading) {
+    SensorChannels channels(1, SamplingSpec{1.0, 5, 1}, {3.0, {2.0}});
+    for (int t = 0; t < 10; ++t)
+        channels.add({{static_cast<double>(t), 300.0, true}});
+    channels.add({{10.0, 330.0, true}});
+    EXPECT_TRUE(channels.lastInvalid(0));
+    EXPECT_EQ(channels.measured_K(0), 300.0);
+    EXPECT_EQ(channels.jump(0).inARow, 1);
+    EXPECT_NEAR(channels.jump(0).rate_K_s, 30.0, 1e-9);
+    channels.add({{10.0, 330.0, true}}); // the same reading once more
+    EXPECT_EQ(channels.jump(0).inARow, 1);
+    channels.add({{11.0, 300.1, true}});
+    EXPECT_EQ(channels.jump(0).inARow, 0);
+    EXPECT_FALSE(channels.lastInvalid(0));
+    for (int t = 12; t < 24; ++t)
+        channels.add({{static_cast<double>(t), 320.0, true}});
+    EXPECT_EQ(channels.measured_K(0), 320.0); // 20 K in 12 s: an object may have been changed
+}
+
+} // namespace bask

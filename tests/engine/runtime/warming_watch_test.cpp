@@ -1,0 +1,114 @@
+// Whether an object that follows its heat is told from one whose sensor does not, with readings as sensors
+// give them.
+
+#include "engine/runtime/source_watch.h"
+#include "engine/runtime/warming_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <random>
+
+namespace bask {
+namespace {
+
+/// dT/dt = power - loss (T - 298), read with noise and a resolution once a second.
+struct Object {
+    double noise_K = 0.02, resolution_K = 0.1;
+    double loss_1_s = 1.0 / 450.0;
+    double belief = 1.0; ///< of the power, over the true one
+    double lag_s = 0.0;  ///< of its sensor
+
+    /// When an alarm was given, s: a contradiction for 30 s, or the same value for so long. Infinite: never.
+    double alarm_s(const std::function<double(double)>& power_K_s,
+                   const std::function<double(double, double)>& reading = {}) const {
+        WarmingWatch watch(450.0, SafetySpec().warming_K);
+        watch.restAt(0.0, 298.0, 0.0);
+        std::mt19937_64 random(5);
+        std::normal_distribution<double> noise(0.0, noise_K);
+        double T = 298.0, felt = 298.0, followed_s = 0.0;
+        for (double t = 1.0; t < 1500.0; t += 1.0) {
+            T += power_K_s(t) - loss_1_s * (T - 298.0);
+            felt += (T - felt) * (lag_s > 0.0 ? -std::expm1(-1.0 / lag_s) : 1.0);
+            double value = felt + noise(random);
+            if (resolution_K > 0.0)
+                value = std::round(value / resolution_K) * resolution_K;
+            watch.add(t, reading ? reading(t, value) : value, belief * power_K_s(t));
+            if (!watch.unfollowed())
+                followed_s = t;
+            if (t - followed_s >= 30.0 || (watch.sameFor_s() >= 30.0 && watch.unfollowedWhileSame(0.5)))
+                return t;
+        }
+        return std::numeric_limits<double>::infinity();
+    }
+};
+
+double approach(double t) { // the robot comes near in ten seconds and settles by drawing back
+    return t < 20.0 ? 0.0 : t < 30.0 ? 0.012 * (t - 20.0) : t < 130.0 ? 0.12 : 0.06;
+}
+
+} // namespace
+
+// Catches alarms for objects that do nothing but obey: other losses, a wrong belief, coarse, noisy and slow
+// sensors.
+TEST(WarmingWatch, GivesNoAlarmForAnObjectThatFollows) {
+    for (const double loss_1_s : {1.0 / 1500.0, 1.0 / 450.0, 1.0 / 90.0})
+        for (const double belief : {0.4, 1.0, 2.5})
+            for (const double resolution_K : {0.0, 0.1, 0.5})
+                for (const double noise_K : {0.0, 0.02, 0.3})
+                    for (const double lag_s : {0.0, 15.0}) {
+                        const Object object{noise_K, resolution_K, loss_1_s, belief, lag_s};
+                        EXPECT_GT(object.alarm_s(approach), 1500.0)
+                            << loss_1_s << ' ' << belief << ' ' << resolution_K << ' ' << noise_K << ' '
+                            << lag_s;
+                    }
+}
+
+// Catches a sensor that is off its object and shows the room.
+TEST(WarmingWatch, FindsAnObjectThatDoesNotWarm) {
+    const Object object;
+    EXPECT_LT(object.alarm_s(approach, [](double, double value) { return value > 0.0 ? 298.0 : value; }),
+              170.0);
+}
+
+// Catches a frozen sensor while its object warms.
+TEST(WarmingWatch, FindsASensorThatIsFrozen) {
+    for (const double from_s : {60.0, 80.0}) {
+        const Object object;
+        double kept_K = 0.0;
+        EXPECT_LT(object.alarm_s(
+                      approach, [&](double t, double value) { return t < from_s ? kept_K = value : kept_K; }),
+                  from_s + 45.0);
+    }
+}
+
+// Catches a source that is told not to heat while it does, and one that heats unasked unnoticed.
+TEST(SourceWatch, TellsASourceThatDoesNotObey) {
+    SourceWatch watch{SafetySpec{}};
+    double T = 300.0, t = 0.0;
+    const auto seconds = [&](int count, double rate, std::optional<double> setPoint_K) {
+        for (int i = 0; i < count; ++i, t += 1.0)
+            watch.add(t, T += rate, setPoint_K);
+    };
+    seconds(100, 0.0, std::nullopt);
+    seconds(600, 0.3, 480.0); // as a plate heats
+    EXPECT_FALSE(watch.notHeatingFor_s());
+    seconds(600, 0.0, 480.0); // there
+    EXPECT_FALSE(watch.notHeatingFor_s());
+    seconds(100, 0.0, 580.0); // a new set point
+    EXPECT_FALSE(watch.notHeatingFor_s());
+    seconds(30, 0.0, 580.0);
+    EXPECT_TRUE(watch.notHeatingFor_s());
+    seconds(5, 1.0, std::nullopt); // the plate's inertia
+    seconds(300, -0.2, std::nullopt);
+    EXPECT_FALSE(watch.heatsUnasked());
+    seconds(9, 1.0, std::nullopt);
+    EXPECT_FALSE(watch.heatsUnasked());
+    seconds(2, 1.0, std::nullopt);
+    ASSERT_TRUE(watch.heatsUnasked());
+    EXPECT_NEAR(watch.heatsUnasked()->gained_K, 11.0, 1e-9);
+}
+
+} // namespace bask
