@@ -157,8 +157,8 @@ void CheckList::showSensors() {
 
 void CheckList::showSource() {
     const double wanted_K = m_last.heatSetPoint_K.value_or(m_setPoint_K);
-    const double now_K = m_last.latest.source_K;
-    if (m_last.latest.objects.empty() || !std::isfinite(now_K))
+    const double now_K = sourceTemperature_K(m_last);
+    if (!std::isfinite(now_K))
         return put(m_source, Kind::Waiting, tr("Source: no temperature yet"));
     const QString now = formatTemperature(now_K, m_unit), wanted = formatTemperature(wanted_K, m_unit);
     if (std::abs(now_K - wanted_K) <= kWarm_K)

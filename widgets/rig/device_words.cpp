@@ -6,6 +6,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <limits>
 
 namespace bask {
 namespace {
@@ -147,6 +148,11 @@ RigSpec withDevice(RigSpec rig, DeviceRole role, const RigSpec& other) {
 
 RigSpec withoutDevice(RigSpec rig, DeviceRole role) {
     return withDevice(std::move(rig), role, RigSpec());
+}
+
+double sourceTemperature_K(const Snapshot& snapshot) {
+    const double source_K = snapshot.latest.source_K;
+    return source_K > 0.0 ? source_K : std::numeric_limits<double>::quiet_NaN();
 }
 
 QString ageText(double age_s) {

@@ -10,6 +10,9 @@
 
 namespace bask {
 
+/// As measured; NaN while the source has not told it.
+double sourceTemperature_K(const Snapshot& snapshot);
+
 /// Of a serial line, as every device has them.
 using LineSettings = decltype(RobotDeviceSpec::serial);
 

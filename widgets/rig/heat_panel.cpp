@@ -2,6 +2,7 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/quantity_spin_box.h"
+#include "widgets/rig/device_words.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -60,7 +61,7 @@ void HeatPanel::apply(const Snapshot& snapshot, bool mayHeat) {
     m_last.heatOn = snapshot.heatOn;
     m_last.heatSetPoint_K = snapshot.heatSetPoint_K;
     m_last.isSourceByHand = snapshot.isSourceByHand;
-    m_last.latest.source_K = snapshot.latest.source_K;
+    m_last.latest.source_K = sourceTemperature_K(snapshot);
     m_mayHeat = mayHeat;
     showState();
 }

@@ -15,7 +15,6 @@
 #include <QScrollArea>
 #include <QTabWidget>
 
-#include <limits>
 #include <utility>
 
 namespace bask {
@@ -231,8 +230,7 @@ void RigPage::apply(const Snapshot& snapshot, bool editable) {
     m_checks->apply(snapshot);
     m_jog->apply(snapshot, isFree);
     m_heat->apply(snapshot, isFree);
-    m_limits->setMeasured(snapshot.latest.objects.empty() ? std::numeric_limits<double>::quiet_NaN()
-                                                          : snapshot.latest.source_K);
+    m_limits->setMeasured(sourceTemperature_K(snapshot));
     if (!m_dialog)
         return;
     if (snapshot.ports)

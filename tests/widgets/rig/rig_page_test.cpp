@@ -315,6 +315,16 @@ TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
     EXPECT_TRUE(text("check.devices").contains("none set up"));
 }
 
+// Catches a source at absolute zero, where it has told nothing yet.
+TEST_F(RigPageTest, AnUnknownTemperatureIsADash) {
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.latest.source_K = 0.0;
+    page.apply(snapshot, true);
+    EXPECT_EQ(text("measuredSource"), QStringLiteral("\u2014"));
+    EXPECT_TRUE(text("heatState").contains(QStringLiteral("\u2014"))) << text("heatState").toStdString();
+    EXPECT_TRUE(text("check.source").contains("no temperature yet"));
+}
+
 // Catches a rig that cannot be given its name.
 TEST_F(RigPageTest, ARigHasAName) {
     useReal();
