@@ -116,6 +116,7 @@ private:
     void goOn();               ///< towards the goal of moveTo
     bool isByHand() const;     ///< no run is armed or on, and nothing is latched
     void readRobotAndSource();
+    void readViewFactors();
     SafetyObservation observe() const;
     void watch(); ///< the failsafe ladder
     void react(const SafetyFinding& finding);

@@ -12,6 +12,10 @@
 
 namespace bask {
 
+// Half of what a position-stepping robot resolves.
+constexpr double kThere_m = 6e-5;
+constexpr double kThere_rad = 3e-4;
+
 bool ServoLoop::isByHand() const {
     return m_state == RunState::NotReady || m_state == RunState::Ready || m_state == RunState::Stopped;
 }
@@ -98,14 +102,14 @@ std::optional<double> ServoLoop::heatSetPoint_K() const {
 
 // Towards the goal; what was jogged has ended by itself.
 void ServoLoop::goOn() {
-    constexpr double kThere = 5e-4; // m, rad
     if (!m_goal) {
         if (!m_rates.isZero(0.0) && !isMoving())
             standStill();
         return;
     }
     const double period_s = m_experiment.sampling.period_s;
-    const bool arrived = (*m_goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere;
+    const Vector6d left = (*m_goal - m_coordinates).cwiseAbs();
+    const bool arrived = left.head<3>().maxCoeff() <= kThere_m && left.tail<3>().maxCoeff() <= kThere_rad;
     const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, *m_goal, period_s, m_rates).rates;
     if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9)
         endMove();

@@ -118,9 +118,7 @@ void ServoLoop::readRobotAndSource() {
         m_isHoming = m_isHoming && (robot->moving || m_clock.now_s() - m_homingSince_s < kHomingStarts_s);
         m_coordinates = robot->coordinates;
         m_latest.coordinates = m_coordinates;
-        const Eigen::VectorXd F = m_geometry->viewFactorsFast(m_coordinates);
-        for (std::size_t i = 0; i < m_latest.objects.size(); ++i)
-            m_latest.objects[i].viewFactor = F[static_cast<Eigen::Index>(i)];
+        readViewFactors();
     }
     const auto source = m_devices.source.read();
     m_sourceProblem = source ? Message{} : source.error().message;
@@ -134,6 +132,19 @@ void ServoLoop::readRobotAndSource() {
     const double T3 = m_sensors.environment_K().value_or(m_experiment.environment_K);
     m_sourceStrength = netSourcePower_W_m2(spec.model, source->value_K, spec.emittance, T3) /
                        netSourcePower_W_m2(spec.model, spec.temperature_K, spec.emittance, T3);
+}
+
+void ServoLoop::readViewFactors() {
+    // Inside of the source no object can be: a robot that says so has its axes' origins wrong.
+    if (m_devices.isReal && m_geometry->lowestPoint_m(m_coordinates) <= 0.0) {
+        m_robot.isPlaceSure = false;
+        for (ObjectSample& object : m_latest.objects)
+            object.viewFactor = kNaN;
+        return;
+    }
+    const Eigen::VectorXd F = m_geometry->viewFactorsFast(m_coordinates);
+    for (std::size_t i = 0; i < m_latest.objects.size(); ++i)
+        m_latest.objects[i].viewFactor = F[static_cast<Eigen::Index>(i)];
 }
 
 SafetyObservation ServoLoop::observe() const {
@@ -159,7 +170,8 @@ SafetyObservation ServoLoop::observe() const {
     seen.robotProblem = m_robotProblem;
     seen.robotAlarm = m_robot.alarm;
     seen.isPlaceSure = m_robot.isPlaceSure;
-    seen.robotAge_s = m_robotProblem.code == MessageCode::None ? seen.now_s - m_robot.time_s : 0.0;
+    const bool isTelling = m_robotProblem.code == MessageCode::None && !m_isHoming; // then Grbl is silent
+    seen.robotAge_s = isTelling ? seen.now_s - m_robot.time_s : 0.0;
     seen.sourceProblem = m_sourceProblem;
     seen.source_K = m_source_K;
     seen.sourceAge_s = seen.now_s - m_sourceRead_s;
