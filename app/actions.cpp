@@ -149,6 +149,7 @@ void Actions::makeFaults() {
         const auto k = static_cast<std::size_t>(i);
         if (isOfObject(fault)) {
             m_objectFaults[k] = new QMenu(m_window);
+            m_objectFaults[k]->setObjectName(QLatin1String(simulatedFaultName(fault)));
             continue;
         }
         m_rigFaults[k] = make(fault == SimulatedFault::None ? "restoreDevices" : simulatedFaultName(fault));
