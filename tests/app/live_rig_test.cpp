@@ -18,11 +18,11 @@ constexpr double kTarget_degC = 40.0;
 // and stay, the recording is whole, and the plate is off in the end.
 TEST_F(LiveRigTest, settlesOverThreeLinks) {
     startBench();
-    startEngine({QStringLiteral("--duration"), QStringLiteral("90")});
+    startEngine({QStringLiteral("--duration"), QStringLiteral("150")});
     waitUntilHeating();
     QElapsedTimer run;
     run.start();
-    ASSERT_TRUE(waitFor([&] { return run.elapsed() > 85000; }, 100000));
+    ASSERT_TRUE(waitFor([&] { return run.elapsed() > 145000; }, 160000));
     const BenchState state = this->state();
     ASSERT_EQ(state.objects_degC.size(), 3U);
     for (const double t_degC : state.objects_degC)
@@ -37,7 +37,7 @@ TEST_F(LiveRigTest, settlesOverThreeLinks) {
     EXPECT_FALSE(record->simulated);
     EXPECT_EQ(record->outcome, "settled");
     const auto controlled = record->controlledSamples();
-    EXPECT_GE(controlled.size(), 850U) << "a sample each period, but for what a busy machine loses";
+    EXPECT_GE(controlled.size(), 1200U) << "a sample each period, but for what a busy machine loses";
     for (std::size_t i = 1; i < controlled.size(); ++i)
         EXPECT_LT(controlled[i].time_s - controlled[i - 1].time_s, 1.0) << i;
 }
@@ -54,7 +54,7 @@ TEST_F(LiveRigTest, aKilledEngineLeavesNoHeatAndNoMotion) {
     ASSERT_TRUE(waitFor([&] { return dead.elapsed() > 1000; }));
     const Eigen::Vector3d stands_m = state().place_m;
     ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 40000));
-    EXPECT_LT(dead.elapsed(), 22000) << "the plate's own watchdog of 20 s";
+    EXPECT_LT(dead.elapsed(), 25000) << "the plate's own watchdog of 20 s";
     EXPECT_EQ(state().place_m, stands_m);
     const auto record = readSession(session().toStdString());
     ASSERT_TRUE(record.ok());
@@ -72,7 +72,7 @@ TEST_F(LiveRigTest, aStoppedEngineLeavesNoHeatAndNoMotion) {
     ASSERT_TRUE(waitFor([&] { return dead.elapsed() > 1000; }));
     const Eigen::Vector3d stands_m = state().place_m;
     ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 40000));
-    EXPECT_LT(dead.elapsed(), 22000);
+    EXPECT_LT(dead.elapsed(), 25000);
     EXPECT_EQ(state().place_m, stands_m);
 }
 
@@ -85,7 +85,7 @@ TEST_F(LiveRigTest, anInterruptStopsAndRetreats) {
     run.start();
     ASSERT_TRUE(waitFor([&] { return run.elapsed() > 5000; }));
     ::kill(static_cast<pid_t>(engine.processId()), SIGINT);
-    ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 2000));
+    ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 4000));
     EXPECT_TRUE(ended(60000).has_value());
     EXPECT_GT(state().place_m.z(), 0.29) << "the top of its workspace";
     const auto record = readSession(session().toStdString());
