@@ -13,7 +13,7 @@ constexpr std::size_t kAnswersCounted = 20;
 } // namespace
 
 ModbusExchange::ModbusExchange(ModbusLink& link, const Clock& clock, int unit, double silentAfter_s)
-    : m_link(link), m_clock(clock), m_unit(unit), m_silentAfter_s(silentAfter_s) {}
+    : m_link(link), m_clock(clock), m_unit(unit), m_silentAfter_s(silentAfter_s), m_begun_s(clock.now_s()) {}
 
 std::optional<ModbusReply> ModbusExchange::work() {
     const double now_s = m_clock.now_s();
