@@ -1,6 +1,7 @@
 #include "engine/device_simulators/dobot_simulator.h"
 
 #include "engine/base/message_code.h"
+#include "engine/device_simulators/fault_names.h"
 
 #include <algorithm>
 #include <cctype>
@@ -33,13 +34,8 @@ std::vector<std::string> DobotSimulator::faults() const {
 }
 
 Result<void> DobotSimulator::setFault(const std::string& name) {
-    const auto known = faults();
-    if (std::ranges::find(known, name) == known.end()) {
-        std::string list;
-        for (const std::string& fault : known)
-            list += (list.empty() ? "" : ", ") + fault;
-        return Error(MessageCode::ValueUnknown, "fault", {name, list});
-    }
+    if (const auto known = checkFault(name, faults()); !known)
+        return known;
     m_fault = name;
     if (name == "alarm")
         raise(kCollision);

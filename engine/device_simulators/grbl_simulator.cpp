@@ -1,6 +1,7 @@
 #include "engine/device_simulators/grbl_simulator.h"
 
 #include "engine/base/message_code.h"
+#include "engine/device_simulators/fault_names.h"
 #include "engine/protocols/grbl_lines.h"
 
 #include <algorithm>
@@ -66,13 +67,8 @@ std::vector<std::string> GrblSimulator::faults() const {
 }
 
 Result<void> GrblSimulator::setFault(const std::string& name) {
-    const auto known = faults();
-    if (std::ranges::find(known, name) == known.end()) {
-        std::string list;
-        for (const std::string& fault : known)
-            list += (list.empty() ? "" : ", ") + fault;
-        return Error(MessageCode::ValueUnknown, "fault", {name, list});
-    }
+    if (const auto known = checkFault(name, faults()); !known)
+        return known;
     m_fault = name;
     m_isDoorOpen = name == "door";
     if (name == "restart")

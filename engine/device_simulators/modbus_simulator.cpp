@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/device_simulators/fault_names.h"
 #include "engine/protocols/register_values.h"
 
 #include <algorithm>
@@ -14,8 +15,8 @@ namespace {
 constexpr double kFrameGap_s = 0.1; // a request in pieces further apart is noise
 constexpr int kIllegalFunction = 1, kIllegalAddress = 2, kIllegalValue = 3, kDeviceFailure = 4;
 constexpr int kMostAsked = 125;
-const char* const kFaults[] = {"none",       "silent",      "open",       "short",     "frozen",
-                               "wrong-unit", "short-reply", "late-reply", "exception", "bad-crc"};
+const std::vector<std::string> kFaults{"none",       "silent",      "open",       "short",     "frozen",
+                                       "wrong-unit", "short-reply", "late-reply", "exception", "bad-crc"};
 
 using Registers = std::vector<std::uint16_t>;
 
@@ -276,16 +277,12 @@ std::string ModbusSimulator::transmit(double now_s) {
 }
 
 std::vector<std::string> ModbusSimulator::faults() const {
-    return {std::begin(kFaults), std::end(kFaults)};
+    return kFaults;
 }
 
 Result<void> ModbusSimulator::setFault(const std::string& name) {
-    if (std::find(std::begin(kFaults), std::end(kFaults), name) == std::end(kFaults)) {
-        std::string known;
-        for (const char* fault : kFaults)
-            known += (known.empty() ? "" : ", ") + std::string(fault);
-        return Error(MessageCode::ValueUnknown, "fault", {name, known});
-    }
+    if (const auto known = checkFault(name, kFaults); !known)
+        return known;
     m_fault = name;
     for (auto& [address, unit] : m_units) {
         if (m_fault != "frozen")

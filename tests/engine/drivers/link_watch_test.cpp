@@ -1,7 +1,7 @@
 #include "engine/drivers/link_watch.h"
 
 #include "engine/base/message_code.h"
-#include "tests/support/scripted_byte_link.h"
+#include "tests/engine/drivers/test_links.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ protected:
     }
 
     ManualClock m_clock;
-    test::ScriptedByteLink m_link;
+    test::ScriptedLink m_link{"/dev/ttyTEST"};
     LinkWatch m_watch{m_link, m_clock, 1.0};
     double m_answered_s = 0.0;
 };
@@ -49,13 +49,13 @@ TEST_F(LinkWatchTest, statesFollowTheDevicesOwnAnswers) {
 
 // Catches a dead port that is tried again and again, or not at all.
 TEST_F(LinkWatchTest, aDeadPortIsTriedEveryHalfSecond) {
-    m_link.isPlugged = false;
+    m_link.unplug();
     EXPECT_EQ(run(10.0), 0);
-    EXPECT_GE(m_link.opens, 19);
-    EXPECT_LE(m_link.opens, 20);
+    EXPECT_GE(m_link.opened(), 19);
+    EXPECT_LE(m_link.opened(), 20);
     EXPECT_EQ(m_watch.status().link, LinkState::Opening);
     EXPECT_EQ(m_watch.status().problem.code, MessageCode::LinkNotOpened);
-    m_link.isPlugged = true;
+    m_link.plug();
     EXPECT_EQ(run(0.55), 1);
 }
 
@@ -76,7 +76,7 @@ TEST_F(LinkWatchTest, anEngineThatWasHeldUpListensFirst) {
     EXPECT_EQ(m_watch.work(), LinkWatch::Turn::Open);
     m_watch.answered();
     EXPECT_TRUE(m_watch.isLive());
-    EXPECT_EQ(m_link.opens, 1);
+    EXPECT_EQ(m_link.opened(), 1);
 }
 
 // Catches a wrong answer that is not told, or for ever, or with bytes that cannot be shown.

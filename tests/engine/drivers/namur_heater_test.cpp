@@ -3,7 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/device_simulators/namur_simulator.h"
-#include "tests/support/scripted_byte_link.h"
+#include "tests/engine/drivers/test_links.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ protected:
                 lines.push_back(sent.substr(0, sent.find_last_not_of(' ', end - 1) + 1));
                 m_heard[lines.back()].push_back(m_clock.now_s());
                 if (const auto answer = m_answers.find(lines.back()); answer != m_answers.end())
-                    m_link.toRead += answer->second;
+                    m_link.say(answer->second);
             }
             EXPECT_EQ(sent, "") << "half a line";
             m_clock.advance(0.01);
@@ -40,7 +40,7 @@ protected:
     std::size_t count(const std::string& line) { return m_heard[line].size(); }
 
     ManualClock m_clock;
-    test::ScriptedByteLink m_link;
+    test::ScriptedLink m_link{"/dev/ttyTEST"};
     NamurHeater m_heater{m_link, m_clock, {}};
     std::map<std::string, std::string> m_answers{{"IN_NAME", "IKARCT \r\n"},
                                                  {"IN_PV_2", "25.5 2 \r\n"},
@@ -76,16 +76,16 @@ TEST_F(NamurHeaterTest, asksForNameTemperatureAndSetPoint) {
 
 // Catches the plate's own sensor read where the probe is to be.
 TEST_F(NamurHeaterTest, readsTheProbeWhereItIsSet) {
-    test::ScriptedByteLink link;
+    test::ScriptedLink link{"/dev/ttyTEST"};
     NamurHeater heater(link, m_clock, {true, 30.0});
     for (int i = 0; i < 50; ++i) {
         heater.work();
         const std::string sent = link.takeSent();
         EXPECT_EQ(sent.find("IN_PV_2"), std::string::npos);
         if (sent == "IN_NAME \r\n")
-            link.toRead = "IKARCT \r\n";
+            link.say("IKARCT \r\n");
         if (sent == "IN_PV_1 \r\n")
-            link.toRead = "33.0 1 \r\n";
+            link.say("33.0 1 \r\n");
         m_clock.advance(0.01);
     }
     EXPECT_DOUBLE_EQ(heater.read().value().value_K, kelvinFromCelsius(33.0));
@@ -237,7 +237,7 @@ TEST_F(NamurHeaterTest, onlyWhatFitsTheQuestionIsUsed) {
     m_answers.clear();
     run(0.2);
     for (const char* piece : {"2", "7.", "5 2", " \r", "\n"}) {
-        m_link.toRead += piece;
+        m_link.say(piece);
         run(0.02);
     }
     EXPECT_DOUBLE_EQ(m_heater.read().value().value_K, kelvinFromCelsius(27.5));
@@ -253,7 +253,7 @@ TEST_F(NamurHeaterTest, aLateAnswerIsNotTakenForTheNextOne) {
     run(NamurHeater::kDeadline_s + 0.05);
     const int before = m_heater.discards();
     const double heard = m_heater.read().value().time_s;
-    m_link.toRead += "70.0 2 \r\n";
+    m_link.say("70.0 2 \r\n");
     run(0.02);
     EXPECT_EQ(m_heater.discards(), before + 1);
     EXPECT_EQ(m_heater.read().value().time_s, heard);
@@ -262,7 +262,7 @@ TEST_F(NamurHeaterTest, aLateAnswerIsNotTakenForTheNextOne) {
 // Catches a plate that is set up to drive a stirrer, and a plug that is bridged, taken for well.
 TEST_F(NamurHeaterTest, aPlateThatSpeaksUnaskedIsTold) {
     run(1.0);
-    m_link.toRead += "IN_PV_4 \r\n";
+    m_link.say("IN_PV_4 \r\n");
     run(0.02);
     EXPECT_EQ(m_heater.status().problem.code, MessageCode::DeviceAnswersWrong);
     EXPECT_EQ(m_heater.status().problem.args.at(1), "\"IN_PV_4 \"");
@@ -304,7 +304,7 @@ TEST_F(NamurHeaterTest, aLostPlateIsToldFoundAgainAndStopped) {
     EXPECT_EQ(m_heater.read().error().code(), MessageCode::DeviceSilent);
     EXPECT_EQ(m_heater.keepHeating(kSixty_K, 60.0).error().code(), MessageCode::DeviceSilent);
     run(10.0);
-    EXPECT_GE(m_link.opens, 4) << "opened anew: it may have another cable";
+    EXPECT_GE(m_link.opened(), 4) << "opened anew: it may have another cable";
     m_heard.clear();
     m_answers = answers;
     run(2.0);
@@ -316,11 +316,11 @@ TEST_F(NamurHeaterTest, aLostPlateIsToldFoundAgainAndStopped) {
     m_link.unplug();
     EXPECT_EQ(m_heater.status().link, LinkState::Lost);
     EXPECT_EQ(m_heater.read().error().code(), MessageCode::LinkLost);
-    const int opens = m_link.opens;
+    const int opens = m_link.opened();
     run(10.0);
-    EXPECT_LE(m_link.opens - opens, 21) << "at most every half second";
+    EXPECT_LE(m_link.opened() - opens, 21) << "at most every half second";
     EXPECT_EQ(m_heater.status().problem.code, MessageCode::LinkNotOpened);
-    m_link.isPlugged = true;
+    m_link.plug();
     const double begin_s = m_clock.now_s();
     while (m_heater.status().link != LinkState::Live && m_clock.now_s() < begin_s + 5.0)
         run(0.01);

@@ -3,7 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/device_simulators/stream_simulator.h"
-#include "tests/support/scripted_byte_link.h"
+#include "tests/engine/drivers/test_links.h"
 
 #include <gtest/gtest.h>
 
@@ -21,10 +21,10 @@ protected:
         }
     }
     /// Said now, and taken by the next call.
-    void say(const std::string& bytes) { m_link.toRead += bytes; }
+    void say(const std::string& bytes) { m_link.say(bytes); }
 
     ManualClock m_clock;
-    test::ScriptedByteLink m_link;
+    test::ScriptedLink m_link{"/dev/ttyTEST"};
     StreamThermometer m_thermometer{m_link, m_clock, 2};
 };
 
@@ -44,7 +44,7 @@ TEST_F(StreamThermometerTest, givesWhatWasPrinted) {
     EXPECT_FALSE(readings[1].valid);
     EXPECT_LT(readings[1].time_s, -1e200);
     EXPECT_EQ(m_thermometer.status().link, LinkState::Live);
-    EXPECT_EQ(m_link.sent, "") << "it does not listen";
+    EXPECT_EQ(m_link.takeSent(), "") << "it does not listen";
 }
 
 // Catches a temperature told newer than it is when the engine looks late, and older ones lost on the way.
@@ -113,7 +113,7 @@ TEST_F(StreamThermometerTest, aPulledCableIsToldAndFoundAgain) {
     EXPECT_EQ(m_thermometer.read().error().code(), MessageCode::LinkLost);
     run(5.0);
     EXPECT_EQ(m_thermometer.read().error().code(), MessageCode::LinkNotOpened);
-    m_link.isPlugged = true;
+    m_link.plug();
     run(0.6);
     say("23\nT1 = 24\n");
     run(0.1);

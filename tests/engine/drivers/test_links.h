@@ -7,6 +7,7 @@
 #include "engine/drivers/byte_link.h"
 
 #include <deque>
+#include <string>
 #include <utility>
 
 namespace bask::test {
@@ -14,6 +15,7 @@ namespace bask::test {
 /// What both have in common: a plug, and a record of what was written.
 class PluggedLink : public ByteLink {
 public:
+    explicit PluggedLink(std::string name = "port") : m_name(std::move(name)) {}
     void open() override {
         ++m_opened;
         m_isOpen = m_isPlugged;
@@ -22,7 +24,7 @@ public:
     void close() override { m_isOpen = false; }
     bool isOpen() const override { return m_isOpen; }
     Message problem() const override { return m_problem; }
-    std::string name() const override { return "port"; }
+    std::string name() const override { return m_name; }
 
     void unplug() {
         m_isPlugged = false;
@@ -38,10 +40,14 @@ protected:
     Message m_problem;
     int m_opened = 0;
     std::string m_sent;
+
+private:
+    std::string m_name;
 };
 
 class ScriptedLink final : public PluggedLink {
 public:
+    using PluggedLink::PluggedLink;
     void open() override {
         PluggedLink::open();
         m_unread.clear();
