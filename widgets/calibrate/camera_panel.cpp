@@ -7,6 +7,7 @@
 #include "widgets/calibrate/coverage_view.h"
 #include "widgets/calibrate/view_list.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 
 #include <QCheckBox>
@@ -45,14 +46,6 @@ Result<void> writeFile(const QString& path, const std::string& text) {
     return Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()});
 }
 
-QLabel* titleLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    QFont font = label->font();
-    font.setWeight(QFont::DemiBold);
-    label->setFont(font);
-    return label;
-}
-
 } // namespace
 
 CameraPanel::CameraPanel(QWidget* parent)
@@ -61,7 +54,7 @@ CameraPanel::CameraPanel(QWidget* parent)
       m_message(new MessageBar(this)), m_coverage(new CoverageView(this)), m_list(new ViewList(this)),
       m_leaveOut(new QPushButton(this)), m_again(new QPushButton(this)), m_solve(new QPushButton(this)),
       m_progress(new QProgressBar(this)), m_cancel(new QPushButton(this)), m_result(new CameraResult(this)),
-      m_boardTitle(titleLabel(this)), m_viewsTitle(titleLabel(this)), m_resultTitle(titleLabel(this)) {
+      m_boardTitle(boldLabel(this)), m_viewsTitle(boldLabel(this)), m_resultTitle(boldLabel(this)) {
     m_start->setObjectName("captureStart");
     m_start->setCheckable(true);
     m_automatic->setObjectName("captureAutomatic");

@@ -2,6 +2,7 @@
 
 #include "engine/calibration/camera_file.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 
 #include <QCoreApplication>
@@ -63,10 +64,7 @@ CameraResult::CameraResult(QWidget* parent)
     m_use->setObjectName("cameraUse");
     m_save->setObjectName("cameraSave");
     m_load->setObjectName("cameraLoad");
-    QFont bold = m_verdict->font();
-    bold.setWeight(QFont::DemiBold);
-    bold.setPointSizeF(1.2 * bold.pointSizeF());
-    m_verdict->setFont(bold);
+    makeBold(m_verdict, 1.2);
     for (QLabel* label : {m_reason, m_facts}) {
         label->setWordWrap(true);
         label->setTextInteractionFlags(Qt::TextSelectableByMouse);

@@ -6,6 +6,7 @@
 #include "widgets/calibrate/camera_result.h"
 #include "widgets/calibrate/marker_editor.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 
 #include <QCheckBox>
@@ -22,14 +23,6 @@ namespace bask {
 namespace {
 
 constexpr int kIcon = 20;
-
-QLabel* titleLabel(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    QFont font = label->font();
-    font.setWeight(QFont::DemiBold);
-    label->setFont(font);
-    return label;
-}
 
 QLabel* wrapped(QWidget* parent) {
     auto* label = new QLabel(parent);
@@ -65,13 +58,13 @@ int priorityOf(Verdict verdict) {
 } // namespace
 
 RigPanel::RigPanel(QWidget* parent)
-    : QWidget(parent), m_markers(new MarkerEditor(this)), m_markersTitle(titleLabel(this)),
-      m_placeTitle(titleLabel(this)), m_sourceTitle(titleLabel(this)), m_placeHint(wrapped(this)),
+    : QWidget(parent), m_markers(new MarkerEditor(this)), m_markersTitle(boldLabel(this)),
+      m_placeTitle(boldLabel(this)), m_sourceTitle(boldLabel(this)), m_placeHint(wrapped(this)),
       m_sourceHint(wrapped(this)), m_here(new QPushButton(this)), m_tour(new QPushButton(this)),
       m_checkButton(new QPushButton(this)), m_usePlace(new QPushButton(this)), m_placeIcon(new QLabel(this)),
-      m_placeVerdict(titleLabel(this)), m_placeText(wrapped(this)), m_measure(new QPushButton(this)),
+      m_placeVerdict(boldLabel(this)), m_placeText(wrapped(this)), m_measure(new QPushButton(this)),
       m_useSource(new QPushButton(this)), m_follow(new QCheckBox(this)), m_sourceIcon(new QLabel(this)),
-      m_sourceVerdict(titleLabel(this)), m_sourceText(wrapped(this)), m_status(wrapped(this)),
+      m_sourceVerdict(boldLabel(this)), m_sourceText(wrapped(this)), m_status(wrapped(this)),
       m_progress(new QProgressBar(this)), m_cancel(new QPushButton(this)) {
     m_here->setObjectName("placeHere");
     m_tour->setObjectName("placeTour");

@@ -143,6 +143,8 @@ QString controllerWord(ControllerKind kind) {
 }
 
 QString messageText(const Message& message) {
+    if (const auto within = messageWithin(message))
+        return messageText({message.code, {messageText(*within).toStdString()}});
     QString text = QCoreApplication::translate("Message", messageTemplate(message.code));
     // In one pass, so that a "%1" inside an argument stays as it is.
     QString out;

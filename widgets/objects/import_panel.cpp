@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/session/experiment.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/import_questions.h"
@@ -96,9 +97,7 @@ ImportPanel::ImportPanel(QWidget* parent)
     m_problem->setObjectName("importProblem");
     m_accept->setObjectName("importAccept");
     m_cancel->setObjectName("importCancel");
-    QFont bold = m_title->font();
-    bold.setWeight(QFont::DemiBold);
-    m_title->setFont(bold);
+    makeBold(m_title);
     m_progress->setRange(0, 0);
     m_progress->setTextVisible(false);
     m_progress->setMaximumHeight(6);

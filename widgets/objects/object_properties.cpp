@@ -1,6 +1,7 @@
 #include "widgets/objects/object_properties.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/material_presets.h"
@@ -210,10 +211,7 @@ void ObjectProperties::build() {
 }
 
 QLabel* ObjectProperties::heading(QGridLayout* layout, int row) {
-    auto* label = new QLabel(this);
-    QFont font = label->font();
-    font.setWeight(QFont::DemiBold);
-    label->setFont(font);
+    auto* label = boldLabel(this);
     label->setContentsMargins(0, row == 0 ? 0 : 10, 0, 2);
     layout->addWidget(label, row, 0, 1, 2);
     return label;

@@ -2,6 +2,7 @@
 
 #include "engine/session/mounting_check.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/harmonics_panel.h"
@@ -145,10 +146,7 @@ ObjectsPage::~ObjectsPage() = default;
 
 QWidget* ObjectsPage::buildLeft() {
     auto* box = new QWidget(this);
-    m_listTitle = new QLabel(box);
-    QFont font = m_listTitle->font();
-    font.setWeight(QFont::DemiBold);
-    m_listTitle->setFont(font);
+    m_listTitle = boldLabel(box);
     m_list = new ObjectList(box);
     m_list->setObjectName("objectList");
     m_list->setMinimumHeight(kListLines * fontMetrics().lineSpacing());

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/final_values.h"
@@ -23,15 +24,6 @@
 
 namespace bask {
 namespace {
-
-QLabel* bold(QWidget* parent, double scale = 1.0) {
-    auto* label = new QLabel(parent);
-    QFont font = label->font();
-    font.setWeight(QFont::DemiBold);
-    font.setPointSizeF(font.pointSizeF() * scale);
-    label->setFont(font);
-    return label;
-}
 
 bool isMarked(MessageCode code) {
     switch (code) {
@@ -73,7 +65,7 @@ ReviewPage::~ReviewPage() = default;
 
 QWidget* ReviewPage::buildEmpty() {
     auto* box = new QWidget(this);
-    m_emptyTitle = bold(box, 1.4);
+    m_emptyTitle = boldLabel(box, 1.4);
     m_emptyTitle->setAlignment(Qt::AlignCenter);
     m_emptyText = new QLabel(box);
     m_emptyText->setAlignment(Qt::AlignCenter);
@@ -107,10 +99,10 @@ ReviewPage::Fact ReviewPage::addFact(QWidget* parent, const char* name) {
 
 QWidget* ReviewPage::buildHeader(QWidget* parent) {
     auto* header = new QWidget(parent);
-    m_file = bold(header, 1.25);
+    m_file = boldLabel(header, 1.25);
     m_file->setObjectName("sessionFile");
     m_file->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_tag = bold(header);
+    m_tag = boldLabel(header);
     m_tag->setObjectName("sessionTag");
     m_tag->setFrameShape(QFrame::Box);
     m_tag->setContentsMargins(6, 1, 6, 1);
@@ -147,7 +139,7 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
 
 QWidget* ReviewPage::buildIdentified(QWidget* parent) {
     auto* box = new QWidget(parent);
-    m_identifiedTitle = bold(box);
+    m_identifiedTitle = boldLabel(box);
     m_identified = new IdentifiedTable(box);
     m_identified->setObjectName("identifiedRates");
     m_identifiedNote = new QLabel(box);
@@ -170,8 +162,8 @@ QWidget* ReviewPage::buildIdentified(QWidget* parent) {
 QWidget* ReviewPage::buildRun() {
     auto* box = new QWidget(this);
     auto* plots = new QWidget(box);
-    m_temperatureTitle = bold(plots);
-    m_errorTitle = bold(plots);
+    m_temperatureTitle = boldLabel(plots);
+    m_errorTitle = boldLabel(plots);
     m_temperature = new TracePlot(Quantity::Temperature, plots);
     m_temperature->setObjectName("reviewTemperature");
     m_error = new TracePlot(Quantity::Error, plots);
@@ -185,8 +177,8 @@ QWidget* ReviewPage::buildRun() {
     left->addWidget(m_error, 2);
 
     auto* tables = new QWidget(box);
-    m_finalTitle = bold(tables);
-    m_eventsTitle = bold(tables);
+    m_finalTitle = boldLabel(tables);
+    m_eventsTitle = boldLabel(tables);
     m_final = new FinalValuesTable(tables);
     m_final->setObjectName("finalValues");
     m_events = new EventList(tables);

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
 #include "widgets/rig/check_mark.h"
 #include "widgets/rig/device_words.h"
@@ -21,10 +22,7 @@ constexpr double kFreshPeriods = 3.0;
 
 } // namespace
 
-CheckList::CheckList(QWidget* parent) : QWidget(parent), m_title(new QLabel(this)), m_grid(new QGridLayout) {
-    QFont bold = m_title->font();
-    bold.setWeight(QFont::DemiBold);
-    m_title->setFont(bold);
+CheckList::CheckList(QWidget* parent) : QWidget(parent), m_title(boldLabel(this)), m_grid(new QGridLayout) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);

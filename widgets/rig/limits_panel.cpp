@@ -1,6 +1,7 @@
 #include "widgets/rig/limits_panel.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/rig/coordinate_words.h"
 
@@ -16,14 +17,6 @@ namespace {
 
 constexpr double kMmPerM = 1000.0;
 
-QLabel* title(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    QFont font = label->font();
-    font.setWeight(QFont::DemiBold);
-    label->setFont(font);
-    return label;
-}
-
 void setQuietly(QDoubleSpinBox* field, double value) {
     const QSignalBlocker block(field);
     field->setValue(value);
@@ -32,11 +25,12 @@ void setQuietly(QDoubleSpinBox* field, double value) {
 } // namespace
 
 LimitsPanel::LimitsPanel(QWidget* parent)
-    : QWidget(parent), m_sourceTitle(title(this)), m_workspaceTitle(title(this)), m_speedTitle(title(this)),
-      m_measuredLabel(new QLabel(this)), m_measured(new QLabel(this)), m_setPointLabel(new QLabel(this)),
-      m_emittanceLabel(new QLabel(this)), m_setPoint(new QuantitySpinBox(this)),
-      m_lowerLabel(new QLabel(this)), m_upperLabel(new QLabel(this)), m_maxSpeedLabel(new QLabel(this)),
-      m_maxRotationLabel(new QLabel(this)), m_clearanceLabel(new QLabel(this)) {
+    : QWidget(parent), m_sourceTitle(boldLabel(this)), m_workspaceTitle(boldLabel(this)),
+      m_speedTitle(boldLabel(this)), m_measuredLabel(new QLabel(this)), m_measured(new QLabel(this)),
+      m_setPointLabel(new QLabel(this)), m_emittanceLabel(new QLabel(this)),
+      m_setPoint(new QuantitySpinBox(this)), m_lowerLabel(new QLabel(this)), m_upperLabel(new QLabel(this)),
+      m_maxSpeedLabel(new QLabel(this)), m_maxRotationLabel(new QLabel(this)),
+      m_clearanceLabel(new QLabel(this)) {
     m_measured->setObjectName("measuredSource");
     m_setPoint->setObjectName("sourceSetPoint");
     auto* layout = new QVBoxLayout(this);

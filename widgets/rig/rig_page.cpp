@@ -1,5 +1,6 @@
 #include "widgets/rig/rig_page.h"
 
+#include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/rig/check_list.h"
 #include "widgets/rig/device_dialog.h"
@@ -22,20 +23,12 @@ namespace {
 
 constexpr int kPanelWidth = 440;
 
-QLabel* title(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    QFont font = label->font();
-    font.setWeight(QFont::DemiBold);
-    label->setFont(font);
-    return label;
-}
-
 } // namespace
 
 RigPage::RigPage(QWidget* parent)
     : QWidget(parent), m_message(new MessageBar(this)), m_devices(new RigDevices(this)),
       m_checks(new CheckList(this)), m_tabs(new QTabWidget(this)), m_reason(new QLabel(this)),
-      m_robotTitle(title(this)), m_heatTitle(title(this)), m_jog(new JogPanel(this)),
+      m_robotTitle(boldLabel(this)), m_heatTitle(boldLabel(this)), m_jog(new JogPanel(this)),
       m_heat(new HeatPanel(this)), m_limits(new LimitsPanel(this)) {
     m_message->setObjectName("rigMessage");
     m_tabs->setObjectName("rigTabs");

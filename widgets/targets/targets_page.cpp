@@ -1,6 +1,7 @@
 #include "widgets/targets/targets_page.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/targets/pairs_view.h"
@@ -41,13 +42,6 @@ QLabel* wrapped(QWidget* parent, const char* name = nullptr) {
     if (name != nullptr)
         label->setObjectName(QString::fromLatin1(name));
     return label;
-}
-
-void makeBold(QLabel* label, double scale = 1.0) {
-    QFont font = label->font();
-    font.setWeight(QFont::DemiBold);
-    font.setPointSizeF(font.pointSizeF() * scale);
-    label->setFont(font);
 }
 
 QFrame* horizontalLine(QWidget* parent) {
