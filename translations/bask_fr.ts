@@ -1126,6 +1126,10 @@
             <source>The temperature of "%1" should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
             <translation>La température de « %1 » aurait dû changer de %2 K en %3 s et ne l’a pas fait : capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez, puis réarmez.</translation>
         </message>
+        <message>
+            <source>The target of "%1", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
+            <translation>La consigne de « %1 », %2 °C, dépasse sa limite d’avertissement de %3 °C, où tout essai se met en pause. Baissez la consigne, ou relevez la limite si l’objet et le capteur la supportent.</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

@@ -273,6 +273,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(EventAlarmOver, QT_TRANSLATE_NOOP("Message", "over: %1")),
     Entry BASK_MESSAGE(SafetyHeatNotOff, QT_TRANSLATE_NOOP("Message", "The heat source did not take the order to switch off. Switch it off at its mains. It says: %1")),
     Entry BASK_MESSAGE(SafetyHeatByHand, QT_TRANSLATE_NOOP("Message", "The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.")),
+    Entry BASK_MESSAGE(TargetAboveWarning, QT_TRANSLATE_NOOP("Message", "The target of \"%1\", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.")),
 };
 // clang-format on
 
@@ -360,7 +361,18 @@ int alarmPriority(MessageCode code) {
     }
 }
 
+std::optional<Message> messageWithin(const Message& message) {
+    if (message.code != MessageCode::EventAlarmOver || message.args.empty())
+        return std::nullopt;
+    const MessageCode code = messageCodeFromName(message.args.front());
+    if (code == MessageCode::None || code == MessageCode::EventAlarmOver)
+        return std::nullopt;
+    return Message{code, {message.args.begin() + 1, message.args.end()}};
+}
+
 std::string describe(const Message& message) {
+    if (const auto within = messageWithin(message))
+        return describe(Message{message.code, {describe(*within)}});
     std::string out;
     for (const char* p = messageTemplate(message.code); *p != '\0'; ++p) {
         if (*p == '%' && p[1] >= '1' && p[1] <= '9') {

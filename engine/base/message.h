@@ -2,6 +2,7 @@
 // Everything Bask says in words, as a code and its arguments: one English sentence a code in message.cpp,
 // translated in app/.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ const char* messageTemplate(MessageCode code);
 
 /// English sentence with the arguments put in.
 std::string describe(const Message& message);
+
+/// What an EventAlarmOver says is over: its name and arguments are that event's. Empty: another message, or
+/// one of a recording that has words there.
+std::optional<Message> messageWithin(const Message& message);
 
 /// Priority as an alarm, 1 the highest (a person must act), 3 a notice; 0: not an alarm.
 int alarmPriority(MessageCode code);

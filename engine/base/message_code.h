@@ -265,9 +265,10 @@ enum class MessageCode : int {
     SafetyDiskLow,            ///< %1 MB, %2 MB
     SafetySourceSilent,       ///< %1 s
     EventFault,               ///< %1 name
-    EventAlarmOver,           ///< %1 sentence
+    EventAlarmOver,           ///< name of a message, then its arguments
     SafetyHeatNotOff,         ///< %1 words
     SafetyHeatByHand,         ///< %1 degC
+    TargetAboveWarning,       ///< %1 object, %2 degC, %3 degC
 };
 
 } // namespace bask

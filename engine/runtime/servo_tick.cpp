@@ -227,8 +227,11 @@ void ServoLoop::tellEnd(const SafetyFinding& finding) {
         event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
     else if (condition == SafetyCondition::SourcePoseLost)
         event(MessageCode::EventSourcePoseBack);
-    else
-        event(MessageCode::EventAlarmOver, {describe(finding.message)});
+    else {
+        std::vector<std::string> args{messageName(finding.message.code)};
+        args.insert(args.end(), finding.message.args.begin(), finding.message.args.end());
+        event(MessageCode::EventAlarmOver, std::move(args));
+    }
 }
 
 void ServoLoop::keepHeating() {

@@ -91,6 +91,16 @@ TEST(Message, SaysWhereWhatAndWhatToDo) {
               " targets given for  objects"); // missing arguments are harmless
 }
 
+// Catches: the end of an alarm that is recorded without what it was, and recordings of before with words
+// there.
+TEST(Message, TheEndOfAnAlarmSaysWhichOne) {
+    EXPECT_EQ(describe(Message{MessageCode::EventAlarmOver, {"TargetCountWrong", "2", "3"}}),
+              "over: 2 targets given for 3 objects");
+    EXPECT_EQ(describe(Message{MessageCode::EventAlarmOver, {"The robot stood."}}), "over: The robot stood.");
+    EXPECT_EQ(describe(Message{MessageCode::EventAlarmOver, {"EventAlarmOver", "x"}}),
+              "over: EventAlarmOver");
+}
+
 TEST(Message, EveryCodeHasASentenceAndAUniqueName) {
     std::set<std::string> names;
     int i = 0;
@@ -102,7 +112,7 @@ TEST(Message, EveryCodeHasASentenceAndAUniqueName) {
         EXPECT_TRUE(i == 0 || messageTemplate(code)[0] != '\0') << messageName(code);
     }
     // The last code of the enumeration: a code without an entry would end the walk before it.
-    EXPECT_EQ(i - 1, static_cast<int>(MessageCode::SafetyHeatByHand));
+    EXPECT_EQ(i - 1, static_cast<int>(MessageCode::TargetAboveWarning));
 }
 
 TEST(Clock, RunsForwardOnly) {
