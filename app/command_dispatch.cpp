@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cerrno>
+#include <clocale>
 #include <cstdio>
 #include <cstring>
 #include <memory>
@@ -92,6 +93,7 @@ int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
     } else {
         application = std::make_unique<QCoreApplication>(argc, argv);
     }
+    std::setlocale(LC_NUMERIC, "C"); // Qt took the user's: devices and files want the decimal point
     QCoreApplication::setApplicationName(QStringLiteral("bask"));
     QStringList arguments;
     for (int i = 2; i < argc; ++i)

@@ -16,7 +16,7 @@ EngineClient::EngineClient(QObject* parent) : QObject(parent) {
 }
 
 EngineClient::~EngineClient() {
-    shutDown(std::chrono::seconds(3));
+    shutDown(kEnd);
 }
 
 void EngineClient::start(const QString& alarmFile) {

@@ -25,9 +25,10 @@ class EngineClient : public QObject {
 
 public:
     static constexpr std::chrono::milliseconds kSilence{2000};
+    static constexpr std::chrono::milliseconds kEnd{5000}; ///< a heat source is given 2 s to go off
 
     explicit EngineClient(QObject* parent = nullptr);
-    ~EngineClient() override; ///< shutDown with a bound of 3 s
+    ~EngineClient() override; ///< shutDown with a bound of kEnd
 
     /// `alarmFile` keeps the alarms over a restart; empty: nothing does.
     void start(const QString& alarmFile = {});

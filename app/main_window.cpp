@@ -305,7 +305,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     m_settings.setWindow(saveGeometry(), saveState());
-    m_engine.shutDown(std::chrono::seconds(3));
+    m_engine.shutDown(EngineClient::kEnd);
     event->accept();
 }
 

@@ -1,5 +1,6 @@
 #include "app/start_window.h"
 
+#include "app/end_signals.h"
 #include "app/main_window.h"
 #include "widgets/common/theme.h"
 
@@ -61,6 +62,7 @@ int runWindow(int& argc, char** argv, const QString& file) {
     QLocale::setDefault(QLocale::c());
     applyTheme(application, SettingsStore().theme());
 
+    const EndSignals endSignals;
     MainWindow window;
     if (qEnvironmentVariableIntValue("BASK_TIMING") == 1)
         reportStart(window, sinceStart);

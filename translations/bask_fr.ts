@@ -1130,6 +1130,14 @@
             <source>The target of "%1", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
             <translation>La consigne de « %1 », %2 °C, dépasse sa limite d’avertissement de %3 °C, où tout essai se met en pause. Baissez la consigne, ou relevez la limite si l’objet et le capteur la supportent.</translation>
         </message>
+        <message>
+            <source>The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
+            <translation>La source est encore à %1 °C, %2 s après l’arrêt de son chauffage. Coupez-la au secteur, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The heat source has no watchdog: if Bask or this computer stops, it stays hot. Do not leave it alone.</source>
+            <translation>La source de chaleur n’a pas de chien de garde : si Bask ou cet ordinateur s’arrête, elle reste chaude. Ne la laissez pas sans surveillance.</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

@@ -4,18 +4,22 @@
 #include "engine/runtime/engine_worker.h"
 
 #include <QCoreApplication>
+#include <QThread>
 #include <QTimer>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <limits>
+#include <memory>
 
 namespace bask {
 namespace {
 
 constexpr double kReadyWithin_s = 60.0;
-constexpr double kStoppedWithin_s = 120.0;
+constexpr double kStoppedWithin_s = 120.0; ///< of a retreat that does not move any more
+constexpr double kBetweenResets_s = 1.0;
 constexpr int kLook_ms = 20;
 
 volatile std::sig_atomic_t g_signals = 0;
@@ -29,18 +33,53 @@ class SignalCount {
 public:
     SignalCount() {
         g_signals = 0;
-        m_interrupt = std::signal(SIGINT, count);
-        m_terminate = std::signal(SIGTERM, count);
+        for (const int each : kCounted)
+            std::signal(each, count);
+        for (const int each : kIgnored)
+            std::signal(each, SIG_IGN);
     }
     ~SignalCount() {
-        std::signal(SIGINT, m_interrupt);
-        std::signal(SIGTERM, m_terminate);
+        for (const int each : kCounted)
+            std::signal(each, SIG_DFL);
+        for (const int each : kIgnored)
+            std::signal(each, SIG_DFL);
     }
     int now() const { return g_signals; }
 
 private:
-    void (*m_interrupt)(int);
-    void (*m_terminate)(int);
+    static constexpr std::array kCounted{SIGINT, SIGTERM, SIGHUP};
+    // A stopped program would leave a hot plate to itself; a closed pipe must not end it either.
+    static constexpr std::array kIgnored{SIGTSTP, SIGTTOU, SIGPIPE};
+};
+
+/// A device that was not there when the rig was opened; anything else a person is to see before a reset.
+bool isNotThereYet(MessageCode code) {
+    constexpr std::array kCodes{MessageCode::SafetyStartUp,   MessageCode::LinkNotOpened,
+                                MessageCode::LinkLost,        MessageCode::DeviceSilent,
+                                MessageCode::RobotOpening,    MessageCode::ReasonRobotLost,
+                                MessageCode::ReasonSourceLost};
+    return std::ranges::find(kCodes, code) != kCodes.end();
+}
+
+/// The engine has a thread of its own: a terminal that takes no more text must not hold it up.
+class EngineThread {
+public:
+    EngineThread() {
+        worker.moveToThread(&m_thread);
+        m_thread.start();
+    }
+    ~EngineThread() {
+        ask([this] { worker.shutdown(); }, Qt::BlockingQueuedConnection);
+        m_thread.quit();
+        m_thread.wait();
+    }
+    template <class Work> void ask(Work work, Qt::ConnectionType how = Qt::QueuedConnection) {
+        QMetaObject::invokeMethod(&worker, std::move(work), how);
+    }
+    EngineWorker worker;
+
+private:
+    QThread m_thread;
 };
 
 /// One step of the way for each snapshot.
@@ -48,21 +87,21 @@ class LiveRun {
 public:
     LiveRun(const Experiment& experiment, const SimulatedRunOptions& options)
         : m_experiment(experiment), m_options(options), m_withinSince_s(experiment.objects.size(), HUGE_VAL) {
-        QObject::connect(&m_worker, &EngineWorker::published, &m_worker,
+        QObject::connect(&m_engine->worker, &EngineWorker::published, &m_here,
                          [this](const Snapshot& snapshot) { take(snapshot); });
     }
 
     Result<RunOutcome> run() {
         const SignalCount signalCount;
         QTimer look;
-        QObject::connect(&look, &QTimer::timeout, &m_worker, [&] { obey(signalCount.now()); });
+        QObject::connect(&look, &QTimer::timeout, &m_here, [&] { obey(signalCount.now()); });
         look.start(kLook_ms);
-        m_worker.start();
-        m_worker.post(LoadExperiment{m_experiment});
+        m_engine->ask([this] { m_engine->worker.start(); });
+        post(LoadExperiment{m_experiment});
         if (!m_isOver)
             QCoreApplication::exec();
         look.stop();
-        m_worker.shutdown();
+        m_engine.reset();
         if (m_error)
             return *m_error;
         finish();
@@ -77,23 +116,32 @@ private:
         std::ranges::copy(snapshot.newEvents, std::back_inserter(m_outcome.events));
         for (const TraceSample& sample : snapshot.newSamples)
             note(sample);
-        if (snapshot.refusal.code != MessageCode::None && !m_isResetting) // a reset may come too early
-            return end(Error(snapshot.refusal.code, {}, snapshot.refusal.args));
-        if (m_isPosting) // else its answer would be taken for the state before it
+        if (m_isOver)
             return;
+        if (snapshot.refusal.code != MessageCode::None && mayNotBeRefused(snapshot.refusal))
+            return end(Error(snapshot.refusal.code, {}, snapshot.refusal.args));
         switch (snapshot.state) {
         case RunState::Fault:
             return faulted(snapshot);
         case RunState::Ready:
             if (m_wish == Wish::Arm)
-                later(Wish::Start, Arm{m_options.sessionPath});
+                go(Wish::Start, Arm{m_options.sessionPath});
             return;
         case RunState::Armed:
             if (m_wish == Wish::Start)
-                later(Wish::Run, Start{true});
+                go(Wish::Run, Start{true});
             return;
-        case RunState::Stopped:
-            if (m_wish == Wish::End)
+        case RunState::Running:
+            m_hasBegun = true;
+            return;
+        case RunState::Stopping:
+            if (snapshot.latest.coordinates != m_retreatFrom) {
+                m_retreatFrom = snapshot.latest.coordinates;
+                m_stopped_s = m_clock.now_s();
+            }
+            return;
+        case RunState::Stopped: // also by the engine itself
+            if (m_wish == Wish::End || (m_wish == Wish::Run && m_hasBegun))
                 over();
             return;
         default:
@@ -101,46 +149,47 @@ private:
         }
     }
 
+    /// A reset may come too early, and a stop after the engine's own.
+    bool mayNotBeRefused(const Message& refusal) const {
+        if (refusal.code == MessageCode::CommandNotNow && refusal.args.front() == "Reset")
+            return false;
+        return m_wish == Wish::Start || (m_wish == Wish::Run && !m_hasBegun) ||
+               (m_wish == Wish::Arm && !std::isfinite(m_reset_s));
+    }
+
     void faulted(const Snapshot& snapshot) {
-        const bool isStartUp =
-            m_wish == Wish::Arm && std::ranges::all_of(snapshot.reasons, [](const Message& m) {
-                return m.code == MessageCode::SafetyStartUp;
-            });
-        if (isStartUp)
-            return later(Wish::Arm, Reset{});
         if (m_wish != Wish::Arm) {
             m_outcome.fault = true;
             return over();
         }
-        const Message reason = snapshot.reasons.empty() ? Message() : snapshot.reasons.front();
-        if (m_clock.now_s() - m_began_s > kReadyWithin_s)
-            return end(Error(reason.code, {}, reason.args));
-        if (m_clock.now_s() - m_reset_s > 1.0) // devices that were not there yet
-            later(Wish::Arm, Reset{});
+        for (const Message& reason : snapshot.reasons)
+            if (!isNotThereYet(reason.code) || m_clock.now_s() - m_began_s > kReadyWithin_s)
+                return end(Error(reason.code, {}, reason.args));
+        if (m_clock.now_s() - m_reset_s > kBetweenResets_s) {
+            m_reset_s = m_clock.now_s();
+            post(Reset{});
+        }
     }
 
-    /// Not from inside of a snapshot's slot: the worker may be in the middle of a command.
-    void later(Wish wish, const Command& command) {
+    void go(Wish wish, const Command& command) {
         m_wish = wish;
-        m_isPosting = true;
-        m_isResetting = std::holds_alternative<Reset>(command);
-        if (m_isResetting)
-            m_reset_s = m_clock.now_s();
-        QTimer::singleShot(0, &m_worker, [this, command] {
-            m_isPosting = false;
-            m_worker.post(command);
-        });
+        post(command);
+    }
+
+    void post(const Command& command) {
+        m_engine->ask([this, command] { m_engine->worker.post(command); });
     }
 
     void obey(int count) {
-        if (count >= 2 && !m_isEmergency) {
-            m_isEmergency = true;
-            m_worker.post(EmergencyStop{});
-        } else if (count == 1 && m_wish == Wish::Run) {
-            stop();
-        } else if (count >= 1 && m_wish != Wish::Run && m_wish != Wish::End) {
+        const bool isBefore = m_wish == Wish::Arm || m_wish == Wish::Start;
+        if (count >= 1 && isBefore) { // the end makes the rig safe
             m_outcome.fault = true;
             over();
+        } else if (count >= 2 && !m_isEmergency) {
+            m_isEmergency = true;
+            post(EmergencyStop{});
+        } else if (count == 1 && m_wish == Wish::Run) {
+            stop();
         }
         const double now_s = m_clock.now_s();
         if (m_wish == Wish::Arm && now_s - m_began_s > kReadyWithin_s && !m_last.reasons.empty())
@@ -170,7 +219,7 @@ private:
 
     void stop() {
         m_stopped_s = m_clock.now_s();
-        later(Wish::End, Stop{});
+        go(Wish::End, Stop{});
     }
 
     void finish() {
@@ -194,9 +243,9 @@ private:
     const Experiment& m_experiment;
     const SimulatedRunOptions& m_options;
     SteadyClock m_clock;
-    EngineWorker m_worker;
     Wish m_wish = Wish::Arm;
-    bool m_isPosting = false, m_isResetting = false, m_isOver = false, m_isEmergency = false;
+    bool m_hasBegun = false, m_isOver = false, m_isEmergency = false;
+    Vector6d m_retreatFrom = Vector6d::Zero();
     double m_began_s = SteadyClock().now_s();
     double m_reset_s = -HUGE_VAL, m_stopped_s = 0.0;
     std::vector<double> m_withinSince_s; ///< infinite: outside of the band
@@ -204,6 +253,8 @@ private:
     Snapshot m_last;
     RunOutcome m_outcome;
     std::optional<Error> m_error;
+    QObject m_here; ///< of the thread that takes the snapshots
+    std::unique_ptr<EngineThread> m_engine = std::make_unique<EngineThread>();
 };
 
 } // namespace

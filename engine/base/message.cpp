@@ -274,6 +274,8 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(SafetyHeatNotOff, QT_TRANSLATE_NOOP("Message", "The heat source did not take the order to switch off. Switch it off at its mains. It says: %1")),
     Entry BASK_MESSAGE(SafetyHeatByHand, QT_TRANSLATE_NOOP("Message", "The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.")),
     Entry BASK_MESSAGE(TargetAboveWarning, QT_TRANSLATE_NOOP("Message", "The target of \"%1\", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.")),
+    Entry BASK_MESSAGE(SafetySourceNotCooling, QT_TRANSLATE_NOOP("Message", "The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.")),
+    Entry BASK_MESSAGE(SafetyNoWatchdog, QT_TRANSLATE_NOOP("Message", "The heat source has no watchdog: if Bask or this computer stops, it stays hot. Do not leave it alone.")),
 };
 // clang-format on
 
@@ -338,10 +340,12 @@ int alarmPriority(MessageCode code) {
     case MessageCode::SafetySourceSilent:
     case MessageCode::SafetyHeatNotOff:
     case MessageCode::SafetyHeatByHand:
+    case MessageCode::SafetySourceNotCooling:
         return 1;
     case MessageCode::SafetyObjectWarm:
     case MessageCode::SafetySensorsApart:
     case MessageCode::SafetyDiskLow:
+    case MessageCode::SafetyNoWatchdog:
     case MessageCode::DeviceAnswersWrong:
         return 2;
     case MessageCode::SafetyLoopLate:

@@ -269,6 +269,8 @@ enum class MessageCode : int {
     SafetyHeatNotOff,         ///< %1 words
     SafetyHeatByHand,         ///< %1 degC
     TargetAboveWarning,       ///< %1 object, %2 degC, %3 degC
+    SafetySourceNotCooling,   ///< %1 degC, %2 s
+    SafetyNoWatchdog,         ///< no args
 };
 
 } // namespace bask

@@ -86,7 +86,8 @@ struct Jog {
 struct HomeRobot {};
 /// After a person has seen to it; never moves. Also confirms that the robot is where it says.
 struct ClearRobotAlarm {};
-/// By hand, while no run is armed or on: heats towards this until it is switched off; empty: off.
+/// By hand, while no run is armed or on and no sensor is lost: heats towards this until it is switched off.
+/// Empty: off, in every state; a run is stopped.
 struct SetHeat {
     std::optional<double> setPoint_K;
 };

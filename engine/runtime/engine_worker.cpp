@@ -22,6 +22,8 @@ constexpr double kLongestGap_s =
     1.0; ///< of wall time that is made up for, after a suspended or stalled computer
 constexpr double kMaxSpeed = 20.0;
 constexpr double kDisk_s = 5.0;     ///< between looks at the room on the disk
+constexpr double kHeldUp_s = 0.3;   ///< between two looks at real devices
+constexpr double kHearing_s = 0.15; ///< until they have said again how they are
 constexpr int kLongestStep_ms = 50; ///< of the rig, between looks at the command queue
 
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
@@ -137,27 +139,63 @@ void EngineWorker::start() {
 }
 
 void EngineWorker::shutdown() {
+    m_isEnding = true;
     if (m_timer)
         m_timer->stop();
-    if (m_session) {
-        if (m_session->loop.running())
-            m_session->loop.emergencyStop();
-        record();
-    }
-    closeRecording();
-    m_camera.reset();
+    if (m_isClosing) // by the load that this interrupts: it ends what is left
+        return;
+    if (m_session && m_session->loop.running())
+        m_session->loop.emergencyStop();
     closeSession();
 }
 
-// A real rig's last words take a moment, in which events are processed.
+// First of all the rig is made safe. Its last words take a moment, in which events are processed.
 void EngineWorker::closeSession() {
     m_isClosing = true;
     m_tried.reset();
+    if (m_session) {
+        m_session->loop.makeSafe();
+        if (m_session->real && !m_session->real->sayLastWords())
+            tellHeatNotOff();
+        record();
+    }
+    closeRecording();
+    if (m_isEnding)
+        m_camera.reset();
     m_session.reset();
     m_isClosing = false;
 }
 
+void EngineWorker::tellHeatNotOff() {
+    std::string port;
+    for (const RigDeviceState& device : m_session->real->devices())
+        if (device.role == DeviceRole::HeatSource)
+            port = device.port;
+    const Message message{MessageCode::SafetyHeatNotOff, {port}};
+    m_pending.newEvents.push_back({m_session->loop.runTime_s(), message});
+    std::vector<AlarmCondition> conditions = m_session->loop.alarmConditions();
+    conditions.insert(conditions.begin(), {messageName(message.code), message, 1});
+    if (m_alarms.update(utc_s(), conditions))
+        keepAlarms();
+}
+
 void EngineWorker::post(const bask::Command& command) {
+    if (m_isClosing) { // from inside of the last words; of several experiments the newest counts
+        if (std::holds_alternative<LoadExperiment>(command))
+            std::erase_if(m_waiting,
+                          [](const Command& each) { return std::holds_alternative<LoadExperiment>(each); });
+        m_waiting.push_back(command);
+        return;
+    }
+    carryOut(command);
+    while (!m_waiting.empty() && !m_isEnding) {
+        const Command next = std::move(m_waiting.front());
+        m_waiting.pop_front();
+        carryOut(next);
+    }
+}
+
+void EngineWorker::carryOut(const Command& command) {
     Result<void> result;
     try {
         result = apply(command);
@@ -179,11 +217,13 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (const auto valid = validate(experiment); !valid)
         return valid;
-    closeRecording();
     closeSession(); // its ports are free before they are opened again
+    if (m_isEnding)
+        return {};
     m_session = std::make_unique<Session>(experiment);
     m_untilTick_s = experiment.sampling.period_s;
-    m_nextTick_s = m_session->clock().now_s() + experiment.sampling.period_s;
+    m_worked_s = m_session->clock().now_s();
+    m_nextTick_s = m_worked_s + experiment.sampling.period_s;
     m_timer->setInterval(m_session->real ? kRealTimer_ms : kTimer_ms);
     watch(m_watch);
     return {};
@@ -455,6 +495,10 @@ void EngineWorker::advanceSimulated(double wall_s) {
 void EngineWorker::workReal() {
     m_session->real->work();
     const double now_s = m_session->clock().now_s();
+    // Held up itself, it hears first what the devices have said meanwhile, and judges them then.
+    if (now_s - m_worked_s > kHeldUp_s)
+        m_nextTick_s = now_s + kHearing_s;
+    m_worked_s = now_s;
     if (now_s < m_nextTick_s)
         return;
     const double period_s = m_session->loop.experiment().sampling.period_s;

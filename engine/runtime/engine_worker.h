@@ -12,6 +12,7 @@
 #include <QObject>
 #include <QTimer>
 
+#include <deque>
 #include <memory>
 
 Q_DECLARE_METATYPE(bask::Command)
@@ -54,7 +55,9 @@ private:
     void record();
     void closeRecording();
     void closeSession();
+    void tellHeatNotOff();
     void publish();
+    void carryOut(const Command& command);
     Result<void> apply(const Command& command);
     Result<void> load(const Experiment& experiment);
     Result<void> armWith(const std::string& recordingPath);
@@ -89,10 +92,12 @@ private:
     std::shared_ptr<const VisionView> m_view; ///< handed on last
     SteadyClock m_steady;
     std::unique_ptr<RealRig> m_tried; ///< one device alone
-    bool m_isClosing = false;
+    bool m_isClosing = false, m_isEnding = false;
+    std::deque<Command> m_waiting; ///< that came while a rig was closed
     double m_speed = 1.0;
     double m_untilTick_s = 0.0; ///< of a simulated rig
     double m_nextTick_s = 0.0;  ///< of a real one
+    double m_worked_s = 0.0;    ///< its devices, last
     std::uint64_t m_lateSteps = 0;
     std::uint64_t m_runId = 0;
     int m_ticksSinceRate = 0;

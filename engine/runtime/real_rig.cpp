@@ -25,7 +25,8 @@ namespace bask {
 namespace {
 
 constexpr double kFastestPoll_s = 0.1;
-constexpr double kFarewell_s = 0.3; ///< for the last words: stand still, heat off
+constexpr double kFarewell_s = 0.3;        ///< for the last words: stand still, heat off
+constexpr double kLongestFarewell_s = 2.0; ///< for a heat source that is not seen off
 constexpr int kDobotDashboard = 29999, kDobotMotion = 30003, kDobotFeedback = 30004;
 constexpr int kStreamChannels = 16; ///< tried, before it is known how many there are
 
@@ -180,15 +181,19 @@ RealRig::RealRig(const RigSpec& rig, const Clock& clock) : m_parts(std::make_uni
     m_parts->add(rig, Vector6d::Zero(), kFastestPoll_s);
 }
 
-RealRig::~RealRig() {
-    if (m_parts->entries.empty())
-        return;
-    const double end_s = SteadyClock().now_s() + kFarewell_s;
-    while (SteadyClock().now_s() < end_s) {
+RealRig::~RealRig() = default;
+
+bool RealRig::sayLastWords() {
+    const SteadyClock wall;
+    const double begun_s = wall.now_s();
+    const auto isOff = [&] { return m_parts->byHand != nullptr || !heatSource().heating(); };
+    const auto spent_s = [&] { return wall.now_s() - begun_s; };
+    while (!m_parts->entries.empty() && spent_s() < (isOff() ? kFarewell_s : kLongestFarewell_s)) {
         work();
         QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
         std::this_thread::sleep_for(std::chrono::milliseconds(2));
     }
+    return isOff();
 }
 
 void RealRig::work() {

@@ -27,6 +27,10 @@ public:
     RealRig(const RigSpec& rig, const Clock& clock);
     ~RealRig();
 
+    /// Works on until the heat is seen off and all has been sent, for a bounded time in which Qt's events are
+    /// processed: what was asked of the devices last. False: the heat is not known to be off.
+    bool sayLastWords();
+
     /// Lets the devices take what has come and send what is due.
     void work();
 

@@ -39,6 +39,7 @@ constexpr std::array kLadder{
     SafetyRow{Condition::SourceSilent,       1, Reaction::Stop,    false, 0.0, 0.0},
     SafetyRow{Condition::SourceNotHeating,   1, Reaction::Stop,    false, 0.0, 0.0},
     SafetyRow{Condition::SourceHeatsUnasked, 1, Reaction::Stop,    false, 0.5, 0.0},
+    SafetyRow{Condition::SourceNotCooling,   1, Reaction::Stop,    false, 0.0, 0.0},
     SafetyRow{Condition::SetPointOther,      1, Reaction::Stop,    false, 10.0, 0.0},
     SafetyRow{Condition::NotWarming,         1, Reaction::Stop,    false, 30.0, 0.0},
     SafetyRow{Condition::SensorOpen,         1, Reaction::Hold,    true,  0.0, 0.0},
@@ -52,6 +53,7 @@ constexpr std::array kLadder{
     SafetyRow{Condition::ThermometerLost,    1, Reaction::Note,    false, 0.0, 0.0},
     SafetyRow{Condition::HeatNotOff,         1, Reaction::Note,    false, 0.0, 0.0},
     SafetyRow{Condition::HeatByHand,         1, Reaction::Note,    false, 0.0, 0.0},
+    SafetyRow{Condition::NoWatchdog,         2, Reaction::Note,    false, 0.0, 0.0},
     SafetyRow{Condition::SensorsApart,       2, Reaction::Note,    false, 10.0, 10.0},
     SafetyRow{Condition::DiskLow,            2, Reaction::Note,    false, 0.0, 0.0},
     SafetyRow{Condition::LoopLate,           3, Reaction::Note,    false, 0.0, 60.0},
@@ -155,13 +157,15 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     addSensor(i, seen);
     addWarming(i, seen);
-    if (!object.measured_K)
+    // Too fast for heat, but as many times in a row as make a fault: it may have touched the source.
+    const bool isRejected = !object.measured_K && object.jump.inARow >= m_experiment.safety.jumps;
+    if (!object.measured_K && !isRejected)
         return;
+    const double seen_K = isRejected ? object.jump.least_K : *object.measured_K;
     const auto over = [&](Condition condition, MessageCode code, double limit_K) {
         const double from_K = limit_K - (isActive(condition, i) ? kHysteresis_K : 0.0);
-        if (*object.measured_K > from_K)
-            add(condition,
-                {code, {name(i), oneDigit(celsiusFromKelvin(*object.measured_K)), celsius(limit_K)}}, i);
+        if (seen_K > from_K)
+            add(condition, {code, {name(i), oneDigit(celsiusFromKelvin(seen_K)), celsius(limit_K)}}, i);
     };
     over(Condition::ObjectHot, MessageCode::SafetyObjectHot,
          tripLimit_K(m_experiment, m_experiment.objects[i]));
@@ -272,6 +276,13 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
         add(Condition::SourceHeatsUnasked,
             {MessageCode::SafetySourceHeatsUnasked,
              {formatNumber(warming->gained_K, 3), formatNumber(warming->time_s, 3)}});
+    if (const auto for_s = m_source.notCoolingFor_s(m_experiment.environment_K + kHandWarm_K);
+        for_s && seen.isSourceSwitched)
+        add(Condition::SourceNotCooling,
+            {MessageCode::SafetySourceNotCooling,
+             {oneDigit(celsiusFromKelvin(*seen.source_K)), formatNumber(*for_s, 3)}});
+    if (seen.asked_K && !seen.hasWatchdog)
+        add(Condition::NoWatchdog, {MessageCode::SafetyNoWatchdog, {}});
     if (seen.asked_K && seen.readBack_K && std::abs(*seen.asked_K - *seen.readBack_K) > kSetPointTrifle_K)
         add(Condition::SetPointOther,
             {MessageCode::SafetySetPointOther, {celsius(*seen.asked_K), celsius(*seen.readBack_K)}});
@@ -373,6 +384,12 @@ bool SafetyMonitor::isLost() const {
 
 bool SafetyMonitor::isLostTooLong() const {
     return isLost() && m_now_s - m_lostSince_s > m_experiment.safety.heldLimit_s;
+}
+
+const SafetyFinding* SafetyMonitor::lostSensor() const {
+    const auto found = std::ranges::find_if(
+        m_active, [](const SafetyFinding& finding) { return isOfSensor(finding.condition); });
+    return found == m_active.end() ? nullptr : &*found;
 }
 
 void SafetyMonitor::forgetLoss() {

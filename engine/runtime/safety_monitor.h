@@ -34,6 +34,7 @@ enum class SafetyCondition {
     SourceSilent,
     SourceNotHeating,
     SourceHeatsUnasked,
+    SourceNotCooling,
     SetPointOther,
     NotWarming,
     SensorOpen,
@@ -47,6 +48,7 @@ enum class SafetyCondition {
     ThermometerLost,
     HeatNotOff,
     HeatByHand,
+    NoWatchdog,
     SensorsApart,
     DiskLow,
     LoopLate
@@ -98,7 +100,9 @@ struct SafetyObservation {
     bool isByHand = false;
     bool isHeatUnwanted = false; ///< a fault or a stop wants it off
     Message heatOffProblem;
-    bool isSourceDark = true; ///< it does not heat the objects: cold, or behind its shutter
+    bool isSourceSwitched = false; ///< it cools when its heat is off: a real one
+    bool hasWatchdog = true;       ///< the source goes off by itself when nothing keeps it on
+    bool isSourceDark = true;      ///< it does not heat the objects: cold, or behind its shutter
     bool isSourcePoseLost = false;
     std::optional<double> diskFree_MB{};
 };
@@ -130,6 +134,8 @@ public:
     bool isLost() const;
     /// For longer than the held limit: what comes back and goes again is one loss.
     bool isLostTooLong() const;
+    /// A sensor that is lost, not the source's place; null: none.
+    const SafetyFinding* lostSensor() const;
     /// The run begins or goes on: a new loss gets its own hold.
     void forgetLoss();
     /// The sensors have been zeroed: the objects are as they have been for long.

@@ -57,8 +57,10 @@ bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
         channel.jump = {};
         return false;
     }
+    const double value_K = reading.value_K + channel.offset_K;
     if (channel.jump.inARow == 0)
         channel.jump.rate_K_s = change_K / since_s;
+    channel.jump.least_K = channel.jump.inARow == 0 ? value_K : std::min(channel.jump.least_K, value_K);
     if (channel.jump.inARow == 0 || reading.time_s > channel.jump.time_s) { // once each
         ++channel.jump.inARow;
         channel.jump.time_s = reading.time_s;

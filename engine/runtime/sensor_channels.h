@@ -24,6 +24,7 @@ struct Jump {
     int inARow = 0;        ///< 0: the newest reading is none
     double rate_K_s = 0.0; ///< of the first of them
     double time_s = 0.0;   ///< of the newest
+    double least_K = 0.0;  ///< of them
 };
 
 /// One sensor a channel, in the objects' order.

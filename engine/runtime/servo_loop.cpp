@@ -206,6 +206,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
 
 Result<void> ServoLoop::hold() {
     if (isMoving()) {
+        m_isHoming = false;
         endMove();
         return {};
     }
@@ -258,6 +259,7 @@ Result<void> ServoLoop::stop() {
 
 void ServoLoop::beginRetreat() {
     m_state = RunState::Stopping;
+    m_handHeat_K.reset();
     m_retreatRaised = false;
     m_retreatMoved_s = m_clock.now_s();
     switchHeatOff();
@@ -285,6 +287,7 @@ void ServoLoop::retreatFor(Message reason) {
 
 void ServoLoop::emergencyStop() {
     command("emergency-stop");
+    m_isHoming = false;
     event(MessageCode::EventEmergencyStop);
     endRun("emergency-stop");
     const Message reason{MessageCode::ReasonEmergencyStop, {}};
@@ -393,12 +396,13 @@ void ServoLoop::addNote(const std::string& text) {
 
 std::vector<Message> ServoLoop::reasons() const {
     std::vector<Message> out = m_faults; // also those that a retreat will end in
-    const auto isSaid = [&](MessageCode code) {
-        return std::ranges::any_of(m_faults, [&](const Message& said) { return said.code == code; });
+    const auto isSaid = [&](const Message& message) {
+        return std::ranges::any_of(m_faults,
+                                   [&](const Message& said) { return alarmKey(said) == alarmKey(message); });
     };
     for (const SafetyFinding& finding : m_safety.active()) {
         const SafetyRow& row = safetyRow(finding.condition);
-        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid(finding.message.code))
+        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid(finding.message))
             out.push_back(finding.message);
     }
     if (m_state == RunState::Fault)
@@ -416,16 +420,22 @@ std::vector<Message> ServoLoop::reasons() const {
     return out;
 }
 
+std::string ServoLoop::alarmKey(const Message& message) const {
+    std::string key = messageName(message.code);
+    if (message.args.empty())
+        return key;
+    const bool isOfObject = std::ranges::any_of(
+        m_experiment.objects, [&](const ObjectSpec& object) { return object.name == message.args.front(); });
+    // A port, or the robot's number for it.
+    const bool isOfDevice =
+        message.code >= MessageCode::LinkNotOpened && message.code <= MessageCode::RobotRefused;
+    return isOfObject || isOfDevice ? key + ":" + message.args.front() : key;
+}
+
 std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
     std::vector<AlarmCondition> out;
     const auto add = [&](const Message& message, int priority) {
-        std::string key = messageName(message.code);
-        const bool isOfObject =
-            !message.args.empty() && std::ranges::any_of(m_experiment.objects, [&](const ObjectSpec& object) {
-                return object.name == message.args.front();
-            });
-        if (isOfObject)
-            key += ":" + message.args.front();
+        std::string key = alarmKey(message);
         if (std::ranges::find(out, key, &AlarmCondition::key) == out.end())
             out.push_back({std::move(key), message, priority});
     };

@@ -60,7 +60,7 @@ public:
     /// The end-effector to coordinates within workspace and clearance, fixed axes as they are; while no run
     /// is armed or on. Hold, Arm, STOP and faults end it.
     Result<void> moveTo(const Vector6d& goal);
-    bool isMoving() const { return m_goal.has_value() || m_clock.now_s() < m_jogEnds_s; }
+    bool isMoving() const { return m_goal.has_value() || m_isHoming || m_clock.now_s() < m_jogEnds_s; }
     /// By hand, while no run is armed or on; Jog's and SetHeat's words.
     Result<void> jog(const Vector6d& twist);
     Result<void> home();
@@ -76,6 +76,8 @@ public:
     /// Refused while a run is armed or on.
     Result<void> setVision(const VisionSpec& vision);
     void addNote(const std::string& text);
+    /// Zero velocity and heat off, in whatever state.
+    void makeSafe();
     /// Safe state, latched: for failures that the loop does not see itself (the recorder).
     void fault(Message reason);
     /// A run retreats first, then the latched fault: for failures that leave the robot able to move.
@@ -127,6 +129,8 @@ private:
     void switchHeatOff();
     void control();
     void keepHeating();
+    void keepOff(); ///< the heat: an order that was not taken, or a source that is on by itself, gets another
+    bool isHeatedByHand() const;
     void backOff(); ///< off the source, which is too near
     void retreat();
     void noteSettling();
@@ -135,7 +139,6 @@ private:
     void move(const Vector6d& rates);               ///< of the pose coordinates, until the next sample
     void move(const Vector6d& rates, double validFor_s);
     void standStill();
-    void makeSafe();
     void endRun(const std::string& outcome);
     void updateReadiness();
     bool sourceSeen() const; ///< where its pose is tracked, that was measured lately
@@ -143,6 +146,8 @@ private:
     void trace();
     void event(MessageCode code, std::vector<std::string> args = {});
     void command(const std::string& name, const std::string& value = {});
+    /// What an alarm is and of which object or device; its values change.
+    std::string alarmKey(const Message& message) const;
     Error refusal(const char* verb) const;
     std::string objectsOffTarget() const; ///< "circle +1.2 K, hand -0.8 K"
 
@@ -168,9 +173,9 @@ private:
     PoseReading m_sourceReading;
     std::optional<Vector6d> m_goal; ///< of moveTo
     bool m_heldBySafety = false;
-    bool m_retreatRaised = false;  ///< the retreat's way up is done
-    double m_retreatMoved_s = 0.0; ///< when the retreating robot moved last
-    Vector6d m_retreatFrom = Vector6d::Zero();
+    bool m_retreatRaised = false;              ///< the retreat's way up is done
+    double m_retreatMoved_s = 0.0;             ///< when the retreating robot moved last
+    Vector6d m_retreatFrom = Vector6d::Zero(); ///< where it was then
     double m_withinBandSince_s = 0.0;
     std::string m_compromise; ///< predicted errors of the compromise aimed at; empty: none
     bool m_compromiseTold = false;

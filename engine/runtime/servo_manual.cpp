@@ -56,9 +56,11 @@ Result<void> ServoLoop::home() {
     if (!isByHand() && m_state != RunState::Fault)
         return refusal("Home");
     endMove();
+    if (const auto asked = m_devices.robot.home(); !asked)
+        return asked;
     m_isHoming = true;
     m_homingSince_s = m_clock.now_s();
-    return m_devices.robot.home();
+    return {};
 }
 
 Result<void> ServoLoop::clearRobotAlarm() {
@@ -78,12 +80,16 @@ double ServoLoop::mostHeat_K() const {
 Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
     if (!setPoint_K) { // off is never refused
         m_handHeat_K.reset();
-        if (isByHand() || m_state == RunState::Fault)
-            switchHeatOff();
+        if (running() && m_state != RunState::Stopping)
+            return stop();
+        switchHeatOff();
         return {};
     }
     if (!isByHand())
         return refusal("Heat");
+    for (std::size_t i = 0; i < m_sensors.size(); ++i) // or nobody sees how hot the objects become
+        if (!m_sensors.fresh(i, m_clock.now_s()))
+            return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
     if (!(*setPoint_K > m_experiment.environment_K && *setPoint_K <= mostHeat_K()))
         return Error(MessageCode::ValueOutOfRange, {},
                      {formatNumber(celsiusFromKelvin(*setPoint_K)),

@@ -15,6 +15,7 @@ namespace {
 // A retreating robot that has not moved for so long will not: one may obey late and start slowly.
 constexpr double kStill_s = 15.0;
 constexpr double kStillPeriods = 3.0;
+constexpr double kMoved = 1e-4;          ///< m, rad: less is the jitter of what it tells
 constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
 constexpr double kTooNear = 0.8; ///< of the clearance: the source has come nearer, or the robot obeys late
 constexpr double kHeatPeriods = 3.0; ///< heat goes off by itself after this many periods
@@ -39,8 +40,10 @@ void ServoLoop::tick() {
             makeSafe();
         else if (isByHand())
             goOn();
-        if (m_state == RunState::Holding || m_handHeat_K)
+        if (m_state == RunState::Holding || isHeatedByHand())
             keepHeating();
+        else if (m_state != RunState::Running && m_state != RunState::Settled)
+            keepOff();
         trace();
         updateReadiness();
     } catch (const std::exception& exception) {
@@ -179,6 +182,7 @@ SafetyObservation ServoLoop::observe() const {
     seen.asked_K = m_asked_K;
     seen.readBack_K = m_devices.source.setPoint_K();
     seen.isByHand = m_devices.source.isByHand();
+    seen.isSourceSwitched = m_devices.isReal;
     seen.isHeatUnwanted = m_state == RunState::Stopping || m_state == RunState::Fault;
     seen.heatOffProblem = m_heatOffProblem;
     seen.isSourceDark = !m_asked_K && (!m_devices.isReal ||
@@ -199,6 +203,9 @@ void ServoLoop::watch() {
         m_heldBySafety = true;
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
         (void)stop(); // whoever holds: nobody sees how hot the object is, or where the source
+    } else if (const SafetyFinding* lost = m_safety.lostSensor();
+               lost != nullptr && m_safety.isLostTooLong() && isHeatedByHand()) {
+        stopFor(lost->message);
     }
 }
 
@@ -237,10 +244,19 @@ void ServoLoop::tellEnd(const SafetyFinding& finding) {
 void ServoLoop::keepHeating() {
     const double validFor_s = kHeatPeriods * m_experiment.sampling.period_s;
     const auto result = m_devices.source.keepHeating(*heatSetPoint_K(), validFor_s);
-    if (result)
-        m_asked_K = *heatSetPoint_K();
-    else
-        stopFor(result.error().message);
+    if (!result)
+        return stopFor(result.error().message);
+    m_asked_K = *heatSetPoint_K();
+    m_heatOffProblem = {};
+}
+
+bool ServoLoop::isHeatedByHand() const {
+    return m_handHeat_K && (isByHand() || m_state == RunState::Armed);
+}
+
+void ServoLoop::keepOff() {
+    if (m_heatOffProblem.code != MessageCode::None || m_devices.source.heating())
+        switchHeatOff();
 }
 
 void ServoLoop::control() {
@@ -327,13 +343,11 @@ void ServoLoop::noteCompromise(const ControlOutput& output) {
 void ServoLoop::retreat() {
     // Off the source's plane first, then level: never sideways near the source. A robot that cannot come
     // nearer has arrived.
-    if (m_heatOffProblem.code != MessageCode::None)
-        switchHeatOff(); // again
     const RobotLimits& limits = m_experiment.robot;
     constexpr double kThere = 1e-3;
     const double now_s = m_clock.now_s();
     const double period_s = m_experiment.sampling.period_s;
-    if (m_coordinates != m_retreatFrom) {
+    if ((m_coordinates - m_retreatFrom).cwiseAbs().maxCoeff() > kMoved) {
         m_retreatFrom = m_coordinates;
         m_retreatMoved_s = now_s;
     }

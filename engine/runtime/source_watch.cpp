@@ -12,6 +12,10 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_from_K = temperature_K;
         m_since_s = time_s;
     }
+    if (isBegun || isOn || temperature_K <= m_coolFrom_K - SafetySpec::kSourceGain_K) {
+        m_coolFrom_K = temperature_K;
+        m_coolSince_s = time_s;
+    }
     m_wasOn = isOn;
     m_time_s = time_s;
     m_temperature_K = temperature_K;
@@ -27,6 +31,14 @@ std::optional<SourceWatch::Warming> SourceWatch::heatsUnasked() const {
     if (m_wasOn || m_time_s < -1e299 || m_temperature_K < m_from_K + m_limits.sourceUnasked_K)
         return std::nullopt;
     return Warming{m_temperature_K - m_from_K, m_time_s - m_since_s};
+}
+
+std::optional<double> SourceWatch::notCoolingFor_s(double above_K) const {
+    const double for_s = m_time_s - m_coolSince_s;
+    if (m_wasOn || m_time_s < -1e299 || m_temperature_K <= above_K ||
+        for_s < kCoolingTimes * m_limits.sourceHeating_s)
+        return std::nullopt;
+    return for_s;
 }
 
 } // namespace bask

@@ -22,13 +22,18 @@ public:
     };
     /// With its heat off.
     std::optional<Warming> heatsUnasked() const;
+    /// How long it has become no cooler with its heat off, s, where it is hotter than this; empty: it cools,
+    /// or is too slow to tell yet.
+    std::optional<double> notCoolingFor_s(double above_K) const;
 
 private:
+    static constexpr double kCoolingTimes = 3.0; ///< as slow as heating may be: nothing drives it
     SafetySpec m_limits;
     bool m_wasOn = false;
     double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest
     double m_since_s = 0.0;                          ///< of the last progress; of the least with heat off
     double m_from_K = 0.0;                           ///< temperature then
+    double m_coolSince_s = 0.0, m_coolFrom_K = 0.0;  ///< the last time it had become cooler
 };
 
 } // namespace bask

@@ -376,4 +376,33 @@ TEST(EngineWorker, MovesTheRobotAndHoldsIt) {
     EXPECT_GT((rig.last.latest.coordinates - experiment.start).norm(), 0.02);
 }
 
+// Catches edits that come while a real rig says its last words: the engine must end with the newest, and
+// obey a STOP among them.
+TEST(EngineWorker, OfExperimentsThatComeWhileARigIsClosedTheNewestCounts) {
+    Experiment real = oneDisk();
+    real.rig = RigSpec();
+    real.rig->source = HeatSourceDeviceSpec();
+    real.rig->source->driver = HeatSourceDriver::Namur;
+    real.rig->source->port = "/nowhere/plate";
+    Rig rig;
+    rig.send(LoadExperiment{real});
+    ASSERT_TRUE(rig.waitFor([&] { return !rig.last.simulated; }));
+    for (int i = 1; i <= 5; ++i) {
+        Experiment edited = real;
+        edited.objects[0].target_K = 300.0 + i;
+        rig.send(LoadExperiment{edited});
+        QElapsedTimer timer;
+        timer.start();
+        (void)rig.waitFor([&] { return timer.elapsed() > 60; });
+    }
+    rig.send(EmergencyStop{});
+    (void)rig.waitFor([&] { return !rig.last.targets_K.empty() && rig.last.targets_K[0] == 305.0; }, 5000);
+    ASSERT_FALSE(rig.last.targets_K.empty());
+    EXPECT_EQ(rig.last.targets_K[0], 305.0);
+    EXPECT_TRUE(rig.waitFor([&] {
+        return std::ranges::any_of(
+            rig.last.reasons, [](const Message& m) { return m.code == MessageCode::ReasonEmergencyStop; });
+    }));
+}
+
 } // namespace bask

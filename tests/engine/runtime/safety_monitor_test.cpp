@@ -5,6 +5,7 @@
 #include "engine/runtime/safety_monitor.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 
+#include <cmath>
 #include <limits>
 
 namespace bask {
@@ -49,6 +50,8 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::SourceSilent, MessageCode::SafetySourceSilent),
           std::pair(SafetyCondition::SourceNotHeating, MessageCode::SafetySourceNotHeating),
           std::pair(SafetyCondition::SourceHeatsUnasked, MessageCode::SafetySourceHeatsUnasked),
+          std::pair(SafetyCondition::SourceNotCooling, MessageCode::SafetySourceNotCooling),
+          std::pair(SafetyCondition::NoWatchdog, MessageCode::SafetyNoWatchdog),
           std::pair(SafetyCondition::SetPointOther, MessageCode::SafetySetPointOther),
           std::pair(SafetyCondition::NotWarming, MessageCode::SafetyNotWarming),
           std::pair(SafetyCondition::SensorOpen, MessageCode::SafetySensorOpen),
@@ -187,6 +190,41 @@ TEST(SensorChannels, AJumpIsNoReading) {
     for (int t = 12; t < 24; ++t)
         channels.add({{static_cast<double>(t), 320.0, true}});
     EXPECT_EQ(channels.measured_K(0), 320.0); // 20 K in 12 s: an object may have been changed
+}
+
+// Catches a plate that holds its temperature though it was switched off; and one that cools being blamed.
+TEST(SafetyMonitor, ASourceThatIsOffMustCool) {
+    Monitor m;
+    m.seen.isSourceSwitched = true;
+    m.seen.source_K = kelvinFromCelsius(300.0);
+    for (int i = 0; i < 700; ++i) { // 1 K a minute, at the end of a heavy plate's cooling
+        m.seen.source_K = *m.seen.source_K - 1.0 / 60.0;
+        (void)m.after(1.0);
+    }
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceNotCooling));
+    double took_s = 0.0;
+    for (; took_s < 1000.0 && !m.isActive(SafetyCondition::SourceNotCooling); took_s += 1.0) {
+        m.seen.source_K = kelvinFromCelsius(288.0 + std::fmod(took_s, 3.0)); // a controller's ripple
+        (void)m.after(1.0);
+    }
+    EXPECT_LT(took_s, 500.0);
+    m.seen.asked_K = kelvinFromCelsius(300.0);
+    (void)m.after(1.0);
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceNotCooling));
+}
+
+// Catches an object that touches the source and is taken for a loose contact.
+TEST(SafetyMonitor, AJumpThatStaysOverTheTripLimitIsAHotObject) {
+    Monitor m;
+    m.seen.objects[1].measured_K.reset();
+    m.seen.objects[1].isInvalid = true;
+    m.seen.objects[1].jump = {m.experiment.safety.jumps, 40.0, 0.0, m.experiment.safety.trip_K + 5.0};
+    (void)m.after(0.1);
+    EXPECT_TRUE(m.isActive(SafetyCondition::ObjectHot));
+    m.seen.objects[1].jump.least_K = m.experiment.safety.warning_K - 20.0; // one of them was cold
+    (void)m.after(0.1);
+    (void)m.after(2.0);
+    EXPECT_FALSE(m.isActive(SafetyCondition::ObjectHot));
 }
 
 } // namespace bask
