@@ -9,6 +9,8 @@
 #include <QMenu>
 #include <QMenuBar>
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
@@ -64,6 +66,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     quit->setMenuRole(QAction::QuitRole);
     undo = make("editUndo"); // their keys belong to the Objects page
     redo = make("editRedo");
+    acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
+    acknowledgeAlarms->setEnabled(false);
     about = make("about");
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
@@ -214,6 +218,8 @@ void Actions::fillMenus(QMenuBar* bar) {
         m_runMenu->addAction(verb(each));
     m_runMenu->addSeparator();
     m_runMenu->addActions({verb(Verb::EmergencyStop), verb(Verb::Reset)});
+    m_runMenu->addSeparator();
+    m_runMenu->addAction(acknowledgeAlarms);
     for (QAction* action : m_pages)
         m_viewMenu->addAction(action);
     m_viewMenu->addSeparator();
@@ -278,6 +284,8 @@ void Actions::retranslateRun() {
     say(Verb::EmergencyStop, tr("STOP now") + QStringLiteral("\tF12"),
         tr("Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop."));
     say(Verb::Reset, tr("Rese&t"), tr("Clear a latched stop or fault. It never starts anything."));
+    acknowledgeAlarms->setText(tr("Ac&knowledge all alarms"));
+    acknowledgeAlarms->setToolTip(tr("You have seen all alarms. Those that are over leave the list. (F9)"));
 }
 
 void Actions::retranslateView() {
@@ -318,6 +326,8 @@ void Actions::restyle(const QPalette& palette) {
 void Actions::apply(const Snapshot& snapshot) {
     for (std::size_t i = 0; i < m_verbs.size(); ++i)
         m_verbs[i]->setEnabled(allows(snapshot, static_cast<Verb>(i)));
+    acknowledgeAlarms->setEnabled(
+        !std::ranges::all_of(snapshot.alarms, [](const Alarm& alarm) { return alarm.isAcknowledged; }));
     const bool edits = allowsEdits(snapshot.state);
     newExperiment->setEnabled(edits);
     m_exampleMenu->setEnabled(edits);

@@ -55,6 +55,7 @@ public:
 
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
     QAction *undo, *redo;
+    QAction* acknowledgeAlarms;
     QAction* about;
 
 signals:

@@ -1,5 +1,6 @@
 #include "app/main_window.h"
 
+#include "app/bottom_dock.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
 #include "app/resources.h"
@@ -8,13 +9,11 @@
 #include "engine/base/message_code.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/display.h"
-#include "widgets/common/event_list.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/objects/objects_page.h"
 
 #include <QApplication>
 #include <QCloseEvent>
-#include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QMessageBox>
 #include <QMimeData>
@@ -77,46 +76,13 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_stateBar->apply(snapshot);
     m_statusLine->apply(snapshot);
     m_pages->apply(snapshot);
-    takeRows(snapshot);
+    m_dock->apply(snapshot);
     m_files.setRecording(QString::fromStdString(snapshot.recordingPath));
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
     if (before != snapshot.state)
         showUndo();
     emit snapshotApplied(snapshot);
-}
-
-void MainWindow::takeRows(const Snapshot& snapshot) {
-    if (snapshot.runId != m_runId) {
-        m_runId = snapshot.runId;
-        m_events.clear();
-        m_notes.clear();
-        m_eventList->clear();
-    }
-    for (const TraceEvent& event : snapshot.newEvents) {
-        m_events.push_back(event);
-        addEvent(event);
-    }
-    for (const TraceNote& note : snapshot.newNotes) {
-        m_notes.push_back(note);
-        m_eventList->add(note.time_s, QString::fromStdString(note.text), EventKind::Note);
-    }
-}
-
-void MainWindow::addEvent(const TraceEvent& event) {
-    m_eventList->add(event.time_s, sentence(event.message), eventKind(event.message.code));
-}
-
-void MainWindow::showEvents() {
-    m_eventList->clear();
-    auto note = m_notes.begin();
-    for (const TraceEvent& event : m_events) {
-        for (; note != m_notes.end() && note->time_s < event.time_s; ++note)
-            m_eventList->add(note->time_s, QString::fromStdString(note->text), EventKind::Note);
-        addEvent(event);
-    }
-    for (; note != m_notes.end(); ++note)
-        m_eventList->add(note->time_s, QString::fromStdString(note->text), EventKind::Note);
 }
 
 void MainWindow::perform(Verb verb) {
@@ -233,6 +199,8 @@ void MainWindow::setTemperatureUnit(TemperatureUnit unit) {
     m_actions.showTemperatureUnit(unit);
     m_statusLine->showTemperatureUnit(unit);
     m_pages->setTemperatureUnit(unit);
+    m_stateBar->setTemperatureUnit(unit);
+    m_dock->setTemperatureUnit(unit);
 }
 
 void MainWindow::showTitle() {
@@ -253,10 +221,8 @@ void MainWindow::showUndo() {
 
 void MainWindow::retranslate() {
     m_actions.retranslate();
-    m_dock->setWindowTitle(tr("Events and notes"));
     m_navigation->setWindowTitle(tr("Pages"));
     showTitle();
-    showEvents();
     showAges();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The window: state bar, pages, events, status line. Composition only; every part does its own work.
+// The window: state bar, pages, alarms and events, status line. Composition only; every part does its own
+// work.
 
 #include "app/actions.h"
 #include "app/document.h"
@@ -11,12 +12,11 @@
 
 #include <QMainWindow>
 
-class QDockWidget;
 class QToolBar;
 
 namespace bask {
 
-class EventList;
+class BottomDock;
 class StateBar;
 class StatusLine;
 
@@ -60,15 +60,12 @@ private:
     void connectParts();
 
     void apply(const Snapshot& snapshot);
-    void takeRows(const Snapshot& snapshot);
     void perform(Verb verb);
     void askArm();
     void arm();
     void askInfeasible();
     void refuse(const Message& refusal);
     void showReason(int index);
-    void showEvents();
-    void addEvent(const TraceEvent& event);
     void showTitle();
     void showUndo();
     void showAges(); ///< of the calibrations, in the list behind the chip
@@ -86,14 +83,10 @@ private:
     StateBar* m_stateBar = nullptr;
     PageHost* m_pages = nullptr;
     QToolBar* m_navigation = nullptr;
-    QDockWidget* m_dock = nullptr;
-    EventList* m_eventList = nullptr;
+    BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;
 
     Snapshot m_last;
-    std::uint64_t m_runId = 0;
-    std::vector<TraceEvent> m_events;
-    std::vector<TraceNote> m_notes;
     std::function<bool()> m_closeQuestion;
 };
 

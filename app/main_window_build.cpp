@@ -1,14 +1,13 @@
 // How the window is put together and wired; main_window.cpp is what it does.
 
 #include "app/about.h"
+#include "app/bottom_dock.h"
 #include "app/main_window.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
-#include "widgets/common/event_list.h"
 #include "widgets/objects/objects_page.h"
 
 #include <QApplication>
-#include <QDockWidget>
 #include <QMenuBar>
 #include <QTimer>
 #include <QToolBar>
@@ -42,12 +41,7 @@ void MainWindow::buildLayout() {
     setCentralWidget(m_pages);
     setContextMenuPolicy(Qt::NoContextMenu);
 
-    m_eventList = new EventList;
-    m_eventList->setContentsMargins(8, 0, 8, 6);
-    m_dock = new QDockWidget(this);
-    m_dock->setObjectName(QStringLiteral("eventDock"));
-    m_dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
-    m_dock->setWidget(m_eventList);
+    m_dock = new BottomDock(this);
     addDockWidget(Qt::BottomDockWidgetArea, m_dock);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     resizeDocks({m_dock}, {110}, Qt::Vertical);
@@ -81,6 +75,7 @@ void MainWindow::connectActions() {
     on(m_actions.saveAs, [this] { m_files.saveAs(); });
     on(m_actions.saveSession, [this] { m_files.saveSession(); });
     on(m_actions.quit, [this] { close(); });
+    on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
     on(m_actions.about, [this] { showAbout(this); });
     QUndoStack* stack = m_pages->objects()->undoStack();
     on(m_actions.undo, [stack] { stack->undo(); });
@@ -107,15 +102,18 @@ void MainWindow::connectParts() {
             [this](const std::shared_ptr<const VisionView>& view) { m_pages->show(*view); });
     connect(&m_engine, &EngineClient::answeringChanged, m_stateBar, &StateBar::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
+    connect(&m_engine, &EngineClient::answeringChanged, m_dock, &BottomDock::setAnswering);
     connect(m_pages, &PageHost::commandIssued, &m_engine, &EngineClient::send);
     connect(m_pages, &PageHost::pageChanged, this, [this](Page page) {
         m_actions.showPage(static_cast<int>(page));
-        m_dock->setVisible(page != Page::Review); // there the events are those of the recorded run
+        m_dock->setReviewing(page == Page::Review);
         showUndo();
     });
     connect(m_stateBar, &StateBar::stopRequested, this, [this] { perform(Verb::EmergencyStop); });
     connect(m_stateBar, &StateBar::reasonActivated, this, &MainWindow::showReason);
-    connect(m_eventList, &EventList::timeChosen, m_pages, &PageHost::showMoment);
+    connect(m_stateBar, &StateBar::alarmChosen, m_dock, &BottomDock::showAlarm);
+    connect(m_dock, &BottomDock::commandIssued, &m_engine, &EngineClient::send);
+    connect(m_dock, &BottomDock::timeChosen, m_pages, &PageHost::showMoment);
     connect(&m_files, &SessionActions::recentChanged, this,
             [this] { m_actions.setRecent(m_settings.recentFiles()); });
     connect(&m_files, &SessionActions::recordingChanged, this,

@@ -2,6 +2,7 @@
 
 #include "app/error_text.h"
 #include "app/icons.h"
+#include "widgets/common/alarm_button.h"
 #include "widgets/common/display.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/common/stop_button.h"
@@ -13,11 +14,16 @@
 #include <QToolButton>
 
 namespace bask {
+namespace {
+
+constexpr int kRoomyWidth = 1250; // for everything in words, in the longest language
+
+} // namespace
 
 StateBar::StateBar(Actions& actions, QWidget* parent)
     : QFrame(parent), m_actions(actions), m_tag(new QFrame(this)), m_tagIcon(new QLabel(m_tag)),
       m_tagWord(new QLabel(m_tag)), m_chip(new RunStateChip(this)), m_clockCaption(new QLabel(this)),
-      m_clock(new QLabel(this)), m_emergency(new StopButton(this)) {
+      m_clock(new QLabel(this)), m_alarm(new AlarmButton(this)), m_emergency(new StopButton(this)) {
     setObjectName(QStringLiteral("stateBar"));
     auto* tagRow = new QHBoxLayout(m_tag);
     tagRow->setContentsMargins(8, 3, 10, 3);
@@ -50,10 +56,13 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     row->addSpacing(12);
     row->addWidget(m_clockCaption);
     row->addWidget(m_clock);
+    row->addSpacing(8);
+    row->addWidget(m_alarm);
     row->addStretch(1);
     row->addWidget(m_emergency);
 
     connect(m_emergency, &StopButton::stopRequested, this, &StateBar::stopRequested);
+    connect(m_alarm, &AlarmButton::alarmChosen, this, &StateBar::alarmChosen);
     connect(m_chip, &RunStateChip::reasonActivated, this, &StateBar::reasonActivated);
     retranslate();
     showTag();
@@ -85,13 +94,41 @@ void StateBar::apply(const Snapshot& snapshot) {
         m_hold->removeAction(m_hold->defaultAction());
         m_hold->setDefaultAction(hold);
     }
-    m_reset->setVisible(snapshot.state == RunState::Fault);
+    const bool isFault = snapshot.state == RunState::Fault;
+    if (!isFault) // what goes goes first, or the window grows
+        m_reset->hide();
+    m_arm->setVisible(!isFault); // neither can be pressed, and the alarm needs their room
+    m_start->setVisible(!isFault);
+    m_reset->setVisible(isFault);
     m_clock->setText(formatDuration(snapshot.runTime_s));
+    if (!snapshot.alarms.empty())
+        fitVerbs(true); // first, or the window grows
+    m_alarm->setAlarms(snapshot.alarms);
+    fitVerbs(!snapshot.alarms.empty());
+}
+
+/// In a small window an alarm takes the words of Arm and Start.
+void StateBar::fitVerbs(bool hasAlarms) {
+    const auto style =
+        hasAlarms && width() < kRoomyWidth ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+    for (QToolButton* button : {m_arm, m_start})
+        if (button->toolButtonStyle() != style)
+            button->setToolButtonStyle(style);
+}
+
+void StateBar::resizeEvent(QResizeEvent* event) {
+    QFrame::resizeEvent(event);
+    fitVerbs(!m_alarm->isHidden());
 }
 
 void StateBar::setAnswering(bool answering) {
     m_answering = answering;
+    m_alarm->setStale(!answering);
     showChip();
+}
+
+void StateBar::setTemperatureUnit(TemperatureUnit unit) {
+    m_alarm->setTemperatureUnit(unit);
 }
 
 void StateBar::showChip() {

@@ -1,6 +1,6 @@
 #pragma once
 // The bar that is always visible: SIMULATED or LIVE, the run's state, its verbs in order of use, the clock,
-// STOP.
+// the gravest alarm, STOP.
 
 #include "app/actions.h"
 
@@ -11,11 +11,13 @@ class QToolButton;
 
 namespace bask {
 
+class AlarmButton;
 class RunStateChip;
 class StopButton;
 
-/// Object names: "rigTag", "runStateChip", "armButton", "startButton", "holdButton" (Hold or Resume),
-/// "stopRunButton", "resetButton" (only while it can be pressed), "runClock", "stopButton".
+/// Object names: "rigTag", "runStateChip", "armButton" and "startButton" (but for faults), "holdButton" (Hold
+/// or Resume), "stopRunButton", "resetButton" (only while it can be pressed), "runClock", "alarmButton" (only
+/// with alarms), "stopButton".
 class StateBar : public QFrame {
     Q_OBJECT
 
@@ -24,17 +26,21 @@ public:
 
     void apply(const Snapshot& snapshot);
     void setAnswering(bool answering);
+    void setTemperatureUnit(TemperatureUnit unit);
     RunStateChip* chip() const { return m_chip; }
 
 signals:
     void stopRequested();
     void reasonActivated(int index);
+    void alarmChosen(quint64 id);
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     QToolButton* makeButton(QAction* action, const char* name);
+    void fitVerbs(bool hasAlarms);
     void showTag();
     void showChip();
     void retranslate();
@@ -51,6 +57,7 @@ private:
     QToolButton *m_arm, *m_start, *m_hold, *m_stop, *m_reset;
     QLabel* m_clockCaption;
     QLabel* m_clock;
+    AlarmButton* m_alarm;
     StopButton* m_emergency;
 };
 

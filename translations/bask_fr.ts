@@ -763,10 +763,6 @@
             <translation>Capteurs ajustés à l’ambiante</translation>
         </message>
         <message>
-            <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets</source>
-            <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes</translation>
-        </message>
-        <message>
             <source>The sensor of "%1" is back</source>
             <translation>Le capteur de « %1 » est de retour</translation>
         </message>
@@ -971,10 +967,6 @@
             <translation>La boucle de commande a été retenue %1 s ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
         </message>
         <message>
-            <source>The robot has not told its state yet.</source>
-            <translation>Le robot n’a pas encore donné son état.</translation>
-        </message>
-        <message>
             <source>The robot is %1 mm from where its steps should have brought it. It may have been pushed or have lost steps: check it, home it, then reset.</source>
             <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
         </message>
@@ -989,10 +981,6 @@
         <message>
             <source>The robot may not know its own place. Home it, or confirm its place.</source>
             <translation>Le robot ne connaît peut-être pas sa position. Faites sa prise d’origine, ou confirmez sa position.</translation>
-        </message>
-        <message>
-            <source>The robot refused a line with error %1: %2.</source>
-            <translation>Le robot a refusé une ligne, erreur %1 : %2.</translation>
         </message>
         <message>
             <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
@@ -1053,10 +1041,6 @@
         <message>
             <source>the axis %1 is given twice</source>
             <translation>l’axe %1 est donné deux fois</translation>
-        </message>
-        <message>
-            <source>the device on "%1" answered something else than was asked: %2. It was not used.</source>
-            <translation>l’appareil sur « %1 » a répondu autre chose que demandé : %2. La réponse n’a pas été utilisée.</translation>
         </message>
         <message>
             <source>the device on "%1" has not answered for %2 s. Check its power, the cable, and the speed and unit set for it.</source>
@@ -1137,6 +1121,22 @@
         <message>
             <source>The heat source has no watchdog: if Bask or this computer stops, it stays hot. Do not leave it alone.</source>
             <translation>La source de chaleur n’a pas de chien de garde : si Bask ou cet ordinateur s’arrête, elle reste chaude. Ne la laissez pas sans surveillance.</translation>
+        </message>
+        <message>
+            <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
+            <translation>Le robot a refusé une ligne, erreur %1 : %2. Remédiez à la cause, effacez l’alarme, puis réinitialisez.</translation>
+        </message>
+        <message>
+            <source>The robot has not told its state yet. Wait a moment; if it stays so, check its power, its link and the driver set for it.</source>
+            <translation>Le robot n’a pas encore donné son état. Attendez un instant ; si cela dure, vérifiez son alimentation, sa liaison et le pilote réglé.</translation>
+        </message>
+        <message>
+            <source>the device on "%1" answered something else than was asked: %2. It was not used. Check the settings of the port, and of the device itself.</source>
+            <translation>l’appareil sur « %1 » a répondu autre chose que demandé : %2. La réponse n’a pas été utilisée. Vérifiez les réglages du port et ceux de l’appareil.</translation>
+        </message>
+        <message>
+            <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets. The Targets page shows what can be held.</source>
+            <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes. La page Consignes montre ce qui peut être tenu.</translation>
         </message>
     </context>
     <context>
@@ -1498,6 +1498,14 @@
         <message>
             <source>Sensor shorted</source>
             <translation>Capteur en court-circuit</translation>
+        </message>
+        <message>
+            <source>Ac&amp;knowledge all alarms</source>
+            <translation>A&amp;cquitter toutes les alarmes</translation>
+        </message>
+        <message>
+            <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
+            <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste. (F9)</translation>
         </message>
     </context>
     <context>
@@ -2921,10 +2929,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </context>
     <context>
         <name>bask::MainWindow</name>
-        <message>
-            <source>Events and notes</source>
-            <translation>Événements et notes</translation>
-        </message>
         <message>
             <source>Pages</source>
             <translation>Pages</translation>
@@ -5681,6 +5685,154 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Views of the calibration</source>
             <translation>Vues de l’étalonnage</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::AlarmWords</name>
+        <message>
+            <source>Active</source>
+            <translation>Active</translation>
+        </message>
+        <message>
+            <source>Over</source>
+            <translation>Terminée</translation>
+        </message>
+        <message>
+            <source>new</source>
+            <translation>nouvelle</translation>
+        </message>
+        <message>
+            <source>seen</source>
+            <translation>vue</translation>
+        </message>
+        <message>
+            <source>first</source>
+            <translation>première</translation>
+        </message>
+        <message>
+            <source>from before</source>
+            <translation>d’avant</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::AlarmList</name>
+        <message>
+            <source>Priority %1</source>
+            <translation>Priorité %1</translation>
+        </message>
+        <message>
+            <source>%1×</source>
+            <translation>%1×</translation>
+        </message>
+        <message>
+            <source>No alarms.</source>
+            <translation>Aucune alarme.</translation>
+        </message>
+        <message>
+            <source>Choose an alarm to read what to do.</source>
+            <translation>Choisissez une alarme pour lire ce qu’il faut faire.</translation>
+        </message>
+        <message>
+            <source>Raised at %1, %2 times since it was last acknowledged.</source>
+            <translation>Apparue à %1, %2 fois depuis le dernier acquittement.</translation>
+        </message>
+        <message>
+            <source>Raised at %1.</source>
+            <translation>Apparue à %1.</translation>
+        </message>
+        <message>
+            <source>Over at %1.</source>
+            <translation>Terminée à %1.</translation>
+        </message>
+        <message>
+            <source>The first of those that came together: likely their cause.</source>
+            <translation>La première de celles apparues ensemble : sans doute leur cause.</translation>
+        </message>
+        <message>
+            <source>It was active when Bask was last left.</source>
+            <translation>Elle était active quand Bask a été quitté.</translation>
+        </message>
+        <message>
+            <source>The engine is not answering: these alarms may be old.</source>
+            <translation>Le moteur ne répond pas : ces alarmes sont peut-être périmées.</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarmes</translation>
+        </message>
+        <message>
+            <source>Priority</source>
+            <translation>Priorité</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>État</translation>
+        </message>
+        <message>
+            <source>Raised</source>
+            <translation>Apparue</translation>
+        </message>
+        <message>
+            <source>Times</source>
+            <translation>Fois</translation>
+        </message>
+        <message>
+            <source>What is wrong</source>
+            <translation>Ce qui ne va pas</translation>
+        </message>
+        <message>
+            <source>What to do about the alarm</source>
+            <translation>Que faire pour cette alarme</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>Acquitter</translation>
+        </message>
+        <message>
+            <source>You have seen this alarm. It stays in the list while its condition holds.</source>
+            <translation>Vous avez vu cette alarme. Elle reste dans la liste tant que sa condition dure.</translation>
+        </message>
+        <message>
+            <source>Acknowledge all</source>
+            <translation>Tout acquitter</translation>
+        </message>
+        <message>
+            <source>You have seen all alarms. Those that are over leave the list.</source>
+            <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste.</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::AlarmButton</name>
+        <message>
+            <source>Alarm of priority %1 (%2): %3</source>
+            <translation>Alarme de priorité %1 (%2) : %3</translation>
+        </message>
+        <message>
+            <source>%1 more.</source>
+            <translation>%1 de plus.</translation>
+        </message>
+        <message>
+            <source>This may be old: the engine is not answering.</source>
+            <translation>C’est peut-être périmé : le moteur ne répond pas.</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::BottomDock</name>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarmes</translation>
+        </message>
+        <message>
+            <source>Alarms (%1)</source>
+            <translation>Alarmes (%1)</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>Événements</translation>
+        </message>
+        <message>
+            <source>Alarms and events</source>
+            <translation>Alarmes et événements</translation>
         </message>
     </context>
 </TS>

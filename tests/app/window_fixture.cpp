@@ -9,7 +9,8 @@
 namespace bask::test {
 
 void WindowTest::SetUp() {
-    QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QStringLiteral("/bask.ini"));
+    for (const char* kept : {"/bask.ini", "/alarms.json"})
+        QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QLatin1String(kept));
 }
 
 void WindowTest::TearDown() {

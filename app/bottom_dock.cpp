@@ -1,0 +1,159 @@
+#include "app/bottom_dock.h"
+
+#include "app/error_text.h"
+#include "widgets/common/alarm_list.h"
+#include "widgets/common/event_list.h"
+#include "widgets/common/theme.h"
+
+#include <QApplication>
+#include <QEvent>
+#include <QTabBar>
+#include <QTabWidget>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr int kLeastUrgentInFront = 2;
+
+} // namespace
+
+BottomDock::BottomDock(QWidget* parent)
+    : QDockWidget(parent), m_tabs(new QTabWidget(this)), m_alarmList(new AlarmList),
+      m_eventList(new EventList) {
+    setObjectName(QStringLiteral("eventDock"));
+    setFeatures(NoDockWidgetFeatures);
+    setTitleBarWidget(new QWidget(this)); // none: the tabs say what is here
+    m_tabs->setObjectName(QStringLiteral("dockTabs"));
+    m_tabs->setDocumentMode(true);
+    m_tabs->setIconSize({14, 14});
+    for (QWidget* list : std::initializer_list<QWidget*>{m_alarmList, m_eventList}) {
+        list->setContentsMargins(8, 2, 8, 4);
+        m_tabs->addTab(list, QString());
+    }
+    m_tabs->setCurrentWidget(m_eventList);
+    setWidget(m_tabs);
+
+    connect(m_alarmList, &AlarmList::acknowledgeRequested, this,
+            [this](quint64 id) { emit commandIssued(AcknowledgeAlarm{id}); });
+    connect(m_alarmList, &AlarmList::acknowledgeAllRequested, this,
+            [this] { emit commandIssued(AcknowledgeAll{}); });
+    connect(m_eventList, &EventList::timeChosen, this, &BottomDock::timeChosen);
+    retranslate();
+}
+
+void BottomDock::apply(const Snapshot& snapshot) {
+    takeRows(snapshot);
+    if (snapshot.alarms != m_alarms)
+        takeAlarms(snapshot.alarms);
+    m_alarmList->setAlarms(snapshot.alarms); // also the day changes
+}
+
+void BottomDock::takeAlarms(const std::vector<Alarm>& alarms) {
+    const bool isUrgent = std::ranges::any_of(alarms, [this](const Alarm& alarm) {
+        return !alarm.isAcknowledged && alarm.priority <= kLeastUrgentInFront &&
+               std::ranges::none_of(m_alarms, [&](const Alarm& known) {
+                   return known.id == alarm.id && known.count == alarm.count;
+               });
+    });
+    m_alarms = alarms;
+    showParts();
+    if (isUrgent)
+        bringAlarmsToFront();
+}
+
+void BottomDock::bringAlarmsToFront() {
+    const bool hadEventsFocus = m_eventList->isAncestorOf(QApplication::focusWidget());
+    m_tabs->setCurrentWidget(m_alarmList);
+    m_isBackToEvents = false;
+    if (hadEventsFocus) // not on a button: the next key would press it
+        m_tabs->tabBar()->setFocus();
+}
+
+void BottomDock::takeRows(const Snapshot& snapshot) {
+    if (snapshot.runId != m_runId) {
+        m_runId = snapshot.runId;
+        m_events.clear();
+        m_notes.clear();
+        m_eventList->clear();
+    }
+    for (const TraceEvent& event : snapshot.newEvents) {
+        m_events.push_back(event);
+        addEvent(event);
+    }
+    for (const TraceNote& note : snapshot.newNotes) {
+        m_notes.push_back(note);
+        addNote(note);
+    }
+}
+
+void BottomDock::addEvent(const TraceEvent& event) {
+    m_eventList->add(event.time_s, sentence(event.message), eventKind(event.message.code));
+}
+
+void BottomDock::addNote(const TraceNote& note) {
+    m_eventList->add(note.time_s, QString::fromStdString(note.text), EventKind::Note);
+}
+
+void BottomDock::showEvents() {
+    m_eventList->clear();
+    auto note = m_notes.begin();
+    for (const TraceEvent& event : m_events) {
+        for (; note != m_notes.end() && note->time_s < event.time_s; ++note)
+            addNote(*note);
+        addEvent(event);
+    }
+    for (; note != m_notes.end(); ++note)
+        addNote(*note);
+}
+
+void BottomDock::setAnswering(bool answering) {
+    m_alarmList->setStale(!answering);
+}
+
+void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
+    m_alarmList->setTemperatureUnit(unit);
+}
+
+void BottomDock::setReviewing(bool isReviewing) {
+    if (isReviewing && !m_isReviewing)
+        m_isBackToEvents = m_tabs->currentWidget() == m_eventList;
+    const bool isOver = m_isReviewing && !isReviewing;
+    m_isReviewing = isReviewing;
+    showParts();
+    if (isOver && m_isBackToEvents)
+        m_tabs->setCurrentWidget(m_eventList);
+}
+
+void BottomDock::showAlarm(std::uint64_t id) {
+    bringAlarmsToFront();
+    m_alarmList->choose(id);
+}
+
+void BottomDock::showParts() {
+    const int alarmTab = m_tabs->indexOf(m_alarmList);
+    m_tabs->setTabText(alarmTab, m_alarms.empty() ? tr("Alarms") : tr("Alarms (%1)").arg(m_alarms.size()));
+    m_tabs->setTabIcon(alarmTab, m_alarms.empty() ? QIcon()
+                                                  : QIcon(alarmPixmap(m_alarms.front().priority, isDark(this),
+                                                                      14, devicePixelRatioF())));
+    m_tabs->setTabVisible(m_tabs->indexOf(m_eventList), !m_isReviewing);
+    setVisible(!m_isReviewing || !m_alarms.empty());
+}
+
+void BottomDock::retranslate() {
+    setWindowTitle(tr("Alarms and events"));
+    m_tabs->setTabText(m_tabs->indexOf(m_eventList), tr("Events"));
+    showParts();
+    showEvents();
+}
+
+void BottomDock::changeEvent(QEvent* event) {
+    QDockWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        showParts();
+}
+
+} // namespace bask

@@ -1,0 +1,60 @@
+#pragma once
+// The dock under the pages: alarms and events.
+
+#include "engine/runtime/command.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QDockWidget>
+
+class QTabWidget;
+
+namespace bask {
+
+class AlarmList;
+class EventList;
+
+/// Object names: "eventDock", its tabs "dockTabs". A new alarm of priority 1 or 2 brings its tab to the
+/// front; the keyboard stays where it is.
+class BottomDock : public QDockWidget {
+    Q_OBJECT
+
+public:
+    explicit BottomDock(QWidget* parent = nullptr);
+
+    void apply(const Snapshot& snapshot);
+    void setAnswering(bool answering);
+    void setTemperatureUnit(TemperatureUnit unit);
+    /// A recorded run is looked at: its own events are on the page, and only alarms are here, if any.
+    void setReviewing(bool isReviewing);
+    void showAlarm(std::uint64_t id);
+
+signals:
+    void commandIssued(const bask::Command& command);
+    /// Of an event or a note, since Start.
+    void timeChosen(double time_s);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void takeAlarms(const std::vector<Alarm>& alarms);
+    void takeRows(const Snapshot& snapshot);
+    void addEvent(const TraceEvent& event);
+    void addNote(const TraceNote& note);
+    void showEvents();
+    void showParts();
+    void bringAlarmsToFront();
+    void retranslate();
+
+    QTabWidget* m_tabs;
+    AlarmList* m_alarmList;
+    EventList* m_eventList;
+    std::vector<Alarm> m_alarms;
+    std::uint64_t m_runId = 0;
+    std::vector<TraceEvent> m_events;
+    std::vector<TraceNote> m_notes;
+    bool m_isReviewing = false;
+    bool m_isBackToEvents = false; ///< after the review
+};
+
+} // namespace bask

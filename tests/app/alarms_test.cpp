@@ -1,0 +1,235 @@
+// Alarms as a person meets them in the window, and what goes on while the window is busy or behind a dialog.
+
+#include "app/bottom_dock.h"
+#include "engine/base/message_code.h"
+#include "engine/session/session_file.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/common/alarm_button.h"
+
+#include <QAction>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTabWidget>
+#include <QThread>
+#include <QTimer>
+#include <QTreeWidget>
+
+namespace bask::test {
+namespace {
+
+class AlarmsTest : public WindowTest {
+protected:
+    /// With samples at 10 Hz, as the promises of time are made for.
+    void openAt10Hz() {
+        openWindow();
+        Experiment experiment = window->document().experiment();
+        experiment.sampling.period_s = 0.1;
+        ASSERT_TRUE(window->document().edit(experiment).ok());
+        ASSERT_TRUE(waitForState(RunState::NotReady) && waitForState(RunState::Ready));
+    }
+    QTabWidget* tabs() { return find<QTabWidget>("dockTabs"); }
+    QTreeWidget* rows() { return find<QTreeWidget>("alarmListTree"); }
+    AlarmButton* bar() { return find<AlarmButton>("alarmButton"); }
+    bool isInFront() { return rows()->isVisible(); }
+    QString cell(int row, int column) {
+        const QTreeWidgetItem* item = rows()->topLevelItem(row);
+        return item != nullptr ? item->text(column) : QString();
+    }
+    void trigger(const char* action) { window->findChild<QAction*>(QLatin1String(action))->trigger(); }
+    void startRun() {
+        ASSERT_NO_FATAL_FAILURE(goFast());
+        ASSERT_TRUE(waitForState(RunState::Ready));
+        click("armButton");
+        ASSERT_TRUE(waitForState(RunState::Armed));
+        click("startButton");
+        ASSERT_TRUE(waitFor([this] { return !samples.empty(); }));
+    }
+    void atRealSpeed() {
+        window->engine().send(SetSimulationSpeed{1.0});
+        ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().simulationSpeed == 1.0; }));
+    }
+};
+
+// Catches: an alarm that nobody sees, or that takes the keyboard from who types; one that goes before it was
+// seen, or stays for good.
+TEST_F(AlarmsTest, IsSeenAtOnceAndLeavesOverAndAcknowledged) {
+    ASSERT_NO_FATAL_FAILURE(openAt10Hz());
+    EXPECT_FALSE(bar()->isVisible());
+    EXPECT_FALSE(isInFront());
+    EXPECT_FALSE(window->actions().acknowledgeAlarms->isEnabled());
+    auto* note = find<QLineEdit>("noteEdit");
+    note->setFocus();
+    trigger("robot-alarm");
+    EXPECT_TRUE(waitFor([&] { return bar()->isVisible() && rows()->topLevelItemCount() > 0; }, 1000));
+    EXPECT_TRUE(isInFront());
+    EXPECT_TRUE(note->hasFocus());
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    EXPECT_EQ(cell(0, 1), QStringLiteral("Active, new, first"));
+    EXPECT_TRUE(cell(0, 4).startsWith(QStringLiteral("The robot reports alarm"))) << cell(0, 4).toStdString();
+    EXPECT_EQ(tabs()->tabText(0), QStringLiteral("Alarms (%1)").arg(window->lastSnapshot().alarms.size()));
+
+    tabs()->setCurrentIndex(1);
+    click("alarmButton");
+    EXPECT_TRUE(isInFront());
+    click("acknowledgeAlarm");
+    EXPECT_TRUE(waitFor([&] { return cell(0, 1).startsWith(QStringLiteral("Active, seen")); }, 1000));
+    EXPECT_TRUE(bar()->isVisible());
+    trigger("restoreDevices");
+    click("resetButton");
+    EXPECT_TRUE(waitFor([&] { return rows()->topLevelItemCount() == 0 && !bar()->isVisible(); }, 5000));
+    EXPECT_EQ(tabs()->tabText(0), QStringLiteral("Alarms"));
+}
+
+// Catches: alarms out of sight while a recorded run is looked at, and its events mixed with the present ones.
+TEST_F(AlarmsTest, AlarmsAloneAreUnderAReview) {
+    ASSERT_NO_FATAL_FAILURE(openAt10Hz());
+    auto* dock = find<BottomDock>("eventDock");
+    window->pages().show(Page::Review);
+    EXPECT_FALSE(dock->isVisible());
+    trigger("robot-alarm");
+    EXPECT_TRUE(waitFor([&] { return isInFront(); }, 1000));
+    EXPECT_FALSE(tabs()->isTabVisible(1));
+    window->pages().show(Page::Run);
+    EXPECT_TRUE(tabs()->isTabVisible(1));
+    EXPECT_TRUE(isInFront());
+}
+
+// Catches: an alarm of the night that the next start does not know of, or calls active.
+TEST_F(AlarmsTest, IsKeptOverARestartAndAcknowledgedByKey) {
+    ASSERT_NO_FATAL_FAILURE(openAt10Hz());
+    trigger("robot-alarm");
+    ASSERT_TRUE(waitFor([&] { return bar()->isVisible(); }, 1000));
+    closeWindow();
+
+    openWindow();
+    ASSERT_TRUE(waitFor([&] { return bar()->isVisible(); }, 5000));
+    EXPECT_TRUE(isInFront());
+    EXPECT_TRUE(cell(0, 1).startsWith(QStringLiteral("Over, new"))) << cell(0, 1).toStdString();
+    EXPECT_TRUE(cell(0, 1).endsWith(QStringLiteral("from before"))) << cell(0, 1).toStdString();
+    ASSERT_TRUE(waitFor([this] { return window->actions().acknowledgeAlarms->isEnabled(); }));
+    QTest::keyClick(window.get(), Qt::Key_F9);
+    EXPECT_TRUE(waitFor([&] { return rows()->topLevelItemCount() == 0; }, 1000));
+    EXPECT_FALSE(bar()->isVisible());
+}
+
+// Catches: a bar that grows the window, or pushes STOP off it, in any state, with long alarms and in the
+// longer language.
+TEST_F(AlarmsTest, TheBarFitsASmallWindow) {
+    openWindow({1100, 700});
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    ASSERT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
+    QCoreApplication::processEvents(); // what it had sent
+    Snapshot snapshot = window->lastSnapshot();
+    snapshot.newSamples.clear();
+    snapshot.newEvents.clear();
+    snapshot.runTime_s = 36000.0;
+    Alarm alarm;
+    alarm.id = 1;
+    alarm.message = {MessageCode::SafetyObjectHot, {"aluminium hand with a painted palm", "152.3", "150"}};
+    snapshot.alarms.assign(12, alarm);
+    for (const char* language : {"en", "fr"}) {
+        window->setLanguage(QLatin1String(language));
+        for (const RunState state : {RunState::NotReady, RunState::Ready, RunState::Armed, RunState::Running,
+                                     RunState::Holding, RunState::Stopping, RunState::Fault}) {
+            window->resize(1100, 700);
+            snapshot.state = state;
+            emit window->engine().snapshot(snapshot);
+            QTest::qWait(50);
+            const auto* stop = find<QWidget>("stopButton");
+            const auto where = testing::Message() << language << ' ' << runStateName(state);
+            EXPECT_EQ(window->width(), 1100) << where;
+            EXPECT_LE(stop->mapTo(window.get(), stop->rect().topRight()).x(), 1100) << where;
+            EXPECT_TRUE(bar()->isVisible()) << where;
+            EXPECT_GE(bar()->width(), bar()->minimumSizeHint().width()) << where;
+            EXPECT_LE(bar()->geometry().right(), stop->x()) << where;
+        }
+    }
+}
+
+// Catches: an over-temperature that waits for somebody to answer a question.
+TEST_F(AlarmsTest, OverTemperatureIsActedUponBehindADialog) {
+    openWindow();
+    Experiment experiment = window->document().experiment();
+    experiment.safety.warning_K = kelvinFromCelsius(49.0);
+    experiment.safety.trip_K = kelvinFromCelsius(52.0);
+    experiment.sampling.period_s = 0.1;
+    ASSERT_TRUE(window->document().edit(experiment).ok());
+    ASSERT_NO_FATAL_FAILURE(startRun());
+    const auto true_K = [this] { return window->lastSnapshot().latest.objects[0].true_K; };
+    window->engine().send(SimulateFault{SimulatedFault::ObjectHot, 0});
+    ASSERT_TRUE(waitFor([&] { return true_K() > kelvinFromCelsius(40.0); }));
+    ASSERT_NO_FATAL_FAILURE(atRealSpeed());
+    ASSERT_LT(true_K(), experiment.safety.trip_K);
+
+    QMessageBox box(QMessageBox::Question, QStringLiteral("Question"), QStringLiteral("Still there?"),
+                    QMessageBox::Ok, window.get());
+    QElapsedTimer sinceCrossed;
+    qint64 reaction_ms = -1;
+    qint64 seen_ms = -1;
+    QObject::connect(window.get(), &MainWindow::snapshotApplied, &box, [&](const Snapshot& snapshot) {
+        if (!sinceCrossed.isValid() && true_K() > experiment.safety.trip_K)
+            sinceCrossed.start();
+        if (!sinceCrossed.isValid())
+            return;
+        const bool isEnding = snapshot.state == RunState::Stopping || snapshot.state == RunState::Fault;
+        if (reaction_ms < 0 && isEnding && !snapshot.heatOn)
+            reaction_ms = sinceCrossed.elapsed();
+        const bool isShown = bar()->isVisible() && bar()->text().contains(QStringLiteral("above its limit"));
+        if (seen_ms < 0 && isShown && QApplication::activeModalWidget() == &box)
+            seen_ms = sinceCrossed.elapsed();
+        if (reaction_ms >= 0 && seen_ms >= 0)
+            box.accept();
+    });
+    QTimer::singleShot(std::chrono::seconds(30), &box, &QDialog::reject);
+    EXPECT_EQ(box.exec(), QMessageBox::Accepted);
+    EXPECT_GE(reaction_ms, 0);
+    EXPECT_LE(reaction_ms, 1000);
+    EXPECT_GE(seen_ms, 0);
+    EXPECT_LE(seen_ms, 1000);
+    RecordProperty("reaction_ms", std::to_string(reaction_ms));
+    RecordProperty("seen_ms", std::to_string(seen_ms));
+}
+
+// Catches: a loop or a recording that waits for the window.
+TEST_F(AlarmsTest, ABlockedWindowHoldsUpNothing) {
+    ASSERT_NO_FATAL_FAILURE(openAt10Hz());
+    ASSERT_NO_FATAL_FAILURE(startRun());
+    ASSERT_NO_FATAL_FAILURE(atRealSpeed());
+    const QString recording = QString::fromStdString(window->lastSnapshot().recordingPath);
+    const double before_s = window->lastSnapshot().runTime_s;
+    const QSignalSpy silences(&window->engine(), &EngineClient::answeringChanged);
+    QThread::sleep(3);
+    // What came meanwhile, as it came: a held-up loop would catch up with many samples at once.
+    std::size_t most = 0, got = 0;
+    QObject::connect(&window->engine(), &EngineClient::snapshot, window.get(), [&](const Snapshot& snapshot) {
+        if (snapshot.runTime_s > before_s + 3.0)
+            return;
+        most = std::max(most, snapshot.newSamples.size());
+        got += snapshot.newSamples.size();
+    });
+    ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().runTime_s > before_s + 3.5; }));
+    EXPECT_LE(most, 5U); // 0.5 s at 10 Hz
+    EXPECT_GE(got, 25U);
+    EXPECT_EQ(silences.count(), 0) << "the window was busy, not the engine";
+
+    click("stopRunButton");
+    ASSERT_TRUE(waitForState(RunState::Stopped));
+    const auto record = readSession(recording.toStdString());
+    ASSERT_TRUE(record.ok());
+    double last_s = before_s, gap_s = 0.0;
+    for (const TraceSample& sample : record->samples) {
+        if (sample.time_s < before_s || sample.time_s > before_s + 3.5)
+            continue;
+        gap_s = std::max(gap_s, sample.time_s - last_s);
+        last_s = sample.time_s;
+    }
+    EXPECT_GT(last_s, before_s + 3.0);
+    EXPECT_LE(gap_s, 0.5);
+    RecordProperty("most_samples_in_one_snapshot", std::to_string(most));
+}
+
+} // namespace
+} // namespace bask::test

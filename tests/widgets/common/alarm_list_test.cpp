@@ -1,0 +1,195 @@
+#include "widgets/common/alarm_list.h"
+
+#include "engine/base/message_code.h"
+#include "widgets/common/alarm_button.h"
+
+#include <QDateTime>
+#include <QPushButton>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTextEdit>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace bask;
+
+namespace {
+
+const QDateTime kNoon(QDate::currentDate(), QTime(12, 0, 5));
+
+Alarm hot(std::uint64_t id, const std::string& name) {
+    Alarm alarm;
+    alarm.id = id;
+    alarm.key = "SafetyObjectHot:" + name;
+    alarm.message = {MessageCode::SafetyObjectHot, {name, "152.3", "150"}};
+    alarm.raised_s = static_cast<double>(kNoon.toSecsSinceEpoch());
+    return alarm;
+}
+
+class AlarmListTest : public testing::Test {
+protected:
+    QTreeWidget* tree() { return list.findChild<QTreeWidget*>(QStringLiteral("alarmListTree")); }
+    QString cell(int row, int column) { return tree()->topLevelItem(row)->text(column); }
+    QString guidance() { return list.findChild<QTextEdit*>(QStringLiteral("alarmGuidance"))->toPlainText(); }
+    QPushButton* button(const char* name) { return list.findChild<QPushButton*>(QLatin1String(name)); }
+    bool canAcknowledge() { return button("acknowledgeAlarm")->isEnabled(); }
+    bool canAcknowledgeAll() { return button("acknowledgeAllAlarms")->isEnabled(); }
+    void choose(int row) { tree()->setCurrentItem(tree()->topLevelItem(row)); }
+    int chosenRow() {
+        const auto items = tree()->selectedItems();
+        return items.isEmpty() ? -1 : tree()->indexOfTopLevelItem(items.first());
+    }
+
+    AlarmList list;
+};
+
+// Catches: conditions and acknowledgement that cannot be told apart, in words or by their look; repeats, the
+// first and those from before that nobody sees.
+TEST_F(AlarmListTest, SaysWhatEachIs) {
+    Alarm over = hot(2, "plate");
+    over.isActive = false;
+    over.isFromBefore = true;
+    over.raised_s -= 86400.0;
+    Alarm seen = hot(3, "foot");
+    seen.isAcknowledged = true;
+    seen.priority = 2;
+    Alarm first = hot(1, "hand");
+    first.isFirst = true;
+    first.count = 3;
+    list.setAlarms({first, over, seen});
+    ASSERT_EQ(tree()->topLevelItemCount(), 3);
+    EXPECT_EQ(cell(0, 1), QStringLiteral("Active, new, first"));
+    EXPECT_EQ(cell(1, 1), QStringLiteral("Over, new, from before"));
+    EXPECT_EQ(cell(2, 1), QStringLiteral("Active, seen"));
+    EXPECT_EQ(cell(0, 2), QStringLiteral("12:00:05"));
+    EXPECT_TRUE(cell(1, 2).endsWith(QStringLiteral(" 12:00:05"))) << cell(1, 2).toStdString();
+    EXPECT_EQ(cell(0, 3), QStringLiteral("3×"));
+    EXPECT_EQ(cell(1, 3), QString());
+    EXPECT_TRUE(cell(0, 4).startsWith(QStringLiteral("\"hand\" has 152.3\u00a0°C, above its limit of 150")));
+    EXPECT_EQ(tree()->topLevelItem(2)->data(0, Qt::AccessibleTextRole).toString(),
+              QStringLiteral("Priority 2"));
+    EXPECT_FALSE(tree()->topLevelItem(2)->icon(0).isNull());
+    const auto look = [&](int row) {
+        const QFont font = tree()->topLevelItem(row)->font(1);
+        return std::pair(font.bold(), font.italic());
+    };
+    EXPECT_EQ(look(0), std::pair(true, false));
+    EXPECT_EQ(look(1), std::pair(true, true));
+    EXPECT_EQ(look(2), std::pair(false, false));
+
+    choose(0);
+    EXPECT_TRUE(guidance().contains(QStringLiteral("reset once it has cooled.")));
+    EXPECT_TRUE(guidance().contains(QStringLiteral("3 times since it was last acknowledged")));
+    EXPECT_TRUE(guidance().contains(QStringLiteral("likely their cause")));
+    choose(1);
+    EXPECT_TRUE(guidance().contains(QStringLiteral("active when Bask was last left")));
+    list.setTemperatureUnit(TemperatureUnit::Fahrenheit);
+    EXPECT_TRUE(cell(0, 4).contains(QStringLiteral("306.1\u00a0°F"))) << cell(0, 4).toStdString();
+    EXPECT_TRUE(guidance().contains(QStringLiteral("°F")));
+}
+
+// Catches: a list that jumps under the person who reads it, or takes the keyboard, at every snapshot.
+TEST_F(AlarmListTest, WhatIsChosenScrolledAndFocusedStays) {
+    std::vector<Alarm> alarms;
+    for (std::uint64_t id = 1; id <= 30; ++id)
+        alarms.push_back(hot(id, "object " + std::to_string(id)));
+    list.resize(700, 140);
+    list.setAlarms(alarms);
+    list.show();
+    list.activateWindow();
+    ASSERT_TRUE(QTest::qWaitForWindowActive(&list));
+    choose(11);
+    tree()->verticalScrollBar()->setValue(7);
+    tree()->setFocus();
+    std::rotate(alarms.begin(), alarms.begin() + 29, alarms.end()); // the newest comes first
+    alarms[0].count = 2;
+    list.setAlarms(alarms);
+    QCoreApplication::processEvents();
+    EXPECT_EQ(chosenRow(), 12);
+    EXPECT_TRUE(guidance().contains(QStringLiteral("object 12")));
+    EXPECT_EQ(tree()->verticalScrollBar()->value(), 7);
+    EXPECT_TRUE(tree()->hasFocus());
+
+    button("acknowledgeAllAlarms")->setFocus();
+    alarms.push_back(hot(31, "object 31"));
+    list.setAlarms(alarms);
+    EXPECT_TRUE(button("acknowledgeAllAlarms")->hasFocus());
+    QSignalSpy changes(tree()->model(), &QAbstractItemModel::dataChanged);
+    list.setAlarms(alarms); // the same again
+    EXPECT_EQ(changes.count(), 0);
+}
+
+// Catches: an alarm acknowledged that nobody has read, since the next took the place of one that left; a
+// button that stays pressable with nothing to acknowledge; one that names another alarm.
+TEST_F(AlarmListTest, AcknowledgesTheChosenOneOnly) {
+    QSignalSpy one(&list, &AlarmList::acknowledgeRequested);
+    QSignalSpy all(&list, &AlarmList::acknowledgeAllRequested);
+    EXPECT_FALSE(canAcknowledge() || canAcknowledgeAll());
+    EXPECT_EQ(guidance(), QStringLiteral("No alarms."));
+    list.setAlarms({hot(7, "hand")});
+    EXPECT_EQ(chosenRow(), 0); // its guidance is seen at once
+    list.setAlarms({hot(9, "foot"), hot(7, "hand")});
+    EXPECT_EQ(chosenRow(), 1);
+    QTest::mouseClick(button("acknowledgeAlarm"), Qt::LeftButton);
+    ASSERT_EQ(one.count(), 1);
+    EXPECT_EQ(one.first().first().toULongLong(), 7U);
+
+    list.setAlarms({hot(9, "foot")});
+    EXPECT_EQ(chosenRow(), -1);
+    EXPECT_FALSE(canAcknowledge());
+    EXPECT_TRUE(canAcknowledgeAll());
+    EXPECT_EQ(guidance(), QStringLiteral("Choose an alarm to read what to do."));
+    QTest::mouseClick(button("acknowledgeAllAlarms"), Qt::LeftButton);
+    EXPECT_EQ(all.count(), 1);
+
+    Alarm seen = hot(9, "foot");
+    seen.isAcknowledged = true;
+    list.setAlarms({seen});
+    choose(0);
+    EXPECT_FALSE(canAcknowledge() || canAcknowledgeAll());
+}
+
+// Catches: old alarms shown as if they were of now.
+TEST_F(AlarmListTest, OldAlarmsLookOldAndCannotBeAcknowledged) {
+    list.setAlarms({hot(1, "hand")});
+    ASSERT_TRUE(canAcknowledge() && canAcknowledgeAll());
+    const QBrush before = tree()->topLevelItem(0)->foreground(4);
+    list.setStale(true);
+    EXPECT_FALSE(canAcknowledge() || canAcknowledgeAll());
+    EXPECT_TRUE(guidance().contains(QStringLiteral("may be old")));
+    EXPECT_NE(tree()->topLevelItem(0)->foreground(4), before);
+    list.setStale(false);
+    EXPECT_TRUE(canAcknowledge() && canAcknowledgeAll());
+}
+
+// Catches: a button that keeps its room without alarms, hides how many there are, or says by colour alone
+// what it is.
+TEST(AlarmButton, ShowsTheFirstAndCountsTheOthers) {
+    QWidget bar;
+    AlarmButton button(&bar);
+    QSignalSpy chosen(&button, &AlarmButton::alarmChosen);
+    bar.show();
+    EXPECT_FALSE(button.isVisible());
+    button.setAlarms({hot(4, "hand"), hot(5, "foot"), hot(6, "plate")});
+    EXPECT_TRUE(button.isVisible());
+    EXPECT_EQ(button.text(), QStringLiteral("\"hand\" has 152.3\u00a0°C, above its limit of 150.0\u00a0°C."));
+    EXPECT_TRUE(button.accessibleName().startsWith(QStringLiteral("Alarm of priority 1 (Active, new): ")));
+    EXPECT_TRUE(button.accessibleName().endsWith(QStringLiteral(" 2 more.")));
+    const int withOthers = button.minimumSizeHint().width();
+    EXPECT_LT(withOthers, 100);
+    QTest::mouseClick(&button, Qt::LeftButton);
+    ASSERT_EQ(chosen.count(), 1);
+    EXPECT_EQ(chosen.first().first().toULongLong(), 4U);
+    button.setStale(true);
+    EXPECT_TRUE(button.accessibleName().contains(QStringLiteral("may be old")));
+    button.setAlarms({hot(4, "hand")});
+    EXPECT_LT(button.minimumSizeHint().width(), withOthers);
+    button.setAlarms({});
+    EXPECT_FALSE(button.isVisible());
+}
+
+} // namespace

@@ -1,0 +1,133 @@
+#include "widgets/common/alarm_button.h"
+
+#include "widgets/common/alarm_words.h"
+#include "widgets/common/theme.h"
+
+#include <QEvent>
+#include <QPainter>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr int kMark = 18;
+constexpr int kPadding = 8;
+constexpr int kMostText = 420;
+
+} // namespace
+
+AlarmButton::AlarmButton(QWidget* parent) : QAbstractButton(parent) {
+    setObjectName(QStringLiteral("alarmButton"));
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+    setAttribute(Qt::WA_Hover);
+    hide();
+    connect(this, &QAbstractButton::clicked, this, [this] {
+        if (!m_alarms.empty())
+            emit alarmChosen(m_alarms.front().id);
+    });
+}
+
+void AlarmButton::setAlarms(const std::vector<Alarm>& alarms) {
+    if (alarms == m_alarms)
+        return;
+    m_alarms = alarms;
+    retranslateUi();
+    setVisible(!m_alarms.empty());
+}
+
+void AlarmButton::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    retranslateUi();
+}
+
+void AlarmButton::setStale(bool isStale) {
+    m_isStale = isStale;
+    retranslateUi();
+}
+
+void AlarmButton::retranslateUi() {
+    if (m_alarms.empty())
+        return;
+    const Alarm& alarm = m_alarms.front();
+    setText(alarmHeadline(alarm, m_unit));
+    QString name = tr("Alarm of priority %1 (%2): %3")
+                       .arg(QString::number(alarm.priority), alarmStateWords(alarm), text());
+    if (m_alarms.size() > 1)
+        name += u' ' + tr("%1 more.").arg(m_alarms.size() - 1);
+    if (m_isStale)
+        name += u' ' + tr("This may be old: the engine is not answering.");
+    setAccessibleName(name);
+    setToolTip(QStringLiteral("<qt>%1</qt>").arg(name.toHtmlEscaped()));
+    updateGeometry();
+    update();
+}
+
+QString AlarmButton::othersText() const {
+    return m_alarms.size() > 1 ? QStringLiteral("+%1").arg(m_alarms.size() - 1) : QString();
+}
+
+QFont AlarmButton::textFont() const {
+    QFont shown = font();
+    shown.setBold(!m_alarms.empty() && !m_alarms.front().isAcknowledged);
+    return shown;
+}
+
+int AlarmButton::widthBesideText() const {
+    const QString others = othersText();
+    const int othersWidth =
+        others.isEmpty() ? 0 : QFontMetrics(textFont()).horizontalAdvance(others) + kPadding;
+    return kPadding + kMark + kPadding + othersWidth + kPadding;
+}
+
+QSize AlarmButton::sizeHint() const {
+    const QFontMetrics metrics(textFont());
+    return {widthBesideText() + std::min(metrics.horizontalAdvance(text()) + 2, kMostText),
+            std::max(metrics.height() + 12, 30)};
+}
+
+QSize AlarmButton::minimumSizeHint() const {
+    return {widthBesideText(), sizeHint().height()};
+}
+
+void AlarmButton::paintEvent(QPaintEvent*) {
+    if (m_alarms.empty())
+        return;
+    const Alarm& alarm = m_alarms.front();
+    const bool dark = isDark(this);
+    const bool isNew = !alarm.isAcknowledged && !m_isStale;
+    const QColor colour = isNew ? alarmColor(alarm.priority, dark) : secondaryText(dark);
+
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor ground = colour;
+    ground.setAlphaF((isNew ? 0.18f : 0.06f) + (underMouse() || isDown() ? 0.08f : 0.0f));
+    painter.setBrush(ground);
+    painter.setPen(QPen(hasFocus() ? accentColor(dark) : colour, hasFocus() ? 2.0 : 1.0));
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
+
+    const QRect mark(kPadding, (height() - kMark) / 2, kMark, kMark);
+    painter.setOpacity(m_isStale ? 0.5 : 1.0);
+    painter.drawPixmap(mark, alarmPixmap(alarm.priority, dark, kMark, devicePixelRatioF()));
+    painter.setOpacity(1.0);
+    painter.setFont(textFont());
+    painter.setPen(m_isStale ? secondaryText(dark) : palette().color(QPalette::WindowText));
+    const int left = mark.right() + 1 + kPadding;
+    const int room = width() - widthBesideText();
+    const QFontMetrics metrics(textFont());
+    if (room > metrics.horizontalAdvance(QStringLiteral("MMM")))
+        painter.drawText(QRect(left, 0, room, height()), Qt::AlignVCenter | Qt::AlignLeft,
+                         metrics.elidedText(text(), Qt::ElideRight, room));
+    painter.drawText(QRect(0, 0, width() - kPadding, height()), Qt::AlignVCenter | Qt::AlignRight,
+                     othersText());
+}
+
+void AlarmButton::changeEvent(QEvent* event) {
+    QAbstractButton::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange ||
+        event->type() == QEvent::PaletteChange)
+        retranslateUi();
+}
+
+} // namespace bask

@@ -1,0 +1,45 @@
+#include "widgets/common/alarm_words.h"
+
+#include "widgets/common/display.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+namespace bask {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(bask::AlarmWords)
+};
+
+} // namespace
+
+QString alarmStateWords(const Alarm& alarm) {
+    QStringList words{alarm.isActive ? Words::tr("Active") : Words::tr("Over"),
+                      alarm.isAcknowledged ? Words::tr("seen") : Words::tr("new")};
+    if (alarm.isFirst)
+        words << Words::tr("first");
+    if (alarm.isFromBefore)
+        words << Words::tr("from before");
+    return words.join(QStringLiteral(", "));
+}
+
+QString alarmSentence(const Alarm& alarm, TemperatureUnit unit) {
+    return inUnit(sentenceText(alarm.message), unit);
+}
+
+QString alarmHeadline(const Alarm& alarm, TemperatureUnit unit) {
+    const QString whole = alarmSentence(alarm, unit);
+    const qsizetype end = whole.indexOf(QStringLiteral(". "));
+    return end < 0 ? whole : whole.left(end + 1);
+}
+
+QString alarmTime(double utc_s, QDate today) {
+    const QDateTime time = QDateTime::fromMSecsSinceEpoch(qRound64(utc_s * 1000.0));
+    const QString clock = time.toString(QStringLiteral("HH:mm:ss"));
+    return time.date() == today ? clock
+                                : QLocale().toString(time.date(), QLocale::ShortFormat) + u' ' + clock;
+}
+
+} // namespace bask
