@@ -1130,6 +1130,14 @@
             <source>The target of "%1", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
             <translation>La consigne de « %1 », %2 °C, dépasse sa limite d’avertissement de %3 °C, où tout essai se met en pause. Baissez la consigne, ou relevez la limite si l’objet et le capteur la supportent.</translation>
         </message>
+        <message>
+            <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.</source>
+            <translation>La source de chaleur a été arrêtée à son propre panneau ou par sa propre protection ; Bask la laisse éteinte. Cherchez-en la cause, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>with the profile "%1" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with "unattended_heat": true.</source>
+            <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par "unattended_heat": true.</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

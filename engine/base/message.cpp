@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 // Marks a sentence for lupdate without needing Qt here.
 #define QT_TRANSLATE_NOOP(context, text) text
@@ -274,6 +274,8 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(SafetyHeatNotOff, QT_TRANSLATE_NOOP("Message", "The heat source did not take the order to switch off. Switch it off at its mains. It says: %1")),
     Entry BASK_MESSAGE(SafetyHeatByHand, QT_TRANSLATE_NOOP("Message", "The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.")),
     Entry BASK_MESSAGE(TargetAboveWarning, QT_TRANSLATE_NOOP("Message", "The target of \"%1\", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.")),
+    Entry BASK_MESSAGE(SafetySourceStopped, QT_TRANSLATE_NOOP("Message", "The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.")),
+    Entry BASK_MESSAGE(SourceUnwatched, QT_TRANSLATE_NOOP("Message", "with the profile \"%1\" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with \"unattended_heat\": true.")),
 };
 // clang-format on
 
@@ -338,6 +340,7 @@ int alarmPriority(MessageCode code) {
     case MessageCode::SafetySourceSilent:
     case MessageCode::SafetyHeatNotOff:
     case MessageCode::SafetyHeatByHand:
+    case MessageCode::SafetySourceStopped:
         return 1;
     case MessageCode::SafetyObjectWarm:
     case MessageCode::SafetySensorsApart:
@@ -393,9 +396,10 @@ std::string describe(const Error& error) {
 }
 
 std::string formatNumber(double value, int digits) {
-    std::array<char, 40> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
-    return buffer.data();
+    std::array<char, 40> buffer{}; // not printf: its decimal point is that of the computer's language
+    const auto [end, failed] =
+        std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits);
+    return {buffer.begin(), end};
 }
 
 } // namespace bask

@@ -269,6 +269,8 @@ enum class MessageCode : int {
     SafetyHeatNotOff,         ///< %1 words
     SafetyHeatByHand,         ///< %1 degC
     TargetAboveWarning,       ///< %1 object, %2 degC, %3 degC
+    SafetySourceStopped,      ///< no args
+    SourceUnwatched,          ///< %1 profile
 };
 
 } // namespace bask
