@@ -1138,6 +1138,14 @@
             <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets. The Targets page shows what can be held.</source>
             <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes. La page Consignes montre ce qui peut être tenu.</translation>
         </message>
+        <message>
+            <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.</source>
+            <translation>La source de chaleur a été arrêtée à son propre panneau ou par sa propre protection ; Bask la laisse éteinte. Cherchez-en la cause, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>with the profile "%1" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with "unattended_heat": true.</source>
+            <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par "unattended_heat": true.</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 // Marks a sentence for lupdate without needing Qt here.
 #define QT_TRANSLATE_NOOP(context, text) text
@@ -276,6 +276,8 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(TargetAboveWarning, QT_TRANSLATE_NOOP("Message", "The target of \"%1\", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.")),
     Entry BASK_MESSAGE(SafetySourceNotCooling, QT_TRANSLATE_NOOP("Message", "The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.")),
     Entry BASK_MESSAGE(SafetyNoWatchdog, QT_TRANSLATE_NOOP("Message", "The heat source has no watchdog: if Bask or this computer stops, it stays hot. Do not leave it alone.")),
+    Entry BASK_MESSAGE(SafetySourceStopped, QT_TRANSLATE_NOOP("Message", "The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.")),
+    Entry BASK_MESSAGE(SourceUnwatched, QT_TRANSLATE_NOOP("Message", "with the profile \"%1\" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with \"unattended_heat\": true.")),
 };
 // clang-format on
 
@@ -341,6 +343,7 @@ int alarmPriority(MessageCode code) {
     case MessageCode::SafetyHeatNotOff:
     case MessageCode::SafetyHeatByHand:
     case MessageCode::SafetySourceNotCooling:
+    case MessageCode::SafetySourceStopped:
         return 1;
     case MessageCode::SafetyObjectWarm:
     case MessageCode::SafetySensorsApart:
@@ -397,9 +400,10 @@ std::string describe(const Error& error) {
 }
 
 std::string formatNumber(double value, int digits) {
-    std::array<char, 40> buffer{};
-    std::snprintf(buffer.data(), buffer.size(), "%.*g", digits, value);
-    return buffer.data();
+    std::array<char, 40> buffer{}; // not printf: its decimal point is that of the computer's language
+    const auto [end, failed] =
+        std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::general, digits);
+    return {buffer.begin(), end};
 }
 
 } // namespace bask

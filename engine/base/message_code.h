@@ -271,6 +271,8 @@ enum class MessageCode : int {
     TargetAboveWarning,       ///< %1 object, %2 degC, %3 degC
     SafetySourceNotCooling,   ///< %1 degC, %2 s
     SafetyNoWatchdog,         ///< no args
+    SafetySourceStopped,      ///< no args
+    SourceUnwatched,          ///< %1 profile
 };
 
 } // namespace bask

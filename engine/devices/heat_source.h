@@ -22,6 +22,8 @@ public:
     virtual std::optional<double> setPoint_K() const { return std::nullopt; }
     /// A person keeps it hot: it cannot be switched from here.
     virtual bool isByHand() const { return false; }
+    /// It goes off by itself when Bask or the computer dies. False: then it stays hot.
+    virtual bool hasWatchdog() const { return true; }
 };
 
 } // namespace bask

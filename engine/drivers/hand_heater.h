@@ -27,6 +27,7 @@ public:
     /// While its temperature is known.
     bool heating() const override { return m_typed.valid; }
     bool isByHand() const override { return true; }
+    bool hasWatchdog() const override { return false; }
 
 private:
     const Clock& m_clock;

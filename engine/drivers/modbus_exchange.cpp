@@ -8,6 +8,8 @@ namespace bask {
 namespace {
 
 constexpr double kOpenAgain_s = 0.5;
+constexpr double kAskAgain_s = 1.0; // each silence costs the other units of the line twice a reply's time
+constexpr int kSilentOnce = 1;      // may be noise
 constexpr std::size_t kAnswersCounted = 20;
 
 } // namespace
@@ -24,7 +26,11 @@ std::optional<ModbusReply> ModbusExchange::work() {
     if (!m_link.isOpen() && now_s >= m_opened_s + kOpenAgain_s) {
         m_opened_s = now_s;
         m_link.open();
+        m_silent = 0;
+        m_next_s = now_s;
     }
+    if (m_mustYield && m_link.isFree())
+        m_mayContinue = m_mustYield = false;
     if (!m_asked)
         return std::nullopt;
     std::optional<ModbusReply> reply = m_link.takeReply(*m_asked);
@@ -39,9 +45,13 @@ std::optional<ModbusReply> ModbusExchange::work() {
 void ModbusExchange::note(const ModbusReply& reply) {
     if (!reply) {
         m_refusal = reply.error().message;
+        m_mustYield = m_refusal.code == MessageCode::DeviceSilent;
+        m_silent = m_mustYield ? m_silent + 1 : 0;
+        m_next_s = m_silent > kSilentOnce ? m_clock.now_s() + kAskAgain_s : m_clock.now_s();
         return;
     }
     m_refusal = {};
+    m_silent = 0;
     m_wasLive = true;
     m_answered_s = m_clock.now_s();
     m_replyTime_s = m_answered_s - m_sent_s;
@@ -51,7 +61,7 @@ void ModbusExchange::note(const ModbusReply& reply) {
 }
 
 bool ModbusExchange::canSend() const {
-    return m_mayContinue && !m_asked && m_link.isFree();
+    return m_mayContinue && !m_asked && m_clock.now_s() >= m_next_s && m_link.isFree();
 }
 
 void ModbusExchange::send(ModbusRequest request) {

@@ -19,7 +19,8 @@ public:
     /// Opens the link if it is due, and answers the reply to the last request when it is there. First of all
     /// in each work() of a driver.
     std::optional<ModbusReply> work();
-    /// Not in the turn in which a reply came: other drivers of the line are to have theirs.
+    /// Not in the turn in which a reply came or the line is free after silence: other drivers of the line are
+    /// to have theirs. A unit that was silent twice is asked once a second.
     bool canSend() const;
     /// Only then. The unit is put in.
     void send(ModbusRequest request);
@@ -43,6 +44,9 @@ private:
     double m_silentAfter_s;
     std::optional<int> m_asked;
     bool m_mayContinue = true;
+    bool m_mustYield = false; ///< the line, once it is free
+    int m_silent = 0;         ///< requests in a row
+    double m_next_s = -1e300; ///< not before
     bool m_isBegun = false, m_wasLive = false;
     double m_opened_s = -1e300; ///< tried last
     double m_begun_s = 0.0, m_sent_s = 0.0, m_answered_s = -1e300, m_replyTime_s = 0.0;

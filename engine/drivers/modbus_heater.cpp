@@ -14,6 +14,10 @@ namespace bask {
 namespace {
 
 constexpr int kMostTries = 3; // of a write that has no effect; set points may be kept in a memory that wears
+constexpr double kAgain_s = 10.0;                  // then, to switch off
+constexpr double kSetEvery_s = 5.0, kStep_K = 0.5; // of a set point that moves
+constexpr double kJump_K = 3.0;                    // at once: from here on it is told as another one
+constexpr double kFollow_s = 3.0;                  // a controller takes what was written
 
 RegisterRange rangeOf(const RegisterSpec& spec) {
     return {spec.function, spec.address, registerCount(spec.type)};
@@ -46,12 +50,12 @@ Result<std::unique_ptr<ModbusHeater>> ModbusHeater::create(ModbusLink& link, con
     if (const auto off = registersFromTemperature(profile, written, off_K); !profile.run && !off)
         return Error(MessageCode::ValueOutOfRange, "profile.set_point_off_degC", off.error().message.args);
     if (profile.watchdog) {
-        const auto time =
-            registersFromQuantity(*profile.watchdog, settings.watchdog_s / profile.watchdogUnit_s);
-        if (!time || settings.watchdog_s < 3.0 * settings.period_s)
-            return Error(MessageCode::ValueOutOfRange, "watchdog",
-                         {formatNumber(settings.watchdog_s), formatNumber(3.0 * settings.period_s),
-                          formatNumber(65535.0 * profile.watchdogUnit_s), "s"});
+        if (const auto time = watchdogRegisters(profile, settings.watchdog_s); !time)
+            return Error(time.error().code(), "watchdog", time.error().message.args);
+        if (settings.watchdog_s < 3.0 * settings.period_s)
+            return Error(
+                MessageCode::ValueOutOfRange, "watchdog",
+                {formatNumber(settings.watchdog_s), formatNumber(3.0 * settings.period_s), "1500", "s"});
     }
     return std::unique_ptr<ModbusHeater>(new ModbusHeater(link, clock, settings));
 }
@@ -65,7 +69,7 @@ ModbusHeater::ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHea
 void ModbusHeater::listRanges() {
     const ModbusProfile& p = m_settings.profile;
     std::vector<RegisterRange> ranges{rangeOf(*p.processValue), rangeOf(*p.setPoint)};
-    for (const auto& spec : {p.run, p.watchdog, p.sensorFault}) {
+    for (const auto& spec : {p.setPointWritten, p.run, p.watchdog, p.sensorFault}) {
         if (spec)
             ranges.push_back(rangeOf(*spec));
     }
@@ -78,7 +82,7 @@ void ModbusHeater::work() {
     if (const auto reply = m_exchange.work())
         take(*reply);
     if (m_wanted_K && m_clock.now_s() >= m_until_s)
-        (void)heatOff(); // nobody said on again
+        switchOff(); // nobody said on again
     if (m_exchange.canSend())
         sendNext();
 }
@@ -86,12 +90,14 @@ void ModbusHeater::work() {
 void ModbusHeater::take(const ModbusReply& reply) {
     const bool isWrite = std::exchange(m_isWriting, false);
     m_isRefused = !reply.ok() && !isWrite;
-    if (isWrite)
+    if (isWrite) {
         m_writeProblem = reply ? Message{} : reply.error().message;
-    else if (reply)
+        m_tries -= m_writeProblem.code == MessageCode::DeviceSilent ? 1 : 0;
+    } else if (reply) {
         takeRead(*reply);
-    else if (!m_wanted_K && isOn())
+    } else if (!m_wanted_K && isOn() && !isWorn()) {
         m_isOffDue = true; // again, though nothing can be read back
+    }
 }
 
 void ModbusHeater::takeRead(const std::vector<std::uint16_t>& values) {
@@ -117,8 +123,35 @@ void ModbusHeater::takeCycle() {
                  sensorFault(value.fault)};
     m_next = 0;
     m_isKnown = m_isFresh = true;
+    if (m_wanted_K)
+        compare();
     if (!correction())
         m_tries = 0;
+}
+
+/// What was taken and is gone was changed there, by a person or a protection, and is not for us to change
+/// back.
+void ModbusHeater::compare() {
+    const auto& run = m_settings.profile.run;
+    const bool isSet = isSetTo(m_set_K);
+    const bool isRunning = run && holds(*run, m_settings.profile.runOn);
+    if (m_isRunTaken && !isRunning)
+        m_refusal = {MessageCode::SafetySourceStopped, {}};
+    else if (m_isSetTaken && !isSet)
+        m_refusal = {MessageCode::SafetySetPointOther,
+                     {formatNumber(celsiusFromKelvin(m_set_K)),
+                      formatNumber(celsiusFromKelvin(readBack_K(writtenSetPoint())))}};
+    m_isSetTaken = isSet;
+    m_isRunTaken = isRunning;
+    if (m_refusal != Message{})
+        switchOff();
+}
+
+void ModbusHeater::switchOff() {
+    m_wanted_K.reset();
+    m_isOffDue = true;
+    m_tries = 0;
+    m_off_s = m_clock.now_s();
 }
 
 void ModbusHeater::sendNext() {
@@ -126,8 +159,7 @@ void ModbusHeater::sendNext() {
         return write(offRequest());
     if (m_isFresh) {
         const auto change = correction();
-        const bool isWorn = change && m_wanted_K && isSame(*change, m_written) && m_tries >= kMostTries;
-        if (change && !isWorn)
+        if (change && !(isSame(*change, m_written) && isWorn()))
             return write(*change);
     }
     const double now_s = m_clock.now_s();
@@ -145,11 +177,17 @@ void ModbusHeater::sendNext() {
 void ModbusHeater::write(const ModbusRequest& request) {
     m_tries = isSame(m_written, request) ? m_tries + 1 : 1;
     m_written = request;
+    m_again_s = m_clock.now_s() + kAgain_s;
     m_isWriting = true;
     m_isFresh = false;
     m_next = 0;
     m_due_s = m_clock.now_s() + (m_tries > 1 ? m_settings.period_s : 0.0);
     m_exchange.send(request);
+}
+
+/// Tried in vain so often that it is not to be tried now; off is, later.
+bool ModbusHeater::isWorn() const {
+    return m_tries >= kMostTries && (m_wanted_K || m_clock.now_s() < m_again_s);
 }
 
 /// What is to be written next, by what was read.
@@ -158,13 +196,13 @@ std::optional<ModbusRequest> ModbusHeater::correction() const {
         return isOn() ? std::optional(offRequest()) : std::nullopt;
     const ModbusProfile& p = m_settings.profile;
     if (p.watchdog) {
-        auto time = registersFromQuantity(*p.watchdog, m_settings.watchdog_s / p.watchdogUnit_s).value();
+        auto time = watchdogRegisters(p, m_settings.watchdog_s).value();
         if (m_image.registers(rangeOf(*p.watchdog)) != time)
             return writeRequest(*p.watchdog, std::move(time));
     }
-    if (!isSetTo(*m_wanted_K))
-        return setPointRequest(*m_wanted_K);
-    if (p.run && quantity(*p.run) != p.runOn)
+    if (!isSetTo(m_set_K))
+        return setPointRequest(m_set_K);
+    if (p.run && !holds(*p.run, p.runOn))
         return writeRequest(*p.run, registersFromQuantity(*p.run, p.runOn).value());
     return std::nullopt;
 }
@@ -190,20 +228,30 @@ double ModbusHeater::quantity(const RegisterSpec& spec) const {
     return quantityFromRegisters(spec, m_image.registers(rangeOf(spec)));
 }
 
+bool ModbusHeater::holds(const RegisterSpec& spec, double number) const {
+    return m_image.registers(rangeOf(spec)) == registersFromQuantity(spec, number).value();
+}
+
 /// NaN where the register tells none.
-double ModbusHeater::readBack_K() const {
-    const RegisterSpec& spec = *m_settings.profile.setPoint;
+double ModbusHeater::readBack_K(const RegisterSpec& spec) const {
     const RegisterValue value =
         temperatureFromRegisters(m_settings.profile, spec, m_image.registers(rangeOf(spec)));
     return value.fault.empty() ? value.value_K : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// As near as what was written, rounded, is told by what is read.
+/// As near as what was written, rounded, is read.
 bool ModbusHeater::isSetTo(double setPoint_K) const {
     const RegisterSpec& spec = writtenSetPoint();
     const auto written = setPointRequest(setPoint_K).values;
     const double expected_K = temperatureFromRegisters(m_settings.profile, spec, written).value_K;
-    return std::abs(readBack_K() - expected_K) <= 0.51 * resolution_K(*m_settings.profile.setPoint) + 0.01;
+    return std::abs(readBack_K(spec) - expected_K) <= 0.51 * resolution_K(spec) + 0.01;
+}
+
+/// Whether the device is to be set to what is wanted now: it differs much, or for long.
+bool ModbusHeater::isSetDue() const {
+    const double now_s = m_clock.now_s(), change_K = std::abs(*m_wanted_K - m_set_K);
+    return change_K >= kJump_K || (change_K >= kStep_K && now_s >= m_set_s + kSetEvery_s) ||
+           (change_K > 0.0 && now_s >= m_changed_s + kSetEvery_s);
 }
 
 bool ModbusHeater::isOn() const {
@@ -211,9 +259,16 @@ bool ModbusHeater::isOn() const {
     if (!m_isKnown)
         return false;
     if (p.run)
-        return quantity(*p.run) != p.runOff;
+        return !holds(*p.run, p.runOff);
     const double off_K = kelvinFromCelsius(p.setPointOff_degC);
-    return !(readBack_K() <= off_K) && !isSetTo(off_K);
+    return !(readBack_K(writtenSetPoint()) <= off_K) && !isSetTo(off_K);
+}
+
+/// Off as it was written, but heating towards something else: a ramp of its own, or a second set point.
+bool ModbusHeater::isDriven() const {
+    const ModbusProfile& p = m_settings.profile;
+    return m_isKnown && !m_wanted_K && !p.run && p.setPointWritten && !isOn() &&
+           !(readBack_K(*p.setPoint) <= kelvinFromCelsius(kHighestOff_degC));
 }
 
 Result<Reading> ModbusHeater::read() {
@@ -230,20 +285,30 @@ Result<void> ModbusHeater::keepHeating(double setPoint_K, double validFor_s) {
         return Error(MessageCode::ValueNotPositive, "valid for", {formatNumber(validFor_s)});
     if (!m_exchange.isLive() || !m_isKnown)
         return m_exchange.error();
+    if (m_refusal != Message{})
+        return Error(m_refusal.code, "", m_refusal.args);
+    const double now_s = m_clock.now_s();
+    const bool isBegun = !m_wanted_K;
     if (m_wanted_K != setPoint_K)
-        m_tries = 0;
+        m_changed_s = now_s;
     m_wanted_K = setPoint_K;
-    m_until_s = m_clock.now_s() + validFor_s;
+    m_until_s = now_s + validFor_s;
+    if (isBegun)
+        m_isRunTaken = false;
+    if (isBegun || isSetDue()) {
+        m_set_K = setPoint_K;
+        m_set_s = now_s;
+        m_isSetTaken = false;
+        m_tries = 0;
+    }
     m_isOffDue = false;
     return taken();
 }
 
 Result<void> ModbusHeater::heatOff() {
-    if (m_wanted_K) {
-        m_isOffDue = true;
-        m_tries = 0;
-    }
-    m_wanted_K.reset();
+    m_refusal = {};
+    if (m_wanted_K)
+        switchOff();
     if (!m_exchange.isLive())
         return m_exchange.error();
     return taken();
@@ -251,26 +316,33 @@ Result<void> ModbusHeater::heatOff() {
 
 /// Whether the device takes what is written to it.
 Result<void> ModbusHeater::taken() const {
+    const double off_K = kelvinFromCelsius(m_settings.profile.setPointOff_degC);
+    const double set_K = m_wanted_K ? m_set_K : off_K;
+    const auto other = [set_K](double back_K) {
+        return Error(MessageCode::SafetySetPointOther, "",
+                     {formatNumber(celsiusFromKelvin(set_K)), formatNumber(celsiusFromKelvin(back_K))});
+    };
+    if (isDriven() && m_clock.now_s() >= m_off_s + kFollow_s)
+        return other(readBack_K(*m_settings.profile.setPoint));
     if (m_tries < kMostTries)
         return {};
     if (m_writeProblem != Message{})
         return Error(m_writeProblem.code, "", m_writeProblem.args);
-    const double set_K = m_wanted_K.value_or(kelvinFromCelsius(m_settings.profile.setPointOff_degC));
     if (isSetTo(set_K) || (!m_wanted_K && m_settings.profile.run))
         return Error(MessageCode::DeviceAnswersWrong, "",
                      {m_exchange.name(), "what was written is not there when it is read back"});
-    return Error(MessageCode::SafetySetPointOther, "",
-                 {formatNumber(celsiusFromKelvin(set_K)), formatNumber(celsiusFromKelvin(readBack_K()))});
+    return other(readBack_K(writtenSetPoint()));
 }
 
 bool ModbusHeater::heating() const {
-    return m_wanted_K || m_isOffDue || isOn();
+    return m_wanted_K || m_isOffDue || isOn() || isDriven();
 }
 
 std::optional<double> ModbusHeater::setPoint_K() const {
-    if (!m_exchange.isLive() || !m_isKnown || std::isnan(readBack_K()))
+    if (!m_exchange.isLive() || !m_isKnown)
         return std::nullopt;
-    return readBack_K();
+    const double setPoint_K = readBack_K(*m_settings.profile.setPoint);
+    return std::isnan(setPoint_K) ? std::nullopt : std::optional(setPoint_K);
 }
 
 } // namespace bask

@@ -21,7 +21,8 @@ struct ModbusHeaterSettings {
 };
 
 /// Off is what it is without anybody's word: found on, it is switched off. Off is the profile's run register,
-/// or without one its set point for off. The watchdog is set before heat goes on.
+/// or without one its set point for off. The watchdog is set before heat goes on. Controllers may keep set
+/// points where writing wears: one that moves is written in steps, at most 3 K or 5 s late.
 class ModbusHeater final : public HeatSource, public Device {
 public:
     /// `link` and `clock` must outlive it; the link may be shared. Errors: ValueOutOfRange (unit, period, a
@@ -32,13 +33,17 @@ public:
     void work() override;
     DeviceStatus status() const override { return m_exchange.status(); }
     Result<Reading> read() override;
-    /// Refused besides when the device did not take what was written: SafetySetPointOther, DeviceException.
+    /// Refused besides when the device did not take what was written: SafetySetPointOther, DeviceException;
+    /// and until heatOff(), when it had taken it and holds something else now: it was stopped
+    /// (SafetySourceStopped) or set otherwise (SafetySetPointOther) there, and is switched off.
     Result<void> keepHeating(double setPoint_K, double validFor_s) override;
-    /// An Error when the device does not answer; it is switched off as soon as it does.
+    /// An Error when the device does not answer; it is switched off as soon as it does. And why three tries
+    /// were in vain; it is tried again every 10 s, however often this is called.
     Result<void> heatOff() override;
     /// Wanted, or not yet seen to be off.
     bool heating() const override;
     std::optional<double> setPoint_K() const override;
+    bool hasWatchdog() const override { return m_settings.profile.watchdog.has_value(); }
 
 private:
     ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings);
@@ -53,9 +58,15 @@ private:
     ModbusRequest setPointRequest(double setPoint_K) const;
     const RegisterSpec& writtenSetPoint() const;
     double quantity(const RegisterSpec& spec) const;
-    double readBack_K() const;
+    bool holds(const RegisterSpec& spec, double number) const;
+    double readBack_K(const RegisterSpec& spec) const;
     bool isSetTo(double setPoint_K) const;
+    bool isSetDue() const;
     bool isOn() const;
+    bool isDriven() const;
+    bool isWorn() const;
+    void compare();
+    void switchOff();
     Result<void> taken() const;
 
     ModbusHeaterSettings m_settings;
@@ -64,17 +75,23 @@ private:
     std::vector<RegisterRange> m_ranges; ///< requests of a cycle
     RegisterImage m_image;
     Reading m_reading;
-    std::optional<double> m_wanted_K; ///< heat towards it
-    double m_until_s = 0.0;           ///< then it is wanted no more
-    bool m_isOffDue = false;          ///< at once, before anything else
-    bool m_isKnown = false;           ///< every register has been read once
-    bool m_isFresh = false;           ///< all of them since the newest write
-    std::size_t m_next = 0;           ///< of m_ranges
+    std::optional<double> m_wanted_K;                ///< heat towards it
+    double m_until_s = 0.0;                          ///< then it is wanted no more
+    double m_set_K = 0.0;                            ///< of m_wanted_K, what the device is to hold
+    double m_set_s = 0.0, m_changed_s = 0.0;         ///< when it, and m_wanted_K, became what they are
+    bool m_isSetTaken = false, m_isRunTaken = false; ///< read back as they are to be
+    Message m_refusal;                               ///< why it was switched off; until heatOff()
+    bool m_isOffDue = false;                         ///< at once, before anything else
+    bool m_isKnown = false;                          ///< every register has been read once
+    bool m_isFresh = false;                          ///< all of them since the newest write
+    std::size_t m_next = 0;                          ///< of m_ranges
     double m_due_s = -1e300, m_measured_s = 0.0;
     bool m_isRefused = false;  ///< the newest read
     bool m_isWriting = false;  ///< m_written is under way
     ModbusRequest m_written{}; ///< newest
-    int m_tries = 0;           ///< of it, without effect so far
+    int m_tries = 0;           ///< of it that were answered, without effect so far
+    double m_again_s = 0.0;    ///< not before, when it was tried often
+    double m_off_s = -1e300;   ///< when it was to go off
     Message m_writeProblem;    ///< of it
 };
 

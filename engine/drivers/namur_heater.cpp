@@ -4,20 +4,23 @@
 #include "engine/base/units.h"
 #include "engine/protocols/namur_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace bask {
 namespace {
 
-constexpr double kLineGap_s = 0.05; ///< a plate loses lines that come in a hurry
-constexpr int kStops = 3;           ///< it does not say whether it heard one
-constexpr double kStopAgain_s = 1.0;
+constexpr double kLineGap_s = 0.05;                       ///< a plate loses lines that come in a hurry
+constexpr int kStops = 3;                                 ///< it does not say whether it heard one
+constexpr double kStopAgain_s = 1.0, kStopLater_s = 10.0; ///< later: some keep set points where they wear
 constexpr double kSetAgain_s = 0.5, kSetPointStep_K = 0.05;
 constexpr int kNames = 3;                 ///< questions for a name that some have not
 constexpr int kSetPointEvery = 4;         ///< polls
 constexpr double kSetPointWithin_K = 0.6; ///< some plates take whole degrees
-constexpr int kOthersTold = 2;            ///< one may have been asked before it was set
+constexpr double kOff_degC = 0.0;
+constexpr int kOthersTold = 2; ///< one may have been asked before it was set
 constexpr int kUnechoedTold = 2;
 constexpr double kLowest_degC = -60.0, kHighest_degC = 500.0; ///< what a plate or its probe can have
 
@@ -37,6 +40,7 @@ void NamurHeater::work() {
     }
     switch (m_watch.work()) {
     case LinkWatch::Turn::Closed:
+        m_isOffDue = heating();
         m_isOn = m_isFed = false;
         return;
     case LinkWatch::Turn::Opened:
@@ -60,9 +64,10 @@ void NamurHeater::begin() {
     m_asked = Question::None;
     m_readBack_K.reset();
     m_isOn = m_isFed = false;
+    m_isOffDue = m_mustZero = true;
     m_stopsLeft = kStops;
-    m_polls = 0;
-    m_nextLine_s = m_nextStop_s = m_nextPoll_s = m_clock.now_s();
+    m_polls = m_unechoed = 0;
+    m_nextLine_s = m_nextStop_s = m_nextPoll_s = m_off_s = m_clock.now_s();
 }
 
 void NamurHeater::takeLine(const std::string& line) {
@@ -83,8 +88,10 @@ void NamurHeater::takeLine(const std::string& line) {
         break;
     case Question::Watchdog:
         fits = isWatchdogEcho(line, m_config.watchdog_s);
-        if (fits)
+        if (fits) {
             m_unechoed = 0;
+            m_isWatched = true;
+        }
         break;
     }
     if (fits)
@@ -112,6 +119,8 @@ bool NamurHeater::takeSetPoint(const std::string& line) {
     const bool isOther = m_isOn && !m_mustStart && std::abs(*m_readBack_K - m_sent_K) > kSetPointWithin_K;
     m_others = isOther ? m_others + 1 : 0;
     m_mustSet = m_mustSet || isOther; // some forget it at the start
+    if (!m_mustZero && !m_mustLook && value->value <= kOff_degC + kSetPointWithin_K)
+        m_isOffDue = false;
     return true;
 }
 
@@ -120,11 +129,26 @@ void NamurHeater::giveUpLate() {
     const double now_s = m_clock.now_s();
     if (m_asked == Question::None || now_s < m_askedAt_s + kDeadline_s)
         return;
-    if (m_asked == Question::Watchdog && ++m_unechoed >= kUnechoedTold)
-        m_watch.complain("nothing to " + namurWatchdog(m_config.watchdog_s) +
-                         ", so that its watchdog may not run");
-    m_asked = Question::None;
-    m_nextLine_s = now_s + kQuiet_s;
+    const Question asked = std::exchange(m_asked, Question::None);
+    m_nextLine_s = now_s + (m_config.isProbeUsed ? kDeadline_s : kQuiet_s);
+    if (asked == Question::Watchdog)
+        watchdogUnechoed();
+}
+
+/// Once may be a disturbance: it is sent again at once.
+void NamurHeater::watchdogUnechoed() {
+    if (++m_unechoed < kUnechoedTold) {
+        m_nextWatchdog_s = m_clock.now_s();
+        return;
+    }
+    const std::string words =
+        "nothing to " + namurWatchdog(m_config.watchdog_s) + ", so that its watchdog may not run";
+    m_watch.complain(words);
+    if (!m_isOn || m_config.mayHeatUnattended)
+        return;
+    m_refusal = {MessageCode::DeviceAnswersWrong, {m_link.name(), words}};
+    stop();
+    m_isFed = false;
 }
 
 void NamurHeater::speak() {
@@ -136,16 +160,24 @@ void NamurHeater::speak() {
         poll();
 }
 
-/// One line of what the plate is to do. The watchdog comes before the heat.
+/// One line of what the plate is to do. The watchdog comes before the heat, and is not fed while that may be
+/// on unasked.
 void NamurHeater::order() {
     const double now_s = m_clock.now_s();
-    if (m_stopsLeft > 0 && now_s >= m_nextStop_s) {
-        say(namur::kStop);
-        --m_stopsLeft;
-        m_nextStop_s = now_s + kStopAgain_s;
-    } else if (m_isFed && now_s >= m_nextWatchdog_s) {
+    if ((m_stopsLeft > 0 || m_isOffDue) && now_s >= m_nextStop_s) {
+        sayStop();
+    } else if (m_mustZero) {
+        m_mustZero = false;
+        m_mustLook = true;
+        say(namurSetPoint(kOff_degC));
+    } else if (m_mustLook) {
+        m_mustLook = false;
+        ask(Question::SetPoint, namur::kSetPoint);
+    } else if (m_isFed && !m_isOffDue && now_s >= m_nextWatchdog_s) {
         m_nextWatchdog_s = now_s + m_config.watchdog_s / 4.0;
         ask(Question::Watchdog, namurWatchdog(m_config.watchdog_s));
+    } else if (m_isOn && !m_isWatched && !m_config.mayHeatUnattended) {
+        return;
     } else if (m_isOn && m_mustSet && now_s >= m_nextSet_s) {
         if (m_sent_K != m_setPoint_K)
             m_others = 0;
@@ -164,11 +196,12 @@ void NamurHeater::poll() {
     if (now_s < m_nextPoll_s)
         return;
     m_nextPoll_s = now_s + kPoll_s;
-    if (m_name.empty() && m_namesLeft > 0) {
+    ++m_polls;
+    if (m_name.empty() && m_namesLeft > 0 && m_polls % kSetPointEvery == 1) { // with temperatures between
         --m_namesLeft;
         m_nextPoll_s = now_s;
         ask(Question::Name, namur::kName);
-    } else if (++m_polls % kSetPointEvery == 0) {
+    } else if (m_polls % kSetPointEvery == 0) {
         m_nextPoll_s = now_s;
         ask(Question::SetPoint, namur::kSetPoint);
     } else {
@@ -191,9 +224,17 @@ void NamurHeater::say(const std::string& command) {
 void NamurHeater::stop() {
     m_isOn = false;
     m_others = 0;
+    m_isOffDue = true;
+    m_off_s = m_clock.now_s();
+    m_stopsLeft = kStops;
+    sayStop();
+}
+
+void NamurHeater::sayStop() {
     say(namur::kStop);
-    m_stopsLeft = kStops - 1;
-    m_nextStop_s = m_clock.now_s() + kStopAgain_s;
+    m_stopsLeft = std::max(0, m_stopsLeft - 1);
+    m_mustZero = m_isOffDue;
+    m_nextStop_s = m_clock.now_s() + (m_stopsLeft > 0 || !m_isOffDue ? kStopAgain_s : kStopLater_s);
 }
 
 bool NamurHeater::isSetPointOther() const {
@@ -226,9 +267,12 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
         return Error{MessageCode::ValueNotPositive, "validFor", {formatNumber(validFor_s)}};
     if (!m_watch.isLive())
         return m_watch.error();
+    if (m_refusal != Message{})
+        return Error(m_refusal.code, {}, m_refusal.args);
     if (!m_isOn) {
         m_isOn = m_isFed = m_mustSet = m_mustStart = true;
-        m_others = m_unechoed = m_stopsLeft = 0;
+        m_isWatched = m_isOffDue = m_mustZero = m_mustLook = false;
+        m_others = m_stopsLeft = 0;
         m_nextWatchdog_s = m_clock.now_s();
         m_nextSet_s = m_clock.now_s();
     }
@@ -239,19 +283,33 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
 }
 
 Result<void> NamurHeater::heatOff() {
+    m_refusal = {};
     if (!m_link.isOpen()) {
+        m_isOffDue = heating();
         m_isOn = m_isFed = false;
         return m_watch.error();
     }
     if (m_isOn)
         stop();
-    else if (m_stopsLeft == 0 && m_clock.now_s() >= m_nextStop_s)
+    else if (!m_isOffDue && m_stopsLeft == 0 && m_clock.now_s() >= m_nextStop_s)
         m_stopsLeft = 1;
-    return {};
+    return offSeen();
 }
 
-bool NamurHeater::heating() const {
-    return m_isOn && m_clock.now_s() < m_until_s;
+Result<void> NamurHeater::offSeen() const {
+    if (!m_isOffDue || m_clock.now_s() < m_off_s + kStops * kStopAgain_s)
+        return {};
+    if (!m_watch.isLive())
+        return m_watch.error();
+    if (!m_readBack_K)
+        return Error(MessageCode::DeviceAnswersWrong, {},
+                     {m_link.name(), std::string("nothing to ") + namur::kSetPoint});
+    return Error(MessageCode::SafetySetPointOther, {},
+                 {formatNumber(kOff_degC), formatNumber(celsiusFromKelvin(*m_readBack_K))});
+}
+
+bool NamurHeater::hasWatchdog() const {
+    return m_unechoed < kUnechoedTold;
 }
 
 } // namespace bask

@@ -8,20 +8,22 @@
 namespace bask {
 
 struct NamurHeaterConfig {
-    bool isProbeUsed = false; ///< the external probe is at the hot surface, not the plate's own sensor
-    double watchdog_s = 30.0; ///< of the plate: 20 to 1500
+    bool isProbeUsed = false;       ///< the external probe is at the hot surface, not the plate's own sensor
+    double watchdog_s = 30.0;       ///< of the plate: 20 to 1500
+    bool mayHeatUnattended = false; ///< also where the plate does not say its watchdog back
     bool operator==(const NamurHeaterConfig&) const = default;
 };
 
 /// The plate says nothing to what it is told to do, so its set point is read back again and again; a
-/// difference is told as SafetySetPointOther. Its own watchdog is fed while heat is asked for, and after
-/// heatOff(), or it would end every run with an error at the plate; an engine that dies leaves a plate that
-/// goes off by itself.
+/// difference is told as SafetySetPointOther. Its own watchdog is fed while heat is asked for, and, once the
+/// heat is seen to be off, after heatOff(), or it would end every run with an error at the plate; an engine
+/// that dies leaves a plate that goes off by itself. Off is STOP and a set point of 0 degC that reads back.
 class NamurHeater final : public HeatSource, public Device {
 public:
     static constexpr double kDeadline_s = 0.5; ///< of one answer
     static constexpr double kQuiet_s = 0.25; ///< after one that did not come, so that it is not taken for the
-                                             ///< next one's
+                                             ///< next one's; kDeadline_s with the probe, whose channel the
+                                             ///< set point has too
     static constexpr double kSilence_s = 2.0; ///< without a temperature: lost
     static constexpr double kPoll_s = 0.2;    ///< between two temperatures
 
@@ -33,11 +35,16 @@ public:
 
     /// The time is that of the question.
     Result<Reading> read() override;
-    /// Refuses what no plate can be set to, 0 to 310 degC.
+    /// Refuses what no plate can be set to, 0 to 310 degC. An Error too, until heatOff(), when the plate has
+    /// not said its watchdog back twice; its heat is off then.
     Result<void> keepHeating(double setPoint_K, double validFor_s) override;
+    /// An Error when the link is closed, and after three tries that are not seen in the set point.
     Result<void> heatOff() override;
-    bool heating() const override;
+    /// Asked for, or not yet seen to be off.
+    bool heating() const override { return m_isOn || m_isOffDue; }
     std::optional<double> setPoint_K() const override { return m_readBack_K; }
+    /// As far as is known: until it was not said back.
+    bool hasWatchdog() const override;
 
     /// Answers that did not fit so far.
     int discards() const { return m_watch.discards(); }
@@ -56,6 +63,9 @@ private:
     void ask(Question question, const std::string& command);
     void say(const std::string& command);
     void stop();
+    void sayStop();
+    void watchdogUnechoed();
+    Result<void> offSeen() const;
     bool isSetPointOther() const;
 
     ByteLink& m_link;
@@ -76,9 +86,13 @@ private:
     double m_until_s = -1e300, m_setPoint_K = 0.0, m_sent_K = 0.0;
     bool m_mustSet = false, m_mustStart = false;
     double m_nextSet_s = 0.0;
+    bool m_isOffDue = false;                     ///< not yet seen to be off
+    bool m_mustZero = false, m_mustLook = false; ///< the set point of one that is to be off
     int m_stopsLeft = 0;
-    double m_nextStop_s = 0.0, m_nextWatchdog_s = 0.0;
-    int m_unechoed = 0; ///< watchdogs sent and not echoed, in a row
+    double m_off_s = 0.0, m_nextStop_s = 0.0, m_nextWatchdog_s = 0.0;
+    bool m_isWatched = false; ///< the watchdog was echoed since heat was asked for
+    int m_unechoed = 0;       ///< watchdogs sent and not echoed, in a row
+    Message m_refusal;        ///< why the heat went off by itself; until heatOff()
     std::optional<double> m_readBack_K;
     int m_others = 0; ///< set points read back in a row that are not the one set
 };

@@ -1,6 +1,7 @@
 #include "engine/protocols/modbus_profile.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 #include "engine/protocols/register_ranges.h"
 #include "engine/protocols/register_values.h"
 
@@ -24,6 +25,7 @@ using nlohmann::ordered_json;
 
 constexpr int kMostAddress = 65535;
 constexpr std::size_t kMostDepth = 8;
+constexpr double kLowestOff_degC = -200.0;
 
 const std::map<std::string, RegisterType> kTypes{{"int16", RegisterType::Int16},
                                                  {"uint16", RegisterType::Uint16},
@@ -268,6 +270,34 @@ void readThermometer(Object& object, ModbusProfile& profile) {
                {formatNumber(profile.at20mA_degC), "any other temperature than at 4 mA"});
 }
 
+/// Read back it is to be what it was.
+void checkHeld(const RegisterSpec& spec, const char* key, double number) {
+    const auto registers = registersFromQuantity(spec, number);
+    if (!registers)
+        refuse(MessageCode::ValueOutOfRange, key, registers.error().message.args);
+    if (std::abs(quantityFromRegisters(spec, *registers) - number) > 1e-6 * std::max(1.0, std::abs(number)))
+        refuse(MessageCode::ValueUnknown, key, {formatNumber(number, 10), "what the register can hold"});
+}
+
+/// Where off is a set point, it must read back as one.
+void checkOff(const ModbusProfile& profile) {
+    const double off_degC = profile.setPointOff_degC;
+    if (!(off_degC >= kLowestOff_degC && off_degC <= kHighestOff_degC))
+        refuse(
+            MessageCode::ValueOutOfRange, "set_point_off_degC",
+            {formatNumber(off_degC), formatNumber(kLowestOff_degC), formatNumber(kHighestOff_degC), "degC"});
+    if (profile.run || !profile.setPoint)
+        return;
+    const RegisterSpec& spec = profile.setPointWritten ? *profile.setPointWritten : *profile.setPoint;
+    const auto registers = registersFromTemperature(profile, spec, kelvinFromCelsius(off_degC));
+    if (!registers)
+        refuse(MessageCode::ValueOutOfRange, "set_point_off_degC", registers.error().message.args);
+    const RegisterValue back = temperatureFromRegisters(profile, spec, *registers);
+    if (!back.fault.empty() || celsiusFromKelvin(back.value_K) > kHighestOff_degC)
+        refuse(MessageCode::ValueUnknown, "set_point_off_degC",
+               {formatNumber(off_degC), "what the register can hold"});
+}
+
 void readController(Object& object, ModbusProfile& profile) {
     object.require("set_point");
     readRegister(object, "process_value", Use::Temperature, profile.processValue);
@@ -283,6 +313,11 @@ void readController(Object& object, ModbusProfile& profile) {
     readRegister(object, "sensor_fault", Use::Number, profile.sensorFault);
     if (profile.runOn == profile.runOff)
         refuse(MessageCode::ValueUnknown, "run_off", {formatNumber(profile.runOff), "any other than run_on"});
+    if (profile.run) {
+        checkHeld(*profile.run, "run_on", profile.runOn);
+        checkHeld(*profile.run, "run_off", profile.runOff);
+    }
+    checkOff(profile);
     if (!(profile.watchdogUnit_s > 0.0))
         refuse(MessageCode::ValueNotPositive, "watchdog_unit_s", {formatNumber(profile.watchdogUnit_s)});
 }

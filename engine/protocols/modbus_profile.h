@@ -42,6 +42,9 @@ struct StatusSpec {
     bool operator==(const StatusSpec&) const = default;
 };
 
+/// Highest set point that can stand for heat off.
+inline constexpr double kHighestOff_degC = 40.0;
+
 /// A thermometer module or a temperature controller.
 struct ModbusProfile {
     std::string name;   ///< "eurotherm-2400"
@@ -56,8 +59,8 @@ struct ModbusProfile {
     double at4mA_degC = 0.0, at20mA_degC = 100.0;
     // Controller
     std::optional<RegisterSpec> processValue;
-    std::optional<RegisterSpec> setPoint;        ///< read back
-    std::optional<RegisterSpec> setPointWritten; ///< as written; empty: where it is read
+    std::optional<RegisterSpec> setPoint;        ///< towards which it heats
+    std::optional<RegisterSpec> setPointWritten; ///< as written, and read back; empty: the same
     std::optional<RegisterSpec> run;             ///< heat on and off
     double runOn = 1.0, runOff = 0.0;
     /// Without `run`, the set point that stands for heat off.
@@ -69,7 +72,8 @@ struct ModbusProfile {
     bool operator==(const ModbusProfile&) const = default;
 };
 
-/// `where` names it in errors. Refuses unknown keys, wrong types and what no device has.
+/// `where` names it in errors. Refuses unknown keys, wrong types, what no device has, and what its registers
+/// cannot hold.
 Result<ModbusProfile> modbusProfileFromJson(const std::string& text, const std::string& where);
 std::string modbusProfileToJson(const ModbusProfile& profile);
 

@@ -4,16 +4,21 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <stdexcept>
 
 namespace bask {
 namespace {
 
-std::string withNumber(const char* format, double value) {
+/// With a decimal point, whatever the language of the computer.
+std::string withNumber(std::string command, double value, int decimals) {
     std::array<char, 40> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
+    const auto [end, failed] =
+        std::to_chars(text.begin(), text.end(), value, std::chars_format::fixed, decimals);
+    if (failed != std::errc())
+        throw std::invalid_argument("namur: a number");
+    return command.append(text.begin(), end);
 }
 
 /// How watchdogs say their time back is not told by the manuals: seen are the number and the command.
@@ -29,11 +34,11 @@ std::string namurLine(const std::string& command) {
 }
 
 std::string namurSetPoint(double setPoint_degC) {
-    return withNumber("OUT_SP_1 %.1f", setPoint_degC);
+    return withNumber("OUT_SP_1 ", setPoint_degC, 1);
 }
 
 std::string namurWatchdog(double time_s) {
-    return withNumber("OUT_WD1@%.0f", time_s);
+    return withNumber("OUT_WD1@", time_s, 0);
 }
 
 std::optional<NamurValue> namurValue(std::string_view line) {

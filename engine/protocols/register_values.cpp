@@ -4,6 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/protocols/pt100.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -20,6 +21,7 @@ const char* const kOther = "other";
 
 // NAMUR NE 43, mA.
 constexpr double kNoCurrent = 1.0, kFaultBelow = 3.6, kValidFrom = 3.8, kValidTo = 20.5, kFaultAbove = 21.0;
+constexpr double kWatchdogWithin = 0.1;                     // of its time; a register may count minutes
 constexpr double kLeast_degC = -200.0, kMost_degC = 1800.0; // no thermometer of a rig reads beyond
 
 std::uint32_t longWord(const RegisterSpec& spec, std::span<const std::uint16_t> r) {
@@ -171,6 +173,20 @@ Result<std::vector<std::uint16_t>> registersFromTemperature(const ModbusProfile&
         break;
     }
     throw std::invalid_argument("register values: no temperature");
+}
+
+Result<std::vector<std::uint16_t>> watchdogRegisters(const ModbusProfile& profile, double time_s) {
+    const RegisterSpec& spec = profile.watchdog.value();
+    auto registers = registersFromQuantity(spec, time_s / profile.watchdogUnit_s);
+    if (registers && std::abs(quantityFromRegisters(spec, *registers) * profile.watchdogUnit_s - time_s) <=
+                         kWatchdogWithin * time_s)
+        return registers;
+    const auto [a, b] = limits(spec.type);
+    const double most_s =
+        profile.watchdogUnit_s * std::max(spec.scale * a + spec.offset, spec.scale * b + spec.offset);
+    const double step_s = profile.watchdogUnit_s * std::abs(spec.scale);
+    return Error(MessageCode::ValueOutOfRange, "",
+                 {formatNumber(time_s), formatNumber(step_s), formatNumber(most_s), "s"});
 }
 
 double resolution_K(const RegisterSpec& spec) {

@@ -36,6 +36,9 @@ RegisterValue temperatureFromRegisters(const ModbusProfile& profile, const Regis
 Result<std::vector<std::uint16_t>> registersFromTemperature(const ModbusProfile& profile,
                                                             const RegisterSpec& spec, double t_K);
 
+/// The profile's watchdog set to time_s, within a tenth. Errors: ValueOutOfRange.
+Result<std::vector<std::uint16_t>> watchdogRegisters(const ModbusProfile& profile, double time_s);
+
 /// Difference of temperature that one step of the register makes; for a set point read back.
 double resolution_K(const RegisterSpec& spec);
 

@@ -136,8 +136,9 @@ struct RealRig::Parts {
         }
         case HeatSourceDriver::Namur:
             return put(DeviceRole::HeatSource, spec.port,
-                       std::make_unique<NamurHeater>(serial(spec.port, spec.serial), clock,
-                                                     NamurHeaterConfig{spec.isProbeUsed, spec.watchdog_s}),
+                       std::make_unique<NamurHeater>(
+                           serial(spec.port, spec.serial), clock,
+                           NamurHeaterConfig{spec.isProbeUsed, spec.watchdog_s, spec.mayHeatUnattended}),
                        source);
         case HeatSourceDriver::Modbus:
             ModbusHeaterSettings settings{spec.unit, spec.profile};

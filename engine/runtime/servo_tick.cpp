@@ -183,6 +183,7 @@ SafetyObservation ServoLoop::observe() const {
     seen.readBack_K = m_devices.source.setPoint_K();
     seen.isByHand = m_devices.source.isByHand();
     seen.isSourceSwitched = m_devices.isReal;
+    seen.hasWatchdog = m_devices.source.hasWatchdog();
     seen.isHeatUnwanted = m_state == RunState::Stopping || m_state == RunState::Fault;
     seen.heatOffProblem = m_heatOffProblem;
     seen.isSourceDark = !m_asked_K && (!m_devices.isReal ||

@@ -129,6 +129,10 @@ void readThermometerDevice(const json& j, const std::string& path, Failure& fail
     fields.close();
 }
 
+bool hasWatchdog(const HeatSourceDeviceSpec& source) {
+    return source.driver != HeatSourceDriver::Modbus || source.profile.watchdog;
+}
+
 void readSourceDevice(const json& j, const std::string& path, Failure& failure, HeatSourceDeviceSpec& out) {
     Fields fields(j, path, failure);
     fields.readWord("driver", kHeatSourceDrivers, out.driver, true);
@@ -136,7 +140,9 @@ void readSourceDevice(const json& j, const std::string& path, Failure& failure, 
     readSerial(fields, out.serial);
     fields.read("unit", out.unit);
     readProfile(fields, out.driver == HeatSourceDriver::Modbus, out.profile);
-    fields.read("watchdog_s", out.watchdog_s);
+    if (hasWatchdog(out)) // or it would seem to have one
+        fields.read("watchdog_s", out.watchdog_s);
+    fields.read("unattended_heat", out.mayHeatUnattended);
     fields.read("probe", out.isProbeUsed);
     fields.close();
 }
@@ -199,7 +205,9 @@ Json sourceJson(const HeatSourceDeviceSpec& source) {
     } else {
         j["probe"] = source.isProbeUsed;
     }
-    j["watchdog_s"] = source.watchdog_s;
+    if (hasWatchdog(source))
+        j["watchdog_s"] = source.watchdog_s;
+    j["unattended_heat"] = source.mayHeatUnattended;
     return j;
 }
 

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/pose.h"
+#include "engine/protocols/register_values.h"
 
 #include <algorithm>
 
@@ -102,9 +103,16 @@ Result<void> checkSource(const HeatSourceDeviceSpec& source) {
         return fit;
     if (const auto fit = checkRange("source.watchdog_s", source.watchdog_s, 20.0, 1500.0, "s"); !fit)
         return fit;
-    if (source.driver == HeatSourceDriver::Modbus &&
-        (!source.profile.processValue || !source.profile.setPoint))
-        return Error(MessageCode::ProfileOther, "source.profile", {source.profile.name});
+    if (source.driver != HeatSourceDriver::Modbus)
+        return {};
+    const ModbusProfile& profile = source.profile;
+    if (!profile.processValue || !profile.setPoint)
+        return Error(MessageCode::ProfileOther, "source.profile", {profile.name});
+    if (!profile.watchdog && !source.mayHeatUnattended)
+        return Error(MessageCode::SourceUnwatched, "source.profile", {profile.name});
+    if (profile.watchdog)
+        if (const auto fit = watchdogRegisters(profile, source.watchdog_s); !fit)
+            return Error(fit.error().code(), "source.watchdog_s", fit.error().message.args);
     return {};
 }
 

@@ -45,8 +45,9 @@ struct HeatSourceDeviceSpec {
     SerialSettings serial{};
     int unit = 1;
     ModbusProfile profile{};
-    double watchdog_s = 30.0; ///< of the device, where it has one
-    bool isProbeUsed = false; ///< Namur: its external probe is at the surface
+    double watchdog_s = 30.0;       ///< of the device, where it has one
+    bool isProbeUsed = false;       ///< Namur: its external probe is at the surface
+    bool mayHeatUnattended = false; ///< also without a watchdog, so that it stays hot when the engine dies
     bool operator==(const HeatSourceDeviceSpec&) const = default;
 };
 
@@ -61,8 +62,8 @@ struct RigSpec {
 };
 
 /// For so many objects and these free coordinates: ranges, every free coordinate driven by an axis, a channel
-/// an object, no port used twice but by Modbus devices on one line. The error's `where` begins inside the
-/// rig: "thermometer.channels[1]".
+/// an object, a source that goes off when the engine dies or may stay hot, no port used twice but by Modbus
+/// devices on one line. The error's `where` begins inside the rig: "thermometer.channels[1]".
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates);
 
 } // namespace bask

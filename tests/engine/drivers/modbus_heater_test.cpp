@@ -1,6 +1,7 @@
 #include "engine/drivers/modbus_heater.h"
 
 #include "engine/base/units.h"
+#include "engine/drivers/modbus_thermometer.h"
 #include "tests/engine/drivers/modbus_fixture.h"
 
 #include <gtest/gtest.h>
@@ -17,6 +18,9 @@ protected:
     std::unique_ptr<ModbusHeater> made(const std::string& profile) {
         sim.addController(5, shipped(profile));
         return ModbusHeater::create(link, clock, {5, shipped(profile)}).value();
+    }
+    std::unique_ptr<ModbusHeater> heaterOf(const ModbusProfile& profile) {
+        return ModbusHeater::create(link, clock, {5, profile}).value();
     }
     /// As a loop at 10 Hz that wants heat.
     void heat(ModbusHeater& heater, double s, double setPoint_K = kWarm_K) {
@@ -152,10 +156,182 @@ TEST_F(ModbusHeaterTest, OffIsVerifiedAndRepeated) {
     EXPECT_TRUE(heater->heatOff().ok());
     run(*heater, 0.6);
     EXPECT_TRUE(heater->heating());
-    run(*heater, 4.0);
+    run(*heater, 32.0);
     EXPECT_FALSE(sim.isOn(5));
     EXPECT_FALSE(heater->heating());
     EXPECT_EQ(lost, 6);
+    EXPECT_TRUE(heater->heatOff().ok());
+}
+
+// Catches an order to switch off that is refused and told as taken, hammered, or begun anew with each call.
+TEST_F(ModbusHeaterTest, AnOffThatIsRefusedIsToldAndNotHammered) {
+    for (const char* profile : {"pixsys-drr245", "eurotherm-2400"}) {
+        const auto heater = made(profile);
+        run(*heater, 1.0);
+        heat(*heater, 3.0);
+        ASSERT_TRUE(sim.isOn(5));
+        before = [](const ModbusRequest& r) -> std::optional<ModbusReply> {
+            if (r.function == 6)
+                return Error(MessageCode::DeviceException, "line", {"line", "5", "4"});
+            return std::nullopt;
+        };
+        const int begun = sentBy(6);
+        EXPECT_TRUE(heater->heatOff().ok());
+        for (int i = 0; i < 1200; ++i) { // two minutes of an engine that asks while it heats
+            run(*heater, 0.1);
+            const auto off = heater->heatOff();
+            EXPECT_TRUE(heater->heating());
+            if (i >= 20) {
+                ASSERT_FALSE(off.ok()) << profile << i;
+                ASSERT_EQ(off.error().code(), MessageCode::DeviceException);
+            }
+        }
+        EXPECT_LE(sentBy(6) - begun, 3 + 12) << profile;
+        EXPECT_GE(sentBy(6) - begun, 3 + 10) << profile;
+        before = nullptr;
+        run(*heater, 11.0);
+        EXPECT_FALSE(heater->heating()) << profile;
+        EXPECT_TRUE(heater->heatOff().ok());
+        sim = ModbusSimulator();
+    }
+}
+
+// Promise: who stops the heat at the device keeps it stopped. Catches it switched on again over a person's or
+// a protection's head.
+TEST_F(ModbusHeaterTest, AStopAtItsOwnPanelIsNotUndone) {
+    for (int i = 0; i < 20; ++i) {
+        const auto heater = made("pixsys-drr245");
+        run(*heater, 1.0);
+        heat(*heater, 3.0);
+        ASSERT_TRUE(m_newest.ok());
+        run(*heater, 0.02 * i);
+        sim.setRegister(5, 3, 1016, 0);
+        for (double t = 0.0; t < 3.0; t += 0.1) { // a moving set point is no reason either
+            m_newest = heater->keepHeating(kWarm_K + 2.0 * t, 0.5);
+            run(*heater, 0.1);
+            ASSERT_FALSE(sim.isOn(5)) << i;
+        }
+        ASSERT_FALSE(m_newest.ok());
+        EXPECT_EQ(m_newest.error().code(), MessageCode::SafetySourceStopped);
+        EXPECT_TRUE(heater->heatOff().ok());
+        heat(*heater, 2.0);
+        EXPECT_TRUE(m_newest.ok()) << "asked for anew";
+        EXPECT_TRUE(sim.isOn(5));
+        sim = ModbusSimulator();
+    }
+}
+
+// Catches a set point that was lowered at the device and is raised again.
+TEST_F(ModbusHeaterTest, ASetPointLoweredAtItsOwnPanelIsNotRaised) {
+    const auto heater = made("eurotherm-2400");
+    run(*heater, 1.0);
+    heat(*heater, 3.0);
+    sim.setRegister(5, 3, 24, 40);
+    heat(*heater, 3.0);
+    ASSERT_FALSE(m_newest.ok());
+    EXPECT_EQ(m_newest.error().message, (Message{MessageCode::SafetySetPointOther, {"80", "40"}}));
+    EXPECT_NEAR(sim.setPoint_K(5), kZeroCelsius_K, 1e-9);
+    EXPECT_FALSE(heater->heating());
+}
+
+// Catches a memory that is worn out by a set point that moves, and one that lags behind or never arrives.
+TEST_F(ModbusHeaterTest, ARampIsWrittenInSteps) {
+    for (const char* profile : {"pixsys-drr245", "eurotherm-2400"}) {
+        const auto heater = made(profile);
+        run(*heater, 1.0);
+        heat(*heater, 3.0);
+        const int begun = sentBy(6);
+        double worst_K = 0.0, last_K = 0.0;
+        for (int i = 1; i <= 5000; ++i) { // 100 K in 500 s
+            last_K = kWarm_K + 0.02 * i + 0.0013;
+            m_newest = heater->keepHeating(last_K, 0.5);
+            ASSERT_TRUE(m_newest.ok()) << profile << i << describe(m_newest.error());
+            run(*heater, 0.1);
+            worst_K = std::max(worst_K, std::abs(sim.setPoint_K(5) - last_K));
+        }
+        EXPECT_LE(sentBy(6) - begun, 101) << profile;
+        EXPECT_LT(worst_K, 1.7) << profile;
+        heat(*heater, 6.0, last_K);
+        EXPECT_NEAR(sim.setPoint_K(5), last_K, 0.51) << profile;
+        heat(*heater, 1.0, last_K - 20.0);
+        EXPECT_NEAR(sim.setPoint_K(5), last_K - 20.0, 0.51) << "at once: " << profile;
+        sim = ModbusSimulator();
+    }
+}
+
+// Catches off believed by one register while the controller heats towards another, and off written again and
+// again because of that.
+TEST_F(ModbusHeaterTest, AControllerDrivenByItsOwnSetPointIsNotOff) {
+    const auto heater = made("eurotherm-2400");
+    std::uint16_t working = 200; // its second set point, or the top of its ramp
+    before = [&](const ModbusRequest& r) -> std::optional<ModbusReply> {
+        if (r.function != 3 || r.address > 5 || r.address + r.count <= 5)
+            return std::nullopt;
+        std::vector<std::uint16_t> values;
+        for (int i = 0; i < r.count; ++i)
+            values.push_back(r.address + i == 5 ? working : sim.registerAt(5, 3, r.address + i));
+        return ModbusReply(values);
+    };
+    run(*heater, 1.0);
+    EXPECT_TRUE(heater->heating());
+    heat(*heater, 3.0);
+    EXPECT_TRUE(m_newest.ok());
+    EXPECT_EQ(sim.registerAt(5, 3, 24), 80);
+    EXPECT_NEAR(heater->setPoint_K().value(), kZeroCelsius_K + 200.0, 1e-9) << "as it heats";
+    (void)heater->heatOff();
+    const int begun = sentBy(6);
+    run(*heater, 4.0);
+    EXPECT_EQ(sentBy(6) - begun, 1);
+    EXPECT_TRUE(heater->heating());
+    EXPECT_EQ(heater->heatOff().error().message, (Message{MessageCode::SafetySetPointOther, {"0", "200"}}));
+    working = 30;
+    run(*heater, 1.0);
+    EXPECT_FALSE(heater->heating());
+    EXPECT_TRUE(heater->heatOff().ok());
+}
+
+// Catches a dead thermometer on the same line that takes the heater's time.
+TEST_F(ModbusHeaterTest, ADeadNeighbourDoesNotHoldItUp) {
+    const auto thermometer =
+        ModbusThermometer::create(link, clock, {7, shipped("thermasgard-rtm1"), {0}}).value();
+    const auto heater = made("pixsys-drr245");
+    const auto both = [&](double s) {
+        int live = 0, turns = 0;
+        for (double t = 0.0; t < s; t += 0.005) {
+            clock.advance(0.005);
+            sim.transmit(clock.now_s());
+            thermometer->work(); // is asked first, as in a rig
+            heater->work();
+            live += heater->status().link == LinkState::Live ? 1 : 0;
+            ++turns;
+        }
+        return static_cast<double>(live) / turns;
+    };
+    both(2.0);
+    const auto heatFor = [&](double s) {
+        double share = 0.0;
+        for (double t = 0.0; t < s; t += 0.1) {
+            (void)heater->keepHeating(kWarm_K, 0.5);
+            share += both(0.1) * 0.1 / s;
+        }
+        return share;
+    };
+    EXPECT_GT(heatFor(60.0), 0.99);
+    double worst_s = 0.0;
+    for (int i = 0; i < 20; ++i) {
+        heatFor(4.0 + 0.073 * i);
+        ASSERT_TRUE(sim.isOn(5));
+        (void)heater->heatOff();
+        const double off_s = clock.now_s();
+        while (sim.isOn(5) && clock.now_s() < off_s + 60.0)
+            both(0.005);
+        worst_s = std::max(worst_s, clock.now_s() - off_s);
+    }
+    EXPECT_LT(worst_s, 0.8);
+    RecordProperty("off_after_ms", static_cast<int>(1000.0 * worst_s));
+    sim.addThermometer(7, shipped("thermasgard-rtm1"), 293.15);
+    both(2.0);
+    EXPECT_EQ(thermometer->status().link, LinkState::Live) << "back within two seconds";
 }
 
 // Catches off that waits for a reading: here none comes any more, and the first off is lost too.
@@ -264,6 +440,8 @@ TEST_F(ModbusHeaterTest, RefusesWhatItCannotDo) {
     EXPECT_EQ(refusal({0, pixsys}).where, "unit");
     EXPECT_EQ(refusal({1, pixsys, 0.25, 1.0, 70.0}).where, "watchdog"); // 16 bits of milliseconds
     EXPECT_EQ(refusal({1, pixsys, 0.25, 1.0, 0.3}).where, "watchdog");  // shorter than the polls
+    EXPECT_TRUE(heaterOf(pixsys)->hasWatchdog());
+    EXPECT_FALSE(heaterOf(shipped("watlow-ez-zone"))->hasWatchdog());
     const auto heater = made("pixsys-drr245");
     run(*heater, 1.0);
     EXPECT_EQ(heater->keepHeating(5000.0, 0.5).error().code(), MessageCode::ValueOutOfRange);

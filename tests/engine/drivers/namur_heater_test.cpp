@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -28,6 +29,8 @@ protected:
             for (std::size_t end = 0; (end = sent.find("\r\n")) != std::string::npos;
                  sent.erase(0, end + 2)) {
                 lines.push_back(sent.substr(0, sent.find_last_not_of(' ', end - 1) + 1));
+                if (m_takesSetPoint && lines.back().starts_with("OUT_SP_1 "))
+                    m_answers["IN_SP_1"] = lines.back().substr(9) + " 1 \r\n";
                 m_heard[lines.back()].push_back(m_clock.now_s());
                 if (const auto answer = m_answers.find(lines.back()); answer != m_answers.end())
                     m_link.say(answer->second);
@@ -47,6 +50,7 @@ protected:
                                                  {"IN_SP_1", "60.0 1 \r\n"},
                                                  {"OUT_WD1@30", "30.0 \r\n"}};
     std::map<std::string, std::vector<double>> m_heard;
+    bool m_takesSetPoint = true;
 };
 
 // Catches a driver that does not ask as the manual says, or that tells a temperature newer than its question.
@@ -55,6 +59,7 @@ TEST_F(NamurHeaterTest, asksForNameTemperatureAndSetPoint) {
     EXPECT_FALSE(m_heater.read().ok());
     run(0.01);
     EXPECT_EQ(m_heater.status().link, LinkState::Opening);
+    m_takesSetPoint = false;
     run(2.0);
     const DeviceStatus status = m_heater.status();
     EXPECT_EQ(status.link, LinkState::Live);
@@ -78,10 +83,12 @@ TEST_F(NamurHeaterTest, asksForNameTemperatureAndSetPoint) {
 TEST_F(NamurHeaterTest, readsTheProbeWhereItIsSet) {
     test::ScriptedLink link{"/dev/ttyTEST"};
     NamurHeater heater(link, m_clock, {true, 30.0});
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 100; ++i) {
         heater.work();
         const std::string sent = link.takeSent();
         EXPECT_EQ(sent.find("IN_PV_2"), std::string::npos);
+        if (sent == "IN_SP_1 \r\n")
+            link.say("0.0 1 \r\n");
         if (sent == "IN_NAME \r\n")
             link.say("IKARCT \r\n");
         if (sent == "IN_PV_1 \r\n")
@@ -97,6 +104,8 @@ TEST_F(NamurHeaterTest, aPlateJustFoundIsToldToStop) {
     EXPECT_EQ(run(0.1).at(0), "STOP_1");
     run(5.0);
     EXPECT_EQ(count("STOP_1"), 3u) << "it does not say whether it heard the first";
+    EXPECT_EQ(count("OUT_SP_1 0.0"), 1u);
+    EXPECT_FALSE(m_heater.heating());
 }
 
 // Catches heat before the watchdog, and a watchdog that is fed too late or without the heat's being asked
@@ -126,8 +135,9 @@ TEST_F(NamurHeaterTest, heatIsWatchedOverByThePlateItself) {
     run(0.95);
     m_heard.clear();
     run(0.06);
-    EXPECT_FALSE(m_heater.heating());
     EXPECT_EQ(count("STOP_1"), 1u);
+    run(0.3);
+    EXPECT_FALSE(m_heater.heating());
     run(60.0);
     EXPECT_EQ(count("OUT_WD1@30"), 0u);
     EXPECT_EQ(count("START_1"), 0u);
@@ -141,9 +151,10 @@ TEST_F(NamurHeaterTest, anEngineThatWasHeldUpStopsTheHeatFirst) {
     run(0.5);
     m_heard.clear();
     m_clock.advance(20.0);
-    EXPECT_FALSE(m_heater.heating());
+    EXPECT_TRUE(m_heater.heating()) << "nobody has told it to stop";
     EXPECT_EQ(run(0.01).at(0), "STOP_1");
     run(30.0);
+    EXPECT_FALSE(m_heater.heating());
     EXPECT_EQ(count("OUT_WD1@30"), 0u);
 }
 
@@ -169,7 +180,7 @@ TEST_F(NamurHeaterTest, heatOffGoesOutAtOnce) {
     run(0.3);
     EXPECT_TRUE(m_heater.heatOff().ok());
     EXPECT_EQ(m_link.takeSent(), "STOP_1 \r\n");
-    EXPECT_FALSE(m_heater.heating());
+    EXPECT_TRUE(m_heater.heating()) << "not seen to be off";
     EXPECT_TRUE(m_heater.heatOff().ok());
     EXPECT_EQ(m_link.takeSent(), "") << "not a flood, however often it is asked for";
     m_link.unplug();
@@ -178,6 +189,7 @@ TEST_F(NamurHeaterTest, heatOffGoesOutAtOnce) {
 
 // Catches a set point that the plate did not take, and one that it forgets when it starts.
 TEST_F(NamurHeaterTest, theSetPointIsReadBackAndCompared) {
+    m_takesSetPoint = false;
     m_answers["IN_SP_1"] = "0.0 1 \r\n";
     run(1.0);
     for (int i = 0; i < 40; ++i) {
@@ -197,9 +209,9 @@ TEST_F(NamurHeaterTest, theSetPointIsReadBackAndCompared) {
     }
     EXPECT_EQ(m_heater.status().problem, Message{});
     // A new one is not yet the one read back.
+    m_takesSetPoint = true;
     for (int i = 0; i < 10; ++i) {
         ASSERT_TRUE(m_heater.keepHeating(kelvinFromCelsius(80.0), 1.0).ok());
-        m_answers["IN_SP_1"] = count("OUT_SP_1 80.0") > 0 ? "80.0 1 \r\n" : "60.0 1 \r\n";
         run(0.1);
         EXPECT_EQ(m_heater.status().problem, Message{});
     }
@@ -234,8 +246,9 @@ TEST_F(NamurHeaterTest, onlyWhatFitsTheQuestionIsUsed) {
     run(4.0);
     EXPECT_EQ(m_heater.status().problem, Message{}) << "told for a while only";
     const int before = m_heater.discards();
-    m_answers.clear();
-    run(0.2);
+    m_answers.erase("IN_PV_2");
+    while (run(0.01) != std::vector<std::string>{"IN_PV_2"}) {
+    }
     for (const char* piece : {"2", "7.", "5 2", " \r", "\n"}) {
         m_link.say(piece);
         run(0.02);
@@ -277,17 +290,128 @@ TEST_F(NamurHeaterTest, anImpossibleTemperatureIsAFault) {
     EXPECT_EQ(reading.fault, SensorFault::OutOfRange);
 }
 
-// Catches a watchdog that the plate does not have, so that nothing would switch it off.
-TEST_F(NamurHeaterTest, aPlateWithoutWatchdogIsTold) {
-    m_answers.erase("OUT_WD1@30");
+// Catches a plate that has no name and is lost over the question.
+TEST_F(NamurHeaterTest, aPlateWithoutNameIsReadAllTheSame) {
+    m_answers.erase("IN_NAME");
+    run(1.5);
+    for (int i = 0; i < 100; ++i) {
+        run(0.1);
+        ASSERT_EQ(m_heater.status().link, LinkState::Live) << i;
+    }
+    EXPECT_EQ(count("IN_NAME"), 3u);
+}
+
+// Promise: nothing is heated that would stay hot. Catches a plate without a watchdog that is heated all the
+// same, and one whose watchdog fails in a run.
+TEST_F(NamurHeaterTest, aPlateWithoutWatchdogIsNotHeated) {
     run(1.0);
-    for (int i = 0; i < 85; ++i) {
-        ASSERT_TRUE(m_heater.keepHeating(kSixty_K, 1.0).ok());
+    EXPECT_TRUE(m_heater.hasWatchdog());
+    const auto heat = [&](double time_s) {
+        Result<void> newest;
+        for (double t = 0.0; t < time_s && newest; t += 0.1) {
+            newest = m_heater.keepHeating(kSixty_K, 1.0);
+            run(0.1);
+        }
+        return newest;
+    };
+    ASSERT_TRUE(heat(20.0).ok());
+    m_answers.erase("OUT_WD1@30");
+    m_heard.clear();
+    const auto failed = heat(20.0);
+    ASSERT_FALSE(failed.ok());
+    EXPECT_EQ(failed.error().code(), MessageCode::DeviceAnswersWrong);
+    EXPECT_NE(failed.error().message.args.at(1).find("OUT_WD1@30"), std::string::npos);
+    EXPECT_EQ(count("OUT_WD1@30"), 2u) << "one miss may be noise";
+    ASSERT_GE(count("STOP_1"), 1u);
+    EXPECT_LT(m_heard["STOP_1"].at(0), m_heard["OUT_WD1@30"].at(0) + 1.5);
+    EXPECT_FALSE(m_heater.keepHeating(kSixty_K, 1.0).ok()) << "until somebody has switched off";
+    EXPECT_FALSE(m_heater.hasWatchdog());
+    EXPECT_EQ(m_heater.status().link, LinkState::Live);
+
+    EXPECT_TRUE(m_heater.heatOff().ok());
+    run(5.0);
+    m_heard.clear();
+    EXPECT_FALSE(heat(20.0).ok());
+    EXPECT_EQ(count("START_1") + count("OUT_SP_1 60.0"), 0u) << "not before the watchdog is said back";
+}
+
+// Catches heat refused where somebody has said that it may be without a watchdog.
+TEST_F(NamurHeaterTest, onlyWhereItIsAllowedAPlateIsHeatedWithoutWatchdog) {
+    NamurHeater heater(m_link, m_clock, {false, 30.0, true});
+    std::string all;
+    for (int i = 0; i < 3000; ++i) {
+        heater.work();
+        const std::string sent = m_link.takeSent();
+        all += sent;
+        if (sent == "IN_PV_2 \r\n")
+            m_link.say("25.5 2 \r\n");
+        if (sent == "IN_SP_1 \r\n")
+            m_link.say(all.find("OUT_SP_1 60.0") == std::string::npos ? "0.0 1 \r\n" : "60.0 1 \r\n");
+        if (i > 500) {
+            ASSERT_TRUE(heater.keepHeating(kSixty_K, 1.0).ok()) << i;
+        }
+        m_clock.advance(0.01);
+    }
+    EXPECT_NE(all.find("START_1"), std::string::npos);
+    EXPECT_TRUE(heater.heating());
+    EXPECT_FALSE(heater.hasWatchdog());
+}
+
+// Promise: off is seen, not believed. Catches a plate that ignores its order told as off, and its watchdog
+// fed, which is what would still switch it off.
+TEST_F(NamurHeaterTest, aPlateThatDoesNotStopIsToldAndNotFed) {
+    run(1.0);
+    ASSERT_TRUE(m_heater.keepHeating(kSixty_K, 60.0).ok());
+    run(1.0);
+    m_takesSetPoint = false;
+    m_heard.clear();
+    EXPECT_TRUE(m_heater.heatOff().ok());
+    for (int i = 0; i < 600; ++i) { // as an engine that asks again while it heats
+        const auto off = m_heater.heatOff();
+        EXPECT_EQ(off.ok(), i < 31) << i;
+        if (!off) {
+            EXPECT_EQ(off.error().message, (Message{MessageCode::SafetySetPointOther, {"0", "60"}}));
+        }
+        EXPECT_TRUE(m_heater.heating());
         run(0.1);
     }
-    EXPECT_EQ(m_heater.status().link, LinkState::Live);
-    EXPECT_EQ(m_heater.status().problem.code, MessageCode::DeviceAnswersWrong);
-    EXPECT_NE(m_heater.status().problem.args.at(1).find("OUT_WD1@30"), std::string::npos);
+    EXPECT_EQ(count("OUT_WD1@30"), 0u);
+    EXPECT_GE(count("STOP_1"), 3u + 5u);
+    EXPECT_LE(count("STOP_1"), 3u + 6u) << "not worn out";
+    EXPECT_EQ(count("STOP_1"), count("OUT_SP_1 0.0"));
+    m_takesSetPoint = true;
+    run(11.0);
+    EXPECT_FALSE(m_heater.heating());
+    EXPECT_TRUE(m_heater.heatOff().ok());
+    run(1.0);
+    EXPECT_GE(count("OUT_WD1@30"), 1u);
+}
+
+// Catches a set point that comes late taken for the probe's temperature: both are of channel 1.
+TEST_F(NamurHeaterTest, aLateSetPointIsNotTakenForTheProbes) {
+    test::ScriptedLink link{"/dev/ttyTEST"};
+    NamurHeater heater(link, m_clock, {true, 30.0});
+    bool isLate = false;
+    double late_s = 1e300;
+    for (int i = 0; i < 1000; ++i) {
+        heater.work();
+        const std::string sent = link.takeSent();
+        if (sent == "IN_PV_1 \r\n")
+            link.say("33.0 1 \r\n");
+        if (sent == "IN_SP_1 \r\n" && i > 500 && !std::exchange(isLate, true))
+            late_s = m_clock.now_s() + 2.0 * NamurHeater::kDeadline_s - 0.05;
+        else if (sent == "IN_SP_1 \r\n")
+            link.say("250.0 1 \r\n");
+        if (m_clock.now_s() >= late_s) {
+            late_s = 1e300;
+            link.say("250.0 1 \r\n");
+        }
+        if (heater.read()) {
+            EXPECT_LT(heater.read()->value_K, kelvinFromCelsius(34.0));
+        }
+        m_clock.advance(0.01);
+    }
+    EXPECT_TRUE(isLate);
 }
 
 // Catches a silent plate taken for live, heat that is asked for over a dead line, one that is not found
@@ -359,6 +483,7 @@ TEST_F(NamurPlateTest, heatsReadsAndStops) {
     ASSERT_TRUE(m_heater.heatOff().ok());
     run(1.0);
     EXPECT_FALSE(m_plate.isOn());
+    EXPECT_FALSE(m_heater.heating());
 }
 
 // Catches heat that stays on when the engine is dead: killed, hung, or its cable is off.

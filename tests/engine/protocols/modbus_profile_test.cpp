@@ -164,6 +164,25 @@ TEST(ModbusProfile, RefusesWithThePlace) {
          MessageCode::ValueUnknown, "p.json: process_value.unit"},
         {controller(R"(, "run_on": 0)"), MessageCode::ValueUnknown, "p.json: run_off"},
         {controller(R"(, "watchdog_unit_s": 0)"), MessageCode::ValueNotPositive, "p.json: watchdog_unit_s"},
+        // "Off" that heats, is never seen, or cannot be written.
+        {controller(R"(, "set_point_off_degC": 200)"), MessageCode::ValueOutOfRange,
+         "p.json: set_point_off_degC"},
+        {controller(R"(, "set_point_off_degC": 40.1)"), MessageCode::ValueOutOfRange,
+         "p.json: set_point_off_degC"},
+        {controller(R"(, "run": {"address": 3}, "set_point_off_degC": 200)"), MessageCode::ValueOutOfRange,
+         "p.json: set_point_off_degC"},
+        {R"({"name": "c", "process_value": {"address": 1}, "set_point_off_degC": -1,)"
+         R"( "set_point": {"address": 2, "type": "uint16"}})",
+         MessageCode::ValueOutOfRange, "p.json: set_point_off_degC"},
+        {R"({"name": "c", "process_value": {"address": 1},)"
+         R"( "set_point": {"address": 2, "faults": {"0": "open"}}})",
+         MessageCode::ValueUnknown, "p.json: set_point_off_degC"},
+        {controller(R"(, "run": {"address": 3, "type": "uint16"}, "run_off": -1)"),
+         MessageCode::ValueOutOfRange, "p.json: run_off"},
+        {controller(R"(, "run": {"address": 3}, "run_on": 1, "run_off": 0.5)"), MessageCode::ValueUnknown,
+         "p.json: run_off"},
+        {controller(R"(, "run": {"address": 3}, "run_on": 0.6)"), MessageCode::ValueUnknown,
+         "p.json: run_on"},
     };
     for (const Case& c : cases) {
         const Error error = refusal(c.text);

@@ -29,6 +29,7 @@ RigSpec wholeRig() {
     rig.source->serial = {9600, 7, 'E', 1};
     rig.source->watchdog_s = 40.0;
     rig.source->isProbeUsed = true;
+    rig.source->mayHeatUnattended = true;
     rig.camera = "/dev/video2";
     return rig;
 }
@@ -83,6 +84,23 @@ TEST_F(RigFile, WhatIsNoRigIsRefusedInItsPlace) {
     EXPECT_EQ(read.error().message.args.front(), "prot");
     write(R"({"format": "bask-rig", "version": 1, "rig": {"name": "a", "name": "b"}})");
     EXPECT_EQ(refusal(), MessageCode::JsonDuplicateKey);
+}
+
+// Catches a watchdog's time that seems to say that there is one.
+TEST_F(RigFile, AWatchdogThatIsNotThereHasNoTime) {
+    const auto with = [](const std::string& keys) {
+        return R"({"format": "bask-rig", "version": 1, "rig": {"source": {"driver": "modbus", "port": "x", )" +
+               keys + "}}}";
+    };
+    write(with(R"("profile": "watlow-ez-zone", "unattended_heat": true)"));
+    EXPECT_EQ(refusal(), MessageCode::None);
+    EXPECT_TRUE(readRigFile(path)->source->mayHeatUnattended);
+    ASSERT_TRUE(writeRigFile(*readRigFile(path), path));
+    EXPECT_EQ(refusal(), MessageCode::None) << text();
+    write(with(R"("profile": "watlow-ez-zone", "unattended_heat": true, "watchdog_s": 30)"));
+    EXPECT_EQ(refusal(), MessageCode::JsonUnknownKey);
+    write(with(R"("profile": "pixsys-drr245", "watchdog_s": 30)"));
+    EXPECT_EQ(refusal(), MessageCode::None);
 }
 
 // Catches a damaged file that ends the program, or is taken though bytes are missing.
