@@ -39,6 +39,7 @@ std::optional<ModbusReply> ModbusExchange::work() {
 void ModbusExchange::note(const ModbusReply& reply) {
     if (!reply) {
         m_refusal = reply.error().message;
+        m_discarded += m_refusal.code == MessageCode::DeviceAnswersWrong ? 1 : 0;
         return;
     }
     m_refusal = {};
@@ -90,6 +91,7 @@ DeviceStatus ModbusExchange::status() const {
         return out;
     out.lastReply_s = m_answered_s;
     out.replyTime_s = m_replyTime_s;
+    out.discarded = m_discarded;
     if (isLive()) {
         out.link = LinkState::Live;
         if (m_answers_s.size() > 1)
