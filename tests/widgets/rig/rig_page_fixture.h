@@ -5,6 +5,7 @@
 #include "widgets/common/message_bar.h"
 #include "widgets/rig/rig_page.h"
 
+#include <QAbstractButton>
 #include <QCoreApplication>
 #include <QLabel>
 #include <QTest>
