@@ -47,6 +47,7 @@ VALUE_HEADERS = {
     "engine/control/robot_limits.h",
     "engine/session/alarm.h",
     "engine/session/experiment.h",
+    "engine/session/limits_widened.h",
     "engine/session/experiment_rig.h",
     "engine/session/mounting_check.h",
     "engine/session/vision_spec.h",

@@ -12,6 +12,16 @@
     </message>
 </context>
 <context>
+    <name>bask::DeviceCard</name>
+    <message numerus="yes">
+        <source>%n answer(s) discarded</source>
+        <translation>
+            <numerusform>%n answer discarded</numerusform>
+            <numerusform>%n answers discarded</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>bask::CalibrationAge</name>
     <message numerus="yes">
         <source>%n minute(s) ago</source>

@@ -1998,9 +1998,13 @@
             <source>Remove</source>
             <translation>Retirer</translation>
         </message>
+        <message numerus="yes">
+            <source>%n answer(s) discarded</source>
+            <translation><numerusform>%n réponse écartée</numerusform><numerusform>%n réponses écartées</numerusform></translation>
+        </message>
         <message>
-            <source>Age of its newest answer, and answers a second</source>
-            <translation>Âge de sa dernière réponse, et réponses par seconde</translation>
+            <source>Age of its newest answer, answers a second, and answers that nobody can read or that were not asked for</source>
+            <translation>Âge de sa dernière réponse, réponses par seconde, et réponses illisibles ou non demandées</translation>
         </message>
     </context>
     <context>
@@ -2122,10 +2126,6 @@
             <translation>Lecture d’essai</translation>
         </message>
         <message>
-            <source>Ask the device without using it. Nothing moves or heats.</source>
-            <translation>Interroger l’appareil sans l’utiliser. Rien ne bouge ni ne chauffe.</translation>
-        </message>
-        <message>
             <source>Use</source>
             <translation>Utiliser</translation>
         </message>
@@ -2136,6 +2136,38 @@
         <message>
             <source>Cancel</source>
             <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Asks the device without using it. Nothing moves or heats.</source>
+            <translation>Interroge l’appareil sans l’utiliser. Rien ne bouge ni ne chauffe.</translation>
+        </message>
+        <message>
+            <source>No serial port was found. Plug the device in and refresh, or type a path.</source>
+            <translation>Aucun port série n’a été trouvé. Branchez l’appareil et actualisez, ou tapez un chemin.</translation>
+        </message>
+        <message>
+            <source>1. Which device</source>
+            <translation>1. Quel appareil</translation>
+        </message>
+        <message>
+            <source>2. Where it is connected</source>
+            <translation>2. Où il est branché</translation>
+        </message>
+        <message>
+            <source>3. Does it answer?</source>
+            <translation>3. Répond-il ?</translation>
+        </message>
+        <message>
+            <source>4. Its axes</source>
+            <translation>4. Ses axes</translation>
+        </message>
+        <message>
+            <source>4. The objects' channels</source>
+            <translation>4. Les voies des objets</translation>
+        </message>
+        <message>
+            <source>4. The device's own settings</source>
+            <translation>4. Les réglages propres à l’appareil</translation>
         </message>
     </context>
     <context>
@@ -2363,10 +2395,6 @@
         <message>
             <source>Heat</source>
             <translation>Chauffer</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
         </message>
         <message>
             <source>A person keeps the source hot: %1 as typed last.</source>
@@ -2933,6 +2961,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Least distance of any point of an object from the source's plane</source>
             <translation>Plus petite distance de tout point d’un objet au plan de la source</translation>
+        </message>
+        <message>
+            <source>%1: %2 instead of %3</source>
+            <translation>%1 : %2 au lieu de %3</translation>
         </message>
     </context>
     <context>
@@ -4027,6 +4059,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Rig</source>
             <translation>Banc</translation>
+        </message>
+        <message>
+            <source>Raise a limit of the real rig</source>
+            <translation>Élever une limite du banc réel</translation>
+        </message>
+        <message>
+            <source>This allows the rig more than before. Do robot, source, objects and sensors bear it?</source>
+            <translation>Le banc pourra aller plus loin qu’avant. Robot, source, objets et capteurs le supportent-ils ?</translation>
+        </message>
+        <message>
+            <source>Raise the limit</source>
+            <translation>Élever la limite</translation>
         </message>
     </context>
     <context>
@@ -5841,6 +5885,194 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Alarms and events</source>
             <translation>Alarmes et événements</translation>
+        </message>
+        <message>
+    <name>bask::Question</name>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ZeroPanel</name>
+        <message>
+            <source>Offsets: %1.</source>
+            <translation>Corrections : %1.</translation>
+        </message>
+        <message>
+            <source>That of %1 is large: check the sensor and its wiring.</source>
+            <translation>Celle de %1 est grande : vérifiez le capteur et son câblage.</translation>
+        </message>
+        <message>
+            <source>Not while the heat is on.</source>
+            <translation>Pas tant que le chauffage est en marche.</translation>
+        </message>
+        <message>
+            <source>Zeroed on %1 with the room at %2.</source>
+            <translation>Ajustés le %1, la pièce étant à %2.</translation>
+        </message>
+        <message>
+            <source>Not zeroed yet: Arm does it, if all objects are at the room's temperature then.</source>
+            <translation>Pas encore ajustés : l’armement le fait, si tous les objets sont alors à la température ambiante.</translation>
+        </message>
+        <message>
+            <source>Sensors at rest</source>
+            <translation>Capteurs au repos</translation>
+        </message>
+        <message>
+            <source>Zero the sensors</source>
+            <translation>Ajuster les capteurs</translation>
+        </message>
+        <message>
+            <source>Make all sensors agree while the objects are at the room's temperature</source>
+            <translation>Faire concorder tous les capteurs pendant que les objets sont à la température ambiante</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::SafetyPanel</name>
+        <message>
+            <source>%1: %2 instead of %3</source>
+            <translation>%1 : %2 au lieu de %3</translation>
+        </message>
+        <message>
+            <source>automatic</source>
+            <translation>automatique</translation>
+        </message>
+        <message>
+            <source>Automatic</source>
+            <translation>Automatique</translation>
+        </message>
+        <message>
+            <source>Automatic trip limit of the source</source>
+            <translation>Limite de déclenchement automatique de la source</translation>
+        </message>
+        <message>
+            <source>Automatic fastest change</source>
+            <translation>Variation plausible maximale automatique</translation>
+        </message>
+        <message>
+            <source>Safety limits</source>
+            <translation>Limites de sécurité</translation>
+        </message>
+        <message>
+            <source>More</source>
+            <translation>Plus</translation>
+        </message>
+        <message>
+            <source>%1 has limits of its own: warning %2, trip %3.</source>
+            <translation>%1 a ses propres limites : avertissement %2, déclenchement %3.</translation>
+        </message>
+        <message>
+            <source>Objects: warning</source>
+            <translation>Objets : avertissement</translation>
+        </message>
+        <message>
+            <source>A run holds, and a priority 2 alarm is given</source>
+            <translation>L’essai se met en pause, avec une alarme de priorité 2</translation>
+        </message>
+        <message>
+            <source>Objects: trip</source>
+            <translation>Objets : déclenchement</translation>
+        </message>
+        <message>
+            <source>Heat off and retreat. What object, paint and sensor bear.</source>
+            <translation>Chauffage coupé et retrait. Ce que supportent l’objet, la peinture et le capteur.</translation>
+        </message>
+        <message>
+            <source>Source: trip</source>
+            <translation>Source : déclenchement</translation>
+        </message>
+        <message>
+            <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
+            <translation>Chauffage coupé et retrait. Automatique : 50 K au-dessus de la consigne la plus haute.</translation>
+        </message>
+        <message>
+            <source>Longest hold</source>
+            <translation>Pause la plus longue</translation>
+        </message>
+        <message>
+            <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
+            <translation>Un capteur ou une source perdus mettent l’essai en pause aussi longtemps, puis il finit par un retrait</translation>
+        </message>
+        <message>
+            <source>Periods a reading is good for</source>
+            <translation>Périodes de validité d’une mesure</translation>
+        </message>
+        <message>
+            <source>A sensor without a newer one is lost; also the source and its place</source>
+            <translation>Un capteur sans mesure plus récente est perdu ; de même la source et sa position</translation>
+        </message>
+        <message>
+            <source>Fastest plausible change</source>
+            <translation>Variation plausible maximale</translation>
+        </message>
+        <message>
+            <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
+            <translation>Plus vite, c’est un saut et non de la chaleur. Automatique : trois fois ce que la source peut faire à l’objet, 2 K/s au moins.</translation>
+        </message>
+        <message>
+            <source>Jumps in a row</source>
+            <translation>Sauts de suite</translation>
+        </message>
+        <message>
+            <source>So many readings that are too fast are a sensor fault</source>
+            <translation>Autant de mesures trop rapides sont un défaut du capteur</translation>
+        </message>
+        <message>
+            <source>Frozen sensor after</source>
+            <translation>Capteur figé après</translation>
+        </message>
+        <message>
+            <source>The very same reading for so long, though the object must have changed</source>
+            <translation>La même mesure aussi longtemps, alors que l’objet a dû changer</translation>
+        </message>
+        <message>
+            <source>Change that must be seen</source>
+            <translation>Variation à constater</translation>
+        </message>
+        <message>
+            <source>An object that must have changed by so much and did not does not follow its heat</source>
+            <translation>Un objet qui aurait dû varier d’autant et ne l’a pas fait ne suit pas sa chaleur</translation>
+        </message>
+        <message>
+            <source>Sensors apart when cold</source>
+            <translation>Écart des capteurs à froid</translation>
+        </message>
+        <message>
+            <source>Sensors of a cold rig that differ by more are told</source>
+            <translation>Les capteurs d’un banc froid qui diffèrent de plus sont signalés</translation>
+        </message>
+        <message>
+            <source>Source: time to gain 2 K</source>
+            <translation>Source : temps pour gagner 2 K</translation>
+        </message>
+        <message>
+            <source>A source that is too cold and no nearer after so long does not heat</source>
+            <translation>Une source trop froide qui ne s’est pas rapprochée après ce temps ne chauffe pas</translation>
+        </message>
+        <message>
+            <source>Source: near its set point</source>
+            <translation>Source : près de sa consigne</translation>
+        </message>
+        <message>
+            <source>Within this the source is not too cold</source>
+            <translation>À moins de cet écart, la source n’est pas trop froide</translation>
+        </message>
+        <message>
+            <source>Source: warming unasked</source>
+            <translation>Source : chauffe non demandée</translation>
+        </message>
+        <message>
+            <source>More warming with the heat off is an alarm</source>
+            <translation>Chauffer davantage, chauffage coupé, est une alarme</translation>
+        </message>
+        <message>
+            <source>Least room on the disk</source>
+            <translation>Place minimale sur le disque</translation>
+        </message>
+        <message>
+            <source>With less no recording is begun</source>
+            <translation>Avec moins, aucun enregistrement ne commence</translation>
         </message>
     </context>
 </TS>

@@ -21,6 +21,7 @@ struct DeviceStatus {
     double lastReply_s = -1e300; ///< when it answered last as it should, on the engine's clock
     double replyTime_s = 0.0;    ///< from the newest request to its answer; 0: not known
     double rate_Hz = 0.0;        ///< of answers
+    int discarded = 0;           ///< replies so far that nobody can read or that were not asked for
     std::string identity;        ///< as the device tells, "Grbl 1.1h"; empty: it does not
 };
 

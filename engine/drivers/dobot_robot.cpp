@@ -379,6 +379,7 @@ DeviceStatus DobotRobot::status() const {
     out.replyTime_s = m_replyTime_s;
     out.rate_Hz = m_rate_Hz;
     out.identity = m_wasLive ? "Dobot" : "";
+    out.discarded = m_discarded;
     return out;
 }
 

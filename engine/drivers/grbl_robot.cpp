@@ -294,6 +294,7 @@ DeviceStatus GrblRobot::status() const {
     out.replyTime_s = m_replyTime_s;
     out.rate_Hz = m_rate_Hz;
     out.identity = m_identity;
+    out.discarded = m_discarded;
     return out;
 }
 

@@ -94,6 +94,7 @@ DeviceStatus LinkWatch::status() const {
     status.problem = problem();
     status.lastReply_s = m_lastReply_s;
     status.replyTime_s = m_replyTime_s;
+    status.discarded = m_discards;
     if (isLive()) {
         status.link = LinkState::Live;
         const double over_s = m_replies_s.back() - m_replies_s.front();

@@ -48,6 +48,7 @@ void ModbusExchange::note(const ModbusReply& reply) {
         m_mustYield = m_refusal.code == MessageCode::DeviceSilent;
         m_silent = m_mustYield ? m_silent + 1 : 0;
         m_next_s = m_silent > kSilentOnce ? m_clock.now_s() + kAskAgain_s : m_clock.now_s();
+        m_discarded += m_refusal.code == MessageCode::DeviceAnswersWrong ? 1 : 0;
         return;
     }
     m_refusal = {};
@@ -100,6 +101,7 @@ DeviceStatus ModbusExchange::status() const {
         return out;
     out.lastReply_s = m_answered_s;
     out.replyTime_s = m_replyTime_s;
+    out.discarded = m_discarded;
     if (isLive()) {
         out.link = LinkState::Live;
         if (m_answers_s.size() > 1)

@@ -51,7 +51,8 @@ private:
     double m_opened_s = -1e300; ///< tried last
     double m_begun_s = 0.0, m_sent_s = 0.0, m_answered_s = -1e300, m_replyTime_s = 0.0;
     std::deque<double> m_answers_s; ///< the newest
-    Message m_refusal;              ///< of the newest request; None: it was answered
+    int m_discarded = 0;
+    Message m_refusal; ///< of the newest request; None: it was answered
 };
 
 } // namespace bask

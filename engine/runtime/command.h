@@ -18,7 +18,7 @@ struct LoadExperiment {
 }; ///< refused while a run is on
 struct Arm {
     std::string recordingPath;
-}; ///< zeroes the sensors, fills the estimator, opens the recording
+}; ///< zeroes the sensors if that was not done, fills the estimator, opens the recording
 struct Disarm {};
 struct Start {
     bool acceptInfeasible = false;
@@ -95,6 +95,9 @@ struct SetHeat {
 struct TypeSourceTemperature {
     double temperature_K = 0.0;
 };
+/// Against each other, at ambient: kept while thermometer and number of objects stay. Refused while a run is
+/// armed or on, while heat is on, and where the objects are not at ambient.
+struct ZeroSensors {};
 /// Answered by Snapshot::ports.
 struct ListPorts {};
 /// One device alone, apart from the rig in use: answered by Snapshot::tried until another one, or one without
@@ -103,10 +106,10 @@ struct TryDevice {
     RigSpec rig; ///< with one device
 };
 
-using Command =
-    std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, SetTargets,
-                 ReportInfeasible, SetController, AddNote, SetSimulationSpeed, SimulateFault,
-                 AcknowledgeAlarm, AcknowledgeAll, SetVision, WatchCamera, ChooseCamera, MoveTo, Jog,
-                 HomeRobot, ClearRobotAlarm, SetHeat, TypeSourceTemperature, ListPorts, TryDevice>;
+using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
+                             SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
+                             SimulateFault, AcknowledgeAlarm, AcknowledgeAll, SetVision, WatchCamera,
+                             ChooseCamera, MoveTo, Jog, HomeRobot, ClearRobotAlarm, SetHeat,
+                             TypeSourceTemperature, ZeroSensors, ListPorts, TryDevice>;
 
 } // namespace bask

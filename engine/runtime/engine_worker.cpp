@@ -55,6 +55,14 @@ double utc_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
 }
 
+/// Offsets that were found with one experiment hold for the other.
+bool haveSameSensors(const Experiment& a, const Experiment& b) {
+    if (a.objects.size() != b.objects.size() || a.environment_K != b.environment_K ||
+        a.rig.has_value() != b.rig.has_value())
+        return false;
+    return a.rig ? a.rig->thermometer == b.rig->thermometer : a.simulation == b.simulation;
+}
+
 /// Where a file is or will be; empty: the system does not tell.
 std::optional<double> diskFree_MB(const std::string& file) {
     std::error_code code;
@@ -217,10 +225,15 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (const auto valid = validate(experiment); !valid)
         return valid;
+    const auto zeroing = m_session && haveSameSensors(m_session->loop.experiment(), experiment)
+                             ? m_session->loop.zeroing()
+                             : std::nullopt;
     closeSession(); // its ports are free before they are opened again
     if (m_isEnding)
         return {};
     m_session = std::make_unique<Session>(experiment);
+    if (zeroing)
+        m_session->loop.useZeroing(*zeroing);
     m_untilTick_s = experiment.sampling.period_s;
     m_worked_s = m_session->clock().now_s();
     m_nextTick_s = m_worked_s + experiment.sampling.period_s;
@@ -358,6 +371,7 @@ Result<void> EngineWorker::apply(const Command& command) {
                           [&](const ClearRobotAlarm&) { return loop.clearRobotAlarm(); },
                           [&](const SetHeat& set) { return loop.setHeat(set.setPoint_K); },
                           [&](const TypeSourceTemperature& typed) { return type(typed.temperature_K); },
+                          [&](const ZeroSensors&) { return loop.zeroSensors(); },
                           [&](const ListPorts&) { return m_pending.ports = serialPorts(), Result<void>(); },
                           [&](const TryDevice& device) { return tryDevice(device.rig); },
                           [&](const Arm& arm) { return armWith(arm.recordingPath); },
@@ -566,6 +580,9 @@ void EngineWorker::publish() {
         snapshot.isPlaceSure = loop.isPlaceSure();
         snapshot.heatSetPoint_K = loop.heatSetPoint_K();
         snapshot.isSourceByHand = m_session->real && m_session->real->heatSource().isByHand();
+        snapshot.zeroing = loop.zeroing();
+        if (const auto zero = loop.findZero(); !zero)
+            snapshot.zeroProblem = zero.error().message;
         snapshot.controller = loop.experiment().controller;
         for (const ObjectSpec& object : loop.experiment().objects)
             snapshot.targets_K.push_back(object.target_K);

@@ -93,14 +93,13 @@ const SafetyRow& safetyRow(SafetyCondition condition) {
 }
 
 SensorLimits sensorLimits(const Experiment& experiment) {
-    constexpr double kLeast_K_s = 2.0; // a hand on the object
     constexpr double kTimes = 3.0;
     Experiment hottest = experiment;
     hottest.source.temperature_K = highestSetPoint_K(experiment.source);
     SensorLimits limits{experiment.safety.stalePeriods, {}};
     for (const HeatRates& rates : nominalRates(hottest, experiment.environment_K))
-        limits.largestRates_K_s.push_back(
-            experiment.safety.largestRate_K_s.value_or(std::max(kLeast_K_s, kTimes * rates.lambda1)));
+        limits.largestRates_K_s.push_back(experiment.safety.largestRate_K_s.value_or(
+            std::max(SafetySpec::kLeastRate_K_s, kTimes * rates.lambda1)));
     return limits;
 }
 

@@ -110,7 +110,7 @@ int SensorChannels::leastCount() const {
     return least;
 }
 
-Result<void> SensorChannels::zero(double expectedEnvironment_K) {
+Result<Zeroing> SensorChannels::findZero(double expectedEnvironment_K) const {
     if (!full())
         return Error(MessageCode::ReasonEstimatorFilling, {},
                      {std::to_string(leastCount()), std::to_string(m_sampling.window)});
@@ -128,14 +128,24 @@ Result<void> SensorChannels::zero(double expectedEnvironment_K) {
     if (spread_K > kAmbientSpread_K)
         return Error(MessageCode::ReasonSensorsDisagree, {},
                      {formatNumber(spread_K, 2), formatNumber(kAmbientSpread_K, 2)});
-    for (Channel& channel : m_channels) {
-        channel.offset_K = common - mean(channel.window);
+    Zeroing found;
+    found.environment_K = common;
+    for (const Channel& channel : m_channels)
+        found.offsets_K.push_back(common - mean(channel.window));
+    return found;
+}
+
+void SensorChannels::use(const Zeroing& zeroing) {
+    if (zeroing.offsets_K.size() != m_channels.size())
+        throw std::invalid_argument("SensorChannels: one offset a channel");
+    for (std::size_t i = 0; i < m_channels.size(); ++i) {
+        Channel& channel = m_channels[i];
+        channel.offset_K = zeroing.offsets_K[i];
         channel.estimator.reset();
         for (const Reading& reading : channel.window)
             channel.estimator.add(reading.time_s, reading.value_K + channel.offset_K);
     }
-    m_environment_K = common;
-    return {};
+    m_zeroing = zeroing;
 }
 
 } // namespace bask

@@ -4,6 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/devices/thermometer.h"
+#include "engine/runtime/zeroing.h"
 #include "engine/session/experiment.h"
 #include "engine/thermal/rate_estimator.h"
 
@@ -50,12 +51,12 @@ public:
     bool full() const;
     int leastCount() const;
 
-    bool zeroed() const { return m_environment_K.has_value(); }
-    /// Sets the offsets so that all channels agree at ambient, from the window's readings; also gives T3.
-    /// Refuses when the window is not full or the readings are not those of objects at rest at ambient.
-    Result<void> zero(double expectedEnvironment_K);
-    /// T3 from zeroing, K.
-    std::optional<double> environment_K() const { return m_environment_K; }
+    /// Offsets that make all channels agree at ambient, from the window's readings, and T3. Refuses when the
+    /// window is not full or the readings are not those of objects at rest at ambient.
+    Result<Zeroing> findZero(double expectedEnvironment_K) const;
+    /// One offset a channel. Throws std::invalid_argument on another number.
+    void use(const Zeroing& zeroing);
+    const std::optional<Zeroing>& zeroing() const { return m_zeroing; }
 
 private:
     struct Channel {
@@ -71,7 +72,7 @@ private:
     SamplingSpec m_sampling;
     SensorLimits m_limits;
     std::vector<Channel> m_channels;
-    std::optional<double> m_environment_K;
+    std::optional<Zeroing> m_zeroing;
 };
 
 } // namespace bask

@@ -140,26 +140,31 @@ void ServoLoop::fault(Message reason) {
     m_state = RunState::Fault;
 }
 
+double ServoLoop::environment_K() const {
+    return m_sensors.zeroing() ? m_sensors.zeroing()->environment_K : m_experiment.environment_K;
+}
+
 Result<void> ServoLoop::arm() {
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal("Arm");
+    if (const auto fit = checkTargets(m_experiment); !fit)
+        return fit;
     endMove();
-    if (!m_sensors.zeroed()) {
-        if (const auto zeroed = m_sensors.zero(m_experiment.environment_K); !zeroed)
-            return zeroed;
-        takeReadings(); // or the first step would see them as they were before
-        m_safety.atRest(observe());
-        event(MessageCode::EventZeroed);
+    if (!m_sensors.zeroing()) {
+        auto found = m_sensors.findZero(m_experiment.environment_K);
+        if (!found)
+            return found.error();
+        take(std::move(*found));
     }
     const SourceSpec& source = m_experiment.source;
-    const double power_W_m2 = netSourcePower_W_m2(source.model, source.temperature_K, source.emittance,
-                                                  m_sensors.environment_K().value());
+    const double power_W_m2 =
+        netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, environment_K());
     if (!(power_W_m2 > 0.0))
         return Error(MessageCode::SourceTooWeak, {}, {formatNumber(power_W_m2, 3)});
     m_outcome.clear();
     m_latest.time_s = 0.0;
     m_state = RunState::Armed;
-    command("arm");
+    command("arm", zeroingJson(*m_sensors.zeroing())); // it may have been long before
     event(MessageCode::EventArmed);
     return {};
 }
@@ -186,8 +191,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_safety.forgetLoss();
     ControlModel model;
     model.geometry = m_geometry;
-    const double environment_K = m_sensors.environment_K().value_or(m_experiment.environment_K);
-    model.believed = believedRates(m_experiment, environment_K);
+    model.believed = believedRates(m_experiment, environment_K());
     m_belief = model.believed;
     for (const ObjectSpec& object : m_experiment.objects)
         model.targets_K.push_back(object.target_K);
@@ -195,7 +199,7 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
     m_handHeat_K.reset();
     m_state = RunState::Running;
     m_runOn = true;
-    command("start", R"({"environment_K":)" + formatNumber(environment_K, 10) +
+    command("start", R"({"environment_K":)" + formatNumber(environment_K(), 10) +
                          (acceptInfeasible ? R"(,"accept_infeasible":true})" : "}"));
     event(MessageCode::EventStarted);
     // The first step is taken at once, on the readings just made.
@@ -318,7 +322,7 @@ Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
     Experiment changed = m_experiment;
     if (const auto result = bask::setTargets(changed, targets_K); !result)
         return result;
-    if (const auto result = validate(changed); !result)
+    if (const auto result = checkTargets(changed); !result)
         return result;
     m_experiment = std::move(changed);
     if (m_controller)

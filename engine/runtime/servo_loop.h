@@ -54,6 +54,13 @@ public:
     void emergencyStop();
     Result<void> reset();
     Result<void> setTargets(const std::vector<double>& targets_K);
+    /// Refused while a run is armed or on, while heat is on, and where the objects are not at ambient.
+    Result<void> zeroSensors();
+    /// What that would find now.
+    Result<Zeroing> findZero() const;
+    const std::optional<Zeroing>& zeroing() const { return m_sensors.zeroing(); }
+    /// Of the same sensors, found before.
+    void useZeroing(const Zeroing& zeroing) { m_sensors.use(zeroing); }
     /// An event, while a run is on.
     void reportInfeasible(const Message& reason);
     Result<void> setController(const ControllerSettings& settings);
@@ -113,6 +120,8 @@ private:
     void takeReadings(); ///< from the channels into the latest sample
     void readSourcePose();
     bool facesObjects(const Pose& X_RS) const;
+    double environment_K() const; ///< T3, as measured if it was
+    void take(Zeroing found);
     void endMove();
     double mostHeat_K() const; ///< that the experiment asks for
     void goOn();               ///< towards the goal of moveTo

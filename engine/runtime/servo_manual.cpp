@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <chrono>
 
 namespace bask {
 
@@ -49,6 +50,35 @@ Result<void> ServoLoop::jog(const Vector6d& twist) {
     const Vector6d goal = m_coordinates + Jog::kJog_s * rates;
     m_jogEnds_s = m_clock.now_s() + Jog::kJog_s;
     move(velocityTowards(*m_geometry, m_coordinates, goal, Jog::kJog_s, m_rates).rates, Jog::kJog_s);
+    return {};
+}
+
+Result<Zeroing> ServoLoop::findZero() const {
+    if (m_state == RunState::Armed || running())
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    if (heatOn() || m_handHeat_K)
+        return Error(MessageCode::ReasonNotAtAmbient, {},
+                     {formatNumber(celsiusFromKelvin(m_experiment.environment_K))});
+    for (std::size_t i = 0; i < m_sensors.size(); ++i)
+        if (!m_sensors.fresh(i, m_clock.now_s()))
+            return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
+    return m_sensors.findZero(m_experiment.environment_K);
+}
+
+void ServoLoop::take(Zeroing found) {
+    found.utc_s = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+    m_sensors.use(found);
+    takeReadings(); // or the first step would see them as they were before
+    m_safety.atRest(observe());
+    event(MessageCode::EventZeroed);
+}
+
+Result<void> ServoLoop::zeroSensors() {
+    auto found = findZero();
+    if (!found)
+        return found.error();
+    take(std::move(*found));
+    command("zero", zeroingJson(*m_sensors.zeroing()));
     return {};
 }
 

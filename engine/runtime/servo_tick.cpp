@@ -132,7 +132,7 @@ void ServoLoop::readRobotAndSource() {
     m_source_K = source->value_K;
     m_latest.source_K = source->value_K;
     const SourceSpec& spec = m_experiment.source;
-    const double T3 = m_sensors.environment_K().value_or(m_experiment.environment_K);
+    const double T3 = environment_K();
     m_sourceStrength = netSourcePower_W_m2(spec.model, source->value_K, spec.emittance, T3) /
                        netSourcePower_W_m2(spec.model, spec.temperature_K, spec.emittance, T3);
 }

@@ -5,6 +5,7 @@
 #include "engine/control/controller_settings.h"
 #include "engine/devices/device.h"
 #include "engine/drivers/serial_ports.h"
+#include "engine/runtime/zeroing.h"
 #include "engine/session/alarm.h"
 #include "engine/session/trace.h"
 
@@ -76,6 +77,8 @@ struct Snapshot {
     bool isSourceByHand = false;                  ///< a person keeps it hot and types its temperature
     std::optional<std::vector<SerialPort>> ports; ///< once, after ListPorts
     std::optional<TriedDevice> tried;
+    std::optional<Zeroing> zeroing; ///< of the sensors, newest
+    Message zeroProblem;            ///< why they cannot be zeroed now; None: they can
     ControllerSettings controller;
     std::vector<double> targets_K;
     Message refusal; ///< last command refused, code None if none since the last snapshot

@@ -540,6 +540,15 @@ double sourceTripLimit_K(const Experiment& experiment) {
                                                    SafetySpec::kSourceOver_K);
 }
 
+Result<void> checkTargets(const Experiment& experiment) {
+    for (const ObjectSpec& object : experiment.objects)
+        if (const double limit_K = warningLimit_K(experiment, object); object.target_K > limit_K + 1e-6)
+            return Error(MessageCode::TargetAboveWarning, {},
+                         {object.name, formatNumber(celsiusFromKelvin(object.target_K), 6),
+                          formatNumber(celsiusFromKelvin(limit_K), 6)});
+    return {};
+}
+
 Result<void> validate(const Experiment& e) {
     Checker check;
     if (e.title.size() > kMaxTitleLength)

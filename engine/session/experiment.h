@@ -143,6 +143,8 @@ double highestSetPoint_K(const SourceSpec& source);
 double warningLimit_K(const Experiment& experiment, const ObjectSpec& object);
 double tripLimit_K(const Experiment& experiment, const ObjectSpec& object);
 double sourceTripLimit_K(const Experiment& experiment);
+/// Refuses a target above its object's warning limit, where every run would hold.
+Result<void> checkTargets(const Experiment& experiment);
 
 /// Checks every range and the relations between parts: N <= free coordinates, unique names, start inside the
 /// workspace and clear of the source, a source that can heat. The error's `where` is a JSON path such as

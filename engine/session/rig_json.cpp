@@ -33,7 +33,9 @@ std::map<std::string, int> coordinates() {
     return out;
 }
 
-void readSerial(Fields& device, SerialSettings& out) {
+/// What is left out is as `usual`.
+void readSerial(Fields& device, const SerialSettings& usual, SerialSettings& out) {
+    out = usual;
     readPart(device, "serial", false, [&](const json& j, const std::string& path) {
         Fields fields(j, path, device.failure());
         fields.read("baud", out.baud);
@@ -104,7 +106,7 @@ void readRobotDevice(const json& j, const std::string& path, Failure& failure, R
     Fields fields(j, path, failure);
     fields.readWord("driver", kRobotDrivers, out.driver, true);
     fields.read("port", out.port, true);
-    readSerial(fields, out.serial);
+    readSerial(fields, usualSerial(out.driver), out.serial);
     readAxes(fields, out.axes);
     fields.read("must_home", out.mustHome);
     fields.close();
@@ -115,7 +117,7 @@ void readThermometerDevice(const json& j, const std::string& path, Failure& fail
     Fields fields(j, path, failure);
     fields.readWord("driver", kThermometerDrivers, out.driver, true);
     fields.read("port", out.port, true);
-    readSerial(fields, out.serial);
+    readSerial(fields, usualSerial(out.driver), out.serial);
     fields.read("unit", out.unit);
     readProfile(fields, out.driver == ThermometerDriver::Modbus, out.profile);
     std::vector<double> channels;
@@ -137,7 +139,7 @@ void readSourceDevice(const json& j, const std::string& path, Failure& failure, 
     Fields fields(j, path, failure);
     fields.readWord("driver", kHeatSourceDrivers, out.driver, true);
     fields.read("port", out.port);
-    readSerial(fields, out.serial);
+    readSerial(fields, usualSerial(out.driver), out.serial);
     fields.read("unit", out.unit);
     readProfile(fields, out.driver == HeatSourceDriver::Modbus, out.profile);
     if (hasWatchdog(out)) // or it would seem to have one

@@ -136,6 +136,20 @@ Result<void> checkPorts(const RigSpec& rig) {
 
 } // namespace
 
+SerialSettings usualSerial(RobotDriver) {
+    return {115200, 8, 'N', 1};
+}
+
+SerialSettings usualSerial(ThermometerDriver driver) {
+    return driver == ThermometerDriver::Modbus ? SerialSettings{19200, 8, 'E', 1}
+                                               : SerialSettings{115200, 8, 'N', 1};
+}
+
+SerialSettings usualSerial(HeatSourceDriver driver) {
+    return driver == HeatSourceDriver::Namur ? SerialSettings{9600, 7, 'E', 1}
+                                             : SerialSettings{19200, 8, 'E', 1};
+}
+
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
     if (rig.name.size() > kMostText)
         return outOfRange("name", static_cast<double>(rig.name.size()), 0.0, kMostText, "characters");

@@ -51,6 +51,11 @@ struct HeatSourceDeviceSpec {
     bool operator==(const HeatSourceDeviceSpec&) const = default;
 };
 
+/// As the devices of a driver leave the factory, mostly.
+SerialSettings usualSerial(RobotDriver driver);
+SerialSettings usualSerial(ThermometerDriver driver);
+SerialSettings usualSerial(HeatSourceDriver driver);
+
 /// A rig without one of the first three cannot be run.
 struct RigSpec {
     std::string name;

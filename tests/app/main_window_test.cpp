@@ -153,7 +153,7 @@ TEST_F(MainWindowTest, ABadFileIsRefusedAndNothingChanges) {
 // Catches: a run started on a target out of reach without the tick, or a tick that is not asked for.
 TEST_F(MainWindowTest, AnUnreachableTargetNeedsTheTick) {
     openWindow();
-    ASSERT_TRUE(window->document().setTargets({kelvinFromCelsius(150.0), 313.15, 313.15}).ok());
+    ASSERT_TRUE(window->document().setTargets({kelvinFromCelsius(118.0), 313.15, 313.15}).ok());
     ASSERT_TRUE(waitFor([this] { return !window->pages().judge().isStale(); }));
     ASSERT_NO_FATAL_FAILURE(arm());
     click("startButton");

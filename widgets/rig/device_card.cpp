@@ -143,6 +143,9 @@ void DeviceCard::showState() {
         if (status.link == LinkState::Live && status.rate_Hz > 0.0)
             age += QStringLiteral(", ") + tr("%1 Hz").arg(QLocale().toString(status.rate_Hz, 'f', 1));
         problem = sentenceText(status.problem);
+        if (status.discarded > 0)
+            age += (age.isEmpty() ? QString() : QStringLiteral(", ")) +
+                   tr("%n answer(s) discarded", nullptr, status.discarded);
     } else {
         word = tr("Not in use yet");
     }
@@ -173,7 +176,8 @@ void DeviceCard::retranslate() {
         widest = std::max(widest, m_title->fontMetrics().horizontalAdvance(roleWord(role)));
     m_title->setMinimumWidth(widest + kMark);
     m_remove->setText(tr("Remove"));
-    m_age->setToolTip(tr("Age of its newest answer, and answers a second"));
+    m_age->setToolTip(tr("Age of its newest answer, answers a second, and answers that nobody can read or "
+                         "that were not asked for"));
     setAccessibleName(roleWord(m_role));
     showDevice();
 }

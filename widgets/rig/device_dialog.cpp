@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/rig/axis_table.h"
 #include "widgets/rig/coordinate_words.h"
@@ -56,9 +57,9 @@ DeviceDialog::DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vecto
       m_channelsLabel(new QLabel(this)), m_watchdogLabel(new QLabel(this)), m_result(new QLabel(this)),
       m_refresh(new QPushButton(this)), m_profileFile(new QPushButton(this)), m_try(new QPushButton(this)),
       m_use(new QPushButton(this)), m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)),
-      m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_line(new SerialForm(this)),
-      m_axes(new AxisTable(this)), m_mustHome(new QCheckBox(this)), m_probe(new QCheckBox(this)),
-      m_unitNumber(new QSpinBox(this)), m_watchdog(new QDoubleSpinBox(this)),
+      m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)),
+      m_line(new SerialForm(this)), m_axes(new AxisTable(this)), m_mustHome(new QCheckBox(this)),
+      m_probe(new QCheckBox(this)), m_unitNumber(new QSpinBox(this)), m_watchdog(new QDoubleSpinBox(this)),
       m_message(new MessageBar(this)) {
     setObjectName("deviceDialog");
     setModal(false);
@@ -87,21 +88,11 @@ void DeviceDialog::build() {
     for (QPushButton* button : {m_refresh, m_profileFile, m_try, m_cancel})
         button->setAutoDefault(false);
 
-    auto* port = new QGridLayout(m_portPart);
-    port->setContentsMargins(0, 0, 0, 0);
-    port->setColumnStretch(0, 1);
-    port->addWidget(m_port, 0, 0);
-    port->addWidget(m_refresh, 0, 1);
-    port->addWidget(m_portDescription, 1, 0, 1, 2);
     m_form = new QFormLayout;
-    m_form->addRow(m_driverLabel, m_driver);
-    m_form->addRow(m_portLabel, m_portPart);
-    m_form->addRow(m_lineLabel, m_line);
-    buildDriverParts(m_form);
-
-    auto* trial = new QHBoxLayout;
-    trial->addWidget(m_try, 0, Qt::AlignTop);
-    trial->addWidget(m_result, 1);
+    buildDevice();
+    buildConnection();
+    buildTrial();
+    buildUse();
     auto* buttons = new QHBoxLayout;
     buttons->addStretch(1);
     buttons->addWidget(m_cancel);
@@ -109,8 +100,8 @@ void DeviceDialog::build() {
     auto* layout = new QVBoxLayout(this);
     layout->addWidget(m_message);
     layout->addLayout(m_form);
-    layout->addLayout(trial);
     layout->addStretch(1);
+    layout->addSpacing(6);
     layout->addLayout(buttons);
     setMinimumWidth(520);
 
@@ -127,21 +118,56 @@ void DeviceDialog::build() {
     connect(m_cancel, &QPushButton::clicked, this, &QDialog::reject);
 }
 
-void DeviceDialog::buildDriverParts(QFormLayout* form) {
-    m_mustHome->setObjectName("mustHome");
+QLabel* DeviceDialog::addStep() {
+    QLabel* title = boldLabel(this);
+    title->setContentsMargins(0, m_form->rowCount() > 0 ? 8 : 0, 0, 0);
+    m_form->addRow(title);
+    return title;
+}
+
+void DeviceDialog::buildDevice() {
     m_profile->setObjectName("profile");
     m_profileFile->setObjectName("profileFile");
-    m_unitNumber->setObjectName("unit");
-    m_unitNumber->setRange(1, 247);
-    m_watchdog->setObjectName("watchdog");
-    m_watchdog->setRange(20.0, 1500.0);
-    m_watchdog->setDecimals(0);
-    m_probe->setObjectName("probe");
-
     auto* profile = new QHBoxLayout(m_profilePart);
     profile->setContentsMargins(0, 0, 0, 0);
     profile->addWidget(m_profile, 1);
     profile->addWidget(m_profileFile);
+    m_deviceStep = addStep();
+    m_form->addRow(m_driverLabel, m_driver);
+    m_form->addRow(m_profileLabel, m_profilePart);
+}
+
+void DeviceDialog::buildConnection() {
+    m_unitNumber->setObjectName("unit");
+    m_unitNumber->setRange(1, 247);
+    m_portDescription->setWordWrap(true);
+    auto* port = new QGridLayout(m_portPart);
+    port->setContentsMargins(0, 0, 0, 0);
+    port->setColumnStretch(0, 1);
+    port->addWidget(m_port, 0, 0);
+    port->addWidget(m_refresh, 0, 1);
+    port->addWidget(m_portDescription, 1, 0, 1, 2);
+    m_connectionStep = addStep();
+    m_form->addRow(m_portLabel, m_portPart);
+    m_form->addRow(m_lineLabel, m_line);
+    m_form->addRow(m_unitLabel, m_unitNumber);
+}
+
+void DeviceDialog::buildTrial() {
+    auto* trial = new QHBoxLayout(m_trialPart);
+    trial->setContentsMargins(0, 0, 0, 0);
+    trial->addWidget(m_try, 0, Qt::AlignTop);
+    trial->addWidget(m_result, 1);
+    m_trialStep = addStep();
+    m_form->addRow(m_trialPart);
+}
+
+void DeviceDialog::buildUse() {
+    m_mustHome->setObjectName("mustHome");
+    m_watchdog->setObjectName("watchdog");
+    m_watchdog->setRange(20.0, 1500.0);
+    m_watchdog->setDecimals(0);
+    m_probe->setObjectName("probe");
     auto* channels = new QGridLayout(m_channelsPart);
     channels->setContentsMargins(0, 0, 0, 0);
     channels->setColumnStretch(2, 1);
@@ -155,13 +181,12 @@ void DeviceDialog::buildDriverParts(QFormLayout* form) {
         channels->addWidget(field, static_cast<int>(i), 1);
         m_channels.push_back(field);
     }
-    form->addRow(m_axesLabel, m_axes);
-    form->addRow(QString(), m_mustHome);
-    form->addRow(m_profileLabel, m_profilePart);
-    form->addRow(m_unitLabel, m_unitNumber);
-    form->addRow(m_channelsLabel, m_channelsPart);
-    form->addRow(m_watchdogLabel, m_watchdog);
-    form->addRow(QString(), m_probe);
+    m_useStep = addStep();
+    m_form->addRow(m_axesLabel, m_axes);
+    m_form->addRow(QString(), m_mustHome);
+    m_form->addRow(m_channelsLabel, m_channelsPart);
+    m_form->addRow(m_watchdogLabel, m_watchdog);
+    m_form->addRow(QString(), m_probe);
 }
 
 void DeviceDialog::fill(const RigSpec& rig) {
@@ -250,15 +275,15 @@ void DeviceDialog::useProfileFile(const QString& path) {
     addProfile(*profile);
 }
 
-LineSettings DeviceDialog::usual() const {
+SerialSettings DeviceDialog::usual() const {
     const int driver = m_driver->currentData().toInt();
     switch (m_role) {
     case DeviceRole::Robot:
-        return usualLine(static_cast<RobotDriver>(driver));
+        return usualSerial(static_cast<RobotDriver>(driver));
     case DeviceRole::Thermometer:
-        return usualLine(static_cast<ThermometerDriver>(driver));
+        return usualSerial(static_cast<ThermometerDriver>(driver));
     default:
-        return usualLine(static_cast<HeatSourceDriver>(driver));
+        return usualSerial(static_cast<HeatSourceDriver>(driver));
     }
 }
 
@@ -271,7 +296,7 @@ void DeviceDialog::takeDriver() {
         if (m_axes->axes() == usualAxes(other))
             m_axes->setAxes(usualAxes(driver));
     }
-    m_result->clear();
+    m_isTried = false;
     showParts();
 }
 
@@ -330,12 +355,14 @@ RigSpec DeviceDialog::device() const {
 
 void DeviceDialog::tryDevice() {
     m_message->clear();
+    m_isTried = true;
     m_result->setText(tr("Asking…"));
     emit tryWanted(device());
 }
 
 void DeviceDialog::setPorts(const std::vector<SerialPort>& ports) {
     m_ports = ports;
+    m_arePortsKnown = true;
     const QString typed = m_port->currentText();
     m_port->clear();
     if (hasLine())
@@ -347,7 +374,12 @@ void DeviceDialog::setPorts(const std::vector<SerialPort>& ports) {
 
 void DeviceDialog::showPort() {
     const auto it = std::ranges::find(m_ports, m_port->currentText().toStdString(), &SerialPort::path);
-    m_portDescription->setText(it == m_ports.end() ? QString() : QString::fromStdString(it->description));
+    const bool isNoneFound =
+        m_arePortsKnown && m_ports.empty() && hasLine() && m_port->currentText().isEmpty();
+    m_portDescription->setText(
+        isNoneFound ? tr("No serial port was found. Plug the device in and refresh, or type a path.")
+        : it == m_ports.end() ? QString()
+                              : QString::fromStdString(it->description));
     m_portDescription->setVisible(!m_portDescription->text().isEmpty());
 }
 
@@ -383,8 +415,14 @@ void DeviceDialog::setTried(const TriedDevice& tried) {
         m_result->setText(text);
 }
 
+void DeviceDialog::sayNotTried() {
+    if (!m_isTried)
+        m_result->setText(tr("Asks the device without using it. Nothing moves or heats."));
+}
+
 void DeviceDialog::showError(const QString& sentence) {
-    m_result->clear();
+    m_isTried = false;
+    sayNotTried();
     m_message->say(MessageBar::Kind::Problem, sentence);
 }
 
@@ -409,8 +447,13 @@ void DeviceDialog::showParts() {
     showRow(m_channelsPart, m_role == DeviceRole::Thermometer);
     showRow(m_watchdog, isNamur || isWatched);
     showRow(m_probe, isNamur);
-    m_try->setVisible(hasPort());
-    m_result->setVisible(hasPort());
+    const bool mayTry = hasPort() && m_role != DeviceRole::Camera;
+    m_deviceStep->setVisible(mayTry); // the others have one step
+    m_connectionStep->setVisible(mayTry);
+    m_trialStep->setVisible(mayTry);
+    showRow(m_trialPart, mayTry);
+    m_useStep->setVisible(mayTry && (m_role != DeviceRole::HeatSource || isNamur || isWatched));
+    sayNotTried();
     const int last = isModbus() && profile >= 0
                          ? std::max(0, m_profiles[static_cast<std::size_t>(profile)].channels - 1)
                          : kMostChannel;
@@ -433,10 +476,17 @@ void DeviceDialog::retranslateParts() {
                                      : tr("Host name or IP address of the robot"));
     }
     m_port->setAccessibleName(m_portLabel->text());
+    m_port->lineEdit()->setPlaceholderText(m_port->toolTip());
+    m_useStep->setText(m_role == DeviceRole::Robot         ? tr("4. Its axes")
+                       : m_role == DeviceRole::Thermometer ? tr("4. The objects' channels")
+                                                           : tr("4. The device's own settings"));
 }
 
 void DeviceDialog::retranslate() {
     setWindowTitle(tr("Set up: %1").arg(roleWord(m_role)));
+    m_deviceStep->setText(tr("1. Which device"));
+    m_connectionStep->setText(tr("2. Where it is connected"));
+    m_trialStep->setText(tr("3. Does it answer?"));
     m_driverLabel->setText(tr("Driver"));
     m_driver->setAccessibleName(tr("Driver"));
     for (int i = 0; i < m_driver->count(); ++i)
@@ -461,7 +511,7 @@ void DeviceDialog::retranslate() {
     m_watchdog->setAccessibleName(tr("Watchdog"));
     m_probe->setText(tr("Its external probe measures the surface"));
     m_try->setText(tr("Test read"));
-    m_try->setToolTip(tr("Ask the device without using it. Nothing moves or heats."));
+    sayNotTried();
     m_use->setText(tr("Use"));
     m_use->setToolTip(tr("Use this device in the experiment"));
     m_cancel->setText(tr("Cancel"));

@@ -1,5 +1,5 @@
 #pragma once
-// One device is set up: driver, port and line, what its driver needs, a test read, and then it is used.
+// One device is set up, in steps: which it is, where it is connected, a test read, what of it is used.
 
 #include "engine/base/units.h"
 #include "widgets/rig/device_words.h"
@@ -57,7 +57,11 @@ protected:
 
 private:
     void build();
-    void buildDriverParts(QFormLayout* form);
+    void buildDevice();
+    void buildConnection();
+    void buildTrial();
+    void buildUse();
+    QLabel* addStep();
     void fill(const RigSpec& rig);
     void offerProfiles();
     void addProfile(const ModbusProfile& profile);
@@ -67,9 +71,10 @@ private:
     bool isModbus() const;
     bool hasLine() const; ///< it is on a serial line
     bool hasPort() const;
-    LineSettings usual() const;
+    SerialSettings usual() const;
     void showParts();
     void showPort();
+    void sayNotTried();
     QString triedText(const TriedDevice& tried) const;
     void retranslate();
     void retranslateParts();
@@ -78,14 +83,17 @@ private:
     std::vector<std::string> m_objects;
     std::vector<ModbusProfile> m_profiles; ///< as listed
     std::vector<SerialPort> m_ports;
+    bool m_arePortsKnown = false;
+    bool m_isTried = false; ///< its answer is shown
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     QFormLayout* m_form = nullptr;
+    QLabel *m_deviceStep = nullptr, *m_connectionStep = nullptr, *m_trialStep = nullptr, *m_useStep = nullptr;
     QComboBox *m_driver, *m_port, *m_profile;
     QLabel *m_driverLabel, *m_portLabel, *m_portDescription, *m_lineLabel, *m_axesLabel, *m_profileLabel,
         *m_unitLabel, *m_channelsLabel, *m_watchdogLabel, *m_result;
     QPushButton *m_refresh, *m_profileFile, *m_try, *m_use, *m_cancel;
-    QWidget *m_portPart, *m_profilePart, *m_channelsPart;
+    QWidget *m_portPart, *m_profilePart, *m_channelsPart, *m_trialPart;
     SerialForm* m_line;
     AxisTable* m_axes;
     QCheckBox *m_mustHome, *m_probe;

@@ -163,19 +163,6 @@ QString ageText(double age_s) {
     return age_s < 99.95 ? Words::tr("%1 s").arg(QLocale().toString(age_s, 'f', 1)) : formatDuration(age_s);
 }
 
-LineSettings usualLine(RobotDriver) {
-    return {115200, 8, 'N', 1};
-}
-
-LineSettings usualLine(ThermometerDriver driver) {
-    return driver == ThermometerDriver::Modbus ? LineSettings{19200, 8, 'E', 1}
-                                               : LineSettings{115200, 8, 'N', 1};
-}
-
-LineSettings usualLine(HeatSourceDriver driver) {
-    return driver == HeatSourceDriver::Namur ? LineSettings{9600, 7, 'E', 1} : LineSettings{19200, 8, 'E', 1};
-}
-
 void keepChannels(const std::vector<ObjectSpec>& before, const std::vector<ObjectSpec>& after,
                   std::vector<int>& channels) {
     if (before.size() == after.size() || channels.size() != before.size())

@@ -13,9 +13,6 @@ namespace bask {
 /// As measured; NaN while the source has not told it.
 double sourceTemperature_K(const Snapshot& snapshot);
 
-/// Of a serial line, as every device has them.
-using LineSettings = decltype(RobotDeviceSpec::serial);
-
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,
                                          DeviceRole::Camera};
 
@@ -36,11 +33,6 @@ RigSpec withDevice(RigSpec rig, DeviceRole role, const RigSpec& other);
 
 /// "12 ms", "3.2 s", "2:05"; empty: it never answered.
 QString ageText(double age_s);
-
-/// As the devices of a driver leave the factory, mostly.
-LineSettings usualLine(RobotDriver driver);
-LineSettings usualLine(ThermometerDriver driver);
-LineSettings usualLine(HeatSourceDriver driver);
 
 /// Objects came or went: each that stays, by its name, keeps its channel, new ones have the lowest that are
 /// free. With as many as before nothing changes.

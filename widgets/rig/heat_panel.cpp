@@ -3,11 +3,11 @@
 #include "widgets/common/display.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/rig/device_words.h"
+#include "widgets/rig/way_up_question.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPushButton>
 
 namespace bask {
@@ -82,23 +82,12 @@ void HeatPanel::heat() {
 }
 
 void HeatPanel::ask(double setPoint_K) {
-    delete findChild<QMessageBox*>("heatQuestion");
-    auto* box = new QMessageBox(
-        QMessageBox::Warning, tr("Heat the source"),
+    askOnTheWayUp(
+        this, "heatQuestion", tr("Heat the source"),
         tr("The source heats towards %1 until it is switched off. Is nothing on it or near it that must not "
            "get hot?")
             .arg(formatTemperature(setPoint_K, m_unit)),
-        QMessageBox::NoButton, this);
-    box->setObjectName("heatQuestion");
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    const QPushButton* heat = box->addButton(tr("Heat"), QMessageBox::AcceptRole);
-    QPushButton* leave = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
-    box->setDefaultButton(leave);
-    box->setEscapeButton(leave);
-    connect(heat, &QPushButton::clicked, this,
-            [this, setPoint_K] { emit commandWanted(SetHeat{setPoint_K}); });
-    box->setModal(false); // STOP can be pressed meanwhile
-    box->show();
+        tr("Heat"), [this, setPoint_K] { emit commandWanted(SetHeat{setPoint_K}); });
 }
 
 void HeatPanel::showState() {

@@ -4,23 +4,18 @@
 #include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/rig/coordinate_words.h"
+#include "widgets/rig/limit_field.h"
 
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QGridLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 
 namespace bask {
 namespace {
 
 constexpr double kMmPerM = 1000.0;
-
-void setQuietly(QDoubleSpinBox* field, double value) {
-    const QSignalBlocker block(field);
-    field->setValue(value);
-}
 
 } // namespace
 
@@ -50,14 +45,9 @@ LimitsPanel::LimitsPanel(QWidget* parent)
 
 QDoubleSpinBox* LimitsPanel::number(const QString& name, double least, double most, int decimals,
                                     const QString& suffix, const Apply& apply) {
-    auto* field = new QDoubleSpinBox(this);
-    field->setObjectName(name);
-    field->setDecimals(decimals);
-    field->setRange(least, most);
-    field->setSuffix(suffix);
-    field->setKeyboardTracking(false);
-    field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    connect(field, &QDoubleSpinBox::valueChanged, this, [this, apply](double value) { edit(apply, value); });
+    QDoubleSpinBox* field = limitField(this, name, least, most, decimals, suffix);
+    connect(field, &QDoubleSpinBox::valueChanged, this,
+            [this, field, apply](double value) { edit(field, apply, value); });
     return field;
 }
 
@@ -67,7 +57,7 @@ QWidget* LimitsPanel::buildSource() {
                            kelvinFromCelsius(kMostTemperature_degC));
     const Apply setPoint = [](Experiment& e, double value_K) { e.source.temperature_K = value_K; };
     connect(m_setPoint, &QuantitySpinBox::valueEdited_K, this,
-            [this, setPoint](double value_K) { edit(setPoint, value_K); });
+            [this, setPoint](double value_K) { edit(m_setPoint, setPoint, value_K); });
     m_emittance = number("sourceEmittance", 0.01, 1.0, 3, {},
                          [](Experiment& e, double value) { e.source.emittance = value; });
     m_emittance->setSingleStep(0.01);
@@ -124,13 +114,14 @@ QWidget* LimitsPanel::buildSpeeds() {
     return part;
 }
 
-void LimitsPanel::edit(const Apply& apply, double value) {
+void LimitsPanel::edit(QDoubleSpinBox* field, const Apply& apply, double value) {
+    const QString wanted = field->text();
     Experiment changed = m_experiment;
     apply(changed, value);
     if (changed == m_experiment)
         return;
-    emit edited(changed);
-    showValues(); // as it is now, if it was refused
+    showValues(); // as it is, until the change is taken
+    emit edited(changed, tr("%1: %2 instead of %3").arg(field->accessibleName(), wanted, field->text()));
 }
 
 void LimitsPanel::setExperiment(const Experiment& experiment) {
@@ -190,6 +181,9 @@ void LimitsPanel::retranslate() {
     m_maxSpeedLabel->setText(tr("Largest speed"));
     m_maxRotationLabel->setText(tr("Largest turning speed"));
     m_clearanceLabel->setText(tr("Clearance to the source"));
+    m_maxSpeed->setAccessibleName(m_maxSpeedLabel->text());
+    m_maxRotation->setAccessibleName(m_maxRotationLabel->text());
+    m_clearance->setAccessibleName(m_clearanceLabel->text());
     m_clearance->setToolTip(tr("Least distance of any point of an object from the source's plane"));
 }
 

@@ -31,7 +31,8 @@ public:
     void setTemperatureUnit(TemperatureUnit unit);
 
 signals:
-    void edited(const bask::Experiment& experiment);
+    /// `words`: what of it is new.
+    void edited(const bask::Experiment& experiment, const QString& words);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -43,7 +44,7 @@ private:
     QWidget* buildSource();
     QWidget* buildWorkspace();
     QWidget* buildSpeeds();
-    void edit(const Apply& apply, double value);
+    void edit(QDoubleSpinBox* field, const Apply& apply, double value);
     void showValues();
     void retranslate();
 

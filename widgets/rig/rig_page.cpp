@@ -1,5 +1,6 @@
 #include "widgets/rig/rig_page.h"
 
+#include "engine/session/limits_widened.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/rig/check_list.h"
@@ -9,6 +10,9 @@
 #include "widgets/rig/jog_panel.h"
 #include "widgets/rig/limits_panel.h"
 #include "widgets/rig/rig_devices.h"
+#include "widgets/rig/safety_panel.h"
+#include "widgets/rig/way_up_question.h"
+#include "widgets/rig/zero_panel.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -22,6 +26,7 @@ namespace bask {
 namespace {
 
 constexpr int kPanelWidth = 440;
+const QString kQuestion = QStringLiteral("limitQuestion");
 
 } // namespace
 
@@ -29,13 +34,14 @@ RigPage::RigPage(QWidget* parent)
     : QWidget(parent), m_message(new MessageBar(this)), m_devices(new RigDevices(this)),
       m_checks(new CheckList(this)), m_tabs(new QTabWidget(this)), m_reason(new QLabel(this)),
       m_robotTitle(boldLabel(this)), m_heatTitle(boldLabel(this)), m_jog(new JogPanel(this)),
-      m_heat(new HeatPanel(this)), m_limits(new LimitsPanel(this)) {
+      m_heat(new HeatPanel(this)), m_limits(new LimitsPanel(this)), m_safety(new SafetyPanel(this)),
+      m_zero(new ZeroPanel(this)) {
     m_message->setObjectName("rigMessage");
     m_tabs->setObjectName("rigTabs");
     m_tabs->setDocumentMode(true);
     m_tabs->setFixedWidth(kPanelWidth);
     m_tabs->addTab(scrolled(buildManual()), QString());
-    m_tabs->addTab(scrolled(m_limits), QString());
+    m_tabs->addTab(scrolled(buildLimits()), QString());
 
     auto* columns = new QHBoxLayout;
     columns->setSpacing(12);
@@ -72,6 +78,7 @@ QWidget* RigPage::buildLeft() {
     column->setSpacing(14);
     column->addWidget(m_devices);
     column->addWidget(m_checks);
+    column->addWidget(m_zero);
     return part;
 }
 
@@ -91,6 +98,16 @@ QWidget* RigPage::buildManual() {
     return part;
 }
 
+QWidget* RigPage::buildLimits() {
+    auto* part = new QWidget(this);
+    auto* column = new QVBoxLayout(part);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(12);
+    column->addWidget(m_limits);
+    column->addWidget(m_safety);
+    return part;
+}
+
 void RigPage::connectAll() {
     connect(m_devices, &RigDevices::simulatedWanted, this, &RigPage::useSimulated);
     connect(m_devices, &RigDevices::realWanted, this, [this] { useRig(m_kept.value_or(RigSpec())); });
@@ -105,7 +122,9 @@ void RigPage::connectAll() {
         changed.rig->name = name.toStdString();
         edit(changed);
     });
-    connect(m_limits, &LimitsPanel::edited, this, [this](const Experiment& changed) { edit(changed); });
+    connect(m_limits, &LimitsPanel::edited, this, &RigPage::editLimits);
+    connect(m_safety, &SafetyPanel::edited, this, &RigPage::editLimits);
+    connect(m_zero, &ZeroPanel::zeroWanted, this, [this] { emit commandIssued(ZeroSensors{}); });
     connect(m_jog, &JogPanel::commandWanted, this, &RigPage::commandIssued);
     connect(m_heat, &HeatPanel::commandWanted, this, &RigPage::commandIssued);
 }
@@ -119,6 +138,19 @@ bool RigPage::edit(const Experiment& experiment) {
     m_devices->setRig(m_experiment.rig); // as it still is
     m_message->say(MessageBar::Kind::Problem, m_refusal);
     return false;
+}
+
+void RigPage::editLimits(const Experiment& experiment, const QString& words) {
+    dropQuestion(this, kQuestion);
+    if (!m_experiment.rig || !widensLimits(m_experiment, experiment)) {
+        edit(experiment);
+        return;
+    }
+    askOnTheWayUp(
+        this, kQuestion, tr("Raise a limit of the real rig"),
+        words + QStringLiteral("\n\n") +
+            tr("This allows the rig more than before. Do robot, source, objects and sensors bear it?"),
+        tr("Raise the limit"), [this, experiment] { edit(experiment); });
 }
 
 void RigPage::useSimulated() {
@@ -198,6 +230,8 @@ void RigPage::remove(DeviceRole role) {
 void RigPage::setExperiment(const Experiment& experiment) {
     if (m_experiment.rig && !experiment.rig)
         m_kept = m_experiment.rig;
+    if (m_experiment != experiment)
+        dropQuestion(this, kQuestion); // it was about the old one
     const bool areLimitsNew = m_experiment.robot != experiment.robot;
     const bool isRigNew = m_experiment.rig != experiment.rig;
     m_experiment = experiment;
@@ -208,6 +242,8 @@ void RigPage::setExperiment(const Experiment& experiment) {
         m_jog->setLimits(experiment.robot);
     m_heat->setUsual(experiment.source.temperature_K);
     m_limits->setExperiment(experiment);
+    m_safety->setExperiment(experiment);
+    m_zero->setObjects(experiment.objects);
 }
 
 void RigPage::apply(const Snapshot& snapshot, bool editable) {
@@ -217,10 +253,14 @@ void RigPage::apply(const Snapshot& snapshot, bool editable) {
         m_state = snapshot.state;
         m_devices->setEditable(editable);
         m_limits->setEditable(editable);
+        m_safety->setEditable(editable);
+        if (!editable)
+            dropQuestion(this, kQuestion);
         showManual();
     }
     m_devices->setStates(snapshot.devices);
     m_checks->apply(snapshot);
+    m_zero->apply(snapshot);
     m_jog->apply(snapshot, isFree);
     m_heat->apply(snapshot, isFree);
     m_limits->setMeasured(sourceTemperature_K(snapshot));
@@ -239,6 +279,8 @@ void RigPage::setTemperatureUnit(TemperatureUnit unit) {
     m_checks->setTemperatureUnit(unit);
     m_heat->setTemperatureUnit(unit);
     m_limits->setTemperatureUnit(unit);
+    m_safety->setTemperatureUnit(unit);
+    m_zero->setTemperatureUnit(unit);
     if (m_dialog)
         m_dialog->setTemperatureUnit(unit);
 }

@@ -25,12 +25,14 @@ class JogPanel;
 class LimitsPanel;
 class MessageBar;
 class RigDevices;
+class SafetyPanel;
+class ZeroPanel;
 
 /// Setters in, signals out. An edit is one experimentEdited with the whole value; the receiver answers a
 /// refused one with showError before it returns, else with setExperiment.
 ///
-/// Object names: "rigMessage" (MessageBar), "rigTabs", "manualReason", and those of RigDevices, CheckList,
-/// JogPanel, HeatPanel, LimitsPanel and DeviceDialog.
+/// Object names: "rigMessage" (MessageBar), "rigTabs", "manualReason", "limitQuestion", and those of
+/// RigDevices, ZeroPanel, CheckList, JogPanel, HeatPanel, LimitsPanel, SafetyPanel and DeviceDialog.
 class RigPage : public QWidget {
     Q_OBJECT
 
@@ -59,8 +61,10 @@ private:
     QScrollArea* scrolled(QWidget* content);
     QWidget* buildLeft();
     QWidget* buildManual();
+    QWidget* buildLimits();
     void connectAll();
     bool edit(const Experiment& experiment); ///< false: refused, and told on the page
+    void editLimits(const Experiment& experiment, const QString& words);
     void useSimulated();
     void setUp(DeviceRole role);
     void endTrial();
@@ -86,6 +90,8 @@ private:
     JogPanel* m_jog;
     HeatPanel* m_heat;
     LimitsPanel* m_limits;
+    SafetyPanel* m_safety;
+    ZeroPanel* m_zero;
     QPointer<DeviceDialog> m_dialog;
 };
 

@@ -40,15 +40,15 @@ SerialForm::SerialForm(QWidget* parent)
     setLine({});
 }
 
-void SerialForm::setLine(const LineSettings& line) {
+void SerialForm::setLine(const SerialSettings& line) {
     m_baud->setEditText(QString::number(line.baud));
     m_dataBits->setCurrentIndex(m_dataBits->findData(line.dataBits));
     m_parity->setCurrentIndex(m_parity->findData(line.parity));
     m_stopBits->setCurrentIndex(m_stopBits->findData(line.stopBits));
 }
 
-LineSettings SerialForm::line() const {
-    LineSettings line;
+SerialSettings SerialForm::line() const {
+    SerialSettings line;
     line.baud = m_baud->currentText().toInt();
     line.dataBits = m_dataBits->currentData().toInt();
     line.parity = kParities[static_cast<std::size_t>(m_parity->currentIndex())];

@@ -16,8 +16,8 @@ class SerialForm : public QWidget {
 public:
     explicit SerialForm(QWidget* parent = nullptr);
 
-    void setLine(const LineSettings& line);
-    LineSettings line() const;
+    void setLine(const SerialSettings& line);
+    SerialSettings line() const;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -447,7 +447,8 @@ void TargetsPage::showJoint() {
     for (std::size_t i = 0; i < m_rows.size(); ++i)
         stale = stale || rowStale(i);
     const bool bad = !m_rows.empty() && !stale && !m_verdict->feasible;
-    m_jointIcon->setVisible(bad);
+    const auto fit = checkTargets(m_experiment);
+    m_jointIcon->setVisible(bad || (!stale && !fit));
     m_jointIcon->setPixmap(alarmPixmap(3, isDark(this), 18, devicePixelRatioF()));
     if (m_rows.empty())
         m_joint->setText(tr("There is no object yet. Add one on the Objects page."));
@@ -455,6 +456,8 @@ void TargetsPage::showJoint() {
         m_joint->setText(tr("Checking the targets\u2026"));
     else if (bad)
         m_joint->setText(tr("Cannot be held: %1.").arg(inUnit(messageText(m_verdict->reason), m_unit)));
+    else if (!fit)
+        m_joint->setText(inUnit(sentenceText(fit.error().message), m_unit));
     else
         m_joint->setText(m_rows.size() == 1 ? tr("The target can be held.")
                                             : tr("All targets can be held together."));

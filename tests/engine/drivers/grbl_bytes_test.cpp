@@ -83,7 +83,7 @@ TEST_F(GrblBytesTest, StrayAcknowledgementsAreDiscarded) {
     goLive();
     EXPECT_EQ(m_robot.discarded(), 0);
     answered("ok\r\nerror:3\r\n");
-    EXPECT_EQ(m_robot.discarded(), 2);
+    EXPECT_EQ(m_robot.status().discarded, 2);
     EXPECT_EQ(m_robot.status().problem.code, MessageCode::DeviceAnswersWrong);
     EXPECT_EQ(alarm(), MessageCode::None);
 }

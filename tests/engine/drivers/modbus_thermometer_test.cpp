@@ -118,6 +118,21 @@ TEST_F(ModbusThermometerTest, SilenceIsLossWithinASecond) {
     EXPECT_TRUE(thermometer->read().ok());
 }
 
+// Catches replies thrown away unsaid.
+TEST_F(ModbusThermometerTest, RepliesThatAreWrongAreCounted) {
+    const auto thermometer = made("thermasgard-rtm1", {0});
+    run(*thermometer, 1.0);
+    EXPECT_EQ(thermometer->status().discarded, 0);
+    int wrong = 3;
+    before = [&](const ModbusRequest&) -> std::optional<ModbusReply> {
+        if (wrong-- <= 0)
+            return std::nullopt;
+        return Error(MessageCode::DeviceAnswersWrong, "line", {"line", "another unit"});
+    };
+    run(*thermometer, 2.0);
+    EXPECT_EQ(thermometer->status().discarded, 3);
+}
+
 // Catches an exception taken for an answer, and one asked for without a pause.
 TEST_F(ModbusThermometerTest, ExceptionsAreToldAndNotHammered) {
     const auto thermometer = made("isma-sfar-1m-1ti1do", {0});

@@ -237,7 +237,7 @@ TEST_F(NamurHeaterTest, onlyWhatFitsTheQuestionIsUsed) {
     m_answers["IN_PV_2"] = "99.0 1 \r\n";
     run(0.5);
     EXPECT_EQ(m_heater.read().value().value_K, good);
-    EXPECT_GE(m_heater.discards(), 1);
+    EXPECT_GE(m_heater.status().discarded, 1);
     EXPECT_EQ(m_heater.status().link, LinkState::Live);
     EXPECT_EQ(m_heater.status().problem,
               (Message{MessageCode::DeviceAnswersWrong, {"/dev/ttyTEST", "\"99.0 1 \""}}));

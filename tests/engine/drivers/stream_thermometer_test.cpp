@@ -91,7 +91,7 @@ TEST_F(StreamThermometerTest, silenceAndNoiseAreLost) {
     EXPECT_EQ(m_thermometer.status().link, LinkState::Lost);
     EXPECT_EQ(m_thermometer.status().problem.code, MessageCode::DeviceAnswersWrong);
     EXPECT_EQ(m_thermometer.status().problem.args.at(1), "\".T. =. 2..4\"");
-    EXPECT_GE(m_thermometer.discards(), 30);
+    EXPECT_GE(m_thermometer.status().discarded, 30);
     EXPECT_FALSE(m_thermometer.read().ok());
     run(10.0);
     EXPECT_EQ(m_thermometer.status().problem.code, MessageCode::DeviceSilent);

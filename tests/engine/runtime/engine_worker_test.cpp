@@ -2,13 +2,10 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/runtime/engine_worker.h"
+#include "tests/engine/runtime/engine_thread.h"
 
-#include <QCoreApplication>
-#include <QElapsedTimer>
 #include <QFile>
 #include <QTemporaryDir>
-#include <QThread>
 
 #include <gtest/gtest.h>
 
@@ -30,58 +27,7 @@ Experiment oneDisk() {
     return experiment;
 }
 
-/// Worker on its thread, with everything it published.
-class Rig : public QObject {
-public:
-    explicit Rig(const std::string& alarmFile = {}) : m_worker(alarmFile) {
-        m_worker.moveToThread(&m_thread);
-        connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
-        connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
-            last = snapshot;
-            if (snapshot.refusal.code != MessageCode::None)
-                refusal = snapshot.refusal;
-            samples += snapshot.newSamples.size();
-            inOrder = inOrder && snapshot.sequence == m_sequence + 1;
-            m_sequence = snapshot.sequence;
-        });
-        connect(&m_worker, &EngineWorker::looked, this,
-                [this](const std::shared_ptr<const VisionView>& looked) {
-                    view = looked;
-                    ++views;
-                });
-        m_thread.start();
-    }
-    ~Rig() override {
-        QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
-        m_thread.quit();
-        m_thread.wait();
-    }
-    void send(const Command& command) {
-        QMetaObject::invokeMethod(&m_worker, [this, command] { m_worker.post(command); });
-    }
-    template <class Condition> bool waitFor(Condition condition, int limit_ms = 20000) {
-        QElapsedTimer timer;
-        timer.start();
-        while (!condition() && timer.elapsed() < limit_ms)
-            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
-        return condition();
-    }
-    bool reaches(RunState state) {
-        return waitFor([&] { return last.state == state; });
-    }
-
-    Snapshot last;
-    Message refusal;
-    std::size_t samples = 0;
-    std::shared_ptr<const VisionView> view; ///< handed on last
-    int views = 0;
-    bool inOrder = true;
-
-private:
-    QThread m_thread;
-    EngineWorker m_worker;
-    std::uint64_t m_sequence = 0;
-};
+using Rig = EngineThread;
 
 Experiment withMarkers() {
     return readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
@@ -403,6 +349,64 @@ TEST(EngineWorker, OfExperimentsThatComeWhileARigIsClosedTheNewestCounts) {
         return std::ranges::any_of(
             rig.last.reasons, [](const Message& m) { return m.code == MessageCode::ReasonEmergencyStop; });
     }));
+}
+
+// Catches a zeroing that is lost with the next edit, after which warm objects could not be armed.
+TEST(EngineWorker, AZeroingOutlivesEditsButNotOtherSensors) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    Experiment experiment = oneDisk();
+    experiment.simulation.sensorOffset_K = 0.5;
+    rig.send(LoadExperiment{experiment});
+    rig.send(ZeroSensors{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code != MessageCode::None; }));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.zeroProblem.code == MessageCode::None; }));
+    EXPECT_FALSE(rig.last.zeroing);
+    rig.send(ZeroSensors{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.zeroing.has_value(); }));
+    const Zeroing zeroing = *rig.last.zeroing;
+    EXPECT_GT(zeroing.utc_s, 1.6e9);
+    ASSERT_EQ(zeroing.offsets_K.size(), 1U);
+
+    experiment.objects[0].target_K += 2.0;
+    rig.send(LoadExperiment{experiment});
+    ASSERT_TRUE(
+        rig.waitFor([&] { return rig.last.targets_K == std::vector{experiment.objects[0].target_K}; }));
+    EXPECT_EQ(rig.last.zeroing, zeroing);
+    experiment.simulation.seed = 7; // other sensors
+    experiment.objects[0].target_K += 2.0;
+    rig.send(LoadExperiment{experiment});
+    ASSERT_TRUE(
+        rig.waitFor([&] { return rig.last.targets_K == std::vector{experiment.objects[0].target_K}; }));
+    EXPECT_FALSE(rig.last.zeroing);
+}
+
+// Catches a record that does not tell which offsets its temperatures have.
+TEST(EngineWorker, ASessionHasTheOffsetsThatWereFoundBeforeArm) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("run.bask").toStdString();
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(ZeroSensors{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.zeroing.has_value(); }));
+    const Zeroing zeroing = *rig.last.zeroing;
+    rig.send(Arm{path});
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    EXPECT_EQ(rig.last.zeroProblem.code, MessageCode::SessionAlreadyRunning);
+    rig.send(Stop{});
+    ASSERT_TRUE(rig.reaches(RunState::Stopped));
+    EXPECT_EQ(rig.last.zeroing, zeroing);
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    const auto arm = std::ranges::find(session->commands, "arm", &CommandRow::name);
+    ASSERT_NE(arm, session->commands.end());
+    EXPECT_EQ(arm->value, zeroingJson(zeroing));
+    const auto start = std::ranges::find(session->commands, "start", &CommandRow::name);
+    ASSERT_NE(start, session->commands.end());
+    EXPECT_NE(start->value.find(formatNumber(zeroing.environment_K, 10)), std::string::npos) << start->value;
 }
 
 } // namespace bask

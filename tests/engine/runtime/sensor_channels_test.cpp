@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <stdexcept>
 
 namespace bask {
 namespace {
@@ -22,20 +23,35 @@ SensorChannels filled(std::vector<double> values_K) {
 
 TEST(SensorChannels, ZeroingMakesAllAgreeAtTheirMean) {
     SensorChannels channels = filled({298.0, 298.4, 298.5});
-    ASSERT_TRUE(channels.zero(298.15));
+    channels.use(channels.findZero(298.15).value());
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(channels.measured_K(i), 298.3, 1e-9);
         EXPECT_NEAR(channels.estimate(i)->temperature_K, 298.3, 1e-9);
     }
-    EXPECT_NEAR(*channels.environment_K(), 298.3, 1e-9);
+    EXPECT_NEAR(channels.zeroing()->environment_K, 298.3, 1e-9);
+    EXPECT_NEAR(channels.zeroing()->offsets_K[0], 0.3, 1e-9);
+}
+
+// Catches offsets that pile up, and those of other sensors.
+TEST(SensorChannels, ZeroedAgainItFindsTheSame) {
+    SensorChannels channels = filled({298.0, 298.4, 298.5});
+    const Zeroing first = channels.findZero(298.15).value();
+    channels.use(first);
+    EXPECT_EQ(channels.findZero(298.15).value(), first);
+    SensorChannels fresh(3, SamplingSpec());
+    fresh.use(first); // before the first reading
+    fresh.add({{0.0, 298.0, true}, {0.0, 298.4, true}, {0.0, 298.5, true}});
+    EXPECT_NEAR(fresh.measured_K(0), 298.3, 1e-9);
+    SensorChannels two = filled({298.0, 298.4});
+    EXPECT_THROW(two.use(first), std::invalid_argument);
 }
 
 TEST(SensorChannels, DoesNotZeroOnWarmObjectsOrABadSensor) {
-    EXPECT_FALSE(filled({312.0, 312.0}).zero(298.15)); // still warm from the last run
-    EXPECT_FALSE(filled({298.0, 304.0}).zero(298.15)); // one is not at ambient
+    EXPECT_FALSE(filled({312.0, 312.0}).findZero(298.15)); // still warm from the last run
+    EXPECT_FALSE(filled({298.0, 304.0}).findZero(298.15)); // one is not at ambient
     SensorChannels half(1, SamplingSpec());
     half.add({{0.0, 298.0, true}});
-    EXPECT_FALSE(half.zero(298.15));
+    EXPECT_FALSE(half.findZero(298.15));
 }
 
 TEST(SensorChannels, BadReadingsNeverEnterAndAreTold) {

@@ -328,4 +328,71 @@ TEST(ServoLoop, ARetreatEndsAlsoWhenTheRobotsStepsMissTheTop) {
     EXPECT_EQ(loop.state(), RunState::Stopped);
 }
 
+// Catches sensors zeroed on warm objects, on readings of before, or in the middle of a run.
+TEST_F(ServoLoopTest, ZeroesAtAmbientOnly) {
+    const auto refusal = [&] {
+        const auto zeroed = loop.zeroSensors();
+        return zeroed ? MessageCode::None : zeroed.error().code();
+    };
+    periods(5);
+    EXPECT_EQ(refusal(), MessageCode::ReasonEstimatorFilling);
+    periods(5);
+    ASSERT_TRUE(loop.setHeat(kelvinFromCelsius(60.0)));
+    periods(1);
+    EXPECT_EQ(refusal(), MessageCode::ReasonNotAtAmbient);
+    ASSERT_TRUE(loop.setHeat(std::nullopt));
+    rig.simulatedThermometer().setLost(0, true);
+    periods(4);
+    EXPECT_EQ(refusal(), MessageCode::ReasonSensorInvalid);
+    rig.simulatedThermometer().setLost(0, false);
+    periods(1);
+    EXPECT_EQ(refusal(), MessageCode::None);
+    EXPECT_TRUE(eventSeen(MessageCode::EventZeroed));
+    ASSERT_TRUE(loop.arm());
+    EXPECT_FALSE(eventSeen(MessageCode::EventZeroed)); // it was done
+    EXPECT_EQ(refusal(), MessageCode::SessionAlreadyRunning);
+    ASSERT_TRUE(loop.start(true));
+    EXPECT_EQ(refusal(), MessageCode::SessionAlreadyRunning);
+    EXPECT_TRUE(loop.zeroing());
+}
+
+// Catches warm objects that cannot be armed although their sensors were zeroed when they were cold.
+TEST_F(ServoLoopTest, WarmObjectsAreArmedOnAnEarlierZeroing) {
+    startRun();
+    periods(120);
+    ASSERT_TRUE(loop.stop());
+    periods(40);
+    ASSERT_EQ(loop.state(), RunState::Stopped);
+    ASSERT_GT(rig.trueTemperatures_K()[0], experiment.environment_K + 6.0);
+    ServoLoop next(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), {}, &rig.sourceTracker()},
+                   rig.clock());
+    for (int i = 0; i < 10; ++i) {
+        rig.advance(experiment.sampling.period_s);
+        next.tick();
+    }
+    const auto refused = next.arm();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::ReasonNotAtAmbient);
+    next.useZeroing(*loop.zeroing());
+    EXPECT_TRUE(next.arm());
+}
+
+// Catches a run towards a temperature at which it is held for being too warm.
+TEST_F(ServoLoopTest, ATargetAboveTheWarningLimitIsRefused) {
+    periods(10);
+    const auto refused = loop.setTargets({kelvinFromCelsius(35.0), kelvinFromCelsius(121.0)});
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              (Message{MessageCode::TargetAboveWarning, {experiment.objects[1].name, "121", "120"}}));
+    EXPECT_TRUE(loop.arm()); // with those of before
+
+    Experiment strict = experiment;
+    strict.objects[0].warning_K = kelvinFromCelsius(34.0);
+    LoopOnRig other(strict);
+    other.periods(10);
+    const auto arm = other.loop.arm();
+    ASSERT_FALSE(arm);
+    EXPECT_EQ(arm.error().code(), MessageCode::TargetAboveWarning);
+}
+
 } // namespace bask

@@ -260,6 +260,7 @@ TEST(SimulatedRun, EndsWhenTheRunIsStoppedByALostSensor) {
     Experiment experiment = example("three-objects.json");
     experiment.source.temperature_K = 2200.0; // objects leave the range that a sensor can plausibly show
     experiment.source.emittance = 1.0;
+    experiment.safety.warning_K = experiment.safety.trip_K = kelvinFromCelsius(1900.0);
     for (ObjectSpec& object : experiment.objects)
         object.target_K = kelvinFromCelsius(1300.0);
     const RunOutcome outcome = run(experiment);

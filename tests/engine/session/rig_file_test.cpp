@@ -61,6 +61,19 @@ TEST_F(RigFile, SurvivesItsFile) {
     }
 }
 
+// Catches a hotplate that is asked at 115200 8N1 because its line is left out.
+TEST_F(RigFile, ALineThatIsLeftOutIsTheDriversUsual) {
+    write(R"({"format": "bask-rig", "version": 1, "rig": {
+        "robot": {"driver": "grbl", "port": "r"},
+        "thermometer": {"driver": "modbus", "port": "t", "profile": "thermasgard-rtm1"},
+        "source": {"driver": "namur", "port": "s", "serial": {"stop_bits": 2}}}})");
+    const auto rig = readRigFile(path);
+    ASSERT_TRUE(rig) << describe(rig.error());
+    EXPECT_EQ(rig->robot->serial, (SerialSettings{115200, 8, 'N', 1}));
+    EXPECT_EQ(rig->thermometer->serial, (SerialSettings{19200, 8, 'E', 1}));
+    EXPECT_EQ(rig->source->serial, (SerialSettings{9600, 7, 'E', 2}));
+}
+
 // Catches a file of something else, of a newer Bask or with a misspelt key that is read as a rig.
 TEST_F(RigFile, WhatIsNoRigIsRefusedInItsPlace) {
     EXPECT_EQ(refusal(), MessageCode::FileNotFound);

@@ -80,14 +80,14 @@ TEST_F(DeviceDialogTest, ADriverBringsItsUsualLine) {
     EXPECT_FALSE(child<QComboBox>("port")->isVisible()); // by hand
     choose("driver", 1);
     EXPECT_EQ(dialog->device().source->driver, HeatSourceDriver::Namur);
-    EXPECT_EQ(dialog->device().source->serial, (LineSettings{9600, 7, 'E', 1}));
+    EXPECT_EQ(dialog->device().source->serial, (SerialSettings{9600, 7, 'E', 1}));
     EXPECT_TRUE(child<QCheckBox>("probe")->isVisible());
     EXPECT_FALSE(child<QSpinBox>("unit")->isVisible());
     choose("driver", 2);
-    EXPECT_EQ(dialog->device().source->serial, (LineSettings{19200, 8, 'E', 1}));
+    EXPECT_EQ(dialog->device().source->serial, (SerialSettings{19200, 8, 'E', 1}));
     EXPECT_TRUE(child<QSpinBox>("unit")->isVisible());
     open(DeviceRole::Robot);
-    EXPECT_EQ(dialog->device().robot->serial, (LineSettings{115200, 8, 'N', 1}));
+    EXPECT_EQ(dialog->device().robot->serial, (SerialSettings{115200, 8, 'N', 1}));
     choose("driver", 1); // a Dobot has R for A, and no line
     EXPECT_EQ(dialog->device().robot->axes.back().letter, 'R');
     EXPECT_EQ(dialog->device().robot->axes.back().coordinate, kThetaZ);

@@ -1,74 +1,26 @@
 // The Rig page as a person uses it: which rig, its devices, the checklist, the heat, the limits.
 
-#include "widgets/rig/rig_page.h"
-
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "tests/support/longer_translator.h"
-#include "tests/widgets/rig/rig_bench.h"
-#include "widgets/common/message_bar.h"
+#include "tests/widgets/rig/rig_page_fixture.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/rig/device_dialog.h"
 
 #include <QApplication>
 #include <QComboBox>
 #include <QDoubleSpinBox>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QScrollArea>
 #include <QTabWidget>
-#include <QTest>
-
-#include <gtest/gtest.h>
 
 namespace bask {
 namespace {
 
-/// A document that takes what validates, and an engine that says what it is told to.
-struct RigPageTest : testing::Test {
-    Experiment experiment = test::twoDisks();
-    RigPage page;
-    std::vector<Command> sent;
-    int edits = 0;
-    QString refusal; ///< of every edit; empty: taken
-
-    RigPageTest() {
-        QObject::connect(&page, &RigPage::commandIssued, &page,
-                         [this](const Command& command) { sent.push_back(command); });
-        QObject::connect(&page, &RigPage::experimentEdited, &page, [this](const Experiment& changed) {
-            ++edits;
-            const auto valid = validate(changed);
-            if (!refusal.isEmpty() || !valid)
-                return page.showError(refusal.isEmpty() ? QString::fromStdString(describe(valid.error()))
-                                                        : refusal);
-            experiment = changed;
-            page.setExperiment(experiment);
-            apply();
-        });
-        page.resize(1010, 480);
-        page.setExperiment(experiment);
-        page.show();
-        page.activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&page));
-        apply();
-    }
-    void apply() { page.apply(test::quietSnapshot(experiment), true); }
-    void useReal() {
-        experiment.rig = test::realRig();
-        page.setExperiment(experiment);
-        apply();
-    }
-    template <class T> T* child(const char* name) {
-        T* found = page.findChild<T*>(QLatin1String(name));
-        EXPECT_NE(found, nullptr) << name;
-        return found;
-    }
-    QString text(const char* name) { return child<QLabel>(name)->text(); }
-    void click(const char* name) { QTest::mouseClick(child<QAbstractButton>(name), Qt::LeftButton); }
-    template <class T> const T* last() { return sent.empty() ? nullptr : std::get_if<T>(&sent.back()); }
+struct RigPageTest : test::RigPageFixture {
     DeviceDialog* dialog() {
         QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
         return page.findChild<DeviceDialog*>("deviceDialog");
@@ -133,7 +85,10 @@ TEST_F(RigPageTest, TheCardsTellHowTheDevicesAre) {
     EXPECT_TRUE(child<QLabel>("problem.robot")->isVisible());
     EXPECT_EQ(text("state.thermometer"), "Opening");
     EXPECT_EQ(text("age.thermometer"), "");
-    apply();
+    snapshot = test::quietSnapshot(experiment);
+    snapshot.devices[0].status.discarded = 3;
+    page.apply(snapshot, true);
+    EXPECT_EQ(text("age.robot"), "12 ms ago, 10.0 Hz, 3 answer(s) discarded"); // English is in its own file
     EXPECT_FALSE(child<QLabel>("problem.robot")->isVisible());
 }
 

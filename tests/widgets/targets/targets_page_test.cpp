@@ -128,6 +128,19 @@ TEST_F(TargetsPageTest, NamesAreShownAsTheyAre) {
     EXPECT_GE(shown, 2);
 }
 
+// Catches a target that is called good and that no run can be armed for.
+TEST_F(TargetsPageTest, ATargetAboveItsWarningLimitIsTold) {
+    Experiment experiment = experimentWith({40.0, 40.0, 40.0});
+    experiment.objects[1].warning_K = kelvinFromCelsius(38.0);
+    page.setExperiment(experiment);
+    page.setVerdict(joint({verdict(40.0, 0.16), verdict(40.0, 0.16), verdict(40.0, 0.16)}));
+    EXPECT_TRUE(text("jointVerdict").contains("above its warning limit"))
+        << text("jointVerdict").toStdString();
+    experiment.objects[1].warning_K = kelvinFromCelsius(41.0);
+    page.setExperiment(experiment);
+    EXPECT_EQ(text("jointVerdict"), "All targets can be held together.");
+}
+
 // Catches a joint verdict without its pose and margin, and a button that offers what is held already.
 TEST_F(TargetsPageTest, HeldTogether) {
     page.setExperiment(experimentWith({40.0, 40.0, 40.0}));

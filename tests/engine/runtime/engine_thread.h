@@ -1,0 +1,66 @@
+#pragma once
+// An engine on a thread of its own, as the GUI has it.
+
+#include "engine/base/message_code.h"
+#include "engine/runtime/engine_worker.h"
+
+#include <QCoreApplication>
+#include <QElapsedTimer>
+#include <QThread>
+
+namespace bask {
+
+/// Worker on its thread, with everything it published.
+class EngineThread : public QObject {
+public:
+    explicit EngineThread(const std::string& alarmFile = {}) : m_worker(alarmFile) {
+        m_worker.moveToThread(&m_thread);
+        connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
+        connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
+            last = snapshot;
+            if (snapshot.refusal.code != MessageCode::None)
+                refusal = snapshot.refusal;
+            samples += snapshot.newSamples.size();
+            inOrder = inOrder && snapshot.sequence == m_sequence + 1;
+            m_sequence = snapshot.sequence;
+        });
+        connect(&m_worker, &EngineWorker::looked, this,
+                [this](const std::shared_ptr<const VisionView>& looked) {
+                    view = looked;
+                    ++views;
+                });
+        m_thread.start();
+    }
+    ~EngineThread() override {
+        QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
+        m_thread.quit();
+        m_thread.wait();
+    }
+    void send(const Command& command) {
+        QMetaObject::invokeMethod(&m_worker, [this, command] { m_worker.post(command); });
+    }
+    template <class Condition> bool waitFor(Condition condition, int limit_ms = 20000) {
+        QElapsedTimer timer;
+        timer.start();
+        while (!condition() && timer.elapsed() < limit_ms)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents, 50);
+        return condition();
+    }
+    bool reaches(RunState state) {
+        return waitFor([&] { return last.state == state; });
+    }
+
+    Snapshot last;
+    Message refusal;
+    std::size_t samples = 0;
+    std::shared_ptr<const VisionView> view; ///< handed on last
+    int views = 0;
+    bool inOrder = true;
+
+private:
+    QThread m_thread;
+    EngineWorker m_worker;
+    std::uint64_t m_sequence = 0;
+};
+
+} // namespace bask

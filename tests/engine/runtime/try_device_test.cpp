@@ -1,0 +1,155 @@
+// A device that is tried: the engine, its driver and a simulated device at the far end of a pty.
+
+#include "engine/base/units.h"
+#include "engine/device_simulators/grbl_simulator.h"
+#include "engine/device_simulators/modbus_simulator.h"
+#include "engine/device_simulators/namur_simulator.h"
+#include "engine/device_simulators/pty_server.h"
+#include "tests/engine/runtime/engine_thread.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+Experiment oneDisk() {
+    Experiment experiment;
+    ObjectSpec object;
+    object.name = "disk";
+    object.shape = Disk{0.015};
+    object.material = {"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
+    experiment.objects.push_back(object);
+    return experiment;
+}
+
+struct TryDeviceTest : testing::Test {
+    QTemporaryDir folder;
+    std::string port = folder.filePath("port").toStdString();
+    std::unique_ptr<PtyServer> server;
+    SteadyClock clock;
+    EngineThread engine;
+
+    TryDeviceTest() { engine.send(LoadExperiment{oneDisk()}); } // one is there when a rig is set up
+    void serve(ByteDevice& device) {
+        auto made = PtyServer::create(device, port);
+        ASSERT_TRUE(made) << describe(made.error());
+        server = std::move(*made);
+    }
+    /// While the device works.
+    template <class Condition> bool sees(Condition condition, int limit_ms = 20000) {
+        return engine.waitFor(
+            [&] {
+                if (server)
+                    server->work(clock.now_s());
+                return condition();
+            },
+            limit_ms);
+    }
+    bool isLive() const {
+        return engine.last.tried && engine.last.tried->state.status.link == LinkState::Live;
+    }
+    MessageCode problem() const {
+        return engine.last.tried ? engine.last.tried->state.status.problem.code : MessageCode::None;
+    }
+    /// By its name.
+    static const ModbusProfile& profile(const char* name) {
+        return *std::ranges::find(shippedProfiles(), name, &ModbusProfile::name);
+    }
+    RigSpec thermometer() const {
+        RigSpec rig;
+        rig.thermometer.emplace().port = port;
+        rig.thermometer->serial = usualSerial(ThermometerDriver::Modbus);
+        rig.thermometer->unit = 5;
+        rig.thermometer->profile = profile("waveshare-8ch-4-20ma");
+        return rig;
+    }
+};
+
+} // namespace
+
+// Catches a test read that tells only the channels in use, or none.
+TEST_F(TryDeviceTest, AModbusThermometerTellsAllItsChannels) {
+    ModbusSimulator module;
+    module.addThermometer(5, profile("waveshare-8ch-4-20ma"), kelvinFromCelsius(25.0));
+    module.setTemperature(5, 3, kelvinFromCelsius(80.0));
+    serve(module);
+    engine.send(TryDevice{thermometer()});
+    ASSERT_TRUE(sees([&] {
+        return isLive() && engine.last.tried->temperatures_K.size() == 8 &&
+               std::isfinite(engine.last.tried->temperatures_K[7]);
+    }));
+    EXPECT_NEAR(engine.last.tried->temperatures_K[0], kelvinFromCelsius(25.0), 0.2);
+    EXPECT_NEAR(engine.last.tried->temperatures_K[3], kelvinFromCelsius(80.0), 0.2);
+    EXPECT_EQ(engine.last.tried->state.role, DeviceRole::Thermometer);
+
+    RigSpec other = thermometer();
+    other.thermometer->unit = 6; // nobody has this address
+    engine.send(TryDevice{other});
+    ASSERT_TRUE(sees([&] { return problem() == MessageCode::DeviceSilent; }));
+    EXPECT_FALSE(isLive());
+
+    engine.send(TryDevice{});
+    ASSERT_TRUE(sees([&] { return !engine.last.tried; })); // and its port is free
+}
+
+// Catches a robot that is moved or homed by being tried.
+TEST_F(TryDeviceTest, AGrblRobotTellsWhereItIs) {
+    GrblSimulatorConfig config;
+    config.start = {12.5, -3.0, 150.0, 10.0};
+    GrblSimulator robot(config);
+    serve(robot);
+    RigSpec rig;
+    rig.robot.emplace().port = port;
+    engine.send(TryDevice{rig});
+    ASSERT_TRUE(sees([&] { return isLive() && engine.last.tried->coordinates; }));
+    const Vector6d at = *engine.last.tried->coordinates;
+    EXPECT_NEAR(at[kX], 0.0125, 1e-6);
+    EXPECT_NEAR(at[kZ], 0.15, 1e-6);
+    EXPECT_NEAR(at[kThetaX], radFromDeg(10.0), 1e-6);
+    EXPECT_NE(engine.last.tried->state.status.identity.find("Grbl"), std::string::npos);
+    EXPECT_EQ(robot.positions(), config.start);
+}
+
+// Catches a plate that is switched by being tried.
+TEST_F(TryDeviceTest, ANamurPlateTellsItsTemperature) {
+    NamurSimulatorConfig config;
+    config.ambient_K = kelvinFromCelsius(23.0);
+    NamurSimulator plate(config);
+    serve(plate);
+    RigSpec rig;
+    rig.source.emplace().driver = HeatSourceDriver::Namur;
+    rig.source->port = port;
+    rig.source->serial = usualSerial(HeatSourceDriver::Namur);
+    engine.send(TryDevice{rig});
+    ASSERT_TRUE(sees([&] { return isLive() && engine.last.tried->temperatures_K.size() == 1; }));
+    EXPECT_NEAR(engine.last.tried->temperatures_K[0], kelvinFromCelsius(23.0), 0.1);
+    EXPECT_FALSE(plate.isOn());
+
+    ASSERT_TRUE(plate.setFault("silent"));
+    ASSERT_TRUE(sees([&] { return engine.last.tried->state.status.link == LinkState::Lost; }));
+    EXPECT_EQ(problem(), MessageCode::DeviceSilent);
+}
+
+// Catches a mistyped port that only says "opening", and a device of another kind taken for the right one.
+TEST_F(TryDeviceTest, AWrongPortIsToldInWords) {
+    engine.send(TryDevice{thermometer()}); // nothing is there
+    ASSERT_TRUE(sees([&] { return problem() == MessageCode::LinkNotOpened; }));
+    EXPECT_EQ(engine.last.tried->state.status.problem.args.at(0), port);
+    EXPECT_FALSE(engine.last.tried->state.status.problem.args.at(1).empty());
+
+    NamurSimulator plate;
+    serve(plate);
+    RigSpec rig;
+    rig.robot.emplace().port = port; // a hotplate's
+    engine.send(TryDevice{rig});
+    ASSERT_TRUE(sees(
+        [&] { return problem() == MessageCode::DeviceSilent || problem() == MessageCode::DeviceOther; }));
+    EXPECT_FALSE(isLive());
+}
+
+} // namespace bask

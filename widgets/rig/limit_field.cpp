@@ -1,0 +1,24 @@
+#include "widgets/rig/limit_field.h"
+
+#include <QSignalBlocker>
+
+namespace bask {
+
+QDoubleSpinBox* limitField(QWidget* parent, const QString& name, double least, double most, int decimals,
+                           const QString& suffix) {
+    auto* field = new QDoubleSpinBox(parent);
+    field->setObjectName(name);
+    field->setDecimals(decimals);
+    field->setRange(least, most);
+    field->setSuffix(suffix);
+    field->setKeyboardTracking(false);
+    field->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return field;
+}
+
+void setQuietly(QDoubleSpinBox* field, double value) {
+    const QSignalBlocker block(field);
+    field->setValue(value);
+}
+
+} // namespace bask
