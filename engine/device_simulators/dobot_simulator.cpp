@@ -7,6 +7,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 namespace bask {
@@ -27,7 +28,8 @@ std::string inSmallLetters(std::string text) {
 
 DobotSimulator::DobotSimulator(const DobotSimulatorConfig& config)
     : m_config(config), m_position(config.start),
-      m_mode(config.startsDisabled ? DobotMode::Disabled : DobotMode::Idle) {}
+      m_mode(config.startsDisabled ? DobotMode::Disabled : DobotMode::Idle), m_user(config.user),
+      m_tool(config.tool), m_speedFactor(config.speedFactor) {}
 
 std::vector<std::string> DobotSimulator::faults() const {
     return {"none", "silent", "alarm", "disabled", "paused", "slow-reply", "lost-steps", "garbage"};
@@ -40,7 +42,7 @@ Result<void> DobotSimulator::setFault(const std::string& name) {
     if (name == "alarm")
         raise(kCollision);
     if (name == "disabled") {
-        m_moves.clear();
+        m_queue.clear();
         m_mode = DobotMode::Disabled;
     }
     if (name == "paused" && (m_mode == DobotMode::Idle || m_mode == DobotMode::Running))
@@ -49,7 +51,7 @@ Result<void> DobotSimulator::setFault(const std::string& name) {
 }
 
 void DobotSimulator::raise(int error) {
-    m_moves.clear();
+    m_isQueueStopped = true; // what is in it waits
     m_mode = DobotMode::Error;
     m_error = error;
 }
@@ -67,7 +69,9 @@ void DobotSimulator::receive(Port& port, std::string_view bytes, double now_s) {
                 {m_now_s + (m_fault == "slow-reply" ? kSlow_s : m_config.moveDelay_s), text});
         } else if (&port == &m_dashboard) {
             std::string values;
-            const int error = takeDashboard(inSmallLetters(text.substr(0, text.find('('))), values);
+            const std::size_t bracket = text.find('(');
+            const int error = takeDashboard(inSmallLetters(text.substr(0, bracket)),
+                                            std::atoi(text.c_str() + bracket + 1), values);
             port.m_said += std::to_string(error) + ",{" + values + "}," + text + ";";
         }
     }
@@ -83,27 +87,42 @@ std::string DobotSimulator::transmit(Port& port, double now_s) {
     return out;
 }
 
-int DobotSimulator::takeDashboard(const std::string& name, std::string& values) {
+int DobotSimulator::takeDashboard(const std::string& name, int number, std::string& values) {
     if (name == "enablerobot") {
         if (m_mode == DobotMode::Error)
             return kNotDone;
         m_mode = DobotMode::Idle;
+        runQueue();
     } else if (name == "disablerobot") {
-        m_moves.clear();
+        m_queue.clear();
         m_mode = DobotMode::Disabled;
     } else if (name == "clearerror") {
         if (m_mode == DobotMode::Error)
             m_mode = DobotMode::Disabled;
         m_error = 0;
     } else if (name == "resetrobot") {
-        m_moves.clear(); // what is still on its way on the other port is not stopped
+        m_queue.clear(); // what is still on its way on the other port is not stopped
         if (m_mode != DobotMode::Error && m_mode != DobotMode::Disabled)
             m_mode = DobotMode::Idle;
     } else if (name == "robotmode") {
         values = std::to_string(static_cast<std::uint64_t>(m_mode));
     } else if (name == "geterrorid") {
-        values = "[[" + (m_error == 0 ? std::string() : std::to_string(m_error)) + "],[],[],[],[]]";
-    } else if (name != "user" && name != "tool" && name != "speedfactor") {
+        values = "[\n\t[" + (m_error == 0 ? std::string() : std::to_string(m_error)) +
+                 "],\n\t[],\n\t[],\n\t[],\n\t[]\n]\n";
+    } else if (name == "continue") {
+        if (m_mode == DobotMode::Error || m_mode == DobotMode::Disabled)
+            return kNotDone;
+        m_isQueueStopped = false;
+        if (m_mode == DobotMode::Paused)
+            m_mode = DobotMode::Idle;
+        runQueue();
+    } else if (name == "user" || name == "tool") { // taken, though a disabled arm does not carry it out
+        if (m_mode == DobotMode::Idle || m_mode == DobotMode::Running)
+            m_queue.push_back({{}, 1.0, 0.0, name == "user" ? &m_user : &m_tool, number});
+        runQueue();
+    } else if (name == "speedfactor") {
+        m_speedFactor = 0.01 * number;
+    } else {
         return kUnknown;
     }
     return 0;
@@ -112,7 +131,7 @@ int DobotSimulator::takeDashboard(const std::string& name, std::string& values) 
 int DobotSimulator::takeMotion(const std::string& name, const std::string& arguments) {
     if (name != "movl")
         return kUnknown;
-    Move move{{}, 1.0};
+    Queued move;
     std::size_t count = 0;
     for (std::size_t from = 0; from < arguments.size(); ++count) {
         const std::size_t to = std::min(arguments.find(',', from), arguments.size());
@@ -137,9 +156,22 @@ int DobotSimulator::takeMotion(const std::string& name, const std::string& argum
         raise(kOutOfReach);
         return 0;
     }
-    m_moves.push_back(move);
-    m_mode = DobotMode::Running;
+    m_queue.push_back(move);
+    runQueue();
     return 0;
+}
+
+std::size_t DobotSimulator::queued() const {
+    return static_cast<std::size_t>(std::ranges::count(m_queue, nullptr, &Queued::frame));
+}
+
+/// It runs while there is a move to make.
+void DobotSimulator::runQueue() {
+    if (m_isQueueStopped || (m_mode != DobotMode::Idle && m_mode != DobotMode::Running))
+        return;
+    for (; !m_queue.empty() && m_queue.front().frame != nullptr; m_queue.pop_front())
+        *m_queue.front().frame = m_queue.front().index;
+    m_mode = m_queue.empty() ? DobotMode::Idle : DobotMode::Running;
 }
 
 // --- Time ---
@@ -160,7 +192,8 @@ void DobotSimulator::advance(double now_s) {
         m_now_s += dt_s;
         if (m_now_s >= m_packet_s) {
             m_packet_s = m_now_s + kPeriod_s;
-            m_feedback.m_said += dobotPacket({m_mode, m_position});
+            m_feedback.m_said += dobotPacket(
+                {m_mode, m_position, m_user, m_tool, static_cast<std::uint64_t>(1000.0 + 1e3 * m_now_s)});
             if (m_feedback.m_said.size() > 10 * DobotFeedbackReader::kPacketBytes) // nobody reads
                 m_feedback.m_said.erase(0, DobotFeedbackReader::kPacketBytes);
         }
@@ -168,20 +201,21 @@ void DobotSimulator::advance(double now_s) {
 }
 
 void DobotSimulator::move(double dt_s) {
-    if (!m_moves.empty()) {
-        const Move& next = m_moves.front();
+    if (!m_queue.empty()) {
+        Queued& next = m_queue.front();
         double squares = 0.0;
         for (std::size_t i = 0; i < m_position.size(); ++i)
             squares += std::pow(next.to[i] - m_position[i], 2);
-        const double left = std::sqrt(squares), way = next.speed * m_config.fullSpeed_mm_s * dt_s;
+        const double left = std::sqrt(squares),
+                     way = next.speed * m_speedFactor * m_config.fullSpeed_mm_s * dt_s;
         const double share = way < left ? way / left : 1.0;
         for (std::size_t i = 0; i < m_position.size() && m_fault != "lost-steps"; ++i)
             m_position[i] += share * (next.to[i] - m_position[i]);
-        if (share == 1.0 || m_fault == "lost-steps")
-            m_moves.pop_front();
+        next.lost += m_fault == "lost-steps" ? way : 0.0;
+        if (share == 1.0 || next.lost >= left)
+            m_queue.pop_front();
     }
-    if (m_moves.empty())
-        m_mode = DobotMode::Idle;
+    runQueue();
 }
 
 } // namespace bask

@@ -1,5 +1,6 @@
 #pragma once
-// A simulated four-axis Dobot arm: its dashboard, motion and feedback ports, a queue of straight moves.
+// A simulated four-axis Dobot arm: its dashboard, motion and feedback ports, a queue of straight moves and
+// frames that an alarm stops and only Continue() starts again.
 
 #include "engine/device_simulators/byte_device.h"
 #include "engine/protocols/dobot_messages.h"
@@ -13,6 +14,8 @@ struct DobotSimulatorConfig {
     double fullSpeed_mm_s = 500.0; ///< at 100 %, degrees counted as millimetres
     double reach_mm = 440.0;       ///< a move beyond ends in an alarm
     bool startsDisabled = false;
+    int user = 0, tool = 0;    ///< frames that were chosen before; told only, its places are those of 0
+    double speedFactor = 1.0;  ///< that was set before
     double moveDelay_s = 0.02; ///< before a command on the motion port is taken
 };
 
@@ -31,7 +34,8 @@ public:
     Result<void> setFault(const std::string& name);
 
     const DobotPosition& position() const { return m_position; }
-    std::size_t queued() const { return m_moves.size(); }
+    /// Moves that are begun or wait.
+    std::size_t queued() const;
     DobotMode mode() const { return m_mode; }
 
 private:
@@ -52,16 +56,21 @@ private:
         double time_s;
         std::string text;
     };
-    struct Move {
-        DobotPosition to;
-        double speed;
+    /// A move, or a frame to choose.
+    struct Queued {
+        DobotPosition to{};
+        double speed = 1.0;
+        double lost = 0.0; ///< way that was not made
+        int* frame = nullptr;
+        int index = 0;
     };
 
     void receive(Port& port, std::string_view bytes, double now_s);
     std::string transmit(Port& port, double now_s);
     void advance(double now_s);
     void move(double dt_s);
-    int takeDashboard(const std::string& name, std::string& values);
+    int takeDashboard(const std::string& name, int number, std::string& values);
+    void runQueue();
     int takeMotion(const std::string& name, const std::string& arguments);
     void raise(int error);
 
@@ -70,7 +79,10 @@ private:
     double m_now_s = 0.0, m_packet_s = 0.0;
     DobotPosition m_position;
     DobotMode m_mode;
-    std::deque<Move> m_moves;
+    std::deque<Queued> m_queue;
+    bool m_isQueueStopped = false;
+    int m_user = 0, m_tool = 0;
+    double m_speedFactor = 1.0;
     std::deque<Command> m_commands; ///< of the motion port, on their way
     int m_error = 0;
     std::string m_fault = "none";

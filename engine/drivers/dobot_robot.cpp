@@ -13,10 +13,15 @@ namespace {
 
 constexpr double kFirstPacket_s = 3.0;
 constexpr double kSilence_s = 1.0;
+constexpr double kHeldUp_s = 0.5; // since the last call: the engine was silent, not the arm
+constexpr double kDrift = 1e-3;   // of two clocks
 constexpr double kPacketPeriod_s = 0.008;
 constexpr double kSlow_s = 2.0;
 constexpr double kThere = 0.05;       // mm, degrees: the servos' own noise
-constexpr double kNotBegun_s = 0.5;   // idle for so long after a move was taken: it is over
+constexpr double kNotBegun_s = 0.5;   // idle for so long after a move was taken: it does not carry it out
+constexpr double kHaste = 2.0;        // a move takes half its step's time; the rest is for what is on its way
+constexpr double kLate_s = 0.5;       // beyond twice a step's time
+constexpr double kFrames_s = 0.5;     // they go through its queue
 constexpr double kResetAgain_s = 0.1; // a move may come to the arm after the reset that is for it
 constexpr double kResetting_s = 1.0, kEnabling_s = 5.0;
 constexpr double kNoReply_s = 5.0;
@@ -44,12 +49,15 @@ const char* heldWords(DobotMode mode) {
 } // namespace
 
 DobotRobot::DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback, const Clock& clock,
-                       AxisMap map, MotionGuard guard)
+                       AxisMap map, MotionGuard guard, double fullSpeed_mm_s)
     : m_dashboard(dashboard), m_motion(motion), m_feedback(feedback), m_clock(clock),
-      m_planner(std::move(map), std::move(guard)) {}
+      m_planner(std::move(map), std::move(guard)), m_fullSpeed_mm_s(fullSpeed_mm_s) {}
 
 void DobotRobot::work() {
     const double now_s = m_clock.now_s();
+    if (now_s - m_worked_s > kHeldUp_s)
+        m_waiting_s = now_s; // what came meanwhile is still to be read
+    m_worked_s = now_s;
     if (!areLinksOpen(now_s))
         return;
     listen(now_s);
@@ -83,8 +91,9 @@ void DobotRobot::begin(double now_s) {
     m_dashboardReplies.clear();
     m_motionReplies.clear();
     m_packets.clear();
-    m_toAsk = {"User(0)", "Tool(0)"}; // its base's frame, its flange
     m_isSetUp = false;
+    m_time_ms = 0;
+    m_otherFrame_s.reset();
     m_isPlaceToCheck = m_wasLive;
 }
 
@@ -105,15 +114,15 @@ void DobotRobot::lose(const Message& why, double now_s) {
 
 void DobotRobot::watch(double now_s) {
     const bool isLive = m_linkState == LinkState::Live;
-    const double silent_s = now_s - std::max(m_opened_s, m_lastPacket_s);
-    const double unanswered_s = m_asked ? now_s - m_asked->sent_s : 0.0;
+    const double silent_s = now_s - std::max({m_opened_s, m_lastPacket_s, m_waiting_s});
+    const double unanswered_s = m_asked ? now_s - std::max(m_asked->sent_s, m_waiting_s) : 0.0;
     if (silent_s > (isLive ? kSilence_s : kFirstPacket_s))
         return lose({MessageCode::DeviceSilent, {m_feedback.link().name(), formatNumber(silent_s, 2)}},
                     now_s);
     if (unanswered_s > kNoReply_s)
         return lose({MessageCode::DeviceSilent, {m_dashboard.link().name(), formatNumber(unanswered_s, 2)}},
                     now_s);
-    const double move_s = m_move_s ? now_s - *m_move_s : 0.0;
+    const double move_s = m_move_s ? now_s - std::max(*m_move_s, m_waiting_s) : 0.0;
     if (move_s > kNoReply_s)
         return lose({MessageCode::DeviceSilent, {m_motion.link().name(), formatNumber(move_s, 2)}}, now_s);
     if (move_s > kSlow_s && !m_isSlow) {
@@ -148,18 +157,41 @@ void DobotRobot::discard(const std::string& words, double now_s) {
 }
 
 void DobotRobot::takeReply(const DobotReply& reply, double now_s) {
+    if (reply.command == "geterrorid") { // nothing waits for it
+        const std::vector<int> ids = dobotErrorIds(reply.values);
+        if (m_alarm && !ids.empty())
+            m_alarm = ids.front();
+        return;
+    }
     if (!m_asked || m_asked->command != reply.command)
         return discard(reply.command, now_s);
     m_replyTime_s = now_s - m_asked->sent_s;
     m_asked.reset();
-    if (reply.command == "geterrorid") {
-        const std::vector<int> ids = dobotErrorIds(reply.values);
-        if (m_alarm && !ids.empty())
-            m_alarm = ids.front();
-    } else if (reply.error != 0) {
+    takeSetUp(reply, now_s);
+}
+
+void DobotRobot::takeSetUp(const DobotReply& reply, double now_s) {
+    const bool isSetting =
+        reply.command == "speedfactor" || reply.command == "user" || reply.command == "tool";
+    if (reply.error != 0 && reply.command != "continue") { // one that is not paused may refuse that
         note({MessageCode::RobotRefused, {std::to_string(reply.error), dobotErrorWords(reply.error)}}, now_s);
-    } else if (reply.command == "tool") {
+        if (isSetting || (reply.command == "resetrobot" && m_mode == DobotMode::Idle && !m_isHalting)) {
+            m_refused = reply.error;
+            m_toAsk.clear();
+        }
+        return;
+    }
+    if (reply.command == "resetrobot" || reply.command == "enablerobot") {
+        m_mustReset = m_mustReset && reply.command != "resetrobot";
+        m_isSetUp = false; // what was in its queue is gone
+        std::erase_if(m_toAsk, [](const std::string& text) {
+            return text != "ClearError()" && text != "ResetRobot()" && text != "EnableRobot()";
+        });
+    }
+    m_mustContinue = m_mustContinue && reply.command != "continue";
+    if ((reply.command == "tool" || reply.command == "continue") && m_toAsk.empty()) {
         m_isSetUp = true;
+        m_setUp_s = now_s;
     }
 }
 
@@ -168,6 +200,7 @@ void DobotRobot::takeMoveReply(const std::string& text, double now_s) {
     if (!reply || reply->command != "movl" || !m_move_s)
         return discard(text, now_s);
     m_move_s.reset();
+    m_answered_s = now_s;
     m_isIdleSeen = false;
     if (reply->error != 0) {
         m_refused = reply->error;
@@ -203,21 +236,45 @@ void DobotRobot::takeFeedback(const DobotFeedback& feedback, double now_s) {
     if (at.empty())
         return;
     m_at = at;
-    m_at_s = m_lastRead_s - kPacketPeriod_s; // it came since the last look, and was measured before
+    takeTime(feedback, now_s);
+    takeFrames(feedback, now_s);
     takeMode(now_s);
     followStep(now_s);
     checkPlace();
-    if (m_isSetUp) {
+    if (m_isSetUp || m_refused || m_mode != DobotMode::Idle) {
         m_linkState = LinkState::Live;
         m_wasLive = true;
         m_problem = {};
     }
 }
 
+/// No packet is newer than it was read, and one of many that waited is as much older as its own clock says.
+void DobotRobot::takeTime(const DobotFeedback& feedback, double now_s) {
+    const double told_s = 0.001 * static_cast<double>(feedback.time_ms);
+    if (feedback.time_ms <= m_time_ms || m_time_ms == 0) // it was set, or has none
+        m_offset_s = m_lastRead_s - told_s;
+    else
+        m_offset_s = std::min(m_offset_s + kDrift * 0.001 * static_cast<double>(feedback.time_ms - m_time_ms),
+                              now_s - told_s);
+    m_time_ms = feedback.time_ms;
+    m_at_s = m_offset_s + told_s - kPacketPeriod_s;
+}
+
+/// What is told in another frame is another place, and so is where a move leads.
+void DobotRobot::takeFrames(const DobotFeedback& feedback, double now_s) {
+    if (feedback.user == 0 && feedback.tool == 0)
+        return m_otherFrame_s.reset();
+    m_otherFrame_s = m_otherFrame_s.value_or(now_s);
+    if (m_isSetUp && now_s - std::max(m_setUp_s, *m_otherFrame_s) > kFrames_s && m_failure.empty())
+        failStep("it moves in another frame than user 0 and tool 0");
+}
+
 void DobotRobot::takeMode(double now_s) {
     const bool isQuiet = m_isHalting || now_s < m_quietUntil_s;
     if (m_mode == DobotMode::Error) {
         m_alarm = m_alarm.value_or(0);
+        m_mustReset = m_mustContinue = true; // what it was told last still waits
+        m_isSetUp = false;
         m_planner.forget();
         m_isHalting = false;
         m_step.reset();
@@ -238,18 +295,28 @@ void DobotRobot::followStep(double now_s) {
     m_isIdleSeen = m_isIdleSeen && m_mode == DobotMode::Idle;
     if (m_step && m_step->isTaken && m_mode == DobotMode::Running)
         m_step->wasRunning = true;
+    const bool isOnItsWay = m_step && m_step->isTaken && !m_step->isCancelled;
+    if (isOnItsWay && m_mode == DobotMode::Running &&
+        now_s - m_step->taken_s > 2.0 * m_step->plan.time_s + kLate_s)
+        return failStep("a step took over twice its time; compare its full speed with its settings");
     if (m_mode != DobotMode::Idle || m_move_s)
         return;
     if (m_step) {
         const bool isThere = outside(m_at, m_step->plan.to, m_step->plan.to) < kThere;
-        if (!m_step->wasRunning && !isThere && now_s - m_step->taken_s < kNotBegun_s)
-            return;
+        if (!m_step->wasRunning && !isThere) {
+            if (now_s - m_step->taken_s < kNotBegun_s)
+                return;
+            if (isOnItsWay) {
+                m_mustContinue = true;
+                return failStep("a step was taken and not carried out");
+            }
+        }
         m_isPlaceToCheck = true;
         if (!m_step->isCancelled)
             m_spanFrom = m_spanTo; // at the very end of the step
         m_step.reset();
     }
-    if (m_isHalting && (m_asked || !m_toAsk.empty()))
+    if (m_isHalting && (m_asked || !m_toAsk.empty() || isResetDue()))
         return; // the reset itself is on its way
     m_isHalting = false;
     m_isIdleSeen = true;
@@ -274,9 +341,10 @@ void DobotRobot::checkPlace() {
 void DobotRobot::act(double now_s) {
     if (m_alarm == 0 && !m_asked && m_toAsk.empty() && now_s - m_askErrors_s > kErrorsPause_s) {
         m_askErrors_s = now_s;
-        m_toAsk.emplace_back("GetErrorID()");
+        m_dashboard.link().write("GetErrorID()");
     }
-    const bool mayMove = m_mode == DobotMode::Running || m_move_s || m_reset_s < m_halted_s;
+    setUp();
+    const bool mayMove = m_mode == DobotMode::Running || m_move_s || isResetDue();
     if (m_isHalting && !m_asked && mayMove && now_s - m_reset_s > kResetAgain_s) {
         m_toAsk.emplace_front("ResetRobot()");
         m_reset_s = now_s;
@@ -291,8 +359,38 @@ void DobotRobot::act(double now_s) {
         m_asked = Asked{name, now_s};
     }
     const bool isFree = m_isIdleSeen && !m_move_s && !m_isHalting && !m_asked && m_toAsk.empty();
-    if (isFree && m_linkState == LinkState::Live && alarm().code == MessageCode::None)
+    if (isFree && m_isSetUp && !m_otherFrame_s && m_linkState == LinkState::Live &&
+        alarm().code == MessageCode::None)
         sendStep(now_s);
+}
+
+/// Whenever its queue was emptied: its frames go through it.
+void DobotRobot::setUp() {
+    if (m_isSetUp || m_asked || !m_toAsk.empty() || m_mode != DobotMode::Idle || m_isHalting || m_refused)
+        return;
+    if (m_mustReset) {
+        m_toAsk = {"ResetRobot()"};
+        return;
+    }
+    m_toAsk = {"SpeedFactor(100)", "User(0)", "Tool(0)"}; // its base's frame, its flange
+    if (m_mustContinue)
+        m_toAsk.emplace_back("Continue()");
+}
+
+/// In whole percent. Degrees count as millimetres.
+int DobotRobot::speedOf(const PlannedStep& plan) const {
+    double squares = 0.0;
+    for (std::size_t i = 0; i < plan.to.size(); ++i)
+        squares += std::pow(plan.to[i] - plan.from[i], 2);
+    const double share = kHaste * std::sqrt(squares) / (plan.time_s * m_fullSpeed_mm_s);
+    return static_cast<int>(std::clamp(std::ceil(100.0 * share - 1e-6), 1.0, 100.0));
+}
+
+/// Stopped, and told until a person has seen to it.
+void DobotRobot::failStep(const char* words) {
+    m_failure = words;
+    m_planner.forget();
+    stopMove();
 }
 
 void DobotRobot::sendStep(double now_s) {
@@ -308,7 +406,7 @@ void DobotRobot::sendStep(double now_s) {
     const auto& axes = m_planner.map().axes();
     for (std::size_t i = 0; i < axes.size(); ++i)
         to[kDobotLetters.find(axes[i].letter)] = plan->to[i];
-    const auto move = dobotMove(to, kSpeed_percent, kAcceleration_percent);
+    const auto move = dobotMove(to, speedOf(*plan), kAcceleration_percent);
     if (!move)
         return note(move.error().message, now_s);
     m_spanFrom = plan->from;
@@ -352,6 +450,8 @@ Message DobotRobot::alarm() const {
                 {*m_alarm == 0 ? "?" : std::to_string(*m_alarm), "as listed in the robot's manual"}};
     if (m_isDisabled)
         return {MessageCode::RobotDisabled, {}};
+    if (!m_failure.empty())
+        return {MessageCode::RobotAlarm, {"?", m_failure}};
     if (m_elsewhere)
         return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2)}};
     if (!m_held.empty())
@@ -386,7 +486,8 @@ DeviceStatus DobotRobot::status() const {
 Result<RobotState> DobotRobot::state() {
     if (m_linkState != LinkState::Live)
         return notLive();
-    return RobotState{m_at_s, m_planner.map().coordinates(m_at), isMoving(), !m_elsewhere, alarm()};
+    return RobotState{m_at_s, m_planner.map().coordinates(m_at), isMoving(), !m_elsewhere && !m_otherFrame_s,
+                      alarm()};
 }
 
 Result<void> DobotRobot::setTwist(const Vector6d& twist, double validFor_s) {
@@ -424,7 +525,13 @@ Result<void> DobotRobot::clearAlarm() {
     const double now_s = m_clock.now_s();
     switch (alarm().code) {
     case MessageCode::RobotAlarm:
-        m_toAsk = {"ClearError()", "EnableRobot()"};
+        if (!m_alarm) {
+            m_failure.clear();
+            m_isSetUp = false;
+            break;
+        }
+        m_refused.reset(); // of a move that came to it behind the alarm
+        m_toAsk = {"ClearError()", "ResetRobot()", "EnableRobot()"};
         m_quietUntil_s = now_s + kEnabling_s;
         break;
     case MessageCode::RobotDisabled:

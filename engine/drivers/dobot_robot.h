@@ -1,8 +1,8 @@
 #pragma once
 // A four-axis Dobot arm (MG400, M1 Pro) as a Robot: bounded straight moves, one at a time.
 //
-// Its speed is a share of its own, not a number: each step is a short move, then it waits until the step's
-// time is over. Its encoders are absolute; it needs no homing.
+// Its speed is a whole percentage of its own, not a number: each step is a short move, quicker than wanted,
+// then it waits until the step's time is over. Its encoders are absolute; it needs no homing.
 
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
@@ -12,6 +12,7 @@
 #include "engine/protocols/dobot_messages.h"
 #include "engine/protocols/line_splitter.h"
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 
@@ -20,12 +21,13 @@ namespace bask {
 class DobotRobot final : public Robot, public Device {
 public:
     static constexpr double kElsewhere = 0.5; ///< mm, degrees; as GrblRobot's
-    static constexpr int kSpeed_percent = 5, kAcceleration_percent = 20;
+    static constexpr int kAcceleration_percent = 20;
+    static constexpr double kFullSpeed_mm_s = 500.0; ///< where nobody has told it
 
     /// Links to its ports 29999, 30003 and 30004, and the clock, must outlive it. Axes are X, Y, Z and R;
-    /// those that the map does not have are kept where they are found.
+    /// those that the map does not have are kept where they are found. Full speed: of its playback settings.
     DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback, const Clock& clock, AxisMap map,
-               MotionGuard guard);
+               MotionGuard guard, double fullSpeed_mm_s = kFullSpeed_mm_s);
 
     void work() override;
     DeviceStatus status() const override;
@@ -59,18 +61,25 @@ private:
     void watch(double now_s);
     void listen(double now_s);
     void takeReply(const DobotReply& reply, double now_s);
+    void takeSetUp(const DobotReply& reply, double now_s);
     void takeMoveReply(const std::string& text, double now_s);
     void takeFeedback(const DobotFeedback& feedback, double now_s);
+    void takeTime(const DobotFeedback& feedback, double now_s);
+    void takeFrames(const DobotFeedback& feedback, double now_s);
     void takeMode(double now_s);
     void followStep(double now_s);
     void checkPlace();
     std::vector<double> axesOf(const DobotPosition& position);
     void discard(const std::string& words, double now_s);
     void act(double now_s);
+    void setUp();
     void sendStep(double now_s);
+    int speedOf(const PlannedStep& plan) const;
     void stopMove();
-    bool isAtRest() const;
+    void failStep(const char* words);
     bool isMoving() const;
+    /// A move that came after the last reset waits in its queue, though the queue may be stopped.
+    bool isResetDue() const { return m_reset_s < std::max(m_halted_s, m_answered_s); }
     Message alarm() const;
     void note(const Message& message, double now_s);
     Error notLive() const;
@@ -78,23 +87,28 @@ private:
     LinkKeeper m_dashboard, m_motion, m_feedback;
     const Clock& m_clock;
     StepPlanner m_planner;
+    double m_fullSpeed_mm_s;
 
     LinkState m_linkState = LinkState::Closed;
     Message m_problem, m_note;
     double m_noteUntil_s = -1e300;
     bool m_isOpen = false, m_wasLive = false;
+    double m_worked_s = -1e300, m_waiting_s = -1e300; ///< last, and since when without a pause
     double m_opened_s = 0.0, m_lastPacket_s = -1e300, m_lastRead_s = 0.0, m_rate_Hz = 0.0,
            m_replyTime_s = 0.0;
     int m_discarded = 0;
-    LineSplitter m_dashboardReplies{";\r\n"}, m_motionReplies{";\r\n"};
+    LineSplitter m_dashboardReplies{";"}, m_motionReplies{";"};
     DobotFeedbackReader m_packets;
 
     std::deque<std::string> m_toAsk; ///< of the dashboard, one after the other
     std::optional<Asked> m_asked;
     std::optional<double> m_move_s; ///< a move that is not acknowledged
     std::optional<Step> m_step;
-    bool m_isSetUp = false, m_isHalting = false, m_isIdleSeen = false;
-    double m_halted_s = 0.0, m_reset_s = -1e300;
+    /// Its speed and frames were taken since it was reset or enabled last.
+    bool m_isSetUp = false;
+    bool m_mustReset = false, m_mustContinue = false; ///< its queue was stopped by an error
+    bool m_isHalting = false, m_isIdleSeen = false;
+    double m_halted_s = 0.0, m_answered_s = 0.0, m_reset_s = -1e300;
     double m_quietUntil_s = 0.0; ///< the modes that it goes through when reset or enabled are no alarms
     double m_askErrors_s = -1e300;
 
@@ -102,12 +116,17 @@ private:
     DobotPosition m_position{}, m_still{}; ///< as told; where axes without a coordinate stay
     std::vector<double> m_at;
     double m_at_s = 0.0;
+    double m_offset_s = 0.0; ///< of the engine's clock to the controller's
+    std::uint64_t m_time_ms = 0;
+    std::optional<double> m_otherFrame_s; ///< since when its frames are not 0
+    double m_setUp_s = 0.0;
     std::vector<double> m_spanFrom, m_spanTo; ///< it stands between these
     bool m_isPlaceToCheck = false;
 
     std::optional<int> m_alarm; ///< 0: number not told
     std::optional<int> m_refused;
     std::optional<double> m_elsewhere;
+    std::string m_failure; ///< seen from here, its controller does not tell it
     std::string m_held;
     bool m_isDisabled = false, m_isSlow = false;
 };

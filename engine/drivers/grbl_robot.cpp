@@ -12,12 +12,16 @@ namespace {
 
 constexpr double kFirstReply_s = 3.0; // an Arduino that resets on opening takes up to 2 s
 constexpr double kSilence_s = 1.0;
+constexpr double kHeldUp_s = 0.5; // since the last call: the engine was silent, not the robot
 constexpr double kResetTime_s = 2.0;
 constexpr double kHomingTime_s = 120.0; // Grbl tells nothing while it homes
 constexpr double kRestPoll_s = 0.2, kMotionPoll_s = 0.05;
 constexpr double kReply_s = 0.4; // a report that has not come by then is asked for anew
 constexpr double kStepMargin_s = 0.01;
 constexpr double kSlow_s = 2.0;
+constexpr double kStopAgain_s = 0.3; // the byte may be lost
+constexpr double kStopAtMost_s = 0.05;
+constexpr double kHoldTime_s = 1.0; // to slow down in
 constexpr double kFenceAfter_s = 0.5, kFenceTime_s = 5.0;
 constexpr double kNote_s = 5.0;
 constexpr double kSetUpPause_s = 1.0;
@@ -34,6 +38,9 @@ GrblRobot::GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuar
 
 void GrblRobot::work() {
     const double now_s = m_clock.now_s();
+    if (now_s - m_worked_s > kHeldUp_s)
+        m_waiting_s = now_s; // what came meanwhile is still to be read
+    m_worked_s = now_s;
     if (!isLinkOpen(now_s))
         return;
     listen(now_s);
@@ -82,8 +89,14 @@ void GrblRobot::lose(const Message& why, double now_s) {
     if (m_linkState == LinkState::Live)
         m_linkState = LinkState::Lost;
     m_problem = why;
-    if (m_line && m_line->kind == Kind::Home)
+    const bool isHoming = m_status.state == GrblState::Home || (m_line && m_line->kind == Kind::Home);
+    if (isHoming || m_homeStop_s) { // nobody could stop it any more
         m_isPlaceInDoubt = true;
+        m_link.write(std::string(1, grbl::kReset));
+    }
+    m_status = {};
+    m_homeStop_s.reset();
+    m_runStop_s.reset();
     m_keeper.close(now_s);
     m_asked_s.reset();
     m_reset_s.reset();
@@ -101,7 +114,8 @@ void GrblRobot::dropMotion() {
 }
 
 void GrblRobot::watch(double now_s) {
-    const double since_s = now_s - std::max({m_opened_s, m_heard_s, m_reset_s.value_or(m_opened_s)});
+    const double since_s =
+        now_s - std::max({m_opened_s, m_heard_s, m_waiting_s, m_reset_s.value_or(m_opened_s)});
     double allowed_s = m_linkState == LinkState::Live ? kSilence_s : kFirstReply_s;
     if (m_line && m_line->kind == Kind::Home)
         allowed_s = kHomingTime_s;
@@ -114,14 +128,17 @@ void GrblRobot::watch(double now_s) {
              now_s);
         return;
     }
-    if (m_line && m_line->kind != Kind::Home && now_s - m_line->sent_s > kSlow_s && !m_isSlow) {
+    workStops(now_s);
+    const double unanswered_s = m_line ? now_s - std::max(m_line->sent_s, m_waiting_s) : 0.0;
+    if (unanswered_s > kSlow_s && m_line->kind != Kind::Home && !m_isSlow) {
         m_isSlow = true;
         m_planner.forget();
         if (m_line->kind == Kind::Jog)
             stopJog();
     }
-    if (m_reset_s && now_s - *m_reset_s > kResetTime_s) {
-        m_reset_s.reset();
+    if (m_reset_s && now_s - std::max(*m_reset_s, m_waiting_s) > kResetTime_s) {
+        if (!m_homeStop_s)
+            m_reset_s.reset();
         m_next.reset();
         m_isSlow = true;
     }
@@ -133,7 +150,7 @@ void GrblRobot::ask(double now_s) {
     if (now_s - m_opened_s < kSettle_s || (m_asked_s && now_s - *m_asked_s < kReply_s))
         return;
     const double since_s = now_s - m_lastAsk_s;
-    if (since_s < (isMoving() || m_isHalting ? kMotionPoll_s : kRestPoll_s))
+    if (since_s < (isMoving() || m_isHalting || m_runStop_s ? kMotionPoll_s : kRestPoll_s))
         return;
     // Not shortly before a step ends, so that its end is seen at once.
     if (m_step && !m_isHalting && now_s < m_step->end_s && now_s > m_step->end_s - kMotionPoll_s)
@@ -151,12 +168,13 @@ bool GrblRobot::isResting() const {
 }
 
 bool GrblRobot::maySend(double now_s) const {
-    return !m_line && !m_fence_s && !m_reset_s && !m_isHalting && now_s >= m_linesFrom_s;
+    return !m_line && !m_fence_s && !m_reset_s && !m_runStop_s && !m_isHalting && now_s >= m_linesFrom_s;
 }
 
 void GrblRobot::send(Kind kind, const std::string& line, double now_s) {
     m_link.write(line);
     m_line = Pending{kind, now_s};
+    m_wasRunReset = m_wasRunReset && kind != Kind::Jog && kind != Kind::Home;
     m_isIdleSeen = false;
 }
 
@@ -249,7 +267,7 @@ bool GrblRobot::isMoving() const {
 }
 
 bool GrblRobot::isPlaceSure() const {
-    return !m_hasRestarted && !m_elsewhere && !m_isPlaceInDoubt && !isHomingDue();
+    return m_isSetUp && !m_hasRestarted && !m_elsewhere && !m_isPlaceInDoubt && !isHomingDue();
 }
 
 Message GrblRobot::alarm() const {
@@ -321,23 +339,67 @@ Result<void> GrblRobot::setTwist(const Vector6d& twist, double validFor_s) {
 }
 
 Result<void> GrblRobot::halt() {
+    const double now_s = m_clock.now_s();
     m_planner.forget();
     if (m_next == Kind::Home)
         m_next.reset();
-    if (m_line && m_line->kind == Kind::Home)
-        stopHoming();
+    const bool isHoming = m_status.state == GrblState::Home || (m_line && m_line->kind == Kind::Home);
+    if (isHoming || m_homeStop_s)
+        stopHoming(now_s);
     else if (m_step || m_status.state == GrblState::Jog)
         stopJog();
+    else if (m_status.state == GrblState::Run)
+        stopRun(now_s);
     if (m_linkState != LinkState::Live)
         return notLive();
     return {};
 }
 
 /// By a reset, since nothing else ends it; its place is lost.
-void GrblRobot::stopHoming() {
+void GrblRobot::stopHoming(double now_s) {
     m_isPlaceInDoubt = true;
+    if (m_homeStop_s && now_s - m_stopAgain_s < kStopAtMost_s)
+        return;
+    m_link.write(std::string(1, grbl::kReset));
+    m_stopAgain_s = now_s;
+    if (m_homeStop_s)
+        return;
     m_line.reset();
-    reset(std::nullopt, m_clock.now_s());
+    m_next.reset();
+    m_homeStop_s = m_reset_s = now_s;
+}
+
+/// A start-up block, or lines of somebody else: held first, so that it keeps its place, then reset.
+void GrblRobot::stopRun(double now_s) {
+    if (m_runStop_s || m_reset_s || !m_keeper.isOpen())
+        return;
+    if (m_wasRunReset)
+        return reset(std::nullopt, now_s); // a start-up block runs after each reset but one in motion
+    m_link.write(std::string(1, grbl::kHold));
+    m_runStop_s = m_stopAgain_s = now_s;
+    m_spanFrom.clear(); // it is where that has led
+}
+
+void GrblRobot::workStops(double now_s) {
+    const bool isDue = now_s - m_stopAgain_s > kStopAgain_s;
+    if (m_homeStop_s && isDue) {
+        m_link.write(std::string(1, grbl::kReset));
+        m_stopAgain_s = now_s;
+    }
+    if (!m_runStop_s)
+        return;
+    const bool isHeld = m_status.state == GrblState::Hold && m_status.part.value_or(0) == 0;
+    const bool isLate = now_s - *m_runStop_s > kHoldTime_s;
+    if (m_status.state == GrblState::Alarm || (isLate && m_status.state == GrblState::Idle)) {
+        m_runStop_s.reset();
+    } else if (isHeld || isLate) {
+        m_runStop_s.reset();
+        m_wasRunReset = true;
+        reset(std::nullopt, now_s);
+    } else if (isDue && m_status.state == GrblState::Run) {
+        m_link.write(std::string(1, grbl::kHold));
+        m_stopAgain_s = now_s;
+    }
 }
 
 Result<void> GrblRobot::home() {
@@ -345,7 +407,7 @@ Result<void> GrblRobot::home() {
         return notLive();
     if (!m_canHome)
         return Error(MessageCode::RobotCannotHome, m_link.name());
-    if (!isResting() || m_step || m_isHalting || m_reset_s || m_line || m_next)
+    if (!isResting() || m_step || m_isHalting || m_reset_s || m_runStop_s || m_line || m_next)
         return Error(MessageCode::CommandNotNow, m_link.name(), {"home", m_status.word});
     m_planner.forget();
     if (m_status.state == GrblState::Alarm)

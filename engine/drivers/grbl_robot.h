@@ -51,6 +51,7 @@ private:
         Kind kind;
         double sent_s;
         bool hasReport = false; ///< something that only this line asks for has come
+        bool hasUnits = false;  ///< $13 among it
     };
     struct Step {
         PlannedStep plan;
@@ -73,6 +74,7 @@ private:
     void takeStatus(const GrblStatus& status, double now_s);
     void takeState(const GrblStatus& status);
     void takeHome();
+    void endHomeState();
     void takeBanner(const GrblBanner& banner, double now_s);
     void takeReport(const std::string& text, double now_s);
     void takeSetting(const GrblSetting& setting);
@@ -89,7 +91,9 @@ private:
     void setUp(double now_s);
     void reset(std::optional<Kind> then, double now_s);
     void stopJog();
-    void stopHoming();
+    void stopHoming(double now_s);
+    void stopRun(double now_s);
+    void workStops(double now_s);
     void dropMotion();
     bool clearHold();
     Result<void> clearDoubt();
@@ -115,6 +119,7 @@ private:
     double m_noteUntil_s = -1e300;
     bool m_wasLive = false;
     double m_opened_s = 0.0;
+    double m_worked_s = -1e300, m_waiting_s = -1e300; ///< last, and since when without a pause
     double m_heard_s = -1e300; ///< for its liveness: reports, acknowledgements, banners
     double m_lastReply_s = -1e300, m_replyTime_s = 0.0, m_rate_Hz = 0.0;
     std::string m_identity, m_lastGarbage;
@@ -129,7 +134,12 @@ private:
     std::optional<double> m_reset_s; ///< 0x18 whose banner has not come
     std::optional<Kind> m_next;      ///< Unlock or Home, as soon as a line may be sent
     bool m_isHalting = false;
-    bool m_isIdleSeen = false; ///< since the last line was acknowledged
+    std::optional<double>
+        m_homeStop_s; ///< when homing was to end; over when the robot has shown that it took it
+    std::optional<double> m_runStop_s; ///< when what runs was to be held
+    bool m_wasRunReset = false;
+    double m_stopAgain_s = -1e300; ///< the byte for either of them was sent last
+    bool m_isIdleSeen = false;     ///< since the last line was acknowledged
     bool m_isSetUp = false, m_tellsInches = false, m_canHome = true;
     double m_setUpFrom_s = 0.0;
 

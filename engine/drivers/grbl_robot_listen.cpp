@@ -41,6 +41,7 @@ void GrblRobot::take(const GrblLine& line, double now_s) {
         m_alarm = alarm->number;
         m_isPlaceInDoubt = m_isPlaceInDoubt || !isPlaceKept(alarm->number);
         m_planner.forget();
+        m_homeStop_s.reset();
         if (m_line && m_line->kind == Kind::Home)
             m_line.reset(); // it has failed
     } else if (const auto* status = std::get_if<GrblStatus>(&line)) {
@@ -79,10 +80,12 @@ void GrblRobot::takeAnswer(int error, double now_s) {
 
 void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
     switch (line.kind) {
-    case Kind::Settings: // a controller that refuses them when at rest is not asked again
-        m_isSetUp = !m_tellsInches && (error == 0 || isResting());
+    case Kind::Settings: // asked again where the line that matters was not read
+        m_isSetUp = line.hasUnits && !m_tellsInches;
         if (m_isSetUp)
             m_setUpFrom_s = now_s;
+        else if (!line.hasUnits)
+            m_problem = {MessageCode::DeviceAnswersWrong, {m_link.name(), "it does not tell its $13"}};
         break;
     case Kind::Version:
         if (m_identity.empty())
@@ -92,6 +95,8 @@ void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
         if (m_step && error == 0) {
             m_step->isTaken = true;
             m_step->end_s = now_s + m_step->plan.time_s + kStepMargin_s;
+        } else if (error == 0) {
+            stopJog(); // nobody waits for its end any more
         } else {
             m_step.reset();
             m_planner.forget();
@@ -99,6 +104,7 @@ void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
         }
         break;
     case Kind::Home:
+        endHomeState();
         if (error == 0)
             takeHome();
         [[fallthrough]];
@@ -107,6 +113,12 @@ void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
             note(refusal(error), now_s);
         break;
     }
+}
+
+/// What was told before is not true any more, and what comes next is not known.
+void GrblRobot::endHomeState() {
+    if (m_status.state == GrblState::Home)
+        m_status.state = GrblState::Idle;
 }
 
 void GrblRobot::takeHome() {
@@ -177,6 +189,7 @@ void GrblRobot::takeState(const GrblStatus& status) {
     if (status.isHomed)
         m_isHomed = *status.isHomed;
     if (status.state == GrblState::Alarm) {
+        m_homeStop_s.reset();
         if (!m_alarm)
             m_alarm = status.part.value_or(kNotTold);
         m_isPlaceInDoubt = m_isPlaceInDoubt || !isPlaceKept(*m_alarm);
@@ -189,7 +202,7 @@ void GrblRobot::takeState(const GrblStatus& status) {
     const bool isHeld = status.state == GrblState::Hold || status.state == GrblState::Door ||
                         status.state == GrblState::Check || status.state == GrblState::Sleep ||
                         status.state == GrblState::Tool;
-    if (!isHeld || m_reset_s)
+    if (!isHeld || m_reset_s || m_runStop_s)
         return;
     m_held = status.word;
     m_isPlaceInDoubt = m_isPlaceInDoubt || status.state == GrblState::Sleep; // its motors are off
@@ -213,7 +226,8 @@ void GrblRobot::checkPlace() {
 
 void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
     m_identity = banner.identity;
-    if (m_reset_s) {
+    const bool isOfStop = m_isPlaceInDoubt && now_s - m_stopAgain_s < kQuiet_s; // one that was sent twice
+    if (m_reset_s || isOfStop) {
         m_isPlaceToCheck = true;
     } else {
         m_next.reset();
@@ -222,7 +236,10 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
         m_hasRestarted = m_hasRestarted || m_wasLive;
         m_alarm.reset(); // the next report tells
     }
+    endHomeState();
     m_heard_s = now_s;
+    m_homeStop_s.reset();
+    m_runStop_s.reset();
     m_reset_s.reset();
     m_asked_s.reset();
     m_offset.clear();
@@ -252,6 +269,7 @@ void GrblRobot::takeSetting(const GrblSetting& setting) {
         m_canHome = setting.value != "0";
     if (setting.number != 13)
         return;
+    m_line->hasUnits = true;
     m_tellsInches = setting.value != "0";
     if (m_tellsInches)
         m_problem = {MessageCode::DeviceAnswersWrong,

@@ -16,13 +16,14 @@ LinkKeeper::Found LinkKeeper::work(double now_s) {
     if (m_link.isOpen())
         return std::exchange(m_isOpen, true) ? Found::Open : Found::Opened;
     if (m_isOpen) {
-        m_isOpen = false;
+        m_isOpen = m_isOpening = false;
         m_tried_s = now_s;
         return Found::Lost;
     }
     const bool hasFailed = m_link.problem().code != MessageCode::None;
-    if (now_s - m_tried_s >= (hasFailed ? kReopen_s : kOpening_s)) {
+    if (now_s - m_tried_s >= (hasFailed || !m_isOpening ? kReopen_s : kOpening_s)) {
         m_tried_s = now_s;
+        m_isOpening = true;
         m_link.open();
     }
     return Found::Closed;
@@ -30,7 +31,7 @@ LinkKeeper::Found LinkKeeper::work(double now_s) {
 
 void LinkKeeper::close(double now_s) {
     m_link.close();
-    m_isOpen = false;
+    m_isOpen = m_isOpening = false;
     m_tried_s = now_s;
 }
 

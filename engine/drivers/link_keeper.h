@@ -22,7 +22,7 @@ public:
 
 private:
     ByteLink& m_link;
-    bool m_isOpen = false;
+    bool m_isOpen = false, m_isOpening = false;
     double m_tried_s = -1e300;
 };
 

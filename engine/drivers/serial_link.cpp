@@ -6,6 +6,7 @@
 #include <QSerialPort>
 
 #include <poll.h>
+#include <sys/ioctl.h>
 
 namespace bask {
 namespace {
@@ -27,6 +28,18 @@ void apply(const SerialSettings& settings, QSerialPort& port) {
 bool takesBytes(int descriptor) {
     pollfd state{descriptor, POLLOUT, 0};
     return ::poll(&state, 1, 0) > 0 && state.revents == POLLOUT;
+}
+
+/// A port waits up to half a minute for what its other end does not take; the last few bytes, which may be a
+/// stop, are given the moment that they need.
+void dropUnsent(QSerialPort& port) {
+    constexpr int kTries = 20;
+    constexpr int kTry_ms = 1;
+    int unsent = 0;
+    for (int i = 0; i < kTries && ::ioctl(port.handle(), TIOCOUTQ, &unsent) == 0 && unsent > 0; ++i)
+        ::poll(nullptr, 0, kTry_ms);
+    if (unsent > 0 || port.bytesToWrite() > 0)
+        port.clear(QSerialPort::Output);
 }
 
 } // namespace
@@ -71,8 +84,10 @@ void SerialLink::Port::lose(MessageCode code, const std::string& words) {
     if (!words.empty())
         problem.args.push_back(words);
     const auto close = [this] {
-        if (isLost)
+        if (isLost) {
+            dropUnsent(serial);
             serial.close();
+        }
     };
     QMetaObject::invokeMethod(&serial, close, Qt::QueuedConnection);
 }
@@ -80,7 +95,9 @@ void SerialLink::Port::lose(MessageCode code, const std::string& words) {
 SerialLink::SerialLink(std::string path, const SerialSettings& settings)
     : m_port(std::make_unique<Port>(std::move(path), settings)) {}
 
-SerialLink::~SerialLink() = default;
+SerialLink::~SerialLink() {
+    close();
+}
 
 void SerialLink::open() {
     close();
@@ -93,6 +110,8 @@ void SerialLink::open() {
 }
 
 void SerialLink::close() {
+    if (m_port->serial.isOpen())
+        dropUnsent(m_port->serial);
     m_port->serial.close();
     m_port->isLost = false;
 }

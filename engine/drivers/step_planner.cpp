@@ -10,6 +10,7 @@ namespace bask {
 namespace {
 
 constexpr int kHalvings = 5;
+constexpr double kShortest_s = 0.02;    // what is left of a velocity is not worth a step
 constexpr double kRefusedPause_s = 0.1; // the guard is not asked the same again and again
 
 } // namespace
@@ -29,7 +30,6 @@ void StepPlanner::setTwist(const Vector6d& twist, double validFor_s, double now_
     if (m_isRefused && twist != m_twist)
         m_notBefore_s = now_s;
     m_twist = twist;
-    m_validFor_s = validFor_s;
     m_expires_s = now_s + validFor_s;
 }
 
@@ -57,8 +57,14 @@ Vector6d StepPlanner::startFrom(const std::vector<double>& at) const {
 }
 
 double StepPlanner::approvedShare(const Vector6d& start, const Vector6d& way) const {
-    const auto approves = [&](double share) {
+    const auto isFine = [&](double share) {
         return m_guard(m_map.coordinates(rounded(start + share * way)));
+    };
+    // What is carried on an arm swings out between two places that are fine.
+    const bool turns = !way.tail<3>().isZero(0.0);
+    const auto approves = [&](double share) {
+        return isFine(share) &&
+               (!turns || (isFine(0.75 * share) && isFine(0.5 * share) && isFine(0.25 * share)));
     };
     if (approves(1.0))
         return 1.0;
@@ -73,7 +79,11 @@ double StepPlanner::approvedShare(const Vector6d& start, const Vector6d& way) co
 std::optional<PlannedStep> StepPlanner::next(const std::vector<double>& at, double now_s) {
     if (now_s >= m_expires_s || now_s < m_notBefore_s || m_twist.isZero(0.0))
         return std::nullopt;
-    const double time_s = std::min(m_validFor_s, kLongest_s);
+    const double left_s = std::min(kLongest_s, m_expires_s - now_s);
+    if (left_s < kShortest_s)
+        return std::nullopt;
+    const double turn_rad_s = m_twist.tail<3>().norm();
+    const double time_s = left_s * turn_rad_s > kMostTurn_rad ? kMostTurn_rad / turn_rad_s : left_s;
     const Vector6d start = startFrom(at);
     Vector6d way = time_s * m_twist;
     way.tail<3>() = rotationAxes(start).inverse() * way.tail<3>();

@@ -1,5 +1,6 @@
 #pragma once
-// A velocity as bounded steps, for robots that take positions: each step's end is approved before it is sent.
+// A velocity as bounded steps, for robots that take positions: each step's end is approved before it is sent,
+// and of one that turns its way, too.
 
 #include "engine/protocols/axis_map.h"
 
@@ -24,6 +25,7 @@ double outside(const std::vector<double>& at, const std::vector<double>& a, cons
 class StepPlanner {
 public:
     static constexpr double kLongest_s = 0.5;
+    static constexpr double kMostTurn_rad = 0.1; ///< of one step
     /// A robot this near to where its last step should have ended goes on from there, so that roundings do
     /// not add up and a slow velocity is not lost in them. mm, degrees.
     static constexpr double kSlack = 0.1;
@@ -35,9 +37,9 @@ public:
     void setTwist(const Vector6d& twist, double validFor_s, double now_s);
     /// Nothing is wanted any more.
     void forget();
-    /// The step to send now to a robot that stands at `at`: towards where the wanted twist leads within
-    /// min(validFor_s, kLongest_s), or the part of it that the guard approves. Empty: none is due, none is
-    /// wanted, it is too short for the axes, or the guard refuses it (isRefused).
+    /// The step to send now to a robot that stands at `at`: towards where the wanted twist leads within what
+    /// is left of its time, kLongest_s and kMostTurn_rad, or the part of it that the guard approves. Empty:
+    /// none is due, none is wanted, it is too short for the axes, or the guard refuses it (isRefused).
     std::optional<PlannedStep> next(const std::vector<double>& at, double now_s);
     bool isRefused() const { return m_isRefused; }
 
@@ -50,7 +52,7 @@ private:
     AxisMap m_map;
     MotionGuard m_guard;
     Vector6d m_twist = Vector6d::Zero();
-    double m_validFor_s = 0.0, m_expires_s = 0.0;
+    double m_expires_s = 0.0;
     double m_notBefore_s = 0.0;
     std::optional<Vector6d> m_goal; ///< of the last step, not rounded
     bool m_isRefused = false;

@@ -12,7 +12,8 @@ namespace bask {
 namespace {
 
 constexpr double kFarthest = 9999.999; // mm, degrees
-constexpr std::size_t kModeAt = 24, kTestAt = 48, kPositionAt = 624;
+constexpr std::size_t kModeAt = 24, kTimeAt = 32, kTestAt = 48, kPositionAt = 624, kUserAt = 1012,
+                      kToolAt = 1013;
 constexpr std::uint64_t kTest = 0x0123456789ABCDEF;
 
 std::uint64_t wordAt(std::string_view packet, std::size_t at) {
@@ -39,9 +40,10 @@ bool readInt(std::string_view text, int& value) {
 
 } // namespace
 
-std::optional<DobotReply> parseDobotReply(std::string_view text) {
-    while (!text.empty() && text.front() <= ' ')
-        text.remove_prefix(1);
+std::optional<DobotReply> parseDobotReply(std::string_view raw) {
+    std::string plain(raw);
+    std::erase_if(plain, [](char c) { return c >= 0 && c <= ' '; });
+    const std::string_view text = plain;
     DobotReply reply;
     const std::size_t open = text.find(",{"), close = text.find("},");
     if (open == std::string_view::npos || close == std::string_view::npos || close < open ||
@@ -115,6 +117,9 @@ std::optional<DobotFeedback> DobotFeedbackReader::next() {
             break;
         DobotFeedback out;
         out.mode = static_cast<DobotMode>(wordAt(m_bytes, kModeAt));
+        out.time_ms = wordAt(m_bytes, kTimeAt);
+        out.user = static_cast<unsigned char>(m_bytes[kUserAt]);
+        out.tool = static_cast<unsigned char>(m_bytes[kToolAt]);
         for (std::size_t i = 0; i < out.position.size(); ++i)
             out.position[i] = std::bit_cast<double>(wordAt(m_bytes, kPositionAt + 8 * i));
         m_bytes.erase(0, kPacketBytes);
@@ -130,7 +135,10 @@ std::string dobotPacket(const DobotFeedback& feedback) {
     packet[0] = static_cast<char>(packet.size() & 0xFF);
     packet[1] = static_cast<char>(packet.size() >> 8);
     putWord(packet, kModeAt, static_cast<std::uint64_t>(feedback.mode));
+    putWord(packet, kTimeAt, feedback.time_ms);
     putWord(packet, kTestAt, kTest);
+    packet[kUserAt] = static_cast<char>(feedback.user);
+    packet[kToolAt] = static_cast<char>(feedback.tool);
     for (std::size_t i = 0; i < feedback.position.size(); ++i)
         putWord(packet, kPositionAt + 8 * i, std::bit_cast<std::uint64_t>(feedback.position[i]));
     return packet;

@@ -40,7 +40,7 @@ struct DobotReply {
     bool operator==(const DobotReply&) const = default;
 };
 
-/// One reply without its semicolon; empty where it is damaged or none.
+/// One reply without its semicolon, with or without ends of lines in it; empty where it is damaged or none.
 std::optional<DobotReply> parseDobotReply(std::string_view text);
 
 /// What a negative ErrorID of a reply means; empty for one that is not known.
@@ -56,7 +56,9 @@ Result<std::string> dobotMove(const DobotPosition& to, int speed_percent, int ac
 /// What is used of a packet.
 struct DobotFeedback {
     DobotMode mode = DobotMode::Starting;
-    DobotPosition position{}; ///< ToolVectorActual
+    DobotPosition position{};  ///< ToolVectorActual, in the frames below
+    int user = 0, tool = 0;    ///< index of the global user and tool frame
+    std::uint64_t time_ms = 0; ///< on the controller's clock
     bool operator==(const DobotFeedback&) const = default;
 };
 

@@ -21,6 +21,7 @@ protected:
 
     double m_now_s = 0.0;
     DobotSimulator m_arm;
+    DobotFeedbackReader m_reader;
 };
 
 // Catches replies in another form than the maker's: the command as it came, case not counted.
@@ -47,14 +48,54 @@ TEST_F(DobotSimulatorTest, MovesAndStops) {
 // Catches an alarm that is not there, or ends without being cleared and enabled.
 TEST_F(DobotSimulatorTest, AlarmsAreClearedThenEnabled) {
     move("MovL(500,0,50,0)"); // out of reach
-    EXPECT_EQ(ask("GetErrorID()"), "0,{[[17],[],[],[],[]]},GetErrorID();");
+    EXPECT_EQ(ask("GetErrorID()"), "0,{[\n\t[17],\n\t[],\n\t[],\n\t[],\n\t[]\n]\n},GetErrorID();");
     EXPECT_EQ(ask("EnableRobot()"), "-1,{},EnableRobot();");
     EXPECT_EQ(move("MovL(200,0,50,0)"), "-1,{},MovL(200,0,50,0);");
     ask("ClearError()");
     EXPECT_EQ(ask("RobotMode()"), "0,{4},RobotMode();");
     ask("EnableRobot()");
     EXPECT_EQ(ask("RobotMode()"), "0,{5},RobotMode();");
-    EXPECT_EQ(ask("GetErrorID()"), "0,{[[],[],[],[],[]]},GetErrorID();");
+    EXPECT_EQ(ask("GetErrorID()"), "0,{[\n\t[],\n\t[],\n\t[],\n\t[],\n\t[]\n]\n},GetErrorID();");
+}
+
+// Catches a queue that goes on by itself after an alarm: what was in it waits, what comes is taken and waits,
+// until Continue(); and a reset that leaves it full.
+TEST_F(DobotSimulatorTest, AnAlarmStopsTheQueueUntilItIsContinued) {
+    move("MovL(300,0,50,0,SpeedL=10)");
+    ASSERT_TRUE(m_arm.setFault("alarm"));
+    ask("ClearError()");
+    ask("EnableRobot()");
+    EXPECT_EQ(move("MovL(200,0,50,0)"), "0,{},MovL(200,0,50,0);");
+    EXPECT_EQ(m_arm.mode(), DobotMode::Idle);
+    EXPECT_EQ(m_arm.queued(), 2U);
+    ask("User(3)");
+    EXPECT_EQ(ask("Continue()"), "0,{},Continue();");
+    EXPECT_EQ(m_arm.mode(), DobotMode::Running);
+    ASSERT_TRUE(m_arm.setFault("alarm"));
+    ask("ClearError()");
+    ask("ResetRobot()");
+    EXPECT_EQ(m_arm.queued(), 0U);
+}
+
+// Catches frames that are chosen at once, or by a disabled arm.
+TEST_F(DobotSimulatorTest, FramesGoThroughTheQueue) {
+    const auto user = [&] {
+        m_reader.add(m_arm.feedback().transmit(m_now_s += 0.01));
+        int last = -1;
+        while (const auto packet = m_reader.next())
+            last = packet->user;
+        return last;
+    };
+    move("MovL(300,0,50,0,SpeedL=50)");
+    ask("User(2)");
+    EXPECT_EQ(user(), 0);
+    m_now_s += 1.0;
+    EXPECT_EQ(user(), 2);
+    ask("DisableRobot()");
+    EXPECT_EQ(ask("User(0)"), "0,{},User(0);");
+    EXPECT_EQ(user(), 2);
+    ask("EnableRobot()");
+    EXPECT_EQ(user(), 2);
 }
 
 // Catches packets at another rate, or a reader that comes late and gets all of the past.

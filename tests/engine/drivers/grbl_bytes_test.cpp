@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace bask::test {
 namespace {
 
@@ -127,7 +129,7 @@ TEST_F(GrblBytesTest, AnUnaskedReportIsNoNewer) {
 // it is thought to be over while it may still run.
 TEST_F(GrblBytesTest, ALostAcknowledgementIsSettledByAFence) {
     goLive();
-    ASSERT_TRUE(m_robot.setTwist(m_twist, 0.1));
+    ASSERT_TRUE(m_robot.setTwist(m_twist, 0.105));
     EXPECT_EQ(sentAfter(0.005), "$J=G21G90G53X0.300Z0.400F300.0\n");
     std::string sent;
     for (int i = 0; i < 12; ++i)
@@ -141,6 +143,114 @@ TEST_F(GrblBytesTest, ALostAcknowledgementIsSettledByAFence) {
     for (int i = 0; i < 20; ++i)
         sent += answered("<Idle|MPos:0.300,0.000,0.400>\r\n", 0.05);
     EXPECT_NE(sent.find("$J=G21G90G53X1.8"), std::string::npos) << sent;
+}
+
+// Catches settings whose line about the units was damaged, and inches that are taken for millimetres.
+TEST_F(GrblBytesTest, WithoutItsUnitsItIsAskedAgain) {
+    sentAfter(0.01);
+    m_link.say("Grbl 1.1h ['$' for help]\r\n");
+    sentAfter(0.25);
+    ASSERT_EQ(answered("<Idle|MPos:0.000,0.000,0.000>\r\n"), "$$\n");
+    answered("$10=1\r\n$1#=1\r\n$22=1\r\nok\r\n");
+    answered("<Idle|MPos:1.000,0.000,0.000>\r\n", 0.1);
+    EXPECT_EQ(m_robot.status().link, LinkState::Opening);
+    EXPECT_EQ(m_robot.state().error().code(), MessageCode::DeviceAnswersWrong);
+    std::string sent;
+    for (int i = 0; i < 20; ++i)
+        sent += answered("<Idle|MPos:1.000,0.000,0.000>\r\n", 0.05);
+    EXPECT_NE(sent.find("$$"), std::string::npos);
+    answered("$13=0\r\nok\r\n");
+    answered("<Idle|MPos:1.000,0.000,0.000>\r\n", 0.01);
+    EXPECT_EQ(m_robot.status().link, LinkState::Live);
+}
+
+// Catches a healthy link that is closed because the engine itself had stood still, which restarts an Arduino;
+// and a dead robot that is not seen any more behind it.
+TEST_F(GrblBytesTest, AStallOfTheEngineIsNotTheRobotsSilence) {
+    goLive();
+    m_clock.advance(5.0);
+    EXPECT_EQ(sentAfter(0.005), "?");
+    run(0.5);
+    EXPECT_EQ(m_link.opened(), 1);
+    EXPECT_EQ(m_robot.status().link, LinkState::Live);
+    run(0.6);
+    EXPECT_EQ(m_robot.status().link, LinkState::Lost);
+    run(0.6); // opened again soon
+    EXPECT_EQ(m_link.opened(), 2);
+}
+
+// Catches a stop of homing that is sent once and lost on the way, one that goes on for ever, and a second one
+// that does nothing.
+TEST_F(GrblBytesTest, AStopOfHomingIsRepeatedUntilItIsTaken) {
+    goLive();
+    ASSERT_TRUE(m_robot.home());
+    EXPECT_EQ(sentAfter(0.01).find("$H\n"), 0U);
+    run(1.0);
+    m_link.takeSent();
+    EXPECT_TRUE(m_robot.halt());
+    EXPECT_EQ(m_link.takeSent(), "\x18");
+    const std::string sent = sentAfter(0.7);
+    EXPECT_EQ(std::ranges::count(sent, '\x18'), 2);
+    EXPECT_TRUE(m_robot.halt());
+    EXPECT_EQ(m_link.takeSent(), "\x18");
+    m_link.say("ALARM:6\r\n\r\nGrbl 1.1h ['$' for help]\r\n[MSG:'$H'|'$X' to unlock]\r\n");
+    run(0.01);
+    m_link.say("\r\nGrbl 1.1h ['$' for help]\r\n"); // to the one that came second
+    EXPECT_EQ(answered("<Alarm|MPos:0.000,0.000,0.000>\r\n", 0.9).find('\x18'), std::string::npos);
+    EXPECT_EQ(m_robot.state()->alarm, (Message{MessageCode::RobotAlarm, {"6", "reset while homing"}}));
+    EXPECT_FALSE(m_robot.state()->isPlaceSure);
+}
+
+// Catches a robot that homes on after its link was given up.
+TEST_F(GrblBytesTest, ALostLinkEndsHoming) {
+    goLive();
+    ASSERT_TRUE(m_robot.home());
+    run(1.0);
+    m_link.takeSent();
+    run(121.0);
+    EXPECT_EQ(m_robot.status().link, LinkState::Lost);
+    EXPECT_NE(m_link.takeSent().find('\x18'), std::string::npos);
+}
+
+// Catches a start-up block, or lines of somebody else, that run on through a stop; they are held first.
+TEST_F(GrblBytesTest, WhatRunsIsHeldAndReset) {
+    goLive();
+    answered("<Run|MPos:1.000,0.000,0.000>\r\n");
+    m_link.takeSent();
+    EXPECT_TRUE(m_robot.halt());
+    EXPECT_TRUE(m_robot.halt());
+    EXPECT_EQ(m_link.takeSent(), "!");
+    EXPECT_EQ(answered("<Hold:1|MPos:1.500,0.000,0.000>\r\n", 0.2).find('\x18'), std::string::npos);
+    EXPECT_EQ(answered("<Hold:0|MPos:2.000,0.000,0.000>\r\n").substr(0, 1), "\x18");
+    answered("Grbl 1.1h ['$' for help]\r\n<Run|MPos:2.000,0.000,0.000>\r\n"); // the block again
+    EXPECT_EQ(alarm(), MessageCode::None);
+    m_link.takeSent();
+    EXPECT_TRUE(m_robot.halt());
+    EXPECT_EQ(m_link.takeSent(), "\x18");
+}
+
+// Catches a hold that is lost and waited for.
+TEST_F(GrblBytesTest, AHoldIsNotWaitedForWithoutEnd) {
+    goLive();
+    answered("<Run|MPos:1.000,0.000,0.000>\r\n");
+    EXPECT_TRUE(m_robot.halt());
+    std::string sent;
+    for (int i = 0; i < 24; ++i)
+        sent += answered("<Run|MPos:1.000,0.000,0.000>\r\n", 0.05);
+    EXPECT_GE(std::ranges::count(sent, '!'), 3);
+    EXPECT_EQ(std::ranges::count(sent, '\x18'), 1);
+}
+
+// Catches an acknowledgement that is told as a refusal, because its step had been given up meanwhile.
+TEST_F(GrblBytesTest, AnOkToADroppedStepIsNoRefusal) {
+    goLive();
+    ASSERT_TRUE(m_robot.setTwist(m_twist, 10.0));
+    sentAfter(0.005);
+    answered("<Hold:0|MPos:0.000,0.000,0.000>\r\nok\r\n");
+    EXPECT_EQ(alarm(), MessageCode::RobotHeld);
+    answered("<Idle|MPos:0.000,0.000,0.000>\r\n");
+    EXPECT_TRUE(m_robot.clearAlarm());
+    EXPECT_EQ(alarm(), MessageCode::None);
 }
 
 // Catches a device of another kind that is only called silent.

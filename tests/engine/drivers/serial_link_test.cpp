@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <ctime>
 #include <filesystem>
 #include <fstream>
@@ -152,6 +153,24 @@ TEST_F(SerialLinkTest, aDeviceThatDoesNotReadIsToldAndNotWaitedFor) {
     EXPECT_LT(taken, 200000u);
     EXPECT_EQ(m_link.problem().code, MessageCode::LinkStuck);
     EXPECT_EQ(m_link.problem().args, std::vector<std::string>{m_path});
+}
+
+// Catches a stop that is thrown away with what nobody takes, when the port is closed right behind it; and a
+// close that waits for what nobody takes.
+TEST_F(SerialLinkTest, theLastBytesAreGivenAMomentOnClosing) {
+    m_link.open();
+    m_server->work(0.0); // it has seen somebody
+    m_link.write("stop");
+    m_link.close();
+    for (int i = 0; i < 100; ++i)
+        m_server->work(0.0);
+    EXPECT_EQ(m_device.heard, "stop");
+    m_link.open();
+    while (m_link.isOpen())
+        m_link.write(std::string(100, 'x'));
+    const auto before = std::chrono::steady_clock::now();
+    m_link.close();
+    EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::milliseconds(200));
 }
 
 // Catches a reason that leaves a newcomer puzzled: not in the port's group, or opened by another program.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace bask {
@@ -26,6 +28,9 @@ TEST(StepPlanner, TheVeryTargetWasApproved) {
     });
     std::mt19937 random(3);
     std::uniform_real_distribution<double> any(-1.0, 1.0);
+    const auto isApproved = [&](const Vector6d& q) {
+        return std::ranges::find(approved, q) != approved.end();
+    };
     int steps = 0;
     for (int i = 0; i < 1000; ++i) {
         planner.forget();
@@ -35,7 +40,7 @@ TEST(StepPlanner, TheVeryTargetWasApproved) {
             continue;
         ++steps;
         ASSERT_FALSE(approved.empty());
-        EXPECT_EQ(map.coordinates(step->to), approved.back());
+        EXPECT_TRUE(isApproved(map.coordinates(step->to)));
         approved.clear();
     }
     EXPECT_GT(steps, 800);
@@ -66,6 +71,38 @@ TEST(StepPlanner, AVelocityExpires) {
     planner.setTwist(kRight, 0.2, 1.0);
     planner.forget();
     EXPECT_FALSE(planner.next({2.0, 0.0, 0.0}, 1.0));
+}
+
+// Catches a step that is sent late in a velocity's time and goes on beyond its end.
+TEST(StepPlanner, AStepEndsWithItsVelocity) {
+    StepPlanner planner = anywhere();
+    planner.setTwist(kRight, 0.2, 0.0);
+    const auto step = planner.next({0.0, 0.0, 0.0}, 0.15);
+    ASSERT_TRUE(step);
+    EXPECT_NEAR(step->time_s, 0.05, 1e-9);
+    EXPECT_NEAR(step->to[0], 0.5, 1e-9);
+    planner.setTwist(kRight, 0.2, 1.0);
+    EXPECT_FALSE(planner.next({0.5, 0.0, 0.0}, 1.19));
+}
+
+// Catches a turn whose end is fine and whose way is not, and turns without bound.
+TEST(StepPlanner, ATurnIsApprovedOnItsWay) {
+    const Vector6d turn = (Vector6d() << 0, 0, 0, 0, 0.15, 0).finished();
+    for (const double bad_rad : {0.25 * 0.075, 0.5 * 0.075, 0.75 * 0.075}) {
+        StepPlanner planner(AxisMap(kAxes, Vector6d::Zero()),
+                            [&](const Vector6d& target) { return std::abs(target[4] - bad_rad) > 0.001; });
+        planner.setTwist(turn, 0.5, 0.0);
+        const auto step = planner.next({0.0, 0.0, 0.0}, 0.0);
+        if (step) {
+            EXPECT_LT(step->to[2], bad_rad * 57.3);
+        }
+    }
+    StepPlanner planner = anywhere();
+    planner.setTwist(10.0 * turn, 0.5, 0.0);
+    const auto step = planner.next({0.0, 0.0, 0.0}, 0.0);
+    ASSERT_TRUE(step);
+    EXPECT_NEAR(step->to[2], 0.1 * 57.29577951308232, 1e-3);
+    EXPECT_NEAR(step->time_s, 0.1 / 1.5, 1e-9);
 }
 
 // Catches roundings that add up, and a goal that is kept where the robot is not: pushed, or stopped on its
