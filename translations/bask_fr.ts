@@ -5739,8 +5739,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Vues de l’étalonnage</translation>
         </message>
     </context>
-<context>
-    <name>bask::AlarmWords</name>
+    <context>
+        <name>bask::AlarmWords</name>
         <message>
             <source>Active</source>
             <translation>Active</translation>
@@ -5766,8 +5766,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>d’avant</translation>
         </message>
     </context>
-<context>
-    <name>bask::AlarmList</name>
+    <context>
+        <name>bask::AlarmList</name>
         <message>
             <source>Priority %1</source>
             <translation>Priorité %1</translation>
@@ -5853,8 +5853,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste.</translation>
         </message>
     </context>
-<context>
-    <name>bask::AlarmButton</name>
+    <context>
+        <name>bask::AlarmButton</name>
         <message>
             <source>Alarm of priority %1 (%2): %3</source>
             <translation>Alarme de priorité %1 (%2) : %3</translation>
@@ -5868,8 +5868,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>C’est peut-être périmé : le moteur ne répond pas.</translation>
         </message>
     </context>
-<context>
-    <name>bask::BottomDock</name>
+    <context>
+        <name>bask::BottomDock</name>
         <message>
             <source>Alarms</source>
             <translation>Alarmes</translation>
@@ -5886,15 +5886,16 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Alarms and events</source>
             <translation>Alarmes et événements</translation>
         </message>
-        <message>
-    <name>bask::Question</name>
+    </context>
+    <context>
+        <name>bask::Question</name>
         <message>
             <source>Cancel</source>
             <translation>Annuler</translation>
         </message>
     </context>
-<context>
-    <name>bask::ZeroPanel</name>
+    <context>
+        <name>bask::ZeroPanel</name>
         <message>
             <source>Offsets: %1.</source>
             <translation>Corrections : %1.</translation>
@@ -5928,8 +5929,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Faire concorder tous les capteurs pendant que les objets sont à la température ambiante</translation>
         </message>
     </context>
-<context>
-    <name>bask::SafetyPanel</name>
+    <context>
+        <name>bask::SafetyPanel</name>
         <message>
             <source>%1: %2 instead of %3</source>
             <translation>%1 : %2 au lieu de %3</translation>
