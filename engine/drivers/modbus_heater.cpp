@@ -92,7 +92,8 @@ void ModbusHeater::take(const ModbusReply& reply) {
     m_isRefused = !reply.ok() && !isWrite;
     if (isWrite) {
         m_writeProblem = reply ? Message{} : reply.error().message;
-        m_tries -= m_writeProblem.code == MessageCode::DeviceSilent ? 1 : 0;
+        if (m_writeProblem.code == MessageCode::DeviceSilent && m_tries > 0)
+            --m_tries;
     } else if (reply) {
         takeRead(*reply);
     } else if (!m_wanted_K && isOn() && !isWorn()) {

@@ -40,7 +40,7 @@ void NamurHeater::work() {
     }
     switch (m_watch.work()) {
     case LinkWatch::Turn::Closed:
-        m_isOffDue = heating();
+        m_isOffDue = m_isOffDue || m_isOn;
         m_isOn = m_isFed = false;
         return;
     case LinkWatch::Turn::Opened:
@@ -119,8 +119,8 @@ bool NamurHeater::takeSetPoint(const std::string& line) {
     const bool isOther = m_isOn && !m_mustStart && std::abs(*m_readBack_K - m_sent_K) > kSetPointWithin_K;
     m_others = isOther ? m_others + 1 : 0;
     m_mustSet = m_mustSet || isOther; // some forget it at the start
-    if (!m_mustZero && !m_mustLook && value->value <= kOff_degC + kSetPointWithin_K)
-        m_isOffDue = false;
+    if (!m_mustZero && !m_mustLook && value->value <= kOff_degC + kSetPointWithin_K && !m_isOn)
+        m_isOffDue = m_wasOn = false;
     return true;
 }
 
@@ -270,7 +270,7 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
     if (m_refusal != Message{})
         return Error(m_refusal.code, {}, m_refusal.args);
     if (!m_isOn) {
-        m_isOn = m_isFed = m_mustSet = m_mustStart = true;
+        m_isOn = m_wasOn = m_isFed = m_mustSet = m_mustStart = true;
         m_isWatched = m_isOffDue = m_mustZero = m_mustLook = false;
         m_others = m_stopsLeft = 0;
         m_nextWatchdog_s = m_clock.now_s();
@@ -285,7 +285,7 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
 Result<void> NamurHeater::heatOff() {
     m_refusal = {};
     if (!m_link.isOpen()) {
-        m_isOffDue = heating();
+        m_isOffDue = m_isOffDue || m_isOn;
         m_isOn = m_isFed = false;
         return m_watch.error();
     }
@@ -297,7 +297,7 @@ Result<void> NamurHeater::heatOff() {
 }
 
 Result<void> NamurHeater::offSeen() const {
-    if (!m_isOffDue || m_clock.now_s() < m_off_s + kStops * kStopAgain_s)
+    if (!heating() || m_clock.now_s() < m_off_s + kStops * kStopAgain_s)
         return {};
     if (!m_watch.isLive())
         return m_watch.error();

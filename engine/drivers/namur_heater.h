@@ -40,8 +40,8 @@ public:
     Result<void> keepHeating(double setPoint_K, double validFor_s) override;
     /// An Error when the link is closed, and after three tries that are not seen in the set point.
     Result<void> heatOff() override;
-    /// Asked for, or not yet seen to be off.
-    bool heating() const override { return m_isOn || m_isOffDue; }
+    /// Asked for, or not yet seen to be off; not of a plate that never answered.
+    bool heating() const override { return m_isOn || (m_isOffDue && (m_wasOn || m_watch.isLive())); }
     std::optional<double> setPoint_K() const override { return m_readBack_K; }
     /// As far as is known: until it was not said back.
     bool hasWatchdog() const override;
@@ -87,6 +87,7 @@ private:
     bool m_mustSet = false, m_mustStart = false;
     double m_nextSet_s = 0.0;
     bool m_isOffDue = false;                     ///< not yet seen to be off
+    bool m_wasOn = false;                        ///< since it was seen to be off last
     bool m_mustZero = false, m_mustLook = false; ///< the set point of one that is to be off
     int m_stopsLeft = 0;
     double m_off_s = 0.0, m_nextStop_s = 0.0, m_nextWatchdog_s = 0.0;

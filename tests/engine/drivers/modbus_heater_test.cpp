@@ -316,7 +316,12 @@ TEST_F(ModbusHeaterTest, ADeadNeighbourDoesNotHoldItUp) {
         }
         return share;
     };
+    const auto begun = static_cast<std::ptrdiff_t>(link.sent.size());
     EXPECT_GT(heatFor(60.0), 0.99);
+    EXPECT_GT(std::count_if(link.sent.begin() + begun, link.sent.end(),
+                            [](const ModbusRequest& r) { return r.unit == 5; }),
+              120)
+        << "questions of the heater in a minute";
     double worst_s = 0.0;
     for (int i = 0; i < 20; ++i) {
         heatFor(4.0 + 0.073 * i);

@@ -290,6 +290,16 @@ TEST_F(NamurHeaterTest, anImpossibleTemperatureIsAFault) {
     EXPECT_EQ(reading.fault, SensorFault::OutOfRange);
 }
 
+// Catches a plate that is not there told as heating.
+TEST_F(NamurHeaterTest, aPlateThatNeverAnsweredIsNotHeating) {
+    m_answers.clear();
+    for (int i = 0; i < 100; ++i) {
+        run(0.1);
+        ASSERT_FALSE(m_heater.heating()) << i;
+    }
+    EXPECT_EQ(m_heater.status().link, LinkState::Opening);
+}
+
 // Catches a plate that has no name and is lost over the question.
 TEST_F(NamurHeaterTest, aPlateWithoutNameIsReadAllTheSame) {
     m_answers.erase("IN_NAME");
@@ -423,6 +433,7 @@ TEST_F(NamurHeaterTest, aLostPlateIsToldFoundAgainAndStopped) {
     const auto answers = m_answers;
     m_answers.clear();
     run(NamurHeater::kSilence_s + 0.1);
+    EXPECT_TRUE(m_heater.heating()) << "not seen to be off";
     EXPECT_EQ(m_heater.status().link, LinkState::Lost);
     EXPECT_EQ(m_heater.status().problem, (Message{MessageCode::DeviceSilent, {"/dev/ttyTEST", "2"}}));
     EXPECT_EQ(m_heater.read().error().code(), MessageCode::DeviceSilent);
