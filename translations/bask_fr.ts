@@ -2169,6 +2169,14 @@
             <source>4. The device's own settings</source>
             <translation>4. Les réglages propres à l’appareil</translation>
         </message>
+        <message>
+            <source>May heat without a watchdog</source>
+            <translation>Peut chauffer sans chien de garde</translation>
+        </message>
+        <message>
+            <source>Then the source stays hot when Bask or the computer stops. Never leave it alone.</source>
+            <translation>La source reste alors chaude quand Bask ou l’ordinateur s’arrête. Ne la laissez jamais seule.</translation>
+        </message>
     </context>
     <context>
         <name>bask::Display</name>

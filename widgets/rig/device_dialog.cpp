@@ -59,8 +59,8 @@ DeviceDialog::DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vecto
       m_use(new QPushButton(this)), m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)),
       m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)),
       m_line(new SerialForm(this)), m_axes(new AxisTable(this)), m_mustHome(new QCheckBox(this)),
-      m_probe(new QCheckBox(this)), m_unitNumber(new QSpinBox(this)), m_watchdog(new QDoubleSpinBox(this)),
-      m_message(new MessageBar(this)) {
+      m_probe(new QCheckBox(this)), m_unattended(new QCheckBox(this)), m_unitNumber(new QSpinBox(this)),
+      m_watchdog(new QDoubleSpinBox(this)), m_message(new MessageBar(this)) {
     setObjectName("deviceDialog");
     setModal(false);
     build();
@@ -187,6 +187,8 @@ void DeviceDialog::buildUse() {
     m_form->addRow(m_channelsLabel, m_channelsPart);
     m_form->addRow(m_watchdogLabel, m_watchdog);
     m_form->addRow(QString(), m_probe);
+    m_unattended->setObjectName("unattended");
+    m_form->addRow(QString(), m_unattended);
 }
 
 void DeviceDialog::fill(const RigSpec& rig) {
@@ -224,6 +226,7 @@ void DeviceDialog::fill(const RigSpec& rig) {
         m_unitNumber->setValue(source.unit);
         m_watchdog->setValue(source.watchdog_s);
         m_probe->setChecked(source.isProbeUsed);
+        m_unattended->setChecked(source.mayHeatUnattended);
     }
     m_port->setEditText(portText(rig, m_role));
 }
@@ -345,6 +348,7 @@ RigSpec DeviceDialog::device() const {
         rig.source->profile = profile;
         rig.source->watchdog_s = m_watchdog->value();
         rig.source->isProbeUsed = !isModbus() && m_probe->isChecked();
+        rig.source->mayHeatUnattended = m_unattended->isVisibleTo(this) && m_unattended->isChecked();
         break;
     case DeviceRole::Camera:
         rig.camera = port;
@@ -447,12 +451,13 @@ void DeviceDialog::showParts() {
     showRow(m_channelsPart, m_role == DeviceRole::Thermometer);
     showRow(m_watchdog, isNamur || isWatched);
     showRow(m_probe, isNamur);
+    showRow(m_unattended, m_role == DeviceRole::HeatSource && hasPort() && !isWatched);
     const bool mayTry = hasPort() && m_role != DeviceRole::Camera;
     m_deviceStep->setVisible(mayTry); // the others have one step
     m_connectionStep->setVisible(mayTry);
     m_trialStep->setVisible(mayTry);
     showRow(m_trialPart, mayTry);
-    m_useStep->setVisible(mayTry && (m_role != DeviceRole::HeatSource || isNamur || isWatched));
+    m_useStep->setVisible(mayTry && (m_role != DeviceRole::HeatSource || hasPort()));
     sayNotTried();
     const int last = isModbus() && profile >= 0
                          ? std::max(0, m_profiles[static_cast<std::size_t>(profile)].channels - 1)
@@ -510,6 +515,9 @@ void DeviceDialog::retranslate() {
     m_watchdog->setToolTip(tr("The device switches its heat off when it has heard nothing for so long"));
     m_watchdog->setAccessibleName(tr("Watchdog"));
     m_probe->setText(tr("Its external probe measures the surface"));
+    m_unattended->setText(tr("May heat without a watchdog"));
+    m_unattended->setToolTip(
+        tr("Then the source stays hot when Bask or the computer stops. Never leave it alone."));
     m_try->setText(tr("Test read"));
     sayNotTried();
     m_use->setText(tr("Use"));

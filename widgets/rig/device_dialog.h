@@ -96,7 +96,7 @@ private:
     QWidget *m_portPart, *m_profilePart, *m_channelsPart, *m_trialPart;
     SerialForm* m_line;
     AxisTable* m_axes;
-    QCheckBox *m_mustHome, *m_probe;
+    QCheckBox *m_mustHome, *m_probe, *m_unattended;
     QSpinBox* m_unitNumber;
     QDoubleSpinBox* m_watchdog;
     std::vector<QSpinBox*> m_channels;

@@ -108,8 +108,11 @@ TEST_F(DeviceDialogTest, ProfilesAreThoseOfTheRole) {
     for (int i = 0; i < controllers; ++i) {
         child<QComboBox>("profile")->setCurrentIndex(i);
         EXPECT_TRUE(dialog->device().source->profile.setPoint) << i;
-        EXPECT_EQ(child<QDoubleSpinBox>("watchdog")->isVisible(),
-                  dialog->device().source->profile.watchdog.has_value());
+        const bool isWatched = dialog->device().source->profile.watchdog.has_value();
+        EXPECT_EQ(child<QDoubleSpinBox>("watchdog")->isVisible(), isWatched);
+        EXPECT_NE(child<QCheckBox>("unattended")->isVisible(), isWatched);
+        child<QCheckBox>("unattended")->setChecked(true);
+        EXPECT_NE(dialog->device().source->mayHeatUnattended, isWatched);
     }
     EXPECT_GT(thermometers, 0);
     EXPECT_GT(controllers, 0);
