@@ -133,9 +133,10 @@ void StateBar::setTemperatureUnit(TemperatureUnit unit) {
 
 void StateBar::showChip() {
     if (!m_answering) {
-        m_chip->setState(RunState::Fault,
-                         {tr("The engine is not answering. The devices' own watchdogs stop the heat and "
-                             "the motion. Close Bask and start it again.")});
+        m_chip->setState(
+            RunState::Fault,
+            {tr("The engine is not answering. The robot ends its step, and a heat source with a "
+                "watchdog goes off by itself. Look at the rig, then close Bask and start it again.")});
         return;
     }
     QStringList sentences;

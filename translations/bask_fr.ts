@@ -4775,8 +4775,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <context>
         <name>bask::StateBar</name>
         <message>
-            <source>The engine is not answering. The devices' own watchdogs stop the heat and the motion. Close Bask and start it again.</source>
-            <translation>Le moteur ne répond pas. Les chiens de garde des appareils coupent le chauffage et le mouvement. Fermez Bask et relancez-le.</translation>
+            <source>The engine is not answering. The robot ends its step, and a heat source with a watchdog goes off by itself. Look at the rig, then close Bask and start it again.</source>
+            <translation>Le moteur ne répond pas. Le robot termine son pas, et une source de chaleur munie d’un chien de garde s’éteint d’elle-même. Regardez le banc, puis fermez Bask et relancez-le.</translation>
         </message>
         <message>
             <source>SIMULATED</source>
