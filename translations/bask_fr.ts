@@ -1184,6 +1184,10 @@
             <source>Reset</source>
             <translation>Réinitialiser</translation>
         </message>
+        <message>
+            <source>Connecting</source>
+            <translation>Connexion en cours</translation>
+        </message>
     </context>
     <context>
         <name>bask::Actions</name>
