@@ -5,6 +5,7 @@
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QLoggingCategory>
 
 #include <array>
 #include <cerrno>
@@ -104,6 +105,8 @@ int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
 } // namespace
 
 Dispatch dispatch(int& argc, char** argv) {
+    // A line for each answer that does not fit; the devices' states tell of them.
+    QLoggingCategory::setFilterRules(QStringLiteral("qt.modbus*.warning=false"));
     Dispatch result;
     if (const std::string sentence = notUtf8(argc, argv); !sentence.empty()) {
         std::fprintf(stderr, "bask: %s\n", sentence.c_str());

@@ -16,10 +16,14 @@ struct Verb {
     const char* text;
 };
 constexpr std::array kVerbs{
-    Verb{"Arm", QT_TRANSLATE_NOOP("Verb", "Arm")},       Verb{"Disarm", QT_TRANSLATE_NOOP("Verb", "Disarm")},
-    Verb{"Start", QT_TRANSLATE_NOOP("Verb", "Start")},   Verb{"Hold", QT_TRANSLATE_NOOP("Verb", "Hold")},
-    Verb{"Resume", QT_TRANSLATE_NOOP("Verb", "Resume")}, Verb{"Stop", QT_TRANSLATE_NOOP("Verb", "Stop")},
+    Verb{"Arm", QT_TRANSLATE_NOOP("Verb", "Arm")},
+    Verb{"Disarm", QT_TRANSLATE_NOOP("Verb", "Disarm")},
+    Verb{"Start", QT_TRANSLATE_NOOP("Verb", "Start")},
+    Verb{"Hold", QT_TRANSLATE_NOOP("Verb", "Hold")},
+    Verb{"Resume", QT_TRANSLATE_NOOP("Verb", "Resume")},
+    Verb{"Stop", QT_TRANSLATE_NOOP("Verb", "Stop")},
     Verb{"Reset", QT_TRANSLATE_NOOP("Verb", "Reset")},
+    Verb{"Connecting", QT_TRANSLATE_NOOP("Verb", "Connecting")}, // no run's state
 };
 
 std::string translatedVerb(const std::string& name) {
@@ -33,7 +37,7 @@ std::string translatedState(const std::string& name) {
     for (int i = 0; i <= static_cast<int>(RunState::Fault); ++i)
         if (name == runStateName(static_cast<RunState>(i)))
             return runStateWord(static_cast<RunState>(i)).toStdString();
-    return name;
+    return translatedVerb(name);
 }
 
 } // namespace

@@ -1200,6 +1200,10 @@
             <source>Reset</source>
             <translation>Réinitialiser</translation>
         </message>
+        <message>
+            <source>Connecting</source>
+            <translation>Connexion en cours</translation>
+        </message>
     </context>
     <context>
         <name>bask::Actions</name>

@@ -7,10 +7,10 @@
 #include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/device_simulators/device_server.h"
 #include "engine/device_simulators/grbl_simulator.h"
 #include "engine/device_simulators/modbus_simulator.h"
 #include "engine/device_simulators/namur_simulator.h"
-#include "engine/device_simulators/pty_server.h"
 #include "engine/device_simulators/stream_simulator.h"
 
 #include <QCommandLineParser>
@@ -127,7 +127,7 @@ void end(int) {
     isOver = 1;
 }
 
-void serveUntilEnded(PtyServer& server, const Simulated& simulated) {
+void serveUntilEnded(DeviceServer& server, const Simulated& simulated) {
     const SteadyClock clock;
     while (isOver == 0) {
         simulated.move(clock.now_s());
@@ -136,11 +136,11 @@ void serveUntilEnded(PtyServer& server, const Simulated& simulated) {
     }
 }
 
-int serve(const Kind& kind, const std::string& path, const std::string& fault) {
+int serve(const Kind& kind, const std::string& path, bool isThere, const std::string& fault) {
     const Simulated simulated = kind.make();
     if (const auto known = simulated.device->setFault(fault); !known)
         return refuse(kName, Error{known.error().code(), "--fault", known.error().message.args});
-    auto server = PtyServer::create(*simulated.device, path);
+    auto server = serveAt(path, *simulated.device, isThere);
     if (!server)
         return refuse(kName, server.error());
     isOver = 0;
@@ -171,6 +171,8 @@ int simulateDeviceCommand(const QStringList& arguments) {
             .arg(QString::fromStdString(listOfFaults())));
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOptions({{"link", "Where the port is to be found. Required.", "PATH"},
+                       {"open", "Opens the terminal that is at PATH already, of a null-modem cable or of "
+                                "socat, instead of making one."},
                        {"driver", "The language that it speaks.", "NAME"},
                        {"fault", "Has a fault from the beginning.", "NAME", "none"}});
     parser.addPositionalArgument("DEVICE", "robot, thermometer or heater.");
@@ -182,7 +184,8 @@ int simulateDeviceCommand(const QStringList& arguments) {
         kindOf(parser.positionalArguments().first().toStdString(), parser.value("driver").toStdString());
     if (!kind)
         return refuse(kName, kind.error());
-    return serve(**kind, parser.value("link").toStdString(), parser.value("fault").toStdString());
+    return serve(**kind, parser.value("link").toStdString(), parser.isSet("open"),
+                 parser.value("fault").toStdString());
 }
 
 } // namespace bask

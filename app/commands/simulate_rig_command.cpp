@@ -8,7 +8,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/device_simulators/bench.h"
-#include "engine/device_simulators/pty_server.h"
+#include "engine/device_simulators/device_server.h"
 #include "engine/runtime/rig_setup.h"
 
 #include <QCommandLineParser>
@@ -63,10 +63,11 @@ public:
 
     explicit BenchServer(Bench& bench) : m_bench(bench) {}
 
-    Result<void> open(const RigSpec& rig) {
+    /// `isThere`: their terminals, made by others.
+    Result<void> open(const RigSpec& rig, bool isThere) {
         const std::array paths{rig.robot->port, rig.thermometer->port, rig.source->port};
         for (std::size_t i = 0; i < paths.size(); ++i) {
-            auto server = PtyServer::create(device(i), paths[i]);
+            auto server = serveAt(paths[i], device(i), isThere);
             if (!server)
                 return server.error();
             m_servers.push_back(std::move(*server));
@@ -130,7 +131,7 @@ private:
     }
 
     Bench& m_bench;
-    std::vector<std::unique_ptr<PtyServer>> m_servers;
+    std::vector<std::unique_ptr<DeviceServer>> m_servers;
     std::string m_told;
     bool m_isListening = true;
 };
@@ -148,6 +149,8 @@ int simulateRigCommand(const QStringList& arguments) {
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption(
         {"heating-time", "Time constant of the plate while it heats, in seconds.", "SECONDS", "60"});
+    parser.addOption({"open", "Opens the terminals that are at the paths already, of null-modem cables or of "
+                              "socat, instead of making new ones."});
     parser.addPositionalArgument("EXPERIMENT.json", "An experiment with a rig.");
     if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;
@@ -166,7 +169,7 @@ int simulateRigCommand(const QStringList& arguments) {
     isOver = 0;
     std::signal(SIGINT, end);
     std::signal(SIGTERM, end);
-    if (const auto opened = server.open(*experiment->rig); !opened)
+    if (const auto opened = server.open(*experiment->rig, parser.isSet("open")); !opened)
         return refuse(kName, opened.error());
     const RigSpec& rig = *experiment->rig;
     std::printf("robot %s\nthermometer %s\nheater %s\n", rig.robot->port.c_str(),

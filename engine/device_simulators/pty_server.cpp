@@ -1,6 +1,7 @@
 #include "engine/device_simulators/pty_server.h"
 
 #include "engine/base/message_code.h"
+#include "engine/device_simulators/terminal_server.h"
 
 #include <array>
 #include <cerrno>
@@ -21,22 +22,12 @@ Error unwritable(const std::string& path, int reason) {
     return {MessageCode::FileUnwritable, path, {std::strerror(reason)}};
 }
 
-int openTerminal(const std::string& path) {
-    return ::open(path.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-}
-
-/// Raw, as a device has it: no echo, no line editing. Opened and closed once, it tells from now on whether it
-/// has a client.
+/// Opened and closed once, it tells from now on whether it has a client.
 bool makeRaw(const std::string& path) {
-    const int other = openTerminal(path);
-    if (other < 0)
-        return false;
-    termios settings{};
-    const bool read = ::tcgetattr(other, &settings) == 0;
-    ::cfmakeraw(&settings);
-    const bool written = read && ::tcsetattr(other, TCSANOW, &settings) == 0;
-    ::close(other);
-    return written;
+    const int other = openRawTerminal(path);
+    if (other >= 0)
+        ::close(other);
+    return other >= 0;
 }
 
 /// The new terminal's path; empty, and errno set, if it cannot be had.
@@ -46,13 +37,6 @@ std::string prepared(int master) {
                        ::ptsname_r(master, path.data(), path.size()) == 0 && makeRaw(path.data()) &&
                        ::fcntl(master, F_SETFL, O_NONBLOCK) == 0 && ::fcntl(master, F_SETFD, FD_CLOEXEC) == 0;
     return ready ? path.data() : "";
-}
-
-/// The next client gets nothing of what the last one left unread.
-void forgetUnread(const std::string& path) {
-    const int other = openTerminal(path); // the server's end has no means for this
-    ::tcflush(other, TCIFLUSH);
-    ::close(other);
 }
 
 /// In one step, so that whoever opens `link` finds the old terminal or the new one.
@@ -75,47 +59,77 @@ Result<void> makeLink(const std::string& target, const std::string& link) {
 
 } // namespace
 
-Result<std::unique_ptr<PtyServer>> PtyServer::create(ByteDevice& device, const std::string& linkPath) {
-    const int master = ::posix_openpt(O_RDWR | O_NOCTTY);
-    const std::string path = master < 0 ? std::string() : prepared(master);
-    if (path.empty()) {
+Result<PtyServer::Terminal> PtyServer::linked(const std::string& linkPath) {
+    Terminal made;
+    made.master = ::posix_openpt(O_RDWR | O_NOCTTY);
+    if (made.master >= 0)
+        made.path = prepared(made.master);
+    if (made.path.empty()) {
         const int reason = errno;
-        if (master >= 0)
-            ::close(master);
+        if (made.master >= 0)
+            ::close(made.master);
         return unwritable(linkPath, reason);
     }
-    if (const auto made = makeLink(path, linkPath); !made) {
-        ::close(master);
-        return made.error();
+    if (const auto link = makeLink(made.path, linkPath); !link) {
+        ::close(made.master);
+        return link.error();
     }
-    return std::unique_ptr<PtyServer>(new PtyServer(device, master, path, linkPath));
+    return made;
 }
 
-PtyServer::PtyServer(ByteDevice& device, int master, std::string path, std::string linkPath)
-    : m_pump(device), m_master(master), m_path(std::move(path)), m_linkPath(std::move(linkPath)) {}
+Result<std::unique_ptr<PtyServer>> PtyServer::create(ByteDevice& device, const std::string& linkPath) {
+    auto terminal = linked(linkPath);
+    if (!terminal)
+        return terminal.error();
+    return std::unique_ptr<PtyServer>(new PtyServer(device, std::move(*terminal), linkPath));
+}
+
+PtyServer::PtyServer(ByteDevice& device, Terminal terminal, std::string linkPath)
+    : m_pump(device), m_terminal(std::move(terminal)), m_linkPath(std::move(linkPath)) {}
 
 PtyServer::~PtyServer() {
-    std::error_code failed; // somebody else's link by now is left alone
-    if (fs::read_symlink(m_linkPath, failed) == m_path)
+    if (isLinked())
         ::unlink(m_linkPath.c_str());
-    ::close(m_master);
+    ::close(m_terminal.master);
+}
+
+/// Somebody else's link by now is left alone.
+bool PtyServer::isLinked() const {
+    std::error_code failed;
+    return fs::read_symlink(m_linkPath, failed) == m_terminal.path;
 }
 
 bool PtyServer::hasClient() const {
-    pollfd state{m_master, POLLIN, 0};
+    pollfd state{m_terminal.master, POLLIN, 0};
     return ::poll(&state, 1, 0) >= 0 && (state.revents & POLLHUP) == 0;
+}
+
+/// The next client gets nothing of what the last one left unread. A client that was killed may have kept the
+/// terminal for itself alone, for as long as it lives: the next one then gets another, as of a real port,
+/// which forgets.
+void PtyServer::forgetClient() {
+    m_hadClient = false;
+    const int other = openRawTerminal(m_terminal.path); // the server's end has no means for this
+    if (other >= 0) {
+        ::tcflush(other, TCIFLUSH);
+        ::close(other);
+    } else if (isLinked()) {
+        if (auto another = linked(m_linkPath)) {
+            ::close(m_terminal.master);
+            m_terminal = std::move(*another);
+        }
+    }
 }
 
 void PtyServer::work(double now_s) {
     // What a client sent just before it left is still read.
     const bool isThere = hasClient();
-    if ((isThere || m_hadClient) && m_pump.work(m_master, now_s)) {
+    if ((isThere || m_hadClient) && m_pump.work(m_terminal.master, now_s)) {
         m_hadClient = true;
         return;
     }
     if (m_hadClient)
-        forgetUnread(m_path);
-    m_hadClient = false;
+        forgetClient();
     m_pump.discard(now_s);
 }
 

@@ -2,33 +2,38 @@
 // A simulated device on a pseudo-terminal: any program opens it as it opens a serial port.
 
 #include "engine/device_simulators/byte_pump.h"
-
-#include <memory>
+#include "engine/device_simulators/device_server.h"
 
 namespace bask {
 
-class PtyServer {
+class PtyServer final : public DeviceServer {
 public:
     /// `linkPath` becomes a symbolic link to the new terminal and is removed at the end; a link that is there
     /// already is replaced in one step. `device` must outlive it. Errors: SimulatedPortTaken,
     /// FileUnwritable.
     static Result<std::unique_ptr<PtyServer>> create(ByteDevice& device, const std::string& linkPath);
-    ~PtyServer();
+    ~PtyServer() override;
     PtyServer(const PtyServer&) = delete;
     PtyServer& operator=(const PtyServer&) = delete;
 
-    /// Moves bytes both ways and never waits. Clients may come and go.
-    void work(double now_s);
+    void work(double now_s) override;
     /// Of the terminal itself, "/dev/pts/5".
-    std::string path() const { return m_path; }
+    std::string path() const { return m_terminal.path; }
 
 private:
-    PtyServer(ByteDevice& device, int master, std::string path, std::string linkPath);
+    struct Terminal {
+        int master = -1;
+        std::string path{};
+    };
+    PtyServer(ByteDevice& device, Terminal terminal, std::string linkPath);
+    static Result<Terminal> linked(const std::string& linkPath);
+    bool isLinked() const;
     bool hasClient() const;
+    void forgetClient();
 
     BytePump m_pump;
-    int m_master;
-    std::string m_path, m_linkPath;
+    Terminal m_terminal;
+    std::string m_linkPath;
     bool m_hadClient = false;
 };
 

@@ -133,11 +133,12 @@ QtModbusLink::Line::Line(std::string where, const SerialSettings& how, const Clo
 }
 
 void QtModbusLink::Line::configure() {
+    const SerialSettings set = settableOf(path, settings);
     client.setConnectionParameter(QModbusDevice::SerialPortNameParameter, QString::fromStdString(path));
-    client.setConnectionParameter(QModbusDevice::SerialBaudRateParameter, settings.baud);
-    client.setConnectionParameter(QModbusDevice::SerialDataBitsParameter, settings.dataBits);
-    client.setConnectionParameter(QModbusDevice::SerialParityParameter, parityOf(settings.parity));
-    client.setConnectionParameter(QModbusDevice::SerialStopBitsParameter, settings.stopBits);
+    client.setConnectionParameter(QModbusDevice::SerialBaudRateParameter, set.baud);
+    client.setConnectionParameter(QModbusDevice::SerialDataBitsParameter, set.dataBits);
+    client.setConnectionParameter(QModbusDevice::SerialParityParameter, parityOf(set.parity));
+    client.setConnectionParameter(QModbusDevice::SerialStopBitsParameter, set.stopBits);
     client.setNumberOfRetries(0);
 }
 

@@ -102,7 +102,7 @@ SerialLink::~SerialLink() {
 void SerialLink::open() {
     close();
     m_port->problem = {};
-    apply(m_port->settings, m_port->serial);
+    apply(settableOf(m_port->path, m_port->settings), m_port->serial);
     if (m_port->serial.open(QIODevice::ReadWrite))
         m_port->serial.clear();
     else

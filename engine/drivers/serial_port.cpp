@@ -1,9 +1,23 @@
 #include "engine/drivers/serial_port.h"
 
 #include <poll.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 namespace bask {
+namespace {
+
+bool isPseudoTerminal(const std::string& path) {
+    constexpr unsigned kFirstMajor = 136, kLastMajor = 143; // Linux' numbers for /dev/pts
+    struct stat there {};
+    if (::stat(path.c_str(), &there) != 0 || !S_ISCHR(there.st_mode))
+        return false;
+    const unsigned number = major(there.st_rdev);
+    return number >= kFirstMajor && number <= kLastMajor;
+}
+
+} // namespace
 
 SerialPortState serialPortState(int descriptor) {
     pollfd state{descriptor, POLLIN, 0};
@@ -11,6 +25,14 @@ SerialPortState serialPortState(int descriptor) {
         return SerialPortState::Nothing;
     return (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0 ? SerialPortState::HungUp
                                                                  : SerialPortState::Bytes;
+}
+
+SerialSettings settableOf(const std::string& path, SerialSettings wanted) {
+    if (isPseudoTerminal(path)) {
+        wanted.dataBits = 8;
+        wanted.parity = 'N';
+    }
+    return wanted;
 }
 
 /// Nearly everybody meets it once: the port belongs to a group that the user is not in.

@@ -60,7 +60,7 @@ ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clo
     : m_experiment(experiment), m_devices(std::move(devices)), m_clock(clock),
       m_geometry(rigGeometry(m_devices.isReal ? insideLimits(experiment) : experiment)),
       m_sensors(experiment.objects.size(), experiment.sampling, sensorLimits(experiment)),
-      m_safety(experiment), m_sourceRead_s(clock.now_s()) {
+      m_safety(experiment), m_made_s(clock.now_s()), m_sourceRead_s(clock.now_s()) {
     m_coordinates = experiment.start;
     m_latest.source = experiment.source.pose;
     if (m_devices.isReal)
@@ -104,7 +104,7 @@ void ServoLoop::makeSafe() {
 
 void ServoLoop::switchHeatOff() {
     const auto off = m_devices.source.heatOff(); // of a dead link: the heat expires in the device
-    m_heatOffProblem = off ? Message{} : off.error().message;
+    m_heatOffProblem = problemOf(off, m_hasSource);
     m_asked_K.reset();
 }
 
@@ -308,6 +308,8 @@ Result<void> ServoLoop::reset() {
     watch();
     if (const SafetyFinding* finding = m_safety.forbidsReset())
         return Error(finding->message.code, {}, finding->message.args);
+    if (isAwaited(m_hasThermometer) || isAwaited(m_hasRobot) || isAwaited(m_hasSource))
+        return Error(MessageCode::CommandNotNow, {}, {"Reset", "Connecting"});
     m_faults.clear();
     m_state = RunState::NotReady;
     command("reset");

@@ -3,6 +3,7 @@
 // safe state.
 
 #include "engine/base/clock.h"
+#include "engine/base/message_code.h"
 #include "engine/control/controller.h"
 #include "engine/devices/heat_source.h"
 #include "engine/devices/robot.h"
@@ -150,6 +151,16 @@ private:
     void standStill();
     void endRun(const std::string& outcome);
     void updateReadiness();
+    static constexpr double kConnecting_s = 3.0;
+    /// A device that has told nothing yet, and still has time to: it is not lost, and nothing can be begun.
+    bool isAwaited(bool hasAnswered) const {
+        return m_devices.isReal && !hasAnswered && m_clock.now_s() - m_made_s <= kConnecting_s;
+    }
+    /// Why a device does not answer; None: it does, or is awaited. One that is not there at all is not.
+    template <class Answer> Message problemOf(const Answer& answer, bool hasAnswered) const {
+        const Message problem = answer ? Message{} : answer.error().message;
+        return problem.code != MessageCode::RigIncomplete && isAwaited(hasAnswered) ? Message{} : problem;
+    }
     bool sourceSeen() const; ///< where its pose is tracked, that was measured lately
     Result<void> requireFreshSensors() const;
     void trace();
@@ -172,10 +183,12 @@ private:
     std::vector<Message> m_faults; ///< latched
     SafetyMonitor m_safety;
     Message m_thermometerProblem, m_robotProblem, m_sourceProblem, m_heatOffProblem; ///< None: none
-    RobotState m_robot;                                                              ///< told last
-    double m_sourceRead_s = 0.0;      ///< its newest valid temperature
-    std::optional<double> m_source_K; ///< that, unless it is too old
-    std::optional<double> m_asked_K;  ///< set point, while the heat is on
+    double m_made_s;
+    bool m_hasThermometer = false, m_hasRobot = false, m_hasSource = false; ///< has answered, ever
+    RobotState m_robot;                                                     ///< told last
+    double m_sourceRead_s = 0.0;                                            ///< its newest valid temperature
+    std::optional<double> m_source_K;                                       ///< that, unless it is too old
+    std::optional<double> m_asked_K; ///< set point, while the heat is on
     std::optional<double> m_diskFree_MB;
     std::optional<double> m_tick_s; ///< the one before
     double m_sourceSeen_s = -1e300; ///< when it was last seen

@@ -61,7 +61,8 @@ void ServoLoop::readSensors() {
     const auto readings = m_devices.thermometer.read();
     if (readings)
         m_sensors.add(*readings);
-    m_thermometerProblem = readings ? Message{} : readings.error().message;
+    m_hasThermometer = m_hasThermometer || readings;
+    m_thermometerProblem = problemOf(readings, m_hasThermometer);
     m_sampleTime_s = m_clock.now_s();
     takeReadings();
 }
@@ -115,7 +116,8 @@ bool ServoLoop::facesObjects(const Pose& X_RS) const {
 
 void ServoLoop::readRobotAndSource() {
     const auto robot = m_devices.robot.state();
-    m_robotProblem = robot ? Message{} : robot.error().message;
+    m_hasRobot = m_hasRobot || robot;
+    m_robotProblem = problemOf(robot, m_hasRobot);
     if (robot) {
         m_robot = *robot;
         m_isHoming = m_isHoming && (robot->moving || m_clock.now_s() - m_homingSince_s < kHomingStarts_s);
@@ -124,7 +126,8 @@ void ServoLoop::readRobotAndSource() {
         readViewFactors();
     }
     const auto source = m_devices.source.read();
-    m_sourceProblem = source ? Message{} : source.error().message;
+    m_hasSource = m_hasSource || source;
+    m_sourceProblem = problemOf(source, m_hasSource);
     m_source_K.reset();
     if (!source || !source->valid)
         return;
@@ -173,7 +176,8 @@ SafetyObservation ServoLoop::observe() const {
     seen.robotProblem = m_robotProblem;
     seen.robotAlarm = m_robot.alarm;
     seen.isPlaceSure = m_robot.isPlaceSure;
-    const bool isTelling = m_robotProblem.code == MessageCode::None && !m_isHoming; // then Grbl is silent
+    const bool isTelling =
+        m_hasRobot && m_robotProblem.code == MessageCode::None && !m_isHoming; // then Grbl is silent
     seen.robotAge_s = isTelling ? seen.now_s - m_robot.time_s : 0.0;
     seen.sourceProblem = m_sourceProblem;
     seen.source_K = m_source_K;

@@ -26,6 +26,8 @@ TEST(ErrorText, WordsOfTheEngineAreTranslatedToo) {
     const QString refusal = sentence(Message{MessageCode::CommandNotNow, {"Start", "Not ready"}});
     EXPECT_FALSE(refusal.contains(QStringLiteral("Start"))) << refusal.toStdString();
     EXPECT_FALSE(refusal.contains(QStringLiteral("Not ready"))) << refusal.toStdString();
+    const QString tooEarly = sentence(Message{MessageCode::CommandNotNow, {"Reset", "Connecting"}});
+    EXPECT_FALSE(tooEarly.contains(QStringLiteral("Connecting"))) << tooEarly.toStdString();
     const QString over = sentence(Message{MessageCode::EventAlarmOver, {"SafetySensorOpen", "disk"}});
     EXPECT_TRUE(over.contains(QStringLiteral("capteur"))) << over.toStdString();
 }

@@ -5,10 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cerrno>
 #include <chrono>
+#include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace bask {
@@ -85,6 +88,29 @@ TEST_F(PtyServerTest, clientsComeAndGo) {
         m_device.toSay = "to nobody";
         server->work(0.0);
     }
+}
+
+// Catches a port that nobody but root can open after a client that was killed: it had it for itself alone.
+TEST_F(PtyServerTest, aKilledClientDoesNotKeepThePort) {
+    fs::permissions(m_folder, fs::perms::all);
+    const bool isRoot = ::geteuid() == 0;
+    if (isRoot)
+        ASSERT_EQ(::seteuid(65534), 0);
+    const auto server = serve();
+    const int killed = open();
+    EXPECT_GE(killed, 0);
+    EXPECT_EQ(::ioctl(killed, TIOCEXCL), 0);
+    say(killed, "hello");
+    EXPECT_EQ(heard(*server, killed, 5), "HELLO");
+    ::close(killed);
+    server->work(0.0);
+    const int next = open();
+    EXPECT_GE(next, 0) << std::strerror(errno);
+    say(next, "hello");
+    EXPECT_EQ(heard(*server, next, 5), "HELLO");
+    ::close(next);
+    if (isRoot)
+        ASSERT_EQ(::seteuid(0), 0);
 }
 
 // Catches a server that waits, or that keeps everything, for a client that does not read.

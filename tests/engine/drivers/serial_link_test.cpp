@@ -14,6 +14,7 @@
 #include <ctime>
 #include <filesystem>
 #include <fstream>
+#include <sys/wait.h>
 #include <unistd.h>
 
 namespace bask {
@@ -85,6 +86,20 @@ TEST_F(SerialLinkTest, whatHasComeIsReadWithoutTheEventLoop) {
     m_device.toSay = "23.4\n";
     m_server->work(0.0);
     EXPECT_EQ(m_link.read(), "23.4\n");
+}
+
+// Catches a port refused ("Invalid argument") because a program that was killed has left it as we want it.
+TEST_F(SerialLinkTest, aPortLeftByAKilledProgramIsOpenedAgain) {
+    const pid_t other = ::fork();
+    if (other == 0) {
+        m_link.open();
+        ::_exit(m_link.isOpen() ? 0 : 1); // without a farewell
+    }
+    int left = -1;
+    ASSERT_EQ(::waitpid(other, &left, 0), other);
+    ASSERT_EQ(left, 0);
+    m_link.open();
+    EXPECT_TRUE(m_link.isOpen()) << describe(m_link.problem());
 }
 
 // Catches an answer to the last session's question taken for this one's.

@@ -305,6 +305,50 @@ TEST(Safety, ARealRigStartsFaultedUntilAPersonResets) {
     EXPECT_EQ(loop.state(), RunState::Ready);
 }
 
+// Catches ports that are called lost before they had time to open, a reset that comes before they are, and
+// ports that nobody misses.
+TEST(Safety, DevicesAreGivenTimeToConnectAndThenMissed) {
+    Experiment experiment = fastDisks();
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    rig.simulatedRobot().setTrouble(RobotTrouble::LinkLost);
+    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), {}, nullptr, true},
+                   rig.clock());
+    const auto periods = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    };
+    const auto isOnlyStartUp = [&] {
+        const auto alarms = loop.alarmConditions();
+        return alarms.size() == 1 && alarms.front().message.code == MessageCode::SafetyStartUp;
+    };
+    periods(29);
+    EXPECT_TRUE(isOnlyStartUp());
+    const auto refused = loop.reset();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message, (Message{MessageCode::CommandNotNow, {"Reset", "Connecting"}}));
+    periods(2);
+    EXPECT_FALSE(isOnlyStartUp());
+    const auto missed = loop.reset();
+    ASSERT_FALSE(missed);
+    EXPECT_EQ(missed.error().code(), MessageCode::ReasonRobotLost);
+    rig.simulatedRobot().setTrouble(RobotTrouble::None);
+    periods(1);
+    EXPECT_TRUE(loop.reset());
+
+    rig.simulatedRobot().setTrouble(RobotTrouble::LinkLost); // it has answered: no time is given any more
+    ServoLoop again(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), {}, nullptr, true},
+                    rig.clock());
+    rig.simulatedRobot().setTrouble(RobotTrouble::None);
+    rig.advance(0.1);
+    again.tick();
+    rig.simulatedRobot().setTrouble(RobotTrouble::LinkLost);
+    rig.advance(0.1);
+    again.tick();
+    EXPECT_EQ(again.alarmConditions().back().message.code, MessageCode::ReasonRobotLost);
+}
+
 // Catches a loop that was held up without anybody being told.
 TEST(Safety, ALateLoopIsNoted) {
     Rig rig;

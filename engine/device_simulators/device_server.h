@@ -1,0 +1,21 @@
+#pragma once
+// A simulated device at a path of the file system, for any program that opens it as a serial port.
+
+#include "engine/device_simulators/byte_device.h"
+
+#include <memory>
+
+namespace bask {
+
+class DeviceServer {
+public:
+    virtual ~DeviceServer() = default;
+    /// Moves bytes both ways and never waits. Clients may come and go.
+    virtual void work(double now_s) = 0;
+};
+
+/// `isThere`: on the terminal that is at `path` already; else on a new one that is linked there. `device`
+/// must outlive it. Errors: those of TerminalServer::open and PtyServer::create.
+Result<std::unique_ptr<DeviceServer>> serveAt(const std::string& path, ByteDevice& device, bool isThere);
+
+} // namespace bask
