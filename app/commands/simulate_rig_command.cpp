@@ -63,32 +63,39 @@ public:
 
     explicit BenchServer(Bench& bench) : m_bench(bench) {}
 
-    /// `isThere`: their terminals, made by others.
-    Result<void> open(const RigSpec& rig, bool isThere) {
-        const std::array paths{rig.robot->port, rig.thermometer->port, rig.source->port};
-        for (std::size_t i = 0; i < paths.size(); ++i) {
-            auto server = serveAt(paths[i], device(i), isThere);
-            if (!server)
-                return server.error();
-            m_servers.push_back(std::move(*server));
-        }
+    /// `areThere`: their terminals, made by others.
+    Result<void> open(const RigSpec& rig, bool areThere) {
+        m_areThere = areThere;
+        m_paths = {rig.robot->port, rig.thermometer->port, rig.source->port};
+        for (std::size_t i = 0; i < m_paths.size(); ++i)
+            if (const auto opened = plug(i); !opened)
+                return opened;
         return {};
     }
 
     /// "robot silent"
     Result<void> setFault(const std::string& text) {
         const std::size_t space = text.find(' ');
-        for (std::size_t i = 0; i < kRoles.size(); ++i)
-            if (text.substr(0, space) == kRoles[i])
-                return device(i).setFault(space == std::string::npos ? "none" : text.substr(space + 1));
+        const std::string fault = space == std::string::npos ? "none" : text.substr(space + 1);
+        for (std::size_t i = 0; i < kRoles.size(); ++i) {
+            if (text.substr(0, space) != kRoles[i])
+                continue;
+            if (fault == "unplug")
+                return m_servers[i].reset(), Result<void>();
+            return fault == "plug" ? plug(i) : device(i).setFault(fault);
+        }
         return Error(MessageCode::ValueUnknown, {}, {text.substr(0, space), "robot, thermometer, heater"});
     }
 
     void serve() {
         const SteadyClock clock;
         while (isOver == 0) {
-            for (const auto& server : m_servers)
-                server->work(clock.now_s());
+            for (std::size_t i = 0; i < m_servers.size(); ++i) {
+                if (m_servers[i])
+                    m_servers[i]->work(clock.now_s());
+                else
+                    (void)device(i).transmit(clock.now_s()); // unplugged it goes on by itself
+            }
             m_bench.advance(clock.now_s());
             pollfd input{m_isListening ? STDIN_FILENO : -1, POLLIN, 0};
             if (::poll(&input, 1, kTurn_ms) > 0)
@@ -97,6 +104,14 @@ public:
     }
 
 private:
+    /// A terminal of another number, maybe, under the same path.
+    Result<void> plug(std::size_t role) {
+        auto server = serveAt(m_paths[role], device(role), m_areThere);
+        if (!server)
+            return server.error();
+        m_servers[role] = std::move(*server);
+        return {};
+    }
     ByteDevice& device(std::size_t role) {
         return role == 0 ? m_bench.robot() : role == 1 ? m_bench.thermometer() : m_bench.heater();
     }
@@ -131,7 +146,9 @@ private:
     }
 
     Bench& m_bench;
-    std::vector<std::unique_ptr<DeviceServer>> m_servers;
+    std::array<std::string, 3> m_paths;
+    bool m_areThere = false;
+    std::array<std::unique_ptr<DeviceServer>, 3> m_servers; ///< null: unplugged
     std::string m_told;
     bool m_isListening = true;
 };
@@ -144,7 +161,8 @@ int simulateRigCommand(const QStringList& arguments) {
                                      "ports' paths, around one thermal\n"
                                      "plant, until Ctrl+C or SIGTERM. A line \"robot silent\" on standard "
                                      "input begins a fault, \"robot none\"\n"
-                                     "ends it, \"state\" prints what is truly so.\n"
+                                     "ends it; \"robot unplug\" takes its terminal away and \"robot plug\" "
+                                     "makes it anew; \"state\" prints what is truly so.\n"
                                      "Exit code: 0 ended, 2 bad input, or no terminal there.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption(

@@ -15,8 +15,10 @@ namespace {
 constexpr double kFrameGap_s = 0.1; // a request in pieces further apart is noise
 constexpr int kIllegalFunction = 1, kIllegalAddress = 2, kIllegalValue = 3, kDeviceFailure = 4;
 constexpr int kMostAsked = 125;
-const std::vector<std::string> kFaults{"none",       "silent",      "open",       "short",     "frozen",
-                                       "wrong-unit", "short-reply", "late-reply", "exception", "bad-crc"};
+constexpr double kJump_K = 30.0, kHalfJump_s = 0.5, kRise_K_s = 2.0;
+const std::vector<std::string> kFaults{"none",        "silent",     "open",      "short",
+                                       "frozen",      "jumping",    "rising",    "wrong-unit",
+                                       "short-reply", "late-reply", "exception", "bad-crc"};
 
 using Registers = std::vector<std::uint16_t>;
 
@@ -177,7 +179,7 @@ void ModbusSimulator::refresh(Unit& unit) const {
     for (const StatusSpec& status : p.status)
         unit.registers[{status.function, status.address}] = 0;
     for (std::size_t i = 0; i < unit.channels_K.size(); ++i)
-        refreshSensor(unit, *p.channel, static_cast<int>(i), unit.channels_K[i]);
+        refreshSensor(unit, *p.channel, static_cast<int>(i), unit.channels_K[i] + shownTooMuch_K());
     if (!p.processValue)
         return;
     refreshSensor(unit, *p.processValue, 0, unit.plate_K);
@@ -186,6 +188,13 @@ void ModbusSimulator::refresh(Unit& unit) const {
     const bool isFaulty = m_fault == "open" || m_fault == "short";
     if (p.sensorFault)
         store(unit, *p.sensorFault, registersFromQuantity(*p.sensorFault, isFaulty ? 1.0 : 0.0).value());
+}
+
+double ModbusSimulator::shownTooMuch_K() const {
+    const double since_s = m_now_s - m_fault_s;
+    if (m_fault == "jumping")
+        return std::fmod(since_s, 2.0 * kHalfJump_s) < kHalfJump_s ? kJump_K : 0.0;
+    return m_fault == "rising" ? kRise_K_s * since_s : 0.0;
 }
 
 void ModbusSimulator::refreshSensor(Unit& unit, const RegisterSpec& spec, int channel, double t_K) const {
@@ -284,6 +293,7 @@ Result<void> ModbusSimulator::setFault(const std::string& name) {
     if (const auto known = checkFault(name, kFaults); !known)
         return known;
     m_fault = name;
+    m_fault_s = m_now_s;
     for (auto& [address, unit] : m_units) {
         if (m_fault != "frozen")
             refresh(unit);

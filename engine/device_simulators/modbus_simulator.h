@@ -21,7 +21,8 @@ struct SimulatedPlate {
 };
 
 /// Faults, of all units: "silent"; "open" and "short", as the profile has such sensors; "frozen": registers
-/// keep what they hold; "wrong-unit", "short-reply", "late-reply", "exception" and "bad-crc" answers.
+/// keep what they hold; "jumping": thermometers show 30 K more every other half second; "rising": 2 K/s more;
+/// "wrong-unit", "short-reply", "late-reply", "exception" and "bad-crc" answers.
 class ModbusSimulator final : public ByteDevice {
 public:
     static constexpr double kReplyTime_s = 0.005;
@@ -69,6 +70,7 @@ private:
     static double quantityAt(const Unit& unit, const RegisterSpec& spec);
     static bool isOn(const Unit& unit);
     void refresh(Unit& unit) const;
+    double shownTooMuch_K() const;
     void refreshSensor(Unit& unit, const RegisterSpec& spec, int channel, double t_K) const;
     void answer(const ModbusQuery& query, double now_s);
     std::string reply(Unit& unit, const ModbusQuery& query);
@@ -78,6 +80,7 @@ private:
     std::map<int, Unit> m_units;
     std::string m_received, m_fault = "none";
     double m_now_s = 0.0, m_heard_s = 0.0;
+    double m_fault_s = 0.0; ///< when it began
     bool m_hasTime = false;
     std::deque<std::pair<double, std::string>> m_answers; ///< and when they are sent
     int m_writes = 0;

@@ -37,17 +37,23 @@ protected:
         EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
     }
     ~RigProcesses() override {
-        for (QProcess* process : {&engine, &bench}) {
-            ::kill(static_cast<pid_t>(process->processId()), SIGCONT);
-            process->kill();
-            process->waitForFinished();
-        }
+        endProcess(engine);
+        endProcess(bench);
     }
 
     QString experiment() const { return m_folder.filePath(QStringLiteral("rig.json")); }
+    QString portOf(const char* role) const { return m_folder.filePath(QLatin1String(role)); }
     QString session() const { return m_folder.filePath(QStringLiteral("run.bask")); }
 
+    static void endProcess(QProcess& process) {
+        if (process.state() == QProcess::NotRunning)
+            return;
+        ::kill(static_cast<pid_t>(process.processId()), SIGCONT);
+        process.kill();
+        process.waitForFinished();
+    }
     void startBench() {
+        m_told.clear();
         bench.start(QStringLiteral(BASK_PROGRAM), {QStringLiteral("simulate-rig"), experiment(),
                                                    QStringLiteral("--heating-time"), QStringLiteral("10")});
         ASSERT_TRUE(waitFor([&] { return told().contains("heater "); }));
@@ -65,6 +71,7 @@ protected:
     }
 
     void tell(const QByteArray& line) {
+        m_told.clear();
         bench.write(line + '\n');
         ASSERT_TRUE(bench.waitForBytesWritten(5000));
         ASSERT_TRUE(waitFor([&] { return told().contains(line + '\n'); }));

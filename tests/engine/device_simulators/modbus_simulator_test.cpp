@@ -142,7 +142,24 @@ TEST_F(ModbusSimulatorTest, FaultsAreWhatTheyAreCalled) {
     EXPECT_EQ(with("none").size(), sound.size());
     EXPECT_NE(said(two), sound);
     EXPECT_EQ(m_sim.setFault("broken").error().code(), MessageCode::ValueUnknown);
-    EXPECT_EQ(m_sim.faults().size(), 10u);
+    EXPECT_EQ(m_sim.faults().size(), 12u);
+}
+
+// Catches a jump that stays, and a rise of another slope.
+TEST_F(ModbusSimulatorTest, ReadingsJumpAndRise) {
+    m_sim.addThermometer(1, shipped("modmux-pm6rtd"), 293.15);
+    const auto shown_degC = [&] { return 0.1 * asked({1, 4, 1, 1}).at(0); };
+    ASSERT_TRUE(m_sim.setFault("jumping").ok());
+    EXPECT_NEAR(shown_degC(), 50.0, 0.1);
+    pass(0.5);
+    EXPECT_NEAR(shown_degC(), 20.0, 0.1);
+    pass(0.5);
+    EXPECT_NEAR(shown_degC(), 50.0, 0.1);
+    ASSERT_TRUE(m_sim.setFault("rising").ok());
+    pass(10.0);
+    EXPECT_NEAR(shown_degC(), 40.0, 0.2);
+    ASSERT_TRUE(m_sim.setFault("none").ok());
+    EXPECT_NEAR(shown_degC(), 20.0, 0.1);
 }
 
 // Catches a frozen device whose registers go on.

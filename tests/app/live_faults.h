@@ -1,0 +1,246 @@
+#pragma once
+// A run on a real rig's drivers in this process, over three serial ports, against a simulated rig in a
+// process of its own: faults are raised there, and what is done is read there.
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/runtime/engine_worker.h"
+#include "engine/session/session_file.h"
+#include "tests/app/rig_processes.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QThread>
+
+#include <algorithm>
+#include <cstdio>
+
+#include <sched.h>
+
+namespace bask::test {
+
+/// The engine on its thread, with everything it told.
+class LiveEngine : public QObject {
+public:
+    LiveEngine() {
+        m_worker.moveToThread(&m_thread);
+        connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
+        connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
+            last = snapshot;
+            std::ranges::copy(snapshot.newSamples, std::back_inserter(samples));
+            if (snapshot.refusal.code != MessageCode::None)
+                refusal = snapshot.refusal;
+        });
+        m_thread.start();
+    }
+    ~LiveEngine() override {
+        QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
+        m_thread.quit();
+        m_thread.wait();
+    }
+    /// Waits until it is done; `refusal` is of this command then.
+    void send(const Command& command) {
+        QCoreApplication::processEvents();
+        refusal = {};
+        QMetaObject::invokeMethod(
+            &m_worker, [this, command] { m_worker.post(command); }, Qt::BlockingQueuedConnection);
+        QCoreApplication::processEvents();
+    }
+    const Alarm* alarm(MessageCode code) const {
+        const auto it = std::ranges::find_if(
+            last.alarms, [&](const Alarm& a) { return a.isActive && a.message.code == code; });
+        return it == last.alarms.end() ? nullptr : &*it;
+    }
+
+    Snapshot last;
+    Message refusal;
+    std::vector<TraceSample> samples;
+
+private:
+    QThread m_thread;
+    EngineWorker m_worker;
+};
+
+/// What a fault is to be told as, and how soon.
+struct ToldAs {
+    MessageCode code;
+    const char* words; ///< in its sentence
+    double within_ms = 1000.0;
+};
+
+/// What was done about a fault: ms from before it was raised.
+struct Reaction {
+    double told_ms = -1.0;
+    double off_ms = -1.0;  ///< the bench's heat is off; -1: still on
+    double moved_ms = 0.0; ///< the bench's robot moved last
+    double moved_m = 0.0;  ///< and so far since the fault
+    double rose_ms = -1.0; ///< it was seen to rise by 2 mm
+    std::string sentence;
+};
+
+class LiveFaults : public RigProcesses {
+protected:
+    LiveFaults() { // before others, if it may: times are measured, also on a busy machine
+        const sched_param first{.sched_priority = 1};
+        (void)::sched_setscheduler(0, SCHED_RR, &first);
+    }
+
+    static constexpr double kReaction_ms = 1000.0; ///< the most, of motion and of heat
+
+    /// The bench's, as far as the engine is concerned.
+    Experiment read() const {
+        Experiment out = readExperiment(experiment().toStdString()).value();
+        out.safety.stalePeriods = 5.0; // a busy machine is no fault
+        out.safety.heldLimit_s = 8.0;
+        out.safety.frozen_s = 5.0;
+        out.safety.sourceHeating_s = 10.0;
+        return out;
+    }
+    void load(const Experiment& loaded) {
+        m_targets_K = {loaded.objects.front().target_K - 4.0, loaded.objects.front().target_K + 4.0};
+        live.send(LoadExperiment{loaded});
+        ASSERT_EQ(live.last.state, RunState::Fault) << "until a person resets it";
+    }
+    bool reaches(RunState state, int limit_ms = 20000) {
+        return waitFor([&] { return live.last.state == state; }, limit_ms);
+    }
+    /// Homed, cleared or reset until it takes that.
+    void reset(int limit_ms = 20000) {
+        QElapsedTimer since;
+        since.start();
+        do {
+            live.send(Reset{});
+            (void)waitFor([&] { return live.last.state != RunState::Fault; }, 200);
+        } while (live.last.state == RunState::Fault && since.elapsed() < limit_ms);
+        ASSERT_NE(live.last.state, RunState::Fault) << describe(live.refusal);
+    }
+    void home() {
+        live.send(HomeRobot{});
+        ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);
+        ASSERT_TRUE(waitFor([&] { return live.last.isPlaceSure; }));
+    }
+    /// A new run, up to a robot that moves before a hot plate.
+    void begin() {
+        if (live.last.state == RunState::Fault) {
+            ASSERT_NO_FATAL_FAILURE(reset());
+        }
+        ASSERT_TRUE(waitFor([&] {
+            return live.last.state == RunState::Ready || live.last.state == RunState::Stopped;
+        })) << reasons();
+        live.send(Arm{recording()});
+        ASSERT_TRUE(reaches(RunState::Armed)) << describe(live.refusal);
+        live.send(Start{true});
+        ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);
+        ASSERT_TRUE(waitFor([&] { return state().isHeating; })) << reasons();
+        ASSERT_NO_FATAL_FAILURE(makeMove());
+    }
+    /// Other targets: the robot is on its way to them.
+    void makeMove() {
+        std::swap(m_targets_K[0], m_targets_K[1]);
+        live.send(SetTargets{std::vector<double>(live.last.targets_K.size(), m_targets_K[0])});
+        const Eigen::Vector3d from_m = state().place_m;
+        ASSERT_TRUE(waitFor([&] {
+            if (live.last.state == RunState::Holding && isWell())
+                live.send(Resume{}); // held since the machine was too busy
+            return live.last.state == RunState::Running && (state().place_m - from_m).norm() > 1e-3;
+        })) << reasons();
+    }
+    bool isWell() const {
+        return std::ranges::none_of(live.last.alarms,
+                                    [](const Alarm& a) { return a.isActive && a.priority == 1; }) &&
+               std::ranges::all_of(live.last.latest.objects, &ObjectSample::valid);
+    }
+    std::string recording() {
+        return m_recordings.filePath(QStringLiteral("%1.bask").arg(++m_runs)).toStdString();
+    }
+    std::string lastRecording() const {
+        return m_recordings.filePath(QStringLiteral("%1.bask").arg(m_runs)).toStdString();
+    }
+    std::string reasons() const {
+        std::string out = runStateName(live.last.state);
+        for (const Message& reason : live.last.reasons)
+            out += " | " + describe(reason);
+        return out;
+    }
+
+    /// Raises it and looks at the bench until it is told and then `after_ms` longer.
+    template <class Raise>
+    Reaction raise(const char* name, Raise raiseIt, const ToldAs& as, int after_ms = 1200) {
+        Reaction out;
+        const BenchState before = state();
+        Eigen::Vector3d place_m = before.place_m;
+        const double run_s = live.last.runTime_s;
+        QElapsedTimer since;
+        since.start();
+        const auto now_ms = [&] { return 1e-6 * static_cast<double>(since.nsecsElapsed()); };
+        raiseIt();
+        const double latest_ms = as.within_ms + 5000.0;
+        while (now_ms() < (out.told_ms < 0.0 ? latest_ms : out.told_ms + after_ms)) {
+            QCoreApplication::processEvents();
+            if (const Alarm* alarm = live.alarm(as.code); alarm && out.told_ms < 0.0) {
+                out.told_ms = now_ms();
+                out.sentence = describe(alarm->message);
+            }
+            if (bench.state() != QProcess::Running || m_isBenchStopped) {
+                QThread::msleep(2);
+                continue;
+            }
+            const BenchState now = state();
+            if (now.objects_degC.empty())
+                continue;
+            if (now.place_m != place_m)
+                out.moved_ms = now_ms();
+            place_m = now.place_m;
+            out.moved_m = (place_m - before.place_m).norm();
+            if (out.rose_ms < 0.0 && place_m.z() > before.place_m.z() + 2e-3)
+                out.rose_ms = now_ms();
+            if (out.off_ms < 0.0 && !now.isHeating)
+                out.off_ms = now_ms();
+        }
+        EXPECT_GE(out.told_ms, 0.0) << name << ": " << reasons();
+        EXPECT_LE(out.told_ms, as.within_ms) << name;
+        EXPECT_NE(out.sentence.find(as.words), std::string::npos) << name << ": " << out.sentence;
+        std::printf("| %-28s | %-16s | %6.0f | %6.0f | %6.0f | %5.1f |\n", name, messageName(as.code),
+                    out.told_ms, out.moved_ms, out.off_ms, 1e3 * out.moved_m);
+        std::fflush(stdout);
+        m_expected.push_back({as, name, run_s});
+        return out;
+    }
+    Reaction raise(const char* fault, const ToldAs& as, int after_ms = 1200) {
+        return raise(
+            fault, [&] { tell(fault); }, as, after_ms);
+    }
+    /// The recording of the run has all that was told since the last look at one, in time.
+    void expectRecorded(const std::string& outcome) {
+        const auto record = readSession(lastRecording());
+        ASSERT_TRUE(record) << describe(record.error());
+        EXPECT_EQ(record->outcome, outcome);
+        for (const auto& [as, name, run_s] : std::exchange(m_expected, {})) {
+            const bool isThere =
+                std::ranges::any_of(record->events, [&, from_s = run_s](const TraceEvent& e) {
+                    return e.message.code == as.code && e.time_s > from_s - 0.2 &&
+                           e.time_s < from_s + 1e-3 * as.within_ms + 0.5;
+                });
+            EXPECT_TRUE(isThere) << name << " is not in the record";
+        }
+    }
+
+    bool m_isBenchStopped = false;
+    LiveEngine live;
+
+private:
+    struct Expected {
+        ToldAs as;
+        std::string name;
+        double run_s; ///< when it was raised
+    };
+    /// In memory where there is such a place: a busy disk would hold the engine up.
+    QTemporaryDir m_recordings{QFileInfo(QStringLiteral("/dev/shm")).isWritable()
+                                   ? QStringLiteral("/dev/shm/bask-XXXXXX")
+                                   : QDir::tempPath() + QStringLiteral("/bask-XXXXXX")};
+    std::array<double, 2> m_targets_K{};
+    int m_runs = 0;
+    std::vector<Expected> m_expected;
+};
+
+} // namespace bask::test

@@ -1,0 +1,142 @@
+// Faults of the thermometer and of the objects' temperatures, on a run over three serial ports.
+
+#include "tests/app/live_faults.h"
+
+#include <QFile>
+
+namespace bask::test {
+namespace {
+
+class LiveSensorFaults : public LiveFaults {
+protected:
+    /// Holds at once, the heat as it was; goes on when the fault is over and a person resumes.
+    void holdsFor(const char* fault, const ToldAs& as, std::optional<ToldAs> cause = {}) {
+        ASSERT_NO_FATAL_FAILURE(makeMove());
+        const Reaction seen = raise(fault, as);
+        EXPECT_EQ(live.last.state, RunState::Holding) << fault << ": " << reasons();
+        EXPECT_LE(seen.moved_ms, std::max(kReaction_ms, as.within_ms)) << fault;
+        EXPECT_LT(seen.off_ms, 0.0) << fault << ": held, the heat goes on";
+        if (cause) {
+            ASSERT_TRUE(waitFor([&] { return live.alarm(cause->code) != nullptr; }, 3000))
+                << fault << ": " << reasons();
+            EXPECT_NE(describe(live.alarm(cause->code)->message).find(cause->words), std::string::npos)
+                << describe(live.alarm(cause->code)->message);
+        }
+        endFault(fault);
+        resume(fault);
+    }
+    void endFault(const std::string& fault) {
+        tell(fault == "thermometer unplug" ? "thermometer plug" : "thermometer none");
+    }
+    void resume(const char* after) {
+        ASSERT_TRUE(waitFor([&] { return isWell(); }, 5000)) << after << ": " << reasons();
+        live.send(Resume{});
+        ASSERT_TRUE(waitFor([&] { return live.last.state == RunState::Running; })) << describe(live.refusal);
+    }
+};
+
+constexpr auto kStale = MessageCode::ReasonSensorStale;
+
+} // namespace
+
+// Catches any way a thermometer fails that leaves the robot moving, the reading in use or the operator
+// without the reason; and a loss that lasts and is only held.
+TEST_F(LiveSensorFaults, holdTheRunAndThenEndIt) {
+    startBench();
+    load(read());
+    ASSERT_NO_FATAL_FAILURE(begin());
+    const ToldAs stale{kStale, "nothing new"};
+    const ToldAs silent{MessageCode::DeviceSilent, "has not answered"};
+    holdsFor("thermometer silent", stale, silent);
+    holdsFor("thermometer unplug", stale, ToldAs{MessageCode::LinkLost, "unplugged"});
+    holdsFor("thermometer wrong-unit", stale, silent);
+    holdsFor("thermometer bad-crc", stale, silent);
+    holdsFor("thermometer late-reply", stale);
+    holdsFor("thermometer short-reply", stale,
+             ToldAs{MessageCode::DeviceAnswersWrong, "another number of registers"});
+    holdsFor("thermometer exception", stale, ToldAs{MessageCode::DeviceException, "exception 4"});
+    holdsFor("thermometer open", {MessageCode::SafetySensorOpen, "is open"});
+    holdsFor("thermometer short", {MessageCode::SafetySensorShort, "is shorted"});
+    holdsFor("thermometer jumping", {MessageCode::SafetySensorJump, "jumped by"});
+    holdsFor("thermometer frozen", {MessageCode::SafetySensorFrozen, "very same value", 12000.0});
+
+    ASSERT_FALSE(HasFatalFailure());
+    ASSERT_NO_FATAL_FAILURE(makeMove());
+    raise("thermometer open", {MessageCode::SafetySensorOpen, "is open"});
+    QElapsedTimer held;
+    held.start();
+    const double stood_m = state().place_m.z();
+    ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 12000)) << reasons();
+    EXPECT_GT(held.elapsed(), 4000) << "held first";
+    EXPECT_LT(held.elapsed(), 1000 + 8000) << "the held limit of 8 s, and no more than 1 s";
+    ASSERT_TRUE(reaches(RunState::Stopped, 30000)) << reasons();
+    EXPECT_GT(state().place_m.z(), std::max(stood_m, 0.29)) << "taken away";
+    expectRecorded("stopped");
+}
+
+// The ends of a register, and a value that is nobody's fault code. Catches a temperature of 3276.7 or -3276.8
+// degC that is controlled by.
+TEST_F(LiveSensorFaults, endsOfTheRegistersAreNoTemperature) {
+    QFile file(experiment());
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray text = file.readAll().replace(
+        "\"generic-pt100-ohm\"",
+        R"({"name": "tenths", "title": "tenths of a degree", "source": "made up", "channels": 3,
+            "channel": {"function": 4, "address": 0, "type": "int16", "scale": 0.1, "unit": "degC"}})");
+    file.close();
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly | QIODevice::Truncate) && file.write(text) == text.size());
+    file.close();
+    startBench();
+    load(read());
+    ASSERT_NO_FATAL_FAILURE(begin());
+    const ToldAs invalid{MessageCode::ReasonSensorInvalid, "no plausible value"};
+    holdsFor("thermometer open", invalid);  // 0x7FFF
+    holdsFor("thermometer short", invalid); // 0x8000
+    for (const TraceSample& sample : live.samples)
+        for (const ObjectSample& object : sample.objects)
+            if (object.valid) {
+                EXPECT_LT(std::abs(object.measured_K - kelvinFromCelsius(40.0)), 40.0) << sample.time_s;
+            }
+    live.send(Stop{});
+    ASSERT_TRUE(reaches(RunState::Stopped, 30000)) << reasons();
+    expectRecorded("stopped");
+}
+
+// Catches a limit of the objects that is not watched over a link, or the two limits in another order.
+TEST_F(LiveSensorFaults, aHotObjectIsHeldAndThenTakenAway) {
+    constexpr double kWarning_degC = 65.0, kTrip_degC = 72.0, kRise_K_s = 2.0;
+    startBench();
+    Experiment hot = read();
+    hot.safety.warning_K = kelvinFromCelsius(kWarning_degC);
+    hot.safety.trip_K = kelvinFromCelsius(kTrip_degC);
+    load(hot);
+    ASSERT_NO_FATAL_FAILURE(begin());
+    // Until the register passes the limit: 2 K/s on top of what the robot takes back.
+    const ToldAs warm{MessageCode::SafetyObjectWarm, "above its warning limit of 65", 60000.0};
+    const Reaction held = raise("thermometer rising", warm, 500);
+    EXPECT_EQ(live.last.state, RunState::Holding) << reasons();
+    EXPECT_LT(held.off_ms, 0.0);
+    const auto hottest_degC = [&] {
+        double most_K = 0.0;
+        for (const ObjectSample& object : live.last.latest.objects)
+            most_K = std::max(most_K, object.valid ? object.measured_K : 0.0);
+        return celsiusFromKelvin(most_K);
+    };
+    ASSERT_TRUE(waitFor([&] { return hottest_degC() > kTrip_degC - 1.0; }));
+    const ToldAs tripped{MessageCode::SafetyObjectHot, "above its limit of 72", 5000.0};
+    const Reaction away = raise(
+        "trip limit", [] {}, tripped);
+    EXPECT_GT(away.off_ms, 0.0);
+    EXPECT_LE(away.off_ms - away.told_ms, 200.0);
+    EXPECT_LE(away.rose_ms - away.told_ms, kReaction_ms);
+    const std::string& told = away.sentence; // "circle" has 72.4 °C
+    const double at_degC = std::stod(told.substr(told.find(" has ") + 5));
+    EXPECT_LT(at_degC, kTrip_degC + 1e-3 * kReaction_ms * (kRise_K_s + 2.0));
+    ASSERT_TRUE(reaches(RunState::Fault, 30000)) << reasons();
+    EXPECT_GT(state().place_m.z(), 0.29);
+    live.send(Reset{});
+    EXPECT_EQ(live.refusal.code, MessageCode::SafetyObjectHot) << "not before it has cooled";
+    expectRecorded("fault");
+}
+
+} // namespace bask::test
