@@ -20,6 +20,7 @@ namespace {
 constexpr double kReadyWithin_s = 60.0;
 constexpr double kStoppedWithin_s = 120.0; ///< of a retreat that does not move any more
 constexpr double kBetweenResets_s = 1.0;
+constexpr double kArmed_s = 1.0; // the readings are fresh again after the session file was made
 constexpr int kLook_ms = 20;
 
 volatile std::sig_atomic_t g_signals = 0;
@@ -89,6 +90,10 @@ public:
         : m_experiment(experiment), m_options(options), m_withinSince_s(experiment.objects.size(), HUGE_VAL) {
         QObject::connect(&m_engine->worker, &EngineWorker::published, &m_here,
                          [this](const Snapshot& snapshot) { take(snapshot); });
+        QObject::connect(&m_engine->worker, &EngineWorker::stepped, &m_here, [this](double lateness_s) {
+            if (m_wish == Wish::Run && m_last.state != RunState::Armed)
+                m_outcome.lateness.add(lateness_s);
+        });
     }
 
     Result<RunOutcome> run() {
@@ -128,7 +133,8 @@ private:
                 go(Wish::Start, Arm{m_options.sessionPath});
             return;
         case RunState::Armed:
-            if (m_wish == Wish::Start)
+            m_armed_s = m_armed_s.value_or(m_clock.now_s());
+            if (m_wish == Wish::Start && m_clock.now_s() - *m_armed_s >= kArmed_s)
                 go(Wish::Run, Start{true});
             return;
         case RunState::Running:
@@ -248,6 +254,7 @@ private:
     Vector6d m_retreatFrom = Vector6d::Zero();
     double m_began_s = SteadyClock().now_s();
     double m_reset_s = -HUGE_VAL, m_stopped_s = 0.0;
+    std::optional<double> m_armed_s;
     std::vector<double> m_withinSince_s; ///< infinite: outside of the band
     TraceSample m_sample;
     Snapshot m_last;

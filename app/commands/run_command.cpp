@@ -84,6 +84,11 @@ std::string summaryJson(const RunOutcome& outcome, double wall_s) {
     summary["settled"] = outcome.settled;
     summary["simulated_s"] = outcome.simulated_s;
     summary["wall_s"] = wall_s;
+    if (const Lateness& late = outcome.lateness; late.count() > 0)
+        summary["control_steps"] = {{"count", late.count()},
+                                    {"late_ms_p50", 1e3 * late.quantile_s(0.5)},
+                                    {"late_ms_p99_9", 1e3 * late.quantile_s(0.999)},
+                                    {"late_ms_worst", 1e3 * late.worst_s()}};
     return summary.dump(2) + "\n";
 }
 
@@ -100,6 +105,10 @@ void printOutcome(const RunOutcome& outcome, double wall_s) {
                 : outcome.settled ? "settled"
                                   : "not settled",
                 outcome.simulated_s, wall_s);
+    if (const Lateness& late = outcome.lateness; late.count() > 0)
+        std::printf("control steps late by %.1f ms (median), %.1f ms (99.9 %%), %.1f ms (worst of %llu)\n",
+                    1e3 * late.quantile_s(0.5), 1e3 * late.quantile_s(0.999), 1e3 * late.worst_s(),
+                    static_cast<unsigned long long>(late.count()));
 }
 
 void warnOfTargets(const Experiment& experiment) {

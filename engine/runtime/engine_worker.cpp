@@ -334,12 +334,14 @@ Result<void> EngineWorker::armWith(const std::string& recordingPath) {
     ++m_runId;
     if (recordingPath.empty())
         return {};
-    auto writer = SessionWriter::create(recordingPath, loop.experiment(), m_session->simulated != nullptr);
+    auto writer = SessionRecorder::create(recordingPath, loop.experiment(), m_session->simulated != nullptr);
     if (!writer) {
         (void)loop.disarm();
         return writer.error();
     }
     m_writer = std::move(*writer);
+    // The file may have taken its time: the devices are heard before they are judged.
+    m_nextTick_s = std::max(m_nextTick_s, m_session->clock().now_s() + loop.experiment().sampling.period_s);
     return {};
 }
 
@@ -516,6 +518,7 @@ void EngineWorker::workReal() {
     if (now_s < m_nextTick_s)
         return;
     const double period_s = m_session->loop.experiment().sampling.period_s;
+    emit stepped(now_s - m_nextTick_s);
     const double behind = std::floor((now_s - m_nextTick_s) / period_s); // whole periods, which are lost
     m_lateSteps += static_cast<std::uint64_t>(behind);
     m_nextTick_s += (1.0 + behind) * period_s;
@@ -533,9 +536,9 @@ void EngineWorker::record() {
         return;
     LoopRecord rows = m_session->loop.takeRecord();
     if (m_writer) {
-        const Result<void> result = write(rows, *m_writer);
+        const Result<void> result = m_writer->add(rows);
         if (!result) {
-            m_writer.reset();
+            m_failedWriter = std::move(m_writer);
             m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(result.error())}});
         }
     }
@@ -545,6 +548,7 @@ void EngineWorker::record() {
 }
 
 void EngineWorker::closeRecording() {
+    m_failedWriter.reset();
     if (!m_writer)
         return;
     const std::string outcome = m_session ? m_session->loop.outcome() : std::string();

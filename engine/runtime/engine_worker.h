@@ -5,6 +5,7 @@
 #include "engine/runtime/alarm_log.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/servo_loop.h"
+#include "engine/runtime/session_recorder.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/vision/vision_thread.h"
 
@@ -23,8 +24,8 @@ namespace bask {
 
 class RealRig;
 
-/// Lives on a QThread; every slot is called through queued connections. Rig, loop and session writer are
-/// made, used and deleted there.
+/// Lives on a QThread; every slot is called through queued connections. Rig and loop are made, used and
+/// deleted there; the session is written on another thread.
 class EngineWorker : public QObject {
     Q_OBJECT
 public:
@@ -40,6 +41,9 @@ public slots:
 
 signals:
     void published(const bask::Snapshot& snapshot);
+    /// A control step of a real rig has begun, so long after it was due; what is longer than a period is
+    /// steps that were lost.
+    void stepped(double lateness_s);
     /// A new look at the camera, while it is watched.
     void looked(const std::shared_ptr<const bask::VisionView>& view);
 
@@ -76,7 +80,7 @@ private:
     bool isInUse() const; ///< a run is armed or on
 
     std::unique_ptr<Session> m_session;
-    std::unique_ptr<SessionWriter> m_writer;
+    std::unique_ptr<SessionRecorder> m_writer, m_failedWriter; ///< that one is waited for after the run
     std::string m_alarmFile;
     AlarmLog m_alarms;
     bool m_isAlarmFileBad = false; ///< told once

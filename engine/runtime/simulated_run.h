@@ -2,6 +2,7 @@
 // A whole run on the simulated rig, as fast as the machine goes: what `bask run` and the whole-engine tests
 // do.
 
+#include "engine/runtime/lateness.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/simulation/simulated_rig.h"
 
@@ -35,6 +36,7 @@ struct RunOutcome {
     double simulated_s = 0.0;
     std::vector<TraceEvent> events;
     bool fault = false; ///< the loop ended in a fault; the reasons are in the events
+    Lateness lateness;  ///< of the control steps, from Start to Stop; none on a simulated rig
 };
 
 inline constexpr double kSettledFor_s = 120.0; ///< ends a run without a duration

@@ -94,8 +94,8 @@ TEST_F(PtyServerTest, clientsComeAndGo) {
 TEST_F(PtyServerTest, aKilledClientDoesNotKeepThePort) {
     fs::permissions(m_folder, fs::perms::all);
     const bool isRoot = ::geteuid() == 0;
-    if (isRoot)
-        ASSERT_EQ(::seteuid(65534), 0);
+    if (isRoot && ::seteuid(65534) != 0)
+        FAIL() << "nobody";
     const auto server = serve();
     const int killed = open();
     EXPECT_GE(killed, 0);
@@ -109,8 +109,7 @@ TEST_F(PtyServerTest, aKilledClientDoesNotKeepThePort) {
     say(next, "hello");
     EXPECT_EQ(heard(*server, next, 5), "HELLO");
     ::close(next);
-    if (isRoot)
-        ASSERT_EQ(::seteuid(0), 0);
+    EXPECT_TRUE(!isRoot || ::seteuid(0) == 0);
 }
 
 // Catches a server that waits, or that keeps everything, for a client that does not read.

@@ -1,0 +1,138 @@
+// The control loop at 10 Hz over three serial ports, watched from outside: no sample lost, memory flat, and
+// how late its steps begin. The short form runs in CI, the long one by hand (CONTRIBUTING.md).
+
+#include "engine/session/session_file.h"
+#include "tests/app/rig_processes.h"
+
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <atomic>
+#include <cstdio>
+#include <thread>
+
+namespace bask::test {
+namespace {
+
+/// Busy threads, which take what the processors have.
+class Hogs {
+public:
+    explicit Hogs(int count) {
+        for (int i = 0; i < count; ++i)
+            m_threads.emplace_back([this] {
+                while (!m_isOver)
+                    ;
+            });
+    }
+    ~Hogs() {
+        m_isOver = true;
+        for (std::thread& thread : m_threads)
+            thread.join();
+    }
+
+private:
+    std::atomic<bool> m_isOver = false;
+    std::vector<std::thread> m_threads;
+};
+
+/// Least squares, in units of y per unit of x, of equidistant values.
+double slope(const std::vector<double>& values) {
+    const double n = static_cast<double>(values.size()), middle = 0.5 * (n - 1.0);
+    double xy = 0.0, xx = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const double x = static_cast<double>(i) - middle;
+        xy += x * values[i];
+        xx += x * x;
+    }
+    return xx > 0.0 ? xy / xx : 0.0;
+}
+
+class SoakTest : public RigProcesses {
+protected:
+    /// Memory of the engine's process, MB.
+    double resident_MB() const {
+        QFile status(QStringLiteral("/proc/%1/status").arg(engine.processId()));
+        if (!status.open(QIODevice::ReadOnly))
+            return 0.0;
+        const QByteArray text = status.readAll();
+        const qsizetype at = text.indexOf("VmRSS:");
+        return at < 0 ? 0.0 : text.mid(at + 6).trimmed().split(' ').first().toDouble() / 1024.0;
+    }
+
+    /// Runs for so long and takes the memory every second.
+    void run(int duration_s, int hogs) {
+        startBench();
+        const QString summary = QFileInfo(session()).path() + QStringLiteral("/summary.json");
+        startEngine({QStringLiteral("--duration"), QString::number(duration_s), QStringLiteral("--summary"),
+                     summary});
+        waitUntilHeating();
+        const Hogs busy(hogs);
+        for (int i = 1; i < duration_s; ++i) {
+            std::this_thread::sleep_for(std::chrono::seconds(1)); // waitFor would be one more busy thread
+            memory_MB.push_back(resident_MB());
+            ASSERT_GT(memory_MB.back(), 0.0) << "it has ended after " << i << " s: " << output();
+        }
+        ASSERT_TRUE(ended(120000).has_value());
+        QFile file(summary);
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << engine.readAll().toStdString();
+        late = QJsonDocument::fromJson(file.readAll()).object()[QStringLiteral("control_steps")].toObject();
+        const auto record = readSession(session().toStdString());
+        ASSERT_TRUE(record.ok()) << describe(record.error());
+        samples = record->controlledSamples();
+        tell();
+    }
+    void tell() const {
+        std::printf(
+            "control steps: %d, late by %.1f ms (median), %.1f ms (99.9 %%), %.1f ms (worst)\nmemory:",
+            late_("count") > 0.0 ? static_cast<int>(late_("count")) : 0, late_("late_ms_p50"),
+            late_("late_ms_p99_9"), late_("late_ms_worst"));
+        for (std::size_t i = 0; i < memory_MB.size(); i += std::max<std::size_t>(1, memory_MB.size() / 10))
+            std::printf(" %.2f", memory_MB[i]);
+        std::printf(" MB\n");
+    }
+    std::string output() {
+        engine.waitForFinished(1000);
+        return engine.readAll().toStdString();
+    }
+    double late_(const char* name) const { return late[QLatin1String(name)].toDouble(); }
+
+    /// Each step that the engine made, and each one that was due.
+    void expectComplete() const {
+        const double steps = late_("count");
+        EXPECT_GE(static_cast<double>(samples.size()), steps);
+        EXPECT_LE(static_cast<double>(samples.size()), steps + 3.0) << "the first and the last";
+        for (std::size_t i = 1; i < samples.size(); ++i)
+            EXPECT_GT(samples[i].time_s, samples[i - 1].time_s) << i;
+    }
+    /// Over the time from `from_s` on.
+    double growth_MB(std::size_t from_s) const {
+        const auto from = memory_MB.begin() + static_cast<std::ptrdiff_t>(std::min(from_s, memory_MB.size()));
+        const std::vector<double> settled(from, memory_MB.end());
+        return slope(settled) * static_cast<double>(settled.size());
+    }
+
+    std::vector<double> memory_MB; ///< each second
+    QJsonObject late;
+    std::vector<TraceSample> samples;
+};
+
+} // namespace
+
+// Catches samples that are lost on their way into the file, and memory that each step costs.
+TEST_F(SoakTest, twentySeconds) {
+    run(20, 0);
+    expectComplete();
+    EXPECT_GE(samples.size(), 190U);
+    EXPECT_LT(growth_MB(10), 1.0);
+}
+
+// Catches the same over time and under load, and steps that come late.
+TEST_F(SoakTest, tenMinutesBesideTwoBusyThreads) {
+    run(600, 2);
+    expectComplete();
+    EXPECT_GE(samples.size(), 6000U) << "none that was due is missing";
+    EXPECT_LT(late_("late_ms_p99_9"), 20.0);
+    EXPECT_LT(growth_MB(60), 1.0);
+}
+
+} // namespace bask::test

@@ -1,0 +1,152 @@
+// The whole engine over serial lines that neither it nor the simulators have made: socat's, as cables.
+
+#include "engine/session/session_file.h"
+#include "tests/app/rig_processes.h"
+
+#include <QDir>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <array>
+#include <memory>
+
+namespace bask::test {
+namespace {
+
+constexpr double kBand_K = 0.5;
+constexpr double kTarget_degC = 40.0;
+
+/// The engine at one end of three cables, the simulators at the other.
+class SocatRigTest : public RigProcesses {
+protected:
+    SocatRigTest() {
+        EXPECT_TRUE(QDir(folder()).mkdir(QStringLiteral("far")));
+        for (std::size_t i = 0; i < cables.size(); ++i) {
+            const QString name = QLatin1String(kNames[i]);
+            const QString end = QStringLiteral("PTY,raw,echo=0,link=%1");
+            cables[i].start(QStringLiteral("socat"), {end.arg(folder() + '/' + name), end.arg(far() + name)});
+        }
+        EXPECT_TRUE(waitFor([&] {
+            return std::ranges::all_of(kNames, [&](const char* name) { return QFile::exists(far() + name); });
+        })) << "socat";
+    }
+    ~SocatRigTest() override {
+        // The cables last: a terminal's name that is free may be another test's by then.
+        for (QProcess* process : {&engine, &bench, &cables[0], &cables[1], &cables[2]}) {
+            process->kill();
+            process->waitForFinished();
+        }
+    }
+
+    QString folder() const { return QFileInfo(experiment()).path(); }
+    QString far() const { return folder() + QStringLiteral("/far/"); }
+
+    /// The experiment as it is, and one for the far ends.
+    void write(const QByteArray& text) const {
+        const QByteArray ports = (folder() + '/').toUtf8();
+        const std::array contents{text, QByteArray(text).replace(ports, far().toUtf8())};
+        const std::array paths{experiment(), far() + QStringLiteral("rig.json")};
+        for (std::size_t i = 0; i < paths.size(); ++i) {
+            QFile file(paths[i]);
+            ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(contents[i]) == contents[i].size());
+        }
+    }
+    QByteArray read(const QString& path) const {
+        QFile file(path);
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+        return file.readAll();
+    }
+    void startFarBench(const QString& heating_s) {
+        bench.start(QStringLiteral(BASK_PROGRAM),
+                    {QStringLiteral("simulate-rig"), far() + QStringLiteral("rig.json"),
+                     QStringLiteral("--open"), QStringLiteral("--heating-time"), heating_s});
+        ASSERT_TRUE(waitFor([&] { return !state().objects_degC.empty(); }))
+            << bench.readAllStandardError().toStdString();
+    }
+    /// At the end of so many seconds of the run, which the engine ends soon after.
+    void expectSettledAfter(int duration_s) {
+        startEngine({QStringLiteral("--duration"), QString::number(duration_s)});
+        waitUntilHeating();
+        QElapsedTimer run;
+        run.start();
+        ASSERT_TRUE(waitFor([&] { return run.elapsed() > 1000 * (duration_s - 5); }, 1000 * duration_s));
+        const BenchState state = this->state();
+        ASSERT_EQ(state.objects_degC.size(), 3U);
+        for (const double t_degC : state.objects_degC)
+            EXPECT_NEAR(t_degC, kTarget_degC, kBand_K);
+        EXPECT_TRUE(state.isHeating);
+        EXPECT_EQ(ended(120000), 0) << engine.readAll().toStdString();
+        EXPECT_FALSE(this->state().isHeating);
+        const auto record = readSession(session().toStdString());
+        ASSERT_TRUE(record.ok());
+        EXPECT_FALSE(record->simulated);
+        EXPECT_EQ(record->outcome, "settled");
+        const auto controlled = record->controlledSamples();
+        const double period_s = record->experiment.sampling.period_s;
+        EXPECT_GE(static_cast<double>(controlled.size()), 0.8 * duration_s / period_s)
+            << "a sample each period, but for what a busy machine loses";
+        for (std::size_t i = 1; i < controlled.size(); ++i)
+            EXPECT_LT(controlled[i].time_s - controlled[i - 1].time_s, std::max(1.0, 2.0 * period_s)) << i;
+    }
+
+    static constexpr std::array kNames{"robot", "thermometer", "heater"};
+    std::array<QProcess, 3> cables;
+};
+
+} // namespace
+
+// Catches any link of the chain that is wrong or slow, or works only on terminals of our own making: the
+// objects' true temperatures come to their targets and stay, the recording is whole, and the plate is off in
+// the end. Thin disks, which are fast.
+TEST_F(SocatRigTest, thinDisksSettle) {
+    write(read(experiment()));
+    startFarBench(QStringLiteral("10"));
+    expectSettledAfter(150);
+}
+
+// The experiment that Bask ships and runs by default, as it is, on a rig: real time, so outside of CI.
+TEST_F(SocatRigTest, theShippedThreeObjectsSettle) {
+    const QJsonValue rig = QJsonDocument::fromJson(read(experiment())).object()[QStringLiteral("rig")];
+    QJsonObject shipped =
+        QJsonDocument::fromJson(read(QStringLiteral(BASK_EXAMPLES "/three-objects.json"))).object();
+    shipped[QStringLiteral("rig")] = rig;
+    for (const QString& place : {folder(), far()})
+        ASSERT_TRUE(
+            QFile::link(QStringLiteral(BASK_EXAMPLES "/contours"), place + QStringLiteral("/contours")));
+    write(QJsonDocument(shipped).toJson());
+    startFarBench(QStringLiteral("60"));
+    expectSettledAfter(900);
+}
+
+// Catches a cable pulled out of the robot that leaves the heat on; and lines of Qt's own on the console, one
+// for each bad answer.
+TEST_F(SocatRigTest, aRobotUnpluggedEndsTheHeat) {
+    write(read(experiment()));
+    startFarBench(QStringLiteral("10"));
+    startEngine();
+    waitUntilHeating();
+    for (const char* fault : {"thermometer bad-crc", "thermometer wrong-unit"}) {
+        tell(fault);
+        QElapsedTimer bad;
+        bad.start();
+        ASSERT_TRUE(waitFor([&] { return bad.elapsed() > 1200; })); // three answers at the least
+    }
+    tell("thermometer none");
+    ASSERT_TRUE(state().isHeating);
+    for (const QString& place : {folder() + '/', far()}) // as udev does
+        ASSERT_TRUE(QFile::remove(place + QStringLiteral("robot")));
+    ::kill(static_cast<pid_t>(cables[0].processId()), SIGKILL);
+    QElapsedTimer unplugged;
+    unplugged.start();
+    ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 5000));
+    EXPECT_LT(unplugged.elapsed(), 1000);
+    EXPECT_EQ(ended(20000), 1);
+    const std::string said = engine.readAll().toStdString();
+    EXPECT_NE(said.find("the link to"), std::string::npos) << said;
+    EXPECT_EQ(said.find("qt.modbus"), std::string::npos) << said;
+    const auto record = readSession(session().toStdString());
+    ASSERT_TRUE(record.ok());
+    EXPECT_EQ(record->outcome, "fault");
+}
+
+} // namespace bask::test
