@@ -81,8 +81,8 @@ Result<void> makeTables(SessionStore& store) {
     std::vector<std::string> statements{"PRAGMA synchronous = FULL", "BEGIN IMMEDIATE"};
     for (const char* table : kTables)
         statements.emplace_back(table);
-    statements.push_back("PRAGMA application_id = " + std::to_string(kSessionApplicationId));
-    statements.push_back("PRAGMA user_version = " + std::to_string(kSessionVersion));
+    statements.emplace_back("PRAGMA application_id = ").append(std::to_string(kSessionApplicationId));
+    statements.emplace_back("PRAGMA user_version = ").append(std::to_string(kSessionVersion));
     for (const std::string& sql : statements) {
         if (auto done = store.execute(sql); !done)
             return done;
