@@ -80,11 +80,6 @@ struct Reaction {
 
 class LiveFaults : public RigProcesses {
 protected:
-    LiveFaults() { // before others, if it may: times are measured, also on a busy machine
-        const sched_param first{.sched_priority = 1};
-        (void)::sched_setscheduler(0, SCHED_RR, &first);
-    }
-
     static constexpr double kReaction_ms = 1000.0; ///< the most, of motion and of heat
 
     /// The bench's, as far as the engine is concerned.
@@ -104,15 +99,13 @@ protected:
     bool reaches(RunState state, int limit_ms = 20000) {
         return waitFor([&] { return live.last.state == state; }, limit_ms);
     }
-    /// Homed, cleared or reset until it takes that.
-    void reset(int limit_ms = 20000) {
-        QElapsedTimer since;
-        since.start();
-        do {
-            live.send(Reset{});
-            (void)waitFor([&] { return live.last.state != RunState::Fault; }, 200);
-        } while (live.last.state == RunState::Fault && since.elapsed() < limit_ms);
-        ASSERT_NE(live.last.state, RunState::Fault) << describe(live.refusal);
+    /// As often as a busy machine's devices are late.
+    void beReady() {
+        ASSERT_TRUE(waitFor([&] {
+            if (live.last.state == RunState::Fault)
+                live.send(Reset{});
+            return live.last.state == RunState::Ready || live.last.state == RunState::Stopped;
+        })) << reasons();
     }
     void home() {
         live.send(HomeRobot{});
@@ -121,12 +114,7 @@ protected:
     }
     /// A new run, up to a robot that moves before a hot plate.
     void begin() {
-        if (live.last.state == RunState::Fault) {
-            ASSERT_NO_FATAL_FAILURE(reset());
-        }
-        ASSERT_TRUE(waitFor([&] {
-            return live.last.state == RunState::Ready || live.last.state == RunState::Stopped;
-        })) << reasons();
+        ASSERT_NO_FATAL_FAILURE(beReady());
         live.send(Arm{recording()});
         ASSERT_TRUE(reaches(RunState::Armed)) << describe(live.refusal);
         live.send(Start{true});
@@ -134,10 +122,13 @@ protected:
         ASSERT_TRUE(waitFor([&] { return state().isHeating; })) << reasons();
         ASSERT_NO_FATAL_FAILURE(makeMove());
     }
-    /// Other targets: the robot is on its way to them.
-    void makeMove() {
+    void changeTargets() {
         std::swap(m_targets_K[0], m_targets_K[1]);
         live.send(SetTargets{std::vector<double>(live.last.targets_K.size(), m_targets_K[0])});
+    }
+    /// Other targets: the robot is on its way to them.
+    void makeMove() {
+        changeTargets();
         const Eigen::Vector3d from_m = state().place_m;
         ASSERT_TRUE(waitFor([&] {
             if (live.last.state == RunState::Holding && isWell())

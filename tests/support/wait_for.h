@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>
+#include <QThread>
 
 namespace bask::test {
 
@@ -13,6 +14,7 @@ template <class Condition> bool waitFor(Condition condition, int limit_ms = 2000
         if (deadline.hasExpired())
             return false;
         QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+        QThread::msleep(1); // or two tests that wait take the machine from what they wait for
     }
     return true;
 }
