@@ -163,7 +163,7 @@ TEST_F(LiveComputerFaults, aWindowThatHangsLeavesControlAndSafetyAlone) {
         fault_s = hung_s + clock.now_s() - began_s;
     }
     EXPECT_LT(live.last.runTime_s, hung_s + 0.1) << "nothing has come meanwhile";
-    ASSERT_TRUE(waitFor([&] { return live.last.runTime_s > hung_s + kHung_s; }));
+    ASSERT_TRUE(waitFor([&] { return live.last.runTime_s > hung_s + kHung_s; })) << reasons();
     EXPECT_EQ(live.last.state, RunState::Holding) << reasons();
     EXPECT_GE(live.samples.size() - from, static_cast<std::size_t>(0.9 * kHung_s / 0.1));
     EXPECT_LT(longestGap_s(from), 1.0);

@@ -74,13 +74,14 @@ struct Reaction {
     double off_ms = -1.0;  ///< the bench's heat is off; -1: still on
     double moved_ms = 0.0; ///< the bench's robot moved last
     double moved_m = 0.0;  ///< and so far since the fault
-    double rose_ms = -1.0; ///< it was seen to rise by 2 mm
+    double rose_ms = -1.0; ///< it was seen to have risen by 2 mm
     std::string sentence;
 };
 
 class LiveFaults : public RigProcesses {
 protected:
     static constexpr double kReaction_ms = 1000.0; ///< the most, of motion and of heat
+    static constexpr double kNear_m = 0.25;        ///< to the plate; the retreat ends at 0.3
 
     /// The bench's, as far as the engine is concerned.
     Experiment read() const {
@@ -88,7 +89,7 @@ protected:
         out.safety.stalePeriods = 5.0; // a busy machine is no fault
         out.safety.heldLimit_s = 8.0;
         out.safety.frozen_s = 5.0;
-        out.safety.sourceHeating_s = 10.0;
+        out.safety.sourceHeating_s = 15.0;
         return out;
     }
     void load(const Experiment& loaded) {
@@ -119,16 +120,13 @@ protected:
         ASSERT_TRUE(reaches(RunState::Armed)) << describe(live.refusal);
         live.send(Start{true});
         ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);
-        ASSERT_TRUE(waitFor([&] { return state().isHeating; })) << reasons();
+        ASSERT_TRUE(waitFor([&] { return state().isHeating && state().place_m.z() < kNear_m; })) << reasons();
         ASSERT_NO_FATAL_FAILURE(makeMove());
-    }
-    void changeTargets() {
-        std::swap(m_targets_K[0], m_targets_K[1]);
-        live.send(SetTargets{std::vector<double>(live.last.targets_K.size(), m_targets_K[0])});
     }
     /// Other targets: the robot is on its way to them.
     void makeMove() {
-        changeTargets();
+        std::swap(m_targets_K[0], m_targets_K[1]);
+        live.send(SetTargets{std::vector<double>(live.last.targets_K.size(), m_targets_K[0])});
         const Eigen::Vector3d from_m = state().place_m;
         ASSERT_TRUE(waitFor([&] {
             if (live.last.state == RunState::Holding && isWell())
@@ -160,6 +158,7 @@ protected:
         Reaction out;
         const BenchState before = state();
         Eigen::Vector3d place_m = before.place_m;
+        double lowest_m = before.place_m.z();
         const double run_s = live.last.runTime_s;
         QElapsedTimer since;
         since.start();
@@ -183,7 +182,8 @@ protected:
                 out.moved_ms = now_ms();
             place_m = now.place_m;
             out.moved_m = (place_m - before.place_m).norm();
-            if (out.rose_ms < 0.0 && place_m.z() > before.place_m.z() + 2e-3)
+            lowest_m = std::min(lowest_m, place_m.z());
+            if (out.rose_ms < 0.0 && place_m.z() > lowest_m + 2e-3)
                 out.rose_ms = now_ms();
             if (out.off_ms < 0.0 && !now.isHeating)
                 out.off_ms = now_ms();
