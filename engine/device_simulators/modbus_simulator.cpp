@@ -99,7 +99,8 @@ void ModbusSimulator::addController(int unit, const ModbusProfile& profile, cons
 void ModbusSimulator::setTemperature(int unit, int channel, double t_K) {
     Unit& u = m_units.at(unit);
     u.channels_K.at(static_cast<std::size_t>(channel)) = t_K;
-    refresh(u);
+    if (m_fault != "frozen")
+        refresh(u);
 }
 
 double ModbusSimulator::setPoint_K(int unit) const {

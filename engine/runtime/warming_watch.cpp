@@ -87,7 +87,24 @@ std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K) cons
     const auto begun =
         std::ranges::find_if(m_bins, [&](const Bin& bin) { return bin.time_s > m_same.time_s; });
     const auto after = static_cast<std::size_t>(begun - m_bins.begin()); // the stretch ends just before
-    return worstSince(after < 2 ? 0 : after - 2, after, &m_same, least_K);
+    if (auto worst = worstSince(after < 2 ? 0 : after - 2, after, &m_same, least_K))
+        return worst;
+    return unmovedBy(after, least_K + kNoiseTimes * m_noise_K);
+}
+
+// Whatever it loses, it loses the same while it stays within `least_K`: the power of the two halves of that
+// time may then differ by what the change could hide, and by what the losses may have changed with it.
+std::optional<Unfollowed> WarmingWatch::unmovedBy(std::size_t first, double least_K) const {
+    if (first + kStretch >= m_bins.size())
+        return std::nullopt;
+    const Bin& a = m_bins[first];
+    const Bin& b = m_bins[(first + m_bins.size()) / 2];
+    const double half_s = b.time_s - a.time_s, rest_s = m_time_s - b.time_s;
+    const double change_K_s = (m_energy_K - b.energy_K) / rest_s - (b.energy_K - a.energy_K) / half_s;
+    const double hidden_K_s = least_K * (1.0 / half_s + 1.0 / rest_s + kLosses.back() / m_timeConstant_s);
+    if (std::abs(change_K_s) <= kBeliefFactor * hidden_K_s)
+        return std::nullopt;
+    return Unfollowed{change_K_s * rest_s / kBeliefFactor, 0.0, m_time_s - a.time_s};
 }
 
 std::optional<Unfollowed> WarmingWatch::unfollowedAfter(std::size_t end, const Bin& start,

@@ -55,6 +55,8 @@ private:
     /// The worst by the stretches that end with the bins [first, last), since each of these or since `start`.
     std::optional<Unfollowed> worstSince(std::size_t first, std::size_t last, const Bin* start,
                                          double least_K) const;
+    /// By other powers before and after the middle of the time since a bin, all of it at one temperature.
+    std::optional<Unfollowed> unmovedBy(std::size_t first, double least_K) const;
     /// By the stretch that ends with a bin.
     std::optional<Unfollowed> unfollowedAfter(std::size_t end, const Bin& start, double least_K) const;
 

@@ -74,16 +74,14 @@ TEST_F(LiveComputerFaults, aFullDiskEndsTheRunAndLeavesItsRecording) {
     startBench();
     Experiment small = read();
     load(small);
-    ASSERT_NO_FATAL_FAILURE(reset());
-    ASSERT_TRUE(reaches(RunState::Ready)) << reasons();
+    ASSERT_NO_FATAL_FAILURE(beReady());
     live.send(Arm{disk.path() + "/run.bask"});
     EXPECT_EQ(live.refusal.code, MessageCode::SafetyDiskLow) << "1 MB is less than the 100 MB it wants";
     EXPECT_EQ(live.last.state, RunState::Ready);
 
     small.safety.leastDisk_MB = 0.0;
     load(small);
-    ASSERT_NO_FATAL_FAILURE(reset());
-    ASSERT_TRUE(reaches(RunState::Ready)) << reasons();
+    ASSERT_NO_FATAL_FAILURE(beReady());
     const std::string path = disk.path() + "/run.bask";
     live.send(Arm{path});
     ASSERT_TRUE(reaches(RunState::Armed)) << describe(live.refusal);
@@ -160,12 +158,12 @@ TEST_F(LiveComputerFaults, aWindowThatHangsLeavesControlAndSafetyAlone) {
         if (isRaised || clock.now_s() < began_s + kFaultAfter_s)
             continue;
         isRaised = true;
-        bench.write("thermometer open\n");
+        bench.write("thermometer short\n");
         ASSERT_TRUE(bench.waitForBytesWritten(1000));
         fault_s = hung_s + clock.now_s() - began_s;
     }
     EXPECT_LT(live.last.runTime_s, hung_s + 0.1) << "nothing has come meanwhile";
-    ASSERT_TRUE(waitFor([&] { return live.last.runTime_s > hung_s + kHung_s; }));
+    ASSERT_TRUE(waitFor([&] { return live.last.runTime_s > hung_s + kHung_s; })) << reasons();
     EXPECT_EQ(live.last.state, RunState::Holding) << reasons();
     EXPECT_GE(live.samples.size() - from, static_cast<std::size_t>(0.9 * kHung_s / 0.1));
     EXPECT_LT(longestGap_s(from), 1.0);
@@ -174,11 +172,11 @@ TEST_F(LiveComputerFaults, aWindowThatHangsLeavesControlAndSafetyAlone) {
     const auto record = readSession(lastRecording());
     ASSERT_TRUE(record) << describe(record.error());
     const auto told = std::ranges::find_if(record->events, [](const TraceEvent& event) {
-        return event.message.code == MessageCode::SafetySensorOpen;
+        return event.message.code == MessageCode::SafetySensorShort;
     });
     ASSERT_NE(told, record->events.end());
     EXPECT_LT(told->time_s - fault_s, 1.0);
-    std::printf("| window hangs, sensor open: held after %.0f ms\n", 1e3 * (told->time_s - fault_s));
+    std::printf("| window hangs, sensor shorted: held after %.0f ms\n", 1e3 * (told->time_s - fault_s));
 }
 
 } // namespace bask::test

@@ -10,6 +10,7 @@
 #include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
+#include <QThread>
 
 #include <gtest/gtest.h>
 
@@ -41,6 +42,15 @@ protected:
         endProcess(bench);
     }
 
+    /// Leaves the processor to the engine and the bench meanwhile.
+    template <class Condition> static bool waitFor(Condition condition, int limit_ms = 20000) {
+        return test::waitFor(
+            [&] {
+                QThread::msleep(2);
+                return condition();
+            },
+            limit_ms);
+    }
     QString experiment() const { return m_folder.filePath(QStringLiteral("rig.json")); }
     QString portOf(const char* role) const { return m_folder.filePath(QLatin1String(role)); }
     QString session() const { return m_folder.filePath(QStringLiteral("run.bask")); }

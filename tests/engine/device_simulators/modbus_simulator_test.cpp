@@ -139,6 +139,7 @@ TEST_F(ModbusSimulatorTest, FaultsAreWhatTheyAreCalled) {
     m_now_s += 1.0;
     EXPECT_EQ(with("frozen"), sound);
     m_sim.setTemperature(1, 0, 350.0);
+    EXPECT_EQ(said(two), sound);
     EXPECT_EQ(with("none").size(), sound.size());
     EXPECT_NE(said(two), sound);
     EXPECT_EQ(m_sim.setFault("broken").error().code(), MessageCode::ValueUnknown);

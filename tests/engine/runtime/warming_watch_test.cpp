@@ -84,6 +84,28 @@ TEST(WarmingWatch, FindsASensorThatIsFrozen) {
     }
 }
 
+// A light object that had just begun to cool, so that its rate before explains that it does not warm. Catches
+// a robot that goes nearer and nearer by a reading that stays.
+TEST(WarmingWatch, FindsASensorThatFreezesOnTheWay) {
+    constexpr double kTime_s = 12.0, kFrozen_s = 40.0, kPeriod_s = 0.1;
+    WarmingWatch watch(kTime_s, SafetySpec().warming_K);
+    watch.restAt(0.0, 298.0, 0.0);
+    double T = 298.0, kept_K = T, found_s = 1e9;
+    for (double t = kPeriod_s; t < 60.0 && found_s > 1e8; t += kPeriod_s) {
+        const double power_K_s = t < kFrozen_s - 3.0 ? 1.5
+                                 : t < kFrozen_s     ? 0.1
+                                                     : 0.1 + 0.3 * (t - kFrozen_s);
+        T += kPeriod_s * (power_K_s - (T - 298.0) / kTime_s);
+        if (t < kFrozen_s)
+            kept_K = std::round(T / 0.02) * 0.02;
+        watch.add(t, kept_K, power_K_s);
+        if (watch.sameFor_s() >= 5.0 && watch.unfollowedWhileSame(0.5))
+            found_s = t;
+    }
+    EXPECT_GT(found_s, kFrozen_s + 4.9);
+    EXPECT_LT(found_s, kFrozen_s + 14.0);
+}
+
 // Catches a source that is told not to heat while it does, and one that heats unasked unnoticed.
 TEST(SourceWatch, TellsASourceThatDoesNotObey) {
     SourceWatch watch{SafetySpec{}};
