@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstdio>
 
-#include <sched.h>
 
 namespace bask::test {
 
