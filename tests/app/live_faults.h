@@ -15,7 +15,6 @@
 #include <algorithm>
 #include <cstdio>
 
-
 namespace bask::test {
 
 /// The engine on its thread, with everything it told.
