@@ -110,9 +110,13 @@ TEST_F(MainWindowTest, TheSurfacesControlsFitASmallWindow) {
             QWidget* scene = find<QWidget>("targetScene")->findChild<QOpenGLWidget*>();
             if (scene == nullptr)
                 continue;
-            for (int y = 30; y < 60 && !find<QWidget>("startHere")->isVisible(); y += 5)
-                QTest::mouseClick(scene, Qt::LeftButton, {}, {scene->width() / 2, scene->height() * y / 100});
-            ASSERT_TRUE(find<QWidget>("startHere")->isVisible()) << qPrintable(name);
+            const auto isPicked = [&] { // the surfaces may still be on their way
+                for (int y = 30; y < 60 && !find<QWidget>("startHere")->isVisible(); y += 5)
+                    QTest::mouseClick(scene, Qt::LeftButton, {},
+                                      {scene->width() / 2, scene->height() * y / 100});
+                return find<QWidget>("startHere")->isVisible();
+            };
+            ASSERT_TRUE(waitFor(isPicked)) << qPrintable(name);
             look(name + QStringLiteral("-picked"));
         }
     }
