@@ -146,8 +146,15 @@ SerialSettings usualSerial(ThermometerDriver driver) {
 }
 
 SerialSettings usualSerial(HeatSourceDriver driver) {
-    return driver == HeatSourceDriver::Namur ? SerialSettings{9600, 7, 'E', 1}
-                                             : SerialSettings{19200, 8, 'E', 1};
+    switch (driver) {
+    case HeatSourceDriver::Namur:
+        return {9600, 7, 'E', 1};
+    case HeatSourceDriver::Modbus:
+        return {19200, 8, 'E', 1};
+    case HeatSourceDriver::ByHand:
+        break;
+    }
+    return {}; // no line
 }
 
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
