@@ -177,7 +177,8 @@ void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
         m_step.reset();
         m_spanFrom = m_spanTo = at;
     }
-    if (m_isSetUp || !isResting()) {
+    // In some alarms it refuses its settings, and is to be cleared first.
+    if (m_isSetUp || !isResting() || m_alarm) {
         m_linkState = LinkState::Live;
         m_wasLive = true;
         m_problem = {};
