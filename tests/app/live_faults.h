@@ -121,7 +121,10 @@ protected:
                 live.send(Start{true});
             return live.last.state == RunState::Running;
         })) << describe(live.refusal);
-        ASSERT_TRUE(waitFor([&] { return state().isHeating && state().place_m.z() < kNear_m; })) << reasons();
+        ASSERT_TRUE(waitFor([&] {
+            resumeIfWell();
+            return state().isHeating && state().place_m.z() < kNear_m;
+        })) << reasons();
         ASSERT_NO_FATAL_FAILURE(makeMove());
     }
     /// Other targets: the robot is on its way to them.
@@ -130,10 +133,14 @@ protected:
         live.send(SetTargets{std::vector<double>(live.last.targets_K.size(), m_targets_K[0])});
         const Eigen::Vector3d from_m = state().place_m;
         ASSERT_TRUE(waitFor([&] {
-            if (live.last.state == RunState::Holding && isWell())
-                live.send(Resume{}); // held since the machine was too busy
+            resumeIfWell();
             return live.last.state == RunState::Running && (state().place_m - from_m).norm() > 1e-3;
         })) << reasons();
+    }
+    /// A run is held where the machine is too busy.
+    void resumeIfWell() {
+        if (live.last.state == RunState::Holding && isWell())
+            live.send(Resume{});
     }
     bool isWell() const {
         return std::ranges::none_of(live.last.alarms,
