@@ -683,10 +683,6 @@
             <translation>Le capteur de « %1 » n’a rien donné depuis %2 s. Vérifiez son câble, puis reprenez.</translation>
         </message>
         <message>
-            <source>The sensor of "%1" gives no plausible value. Check it, then resume.</source>
-            <translation>Le capteur de « %1 » ne donne aucune valeur plausible. Vérifiez-le, puis reprenez.</translation>
-        </message>
-        <message>
             <source>The source's pose is not measured any more. Bring the source back into view, then resume.</source>
             <translation>La pose de la source n’est plus mesurée. Ramenez la source dans le champ, puis reprenez.</translation>
         </message>
@@ -919,10 +915,6 @@
             <translation>%1 vues sur les %2 qui suffisent</translation>
         </message>
         <message>
-            <source>"%1" and "%2" are far from the source but %3 K apart. One sensor is wrong or off its object: check both.</source>
-            <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
-        </message>
-        <message>
             <source>"%1" cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.</source>
             <translation>« %1 » ne peut pas être ouvert : %2. Vérifiez le câble et le nom du port ; Bask réessaie de lui-même.</translation>
         </message>
@@ -963,24 +955,12 @@
             <translation>Il ne reste que %1 Mo sur le disque ; un enregistrement en demande %2 Mo. Libérez de la place, puis armez de nouveau.</translation>
         </message>
         <message>
-            <source>The control loop was held up for %1 s; the robot stood. Close other programs on this computer.</source>
-            <translation>La boucle de commande a été retenue %1 s ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
-        </message>
-        <message>
-            <source>The robot is %1 mm from where its steps should have brought it. It may have been pushed or have lost steps: check it, home it, then reset.</source>
-            <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
-        </message>
-        <message>
             <source>The robot is held at its own panel (%1). Release it there, then clear the alarm.</source>
             <translation>Le robot est retenu à son propre panneau (%1). Libérez-le là, puis effacez l’alarme.</translation>
         </message>
         <message>
             <source>The robot is switched off at its own controller. Enable it, then clear the alarm.</source>
             <translation>Le robot est désactivé à son propre contrôleur. Activez-le, puis effacez l’alarme.</translation>
-        </message>
-        <message>
-            <source>The robot may not know its own place. Home it, or confirm its place.</source>
-            <translation>Le robot ne connaît peut-être pas sa position. Faites sa prise d’origine, ou confirmez sa position.</translation>
         </message>
         <message>
             <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
@@ -1013,10 +993,6 @@
         <message>
             <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
             <translation>La source est à %1 °C et ne s’approche plus de %2 °C depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The source warmed by %1 K in %2 s though its heat is off. Switch it off at its mains, then reset.</source>
-            <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé. Coupez-la au secteur, puis réarmez.</translation>
         </message>
         <message>
             <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
@@ -1145,6 +1121,30 @@
         <message>
             <source>with the profile "%1" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with "unattended_heat": true.</source>
             <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par "unattended_heat": true.</translation>
+        </message>
+        <message>
+            <source>"%1" and "%2" are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
+            <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K, plus que %4 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
+        </message>
+        <message>
+            <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
+            <translation>La boucle de commande a été retenue %1 s, plus que les %2 s admises ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
+        </message>
+        <message>
+            <source>The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.</source>
+            <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener, plus que %2 mm. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
+            <translation>Le robot ne connaît peut-être pas sa position : sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
+        </message>
+        <message>
+            <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+            <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé, plus que les %3 K admis : son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it, then resume.</source>
+            <translation>Le capteur de « %1 » ne donne aucune valeur plausible : fil coupé, faux contact, ou un autre appareil que celui configuré. Vérifiez-le, puis reprenez.</translation>
         </message>
     </context>
     <context>
