@@ -68,6 +68,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     redo = make("editRedo");
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     acknowledgeAlarms->setEnabled(false);
+    manual = make("manual", QKeySequence(Qt::Key_F1));
+    reportProblem = make("reportProblem");
     about = make("about");
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
@@ -233,6 +235,8 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
     fillFaults();
+    m_helpMenu->addActions({manual, reportProblem});
+    m_helpMenu->addSeparator();
     m_helpMenu->addAction(about);
     for (QMenu* menu : {m_fileMenu, m_editMenu, m_runMenu, m_viewMenu, m_toolsMenu, m_helpMenu})
         bar->addMenu(menu);
@@ -260,6 +264,8 @@ void Actions::retranslateFile() {
     quit->setText(tr("&Quit"));
     undo->setText(tr("&Undo") + u'\t' + QKeySequence(QKeySequence::Undo).toString(QKeySequence::NativeText));
     redo->setText(tr("&Redo") + u'\t' + QKeySequence(QKeySequence::Redo).toString(QKeySequence::NativeText));
+    manual->setText(tr("&Manual"));
+    reportProblem->setText(tr("Report a &problem…"));
     about->setText(tr("&About Bask"));
 }
 

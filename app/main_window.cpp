@@ -3,6 +3,8 @@
 #include "app/bottom_dock.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
+#include "app/manual_window.h"
+#include "app/problem_report.h"
 #include "app/resources.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
@@ -179,6 +181,19 @@ void MainWindow::showReason(int index) {
     default:
         return m_pages->show(Page::Run);
     }
+}
+
+void MainWindow::showManual() {
+    if (!m_manual)
+        m_manual = new ManualWindow(this);
+    m_manual->open(QStringLiteral("manual.md"));
+}
+
+void MainWindow::reportProblem() {
+    delete findChild<ProblemDialog*>();
+    auto* dialog = new ProblemDialog(problemReport(m_last, m_dock->events(), m_document.experiment()), this);
+    connect(dialog, &ProblemDialog::saveWanted, &m_files, &SessionActions::saveReport);
+    dialog->show();
 }
 
 void MainWindow::setLanguage(const QString& code) {

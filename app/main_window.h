@@ -17,6 +17,7 @@ class QToolBar;
 namespace bask {
 
 class BottomDock;
+class ManualWindow;
 class StateBar;
 class StatusLine;
 
@@ -66,6 +67,8 @@ private:
     void askInfeasible();
     void refuse(const Message& refusal);
     void showReason(int index);
+    void showManual();
+    void reportProblem();
     void showTitle();
     void showUndo();
     void showAges(); ///< of the calibrations, in the list behind the chip
@@ -85,6 +88,7 @@ private:
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;
+    ManualWindow* m_manual = nullptr;
 
     Snapshot m_last;
     std::function<bool()> m_closeQuestion;

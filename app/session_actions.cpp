@@ -12,6 +12,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSaveFile>
 
 namespace bask {
 namespace {
@@ -246,6 +247,19 @@ void SessionActions::openRig() {
         emit rigRead(*rig);
     else
         emit problem(sentence(rig.error()));
+}
+
+void SessionActions::saveReport(const QString& text) {
+    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
+                              QDir(m_settings.lastFolder()).filePath(QStringLiteral("bask-report.txt")),
+                              tr("Texts (*.txt);;All files (*)"), QStringLiteral("txt")});
+    if (path.isEmpty())
+        return;
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit())
+        return emit problem(sentence(
+            Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()})));
+    emit told(tr("The report was saved as %1.").arg(path));
 }
 
 void SessionActions::saveRig() {

@@ -56,6 +56,8 @@ public:
     /// The devices of a rig file; the open experiment's into one.
     void openRig();
     void saveRig();
+    /// A problem report, as it was read.
+    void saveReport(const QString& text);
 
     /// A changed experiment may be lost: asks to save. False: stay.
     bool mayDiscard();

@@ -1519,6 +1519,14 @@
             <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
             <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste. (F9)</translation>
         </message>
+        <message>
+            <source>&amp;Manual</source>
+            <translation>&amp;Manuel</translation>
+        </message>
+        <message>
+            <source>Report a &amp;problem…</source>
+            <translation>Signaler un &amp;problème…</translation>
+        </message>
     </context>
     <context>
         <name>bask::AxisTable</name>
@@ -4680,6 +4688,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>The rig was saved as %1.</source>
             <translation>Le banc a été enregistré sous %1.</translation>
         </message>
+        <message>
+            <source>Save the report</source>
+            <translation>Enregistrer le rapport</translation>
+        </message>
+        <message>
+            <source>Texts (*.txt);;All files (*)</source>
+            <translation>Textes (*.txt);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>The report was saved as %1.</source>
+            <translation>Le rapport a été enregistré sous %1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>
@@ -6086,6 +6106,60 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>With less no recording is begun</source>
             <translation>Avec moins, aucun enregistrement ne commence</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ManualWindow</name>
+        <message>
+            <source>Bask: manual</source>
+            <translation>Bask : manuel</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Retour</translation>
+        </message>
+        <message>
+            <source>Contents</source>
+            <translation>Sommaire</translation>
+        </message>
+        <message>
+            <source>Find in the manual</source>
+            <translation>Chercher dans le manuel</translation>
+        </message>
+        <message>
+            <source>Text of the manual</source>
+            <translation>Texte du manuel</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ProblemDialog</name>
+        <message>
+            <source>Report a problem</source>
+            <translation>Signaler un problème</translation>
+        </message>
+        <message>
+            <source>This is all that the report has. Write at the top what happened and what you expected, take out what nobody should see, save it, and give it to whoever looks after your Bask. Nothing is sent.</source>
+            <translation>Voici tout ce que contient le rapport. Écrivez en haut ce qui s’est passé et ce que vous attendiez, retirez ce que personne ne doit voir, enregistrez-le et donnez-le à la personne qui s’occupe de votre Bask. Rien n’est envoyé.</translation>
+        </message>
+        <message>
+            <source>The report</source>
+            <translation>Le rapport</translation>
+        </message>
+        <message>
+            <source>What happened:</source>
+            <translation>Ce qui s’est passé :</translation>
+        </message>
+        <message>
+            <source>What was expected:</source>
+            <translation>Ce qui était attendu :</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Enregistrer…</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Fermer</translation>
         </message>
     </context>
 </TS>
