@@ -6088,4 +6088,23 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Avec moins, aucun enregistrement ne commence</translation>
         </message>
     </context>
+    <context>
+        <name>About</name>
+        <message>
+            <source>About Bask</source>
+            <translation>À propos de Bask</translation>
+        </message>
+        <message>
+            <source>Radiation-based thermal servoing: a robot brings objects to their temperatures by holding them in front of a heat source.</source>
+            <translation>Asservissement thermique par rayonnement : un robot amène des objets à leurs températures en les tenant devant une source de chaleur.</translation>
+        </message>
+        <message>
+            <source>Qt %1 on %2. Licence: GPL-3.0-or-later.</source>
+            <translation>Qt %1 sur %2. Licence : GPL-3.0-or-later.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Fermer</translation>
+        </message>
+    </context>
 </TS>
