@@ -683,10 +683,6 @@
             <translation>“%1”的传感器已有 %2 s 没有新数据。请检查其电缆，然后继续。</translation>
         </message>
         <message>
-            <source>The sensor of "%1" gives no plausible value. Check it, then resume.</source>
-            <translation>“%1”的传感器给出的值不合理。请检查，然后继续。</translation>
-        </message>
-        <message>
             <source>The source's pose is not measured any more. Bring the source back into view, then resume.</source>
             <translation>热源位姿已不再被测量。请使热源回到视野内，然后继续。</translation>
         </message>
@@ -919,10 +915,6 @@
             <translation>已有 %1 个视图，%2 个即足够</translation>
         </message>
         <message>
-            <source>"%1" and "%2" are far from the source but %3 K apart. One sensor is wrong or off its object: check both.</source>
-            <translation>“%1”与“%2”远离热源，却相差 %3 K。某个传感器有误或脱离了物体：请检查两者。</translation>
-        </message>
-        <message>
             <source>"%1" cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.</source>
             <translation>无法打开“%1”：%2。请检查电缆和端口名称；Bask 会自动重试。</translation>
         </message>
@@ -963,24 +955,12 @@
             <translation>磁盘空间仅剩 %1 MB；记录需要 %2 MB。请释放空间，然后重新进入待命。</translation>
         </message>
         <message>
-            <source>The control loop was held up for %1 s; the robot stood. Close other programs on this computer.</source>
-            <translation>控制回路被延误 %1 s；机器人已静止。请关闭此计算机上的其他程序。</translation>
-        </message>
-        <message>
-            <source>The robot is %1 mm from where its steps should have brought it. It may have been pushed or have lost steps: check it, home it, then reset.</source>
-            <translation>机器人与按步进应到的位置相差 %1 mm。它可能被推动过或丢步：请检查并回零，然后复位。</translation>
-        </message>
-        <message>
             <source>The robot is held at its own panel (%1). Release it there, then clear the alarm.</source>
             <translation>机器人被其自身面板保持（%1）。请在面板上解除，然后清除报警。</translation>
         </message>
         <message>
             <source>The robot is switched off at its own controller. Enable it, then clear the alarm.</source>
             <translation>机器人在其自身控制器上被关闭。请启用它，然后清除报警。</translation>
-        </message>
-        <message>
-            <source>The robot may not know its own place. Home it, or confirm its place.</source>
-            <translation>机器人可能不知道自身的位置。请使其回零，或确认其位置。</translation>
         </message>
         <message>
             <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
@@ -1013,10 +993,6 @@
         <message>
             <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
             <translation>热源为 %1 °C，已有 %3 s 未向 %2 °C 接近。请检查其是否通电、传感器是否到位，然后复位。</translation>
-        </message>
-        <message>
-            <source>The source warmed by %1 K in %2 s though its heat is off. Switch it off at its mains, then reset.</source>
-            <translation>加热已关闭，热源却在 %2 s 内升温 %1 K。请切断其总电源，然后复位。</translation>
         </message>
         <message>
             <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
@@ -1145,6 +1121,30 @@
         <message>
             <source>with the profile "%1" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with "unattended_heat": true.</source>
             <translation>使用配置文件“%1”时热源没有看门狗：Bask 或计算机停止运行后它会一直发热。请使用带看门狗的控制器，或以 "unattended_heat": true 允许这样做。</translation>
+        </message>
+        <message>
+            <source>"%1" and "%2" are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
+            <translation>“%1”与“%2”远离热源，却相差 %3 K，超过 %4 K。某个传感器有误或脱离了物体：请检查两者。</translation>
+        </message>
+        <message>
+            <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
+            <translation>控制回路被延误 %1 s，超过允许的 %2 s；机器人已静止。请关闭此计算机上的其他程序。</translation>
+        </message>
+        <message>
+            <source>The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.</source>
+            <translation>机器人与按步进应到的位置相差 %1 mm，超过 %2 mm。它可能被推动过或丢步：请检查并回零，然后复位。</translation>
+        </message>
+        <message>
+            <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
+            <translation>机器人可能不知道自身的位置：它未曾回零，或在重启或停止时丢失了位置。请使其回零，或确认其位置。</translation>
+        </message>
+        <message>
+            <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+            <translation>加热已关闭，热源却在 %2 s 内升温 %1 K，超过允许的 %3 K：可能是其继电器粘连，或有人在其面板上加热。请切断其总电源，然后复位。</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it, then resume.</source>
+            <translation>“%1”的传感器给出的值不合理：导线断开、接触不良，或不是所设置的设备。请检查，然后继续。</translation>
         </message>
     </context>
     <context>

@@ -683,10 +683,6 @@
             <translation>「%1」的感測器已有 %2 s 沒有新資料。請檢查其纜線，然後繼續。</translation>
         </message>
         <message>
-            <source>The sensor of "%1" gives no plausible value. Check it, then resume.</source>
-            <translation>「%1」的感測器給出的值不合理。請檢查，然後繼續。</translation>
-        </message>
-        <message>
             <source>The source's pose is not measured any more. Bring the source back into view, then resume.</source>
             <translation>熱源位姿已不再被測量。請使熱源回到視野內，然後繼續。</translation>
         </message>
@@ -919,10 +915,6 @@
             <translation>已有 %1 個視圖，%2 個即足夠</translation>
         </message>
         <message>
-            <source>"%1" and "%2" are far from the source but %3 K apart. One sensor is wrong or off its object: check both.</source>
-            <translation>「%1」與「%2」遠離熱源，卻相差 %3 K。某個感測器有誤或脫離了物體：請檢查兩者。</translation>
-        </message>
-        <message>
             <source>"%1" cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.</source>
             <translation>無法開啟「%1」：%2。請檢查纜線和連接埠名稱；Bask 會自動重試。</translation>
         </message>
@@ -963,24 +955,12 @@
             <translation>磁碟空間僅剩 %1 MB；記錄需要 %2 MB。請釋放空間，然後重新進入待命。</translation>
         </message>
         <message>
-            <source>The control loop was held up for %1 s; the robot stood. Close other programs on this computer.</source>
-            <translation>控制迴路被延誤 %1 s；機器人已靜止。請關閉此電腦上的其他程式。</translation>
-        </message>
-        <message>
-            <source>The robot is %1 mm from where its steps should have brought it. It may have been pushed or have lost steps: check it, home it, then reset.</source>
-            <translation>機器人與按步進應到的位置相差 %1 mm。它可能被推動過或失步：請檢查並使其回原點，然後復歸。</translation>
-        </message>
-        <message>
             <source>The robot is held at its own panel (%1). Release it there, then clear the alarm.</source>
             <translation>機器人被其自身面板保持（%1）。請在面板上解除，然後清除警報。</translation>
         </message>
         <message>
             <source>The robot is switched off at its own controller. Enable it, then clear the alarm.</source>
             <translation>機器人在其自身控制器上被關閉。請啟用它，然後清除警報。</translation>
-        </message>
-        <message>
-            <source>The robot may not know its own place. Home it, or confirm its place.</source>
-            <translation>機器人可能不知道自身的位置。請使其回原點，或確認其位置。</translation>
         </message>
         <message>
             <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
@@ -1013,10 +993,6 @@
         <message>
             <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
             <translation>熱源為 %1 °C，已有 %3 s 未向 %2 °C 接近。請檢查其是否通電、感測器是否到位，然後復歸。</translation>
-        </message>
-        <message>
-            <source>The source warmed by %1 K in %2 s though its heat is off. Switch it off at its mains, then reset.</source>
-            <translation>加熱已關閉，熱源卻在 %2 s 內升溫 %1 K。請切斷其總電源，然後復歸。</translation>
         </message>
         <message>
             <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
@@ -1145,6 +1121,30 @@
         <message>
             <source>with the profile "%1" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with "unattended_heat": true.</source>
             <translation>使用設定檔「%1」時熱源沒有看門狗：Bask 或電腦停止執行後它會一直發熱。請使用具有看門狗的控制器，或以 "unattended_heat": true 允許這樣做。</translation>
+        </message>
+        <message>
+            <source>"%1" and "%2" are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
+            <translation>「%1」與「%2」遠離熱源，卻相差 %3 K，超過 %4 K。某個感測器有誤或脫離了物體：請檢查兩者。</translation>
+        </message>
+        <message>
+            <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
+            <translation>控制迴路被延誤 %1 s，超過允許的 %2 s；機器人已靜止。請關閉此電腦上的其他程式。</translation>
+        </message>
+        <message>
+            <source>The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.</source>
+            <translation>機器人與按步進應到的位置相差 %1 mm，超過 %2 mm。它可能被推動過或失步：請檢查並使其回原點，然後復歸。</translation>
+        </message>
+        <message>
+            <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
+            <translation>機器人可能不知道自身的位置：它未曾回原點，或在重新啟動或停止時失去了位置。請使其回原點，或確認其位置。</translation>
+        </message>
+        <message>
+            <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+            <translation>加熱已關閉，熱源卻在 %2 s 內升溫 %1 K，超過允許的 %3 K：可能是其繼電器沾黏，或有人在其面板上加熱。請切斷其總電源，然後復歸。</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it, then resume.</source>
+            <translation>「%1」的感測器給出的值不合理：導線斷開、接觸不良，或不是所設定的裝置。請檢查，然後繼續。</translation>
         </message>
     </context>
     <context>
