@@ -5777,12 +5777,21 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>from before</source>
             <translation>d’avant</translation>
         </message>
+        <message>
+            <source>, </source>
+            <comment>between states</comment>
+            <translation>, </translation>
+        </message>
     </context>
     <context>
         <name>bask::AlarmList</name>
         <message>
             <source>Priority %1</source>
             <translation>Priorité %1</translation>
+        </message>
+        <message>
+            <source>Priority %1. %2.</source>
+            <translation>Priorité %1. %2.</translation>
         </message>
         <message>
             <source>%1×</source>

@@ -5775,12 +5775,21 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>from before</source>
             <translation>先前遗留</translation>
         </message>
+        <message>
+            <source>, </source>
+            <comment>between states</comment>
+            <translation>，</translation>
+        </message>
     </context>
     <context>
         <name>bask::AlarmList</name>
         <message>
             <source>Priority %1</source>
             <translation>优先级 %1</translation>
+        </message>
+        <message>
+            <source>Priority %1. %2.</source>
+            <translation>优先级 %1。%2。</translation>
         </message>
         <message>
             <source>%1×</source>
