@@ -15,7 +15,7 @@ run_packages="
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
     libgl-dev libgl1-mesa-dri fonts-dejavu-core"
 test_packages="
-    libgtest-dev libbenchmark-dev socat mbpoll libmodbus-dev python3-pymodbus python3-serial-asyncio|python3-serial ccache python3 xvfb xauth clang-format-14? clang? libclang-rt-dev?"
+    libgtest-dev libbenchmark-dev socat mbpoll libmodbus-dev python3-pymodbus python3-serial-asyncio|python3-serial ccache python3 xvfb xauth fonts-noto-cjk? clang-format-14? clang? libclang-rt-dev?"
 
 usage() {
     sed -n '2,5s/^# \{0,1\}//p' "$0"

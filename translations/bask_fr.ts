@@ -5797,12 +5797,21 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>from before</source>
             <translation>d’avant</translation>
         </message>
+        <message>
+            <source>, </source>
+            <comment>between states</comment>
+            <translation>, </translation>
+        </message>
     </context>
     <context>
         <name>bask::AlarmList</name>
         <message>
             <source>Priority %1</source>
             <translation>Priorité %1</translation>
+        </message>
+        <message>
+            <source>Priority %1. %2.</source>
+            <translation>Priorité %1. %2.</translation>
         </message>
         <message>
             <source>%1×</source>
@@ -6106,6 +6115,25 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>With less no recording is begun</source>
             <translation>Avec moins, aucun enregistrement ne commence</translation>
+        </message>
+    </context>
+    <context>
+        <name>About</name>
+        <message>
+            <source>About Bask</source>
+            <translation>À propos de Bask</translation>
+        </message>
+        <message>
+            <source>Radiation-based thermal servoing: a robot brings objects to their temperatures by holding them in front of a heat source.</source>
+            <translation>Asservissement thermique par rayonnement : un robot amène des objets à leurs températures en les tenant devant une source de chaleur.</translation>
+        </message>
+        <message>
+            <source>Qt %1 on %2. Licence: GPL-3.0-or-later.</source>
+            <translation>Qt %1 sur %2. Licence : GPL-3.0-or-later.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Fermer</translation>
         </message>
     </context>
 <context>
