@@ -1,0 +1,47 @@
+# What is installed, and the Debian package of it: sh packaging/make-deb.sh
+include(GNUInstallDirs)
+install(TARGETS bask RUNTIME)
+set(linux ${CMAKE_SOURCE_DIR}/packaging/linux)
+install(FILES ${linux}/bask.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES ${linux}/bask.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+install(FILES ${linux}/org.bask.Bask.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+install(FILES ${linux}/60-bask.rules DESTINATION lib/udev/rules.d)
+set(icons ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable)
+install(FILES ${CMAKE_SOURCE_DIR}/resources/icons/bask.svg DESTINATION ${icons}/apps)
+install(FILES ${linux}/application-x-bask-session.svg ${linux}/application-x-bask-experiment.svg DESTINATION ${icons}/mimetypes)
+install(FILES ${linux}/copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/bask)
+
+# Debian wants both compressed, and the same bytes each time.
+foreach(pair bask.1=${CMAKE_INSTALL_MANDIR}/man1 changelog=${CMAKE_INSTALL_DATADIR}/doc/bask)
+  string(REPLACE "=" ";" pair ${pair})
+  list(GET pair 0 name)
+  list(GET pair 1 folder)
+  set(packed ${CMAKE_BINARY_DIR}/packaging/${name}.gz)
+  add_custom_command(OUTPUT ${packed} DEPENDS ${linux}/${name}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${CMAKE_BINARY_DIR}/packaging
+    COMMAND gzip -9 -n -c ${linux}/${name} > ${packed} VERBATIM)
+  list(APPEND packed_files ${packed})
+  install(FILES ${packed} DESTINATION ${folder})
+endforeach()
+add_custom_target(packed_files ALL DEPENDS ${packed_files})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME bask)
+set(CPACK_PACKAGE_VENDOR "The Bask authors")
+set(CPACK_PACKAGE_CONTACT "The Bask authors <bask@localhost.localdomain>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libqt6sql6-sqlite, libgl1-mesa-dri | libgl1-vendor, fonts-dejavu-core")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "radiation-based thermal servoing")
+set(CPACK_PACKAGE_DESCRIPTION
+"A robot moves objects in front of a hot radiating source so that each object's
+temperature reaches its target: the geometry is the actuator.
+.
+Bask is the window with which an operator runs such a rig: objects of any
+outline, calibration with camera and markers, targets checked for feasibility
+while they are typed, model-based and adaptive controllers, drivers for robots,
+thermometers and heat sources, and a simulated rig.")
+include(CPack)
