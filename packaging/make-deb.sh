@@ -1,7 +1,13 @@
 #!/bin/sh
-# Builds the release preset and packs it: build/release/bask_0.1.0_amd64.deb. Install it with: apt install ./that.deb
+# Installs what is missing, builds the release preset and packs it for this release of Debian or Ubuntu; the last line is the
+# file's name. Install it with: sudo apt install ./FILE
 set -eu
 cd "$(dirname "$0")/.."
-sh packaging/install-deps.sh run
+
+sh packaging/install-deps.sh package
 sh packaging/build.sh release
-(cd build/release && cpack --config CPackConfig.cmake)
+(cd build/release && rm -f bask_*.deb && cpack --config CPackConfig.cmake >package.log) || {
+    cat build/release/package.log >&2
+    exit 1
+}
+ls build/release/bask_*.deb
