@@ -32,11 +32,12 @@ add_custom_target(packed_files ALL DEPENDS ${packed_files})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME bask)
 set(CPACK_PACKAGE_VENDOR "The Bask authors")
-set(CPACK_PACKAGE_CONTACT "The Bask authors <bask@localhost.localdomain>")
+set(CPACK_PACKAGE_CONTACT "The Bask authors <bask@example.org>")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 # The libraries are read off the program. What Qt loads by itself is not among them: the SQLite driver (sessions) and the SVG
