@@ -69,6 +69,10 @@ install_packages install /tmp/bask.deb
 [ "$(inside dpkg-query -W -f '${db:Status-Abbrev}' bask)" = "ii " ] || fail "it is not installed"
 grep -q '^Setting up' "$files/apt.log" && [ "$(grep -c '^Setting up' "$files/apt.log")" -eq 1 ] || fail "it brought other packages along"
 
+if inside udevadm verify --help >/dev/null 2>&1; then # since Debian 13
+    inside udevadm verify --no-summary /usr/lib/udev/rules.d/60-bask.rules || fail "udevadm verify"
+fi
+
 step "the program without a display"
 as_person bask --version
 example=/usr/share/doc/bask/examples/three-objects.json
