@@ -9,6 +9,7 @@
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "engine/base/message_code.h"
+#include "engine/session/rig_file.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/display.h"
 #include "widgets/common/run_state_chip.h"
@@ -62,12 +63,14 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::begin(const QString& path) {
     m_engine.start(alarmFile());
-    if (path.isEmpty()) {
-        m_files.openExample(QStringLiteral("three-objects"), false);
-        return;
-    }
-    m_files.open(path);
-    if (path.endsWith(QLatin1String(".bask"), Qt::CaseInsensitive))
+    const bool isRig = isRigFile(path.toStdString());
+    if (isRig) // it is put into the example, once that is there
+        connect(
+            &m_document, &Document::opened, this, [this, path] { m_files.open(path); },
+            Qt::SingleShotConnection);
+    else if (!path.isEmpty())
+        m_files.open(path);
+    if (isRig || path.isEmpty() || path.endsWith(QLatin1String(".bask"), Qt::CaseInsensitive))
         m_files.openExample(QStringLiteral("three-objects"), false);
 }
 

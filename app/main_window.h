@@ -28,7 +28,7 @@ public:
     MainWindow();
     ~MainWindow() override;
 
-    /// Starts the engine and opens a file, or the first example when `path` is empty.
+    /// Starts the engine and opens a file, over the first example where it is no experiment.
     void begin(const QString& path);
 
     SessionActions& files() { return m_files; }

@@ -78,7 +78,10 @@ void PageHost::connectRig() {
     });
     connect(m_rig, &RigPage::openRigRequested, &m_files, &SessionActions::openRig);
     connect(m_rig, &RigPage::saveRigRequested, &m_files, &SessionActions::saveRig);
-    connect(&m_files, &SessionActions::rigRead, m_rig, &RigPage::useRig);
+    connect(&m_files, &SessionActions::rigRead, this, [this](const RigSpec& rig) {
+        m_rig->useRig(rig);
+        show(Page::Rig);
+    });
 }
 
 void PageHost::connectObjects() {

@@ -108,8 +108,12 @@ void SessionActions::askAndOpenSession() {
 
 void SessionActions::open(const QString& path) {
     if (isSession(path))
-        openSession(path);
-    else if (!refusedByRun() && mayDiscard())
+        return openSession(path);
+    if (refusedByRun())
+        return;
+    if (isRigFile(path.toStdString()))
+        readRig(path);
+    else if (mayDiscard())
         openExperiment(path);
 }
 
@@ -241,8 +245,11 @@ void SessionActions::openRig() {
                               m_settings.lastFolder(),
                               tr("Rigs (*.json);;All files (*)"),
                               {}});
-    if (path.isEmpty())
-        return;
+    if (!path.isEmpty())
+        readRig(path);
+}
+
+void SessionActions::readRig(const QString& path) {
     if (const auto rig = readRigFile(path.toStdString()))
         emit rigRead(*rig);
     else

@@ -47,7 +47,7 @@ public:
     void openExample(const QString& name, bool remember = true);
     void askAndOpen();
     void askAndOpenSession();
-    /// By suffix: *.bask is a session, anything else an experiment.
+    /// *.bask is a session; a .json says whether it is a rig or an experiment.
     void open(const QString& path);
     bool save(); ///< false: cancelled or refused
     bool saveAs();
@@ -81,6 +81,7 @@ private:
     void adopt(const Result<Experiment>& read, const QString& path);
     void openExperiment(const QString& path);
     void openSession(const QString& path);
+    void readRig(const QString& path);
     bool write(const QString& path);
 
     Document& m_document;
