@@ -5510,6 +5510,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Waiting for the camera&apos;s pictures.</source>
             <translation>En attente des images de la caméra.</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CameraResult</name>
@@ -5605,6 +5609,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>residual %1 px</source>
             <translation>résidu %1 px</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CoverageView</name>
@@ -5647,6 +5655,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Top to bottom</source>
             <translation>De haut en bas</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
         </message>
     </context>
     <context>

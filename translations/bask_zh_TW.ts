@@ -5508,6 +5508,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>Waiting for the camera's pictures.</source>
             <translation>正在等待相機影像。</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1。</translation>
+        </message>
     </context>
     <context>
         <name>bask::CameraResult</name>
@@ -5603,6 +5607,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>residual %1 px</source>
             <translation>殘差 %1 px</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1。</translation>
+        </message>
     </context>
     <context>
         <name>bask::CoverageView</name>
@@ -5645,6 +5653,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Top to bottom</source>
             <translation>上到下</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1。</translation>
         </message>
     </context>
     <context>
