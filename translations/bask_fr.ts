@@ -2281,6 +2281,26 @@
             <source>Adaptive</source>
             <translation>Adaptatif</translation>
         </message>
+        <message>
+            <source>robot</source>
+            <translation>robot</translation>
+        </message>
+        <message>
+            <source>thermometer</source>
+            <translation>thermomètre</translation>
+        </message>
+        <message>
+            <source>heat source</source>
+            <translation>source de chaleur</translation>
+        </message>
+        <message>
+            <source>source temperature</source>
+            <translation>température de la source</translation>
+        </message>
+        <message>
+            <source>heat source kept by hand</source>
+            <translation>source chauffée à la main</translation>
+        </message>
     </context>
     <context>
         <name>bask::Document</name>

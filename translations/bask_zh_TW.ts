@@ -1040,7 +1040,7 @@
         </message>
         <message>
             <source>the rig has no %1; set one, or use the simulated rig</source>
-            <translation>實驗台沒有 %1；請設定一個，或使用模擬實驗台</translation>
+            <translation>實驗台缺少%1；請設定，或使用模擬實驗台</translation>
         </message>
         <message>
             <source>the robot has no axis</source>
@@ -2279,6 +2279,26 @@
         <message>
             <source>Adaptive</source>
             <translation>自適應</translation>
+        </message>
+        <message>
+            <source>robot</source>
+            <translation>機器人</translation>
+        </message>
+        <message>
+            <source>thermometer</source>
+            <translation>溫度計</translation>
+        </message>
+        <message>
+            <source>heat source</source>
+            <translation>熱源</translation>
+        </message>
+        <message>
+            <source>source temperature</source>
+            <translation>熱源溫度</translation>
+        </message>
+        <message>
+            <source>heat source kept by hand</source>
+            <translation>人工加熱的熱源</translation>
         </message>
     </context>
     <context>
