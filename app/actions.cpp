@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -274,6 +275,8 @@ void Actions::retranslateRun() {
     const auto say = [this](Verb which, const QString& text, const QString& meaning) {
         QAction* action = verb(which);
         action->setText(text);
+        // A button does without the letter that stands behind a Chinese word in the menu.
+        action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&"))));
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setToolTip(keys.isEmpty() ? meaning : meaning + QStringLiteral(" (%1)").arg(keys));
         action->setStatusTip(meaning);

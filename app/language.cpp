@@ -64,11 +64,11 @@ void Language::set(const QString& code) {
 void Language::chooseFonts() {
     QFont font = QApplication::font();
     QStringList families = font.families();
-    const auto before = families;
     families.removeIf([](const QString& family) { return kHanFamilies.contains(family); });
+    // In front: Qt keeps what comes behind the first family from one language to the next.
     if (m_code.startsWith(QLatin1String("zh")))
-        families << (m_code == QLatin1String("zh_TW") ? kHanFamilies[1] : kHanFamilies[0]);
-    if (families == before)
+        families.prepend(m_code == QLatin1String("zh_TW") ? kHanFamilies[1] : kHanFamilies[0]);
+    if (families == font.families())
         return;
     font.setFamilies(families);
     QApplication::setFont(font);

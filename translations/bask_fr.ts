@@ -2289,6 +2289,26 @@
             <source>Adaptive</source>
             <translation>Adaptatif</translation>
         </message>
+        <message>
+            <source>robot</source>
+            <translation>robot</translation>
+        </message>
+        <message>
+            <source>thermometer</source>
+            <translation>thermomètre</translation>
+        </message>
+        <message>
+            <source>heat source</source>
+            <translation>source de chaleur</translation>
+        </message>
+        <message>
+            <source>source temperature</source>
+            <translation>température de la source</translation>
+        </message>
+        <message>
+            <source>heat source kept by hand</source>
+            <translation>source chauffée à la main</translation>
+        </message>
     </context>
     <context>
         <name>bask::Document</name>
@@ -5530,6 +5550,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Waiting for the camera&apos;s pictures.</source>
             <translation>En attente des images de la caméra.</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CameraResult</name>
@@ -5625,6 +5649,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>residual %1 px</source>
             <translation>résidu %1 px</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CoverageView</name>
@@ -5667,6 +5695,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Top to bottom</source>
             <translation>De haut en bas</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
         </message>
     </context>
     <context>

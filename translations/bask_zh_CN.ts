@@ -1040,7 +1040,7 @@
         </message>
         <message>
             <source>the rig has no %1; set one, or use the simulated rig</source>
-            <translation>装置没有 %1；请设置一个，或使用仿真装置</translation>
+            <translation>装置缺少%1；请设置，或使用仿真装置</translation>
         </message>
         <message>
             <source>the robot has no axis</source>
@@ -2287,6 +2287,26 @@
         <message>
             <source>Adaptive</source>
             <translation>自适应</translation>
+        </message>
+        <message>
+            <source>robot</source>
+            <translation>机器人</translation>
+        </message>
+        <message>
+            <source>thermometer</source>
+            <translation>温度计</translation>
+        </message>
+        <message>
+            <source>heat source</source>
+            <translation>热源</translation>
+        </message>
+        <message>
+            <source>source temperature</source>
+            <translation>热源温度</translation>
+        </message>
+        <message>
+            <source>heat source kept by hand</source>
+            <translation>人工加热的热源</translation>
         </message>
     </context>
     <context>
@@ -5528,6 +5548,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>Waiting for the camera's pictures.</source>
             <translation>正在等待相机图像。</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1。</translation>
+        </message>
     </context>
     <context>
         <name>bask::CameraResult</name>
@@ -5623,6 +5647,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>residual %1 px</source>
             <translation>残差 %1 px</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1。</translation>
+        </message>
     </context>
     <context>
         <name>bask::CoverageView</name>
@@ -5665,6 +5693,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Top to bottom</source>
             <translation>上到下</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1。</translation>
         </message>
     </context>
     <context>

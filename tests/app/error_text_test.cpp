@@ -29,6 +29,8 @@ TEST(ErrorText, WordsOfTheEngineAreTranslatedToo) {
     EXPECT_FALSE(refusal.contains(QStringLiteral("Not ready"))) << refusal.toStdString();
     const QString tooEarly = sentence(Message{MessageCode::CommandNotNow, {"Reset", "Connecting"}});
     EXPECT_FALSE(tooEarly.contains(QStringLiteral("Connecting"))) << tooEarly.toStdString();
+    const QString incomplete = sentence(Message{MessageCode::RigIncomplete, {"heat source"}});
+    EXPECT_TRUE(incomplete.contains(QStringLiteral("source de chaleur"))) << incomplete.toStdString();
     const QString over = sentence(Message{MessageCode::EventAlarmOver, {"SafetySensorOpen", "disk"}});
     EXPECT_TRUE(over.contains(QStringLiteral("capteur"))) << over.toStdString();
 }

@@ -67,7 +67,8 @@ public:
     QList<QPair<QString, QString>> read(QWidget* window) {
         one(window);
         for (QWidget* widget : window->findChildren<QWidget*>())
-            one(widget);
+            if (!widget->objectName().startsWith(QLatin1String("qt_dockwidget_"))) // the dock shows no title
+                one(widget);
         for (QAction* action : window->findChildren<QAction*>()) {
             const QString where = QStringLiteral("action ") + action->objectName();
             take(where, action->text());
@@ -100,8 +101,11 @@ private:
             take(where, edit->placeholderText());
         if (auto* dock = qobject_cast<QDockWidget*>(widget))
             take(where, dock->windowTitle());
-        if (auto* plot = qobject_cast<TracePlot*>(widget))
+        if (auto* plot = qobject_cast<TracePlot*>(widget)) {
             take(where, plot->valueAxisLabel());
+            for (const QString& text : plot->markerTexts())
+                take(where, text);
+        }
         if (auto* chip = qobject_cast<RunStateChip*>(widget))
             for (const QString& reason : chip->reasons())
                 take(where, reason);

@@ -121,7 +121,8 @@ TEST(Chinese, IsDrawnInItsOwnForms) {
             for (const QGlyphRun& run : layout.glyphRuns()) {
                 EXPECT_FALSE(run.glyphIndexes().contains(0)) << QString(character).toStdString();
                 if (character.script() == QChar::Script_Han) {
-                    EXPECT_EQ(run.rawFont().familyName(), family) << QString(character).toStdString();
+                    EXPECT_EQ(run.rawFont().familyName().toStdString(), family.toStdString())
+                        << QString(character).toStdString();
                 }
             }
         }
