@@ -7,13 +7,13 @@
 namespace bask {
 
 ByteLinkOnThread::ByteLinkOnThread(std::string name, std::function<std::unique_ptr<ByteLink>()> make)
-    : m_name(std::move(name)) {
+    : m_name(std::move(name)), m_thread([this] { turn(); }) {
     m_thread.post([this, make = std::move(make)] { m_link = make(); });
 }
 
 ByteLinkOnThread::~ByteLinkOnThread() {
     m_thread.finish([this] {
-        m_thread.repeat({});
+        m_thread.stop();
         m_link.reset();
     });
 }
@@ -28,7 +28,7 @@ void ByteLinkOnThread::open() {
     m_thread.post([this, wanted = m_wanted] {
         m_done = wanted;
         m_link->open();
-        m_thread.repeat([this] { turn(); });
+        m_thread.start();
         turn();
     });
 }
@@ -38,7 +38,7 @@ void ByteLinkOnThread::close() {
     drop();
     m_thread.post([this, wanted = m_wanted] {
         m_done = wanted;
-        m_thread.repeat({});
+        m_thread.stop();
         m_link->close();
     });
 }
@@ -61,7 +61,7 @@ void ByteLinkOnThread::turn() {
     const Message problem = m_link->problem();
     const bool isFailed = !isOpen && problem.code != MessageCode::None;
     if (isFailed)
-        m_thread.repeat({});
+        m_thread.stop();
     const std::lock_guard lock(m_mutex);
     if (m_done != m_wanted)
         return;
@@ -95,7 +95,7 @@ void ByteLinkOnThread::write(std::string_view bytes) {
         m_problem = {MessageCode::LinkStuck, {m_name}};
         m_thread.post([this, wanted = m_wanted] {
             m_done = wanted;
-            m_thread.repeat({});
+            m_thread.stop();
             m_link->close();
         });
         return;

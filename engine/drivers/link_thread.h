@@ -5,8 +5,8 @@
 // them over in a worker of its own, and the one who asks waits for it (Linux: n_tty_poll, flush_work). The
 // engine's thread must not.
 
-#include <QObject>
 #include <QThread>
+#include <QTimer>
 
 #include <functional>
 
@@ -14,13 +14,14 @@ namespace bask {
 
 class LinkThread {
 public:
-    LinkThread();
+    /// `turn` is done there every few milliseconds between start() and stop().
+    explicit LinkThread(std::function<void()> turn);
     ~LinkThread();
 
     /// Done there, one after the other; returns at once.
     void post(std::function<void()> task);
-    /// From now on, or no more, every few milliseconds. There only.
-    void repeat(std::function<void()> turn);
+    void start(); ///< there only
+    void stop();  ///< there only; also in a turn
     /// Waits for all that was posted, and for `last`. Nothing may be posted after it.
     void finish(const std::function<void()>& last);
 
@@ -28,7 +29,7 @@ private:
     static constexpr int kTurn_ms = 4;
 
     QThread m_thread;
-    QObject* m_there; ///< lives on that thread
+    QTimer* m_timer; ///< lives on that thread
 };
 
 } // namespace bask

@@ -13,13 +13,13 @@ constexpr std::size_t kMostReplies = 16; // that nobody has taken
 } // namespace
 
 ModbusLinkOnThread::ModbusLinkOnThread(std::string name, std::function<std::unique_ptr<ModbusLink>()> make)
-    : m_name(std::move(name)) {
+    : m_name(std::move(name)), m_thread([this] { turn(); }) {
     m_thread.post([this, make = std::move(make)] { m_link = make(); });
 }
 
 ModbusLinkOnThread::~ModbusLinkOnThread() {
     m_thread.finish([this] {
-        m_thread.repeat({});
+        m_thread.stop();
         m_link.reset();
     });
 }
@@ -36,7 +36,7 @@ void ModbusLinkOnThread::open() {
         m_toSend.reset();
         m_sent.reset();
         m_link->open();
-        m_thread.repeat([this] { turn(); });
+        m_thread.start();
         turn();
     });
 }
@@ -48,7 +48,7 @@ void ModbusLinkOnThread::close() {
         m_done = wanted;
         m_toSend.reset();
         m_sent.reset();
-        m_thread.repeat({});
+        m_thread.stop();
         m_link->close();
     });
 }
@@ -74,7 +74,7 @@ void ModbusLinkOnThread::turn() {
     const Message problem = m_link->problem();
     const bool isFailed = !isOpen && problem.code != MessageCode::None;
     if (isFailed)
-        m_thread.repeat({});
+        m_thread.stop();
     const std::lock_guard lock(m_mutex);
     if (m_done != m_wanted)
         return;
