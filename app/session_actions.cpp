@@ -8,6 +8,7 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
@@ -16,16 +17,23 @@
 namespace bask {
 namespace {
 
+constexpr qint64 kBeginning = 200;
+
 QString withSuffix(const QString& path, const QString& suffix) {
     return path.isEmpty() || suffix.isEmpty() || !QFileInfo(path).suffix().isEmpty() ? path
                                                                                      : path + u'.' + suffix;
 }
 
-bool isSession(const QString& path) {
+} // namespace
+
+bool SessionActions::isSession(const QString& path) {
     return QFileInfo(path).suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
 }
 
-} // namespace
+bool SessionActions::isRig(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) && file.read(kBeginning).contains("\"bask-rig\"");
+}
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {}
@@ -73,7 +81,7 @@ bool SessionActions::mayDiscard() {
 }
 
 void SessionActions::newExperiment() {
-    if (!refusedByRun() && mayDiscard())
+    if (mayReplace())
         m_document.open(Document::blank(), {});
 }
 
@@ -108,7 +116,9 @@ void SessionActions::askAndOpenSession() {
 void SessionActions::open(const QString& path) {
     if (isSession(path))
         openSession(path);
-    else if (!refusedByRun() && mayDiscard())
+    else if (isRig(path))
+        useRigFile(path);
+    else if (mayReplace())
         openExperiment(path);
 }
 
@@ -120,8 +130,7 @@ void SessionActions::openExperiment(const QString& path) {
 void SessionActions::adopt(const Result<Experiment>& read, const QString& path) {
     if (!read) {
         emit problem(sentence(read.error()));
-        m_settings.removeRecentFile(path);
-        emit recentChanged();
+        forgetMissing(path);
         return;
     }
     if (refusedByRun()) // one may have begun while the file was read
@@ -133,17 +142,24 @@ void SessionActions::adopt(const Result<Experiment>& read, const QString& path) 
     }
 }
 
+/// One that is there and cannot be read stays in the list: it may be mended.
+void SessionActions::forgetMissing(const QString& path) {
+    if (QFileInfo::exists(path))
+        return;
+    m_settings.removeRecentFile(path);
+    emit recentChanged();
+}
+
 void SessionActions::openSession(const QString& path) {
     m_readSession.run([file = path.toStdString()] { return readSession(file); },
                       [this, path](Result<SessionRecord> read) {
                           if (!read) {
                               emit problem(sentence(read.error()));
-                              m_settings.removeRecentFile(path);
-                          } else {
-                              m_openSession = path;
-                              m_settings.addRecentFile(path);
-                              emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
+                              return forgetMissing(path);
                           }
+                          m_openSession = path;
+                          m_settings.addRecentFile(path);
+                          emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
                           emit recentChanged();
                       });
 }
@@ -240,7 +256,12 @@ void SessionActions::openRig() {
                               m_settings.lastFolder(),
                               tr("Rigs (*.json);;All files (*)"),
                               {}});
-    if (path.isEmpty())
+    if (!path.isEmpty())
+        useRigFile(path);
+}
+
+void SessionActions::useRigFile(const QString& path) {
+    if (refusedByRun())
         return;
     if (const auto rig = readRigFile(path.toStdString()))
         emit rigRead(*rig);

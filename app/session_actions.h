@@ -47,18 +47,25 @@ public:
     void openExample(const QString& name, bool remember = true);
     void askAndOpen();
     void askAndOpenSession();
-    /// By suffix: *.bask is a session, anything else an experiment.
+    /// *.bask is a session, anything else a rig or an experiment by what it says.
     void open(const QString& path);
     bool save(); ///< false: cancelled or refused
     bool saveAs();
     void saveSession();
     void exportSession();
+    static bool isSession(const QString& path);
+    /// Says so at its beginning, as those that Bask writes do.
+    static bool isRig(const QString& path);
     /// The devices of a rig file; the open experiment's into one.
     void openRig();
     void saveRig();
 
     /// A changed experiment may be lost: asks to save. False: stay.
     bool mayDiscard();
+    /// A run is on, and it is told that this forbids another experiment.
+    bool refusedByRun();
+    /// Neither of the two stands against another experiment.
+    bool mayReplace() { return !refusedByRun() && mayDiscard(); }
 
     /// File for the run that is armed next; its folder is made. Empty when that is impossible (said as a
     /// problem).
@@ -75,10 +82,11 @@ signals:
 
 private:
     QString ask(const FileQuestion& question);
-    bool refusedByRun();
     void adopt(const Result<Experiment>& read, const QString& path);
     void openExperiment(const QString& path);
+    void useRigFile(const QString& path);
     void openSession(const QString& path);
+    void forgetMissing(const QString& path);
     bool write(const QString& path);
 
     Document& m_document;
