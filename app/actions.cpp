@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -71,6 +72,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     acknowledgeAlarms->setEnabled(false);
     m_clearRecent = make("clearRecent");
     connect(m_clearRecent, &QAction::triggered, this, &Actions::recentCleared);
+    manual = make("manual", QKeySequence(Qt::Key_F1));
+    reportProblem = make("reportProblem");
     about = make("about");
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
@@ -238,6 +241,8 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
     fillFaults();
+    m_helpMenu->addActions({manual, reportProblem});
+    m_helpMenu->addSeparator();
     m_helpMenu->addAction(about);
     for (QMenu* menu : {m_fileMenu, m_editMenu, m_runMenu, m_viewMenu, m_toolsMenu, m_helpMenu})
         bar->addMenu(menu);
@@ -264,6 +269,8 @@ void Actions::retranslateFile() {
     saveSession->setToolTip(tr("Copy the recording of the present or last run to a file of your choice"));
     quit->setText(tr("&Quit"));
     m_clearRecent->setText(tr("&Clear the list"));
+    manual->setText(tr("&Manual"));
+    reportProblem->setText(tr("Report a &problem…"));
     about->setText(tr("&About Bask"));
 }
 
@@ -272,6 +279,8 @@ void Actions::retranslateRun() {
     const auto say = [this](Verb which, const QString& text, const QString& meaning) {
         QAction* action = verb(which);
         action->setText(text);
+        // A button does without the letter that stands behind a Chinese word in the menu.
+        action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&"))));
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setToolTip(keys.isEmpty() ? meaning : meaning + QStringLiteral(" (%1)").arg(keys));
         action->setStatusTip(meaning);

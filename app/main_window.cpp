@@ -3,12 +3,15 @@
 #include "app/bottom_dock.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
+#include "app/manual_window.h"
+#include "app/problem_report.h"
 #include "app/recovery_offer.h"
 #include "app/resources.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "app/undo_actions.h"
 #include "engine/base/message_code.h"
+#include "engine/session/rig_file.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/display.h"
 #include "widgets/common/run_state_chip.h"
@@ -52,8 +55,8 @@ MainWindow::~MainWindow() = default;
 void MainWindow::begin(const QString& path) {
     m_engine.start(alarmFile());
     m_recovery->begin(unsavedFolder());
-    const bool isRig = !path.isEmpty() && SessionActions::isRig(path);
-    if (isRig) // it is a part of an experiment
+    const bool isRig = isRigFile(path.toStdString());
+    if (isRig) // it is put into the example, once that is there
         connect(
             &m_document, &Document::opened, this, [this, path] { m_files.open(path); },
             Qt::SingleShotConnection);
@@ -171,6 +174,19 @@ void MainWindow::showReason(int index) {
     default:
         return m_pages->show(Page::Run);
     }
+}
+
+void MainWindow::showManual() {
+    if (!m_manual)
+        m_manual = new ManualWindow(this);
+    m_manual->open(QStringLiteral("manual.md"));
+}
+
+void MainWindow::reportProblem() {
+    delete findChild<ProblemDialog*>();
+    auto* dialog = new ProblemDialog(problemReport(m_last, m_dock->events(), m_document.experiment()), this);
+    connect(dialog, &ProblemDialog::saveWanted, &m_files, &SessionActions::saveReport);
+    dialog->show();
 }
 
 void MainWindow::setLanguage(const QString& code) {

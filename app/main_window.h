@@ -18,6 +18,7 @@ class QToolBar;
 namespace bask {
 
 class BottomDock;
+class ManualWindow;
 class RecoveryOffer;
 class StateBar;
 class StatusLine;
@@ -30,7 +31,7 @@ public:
     MainWindow();
     ~MainWindow() override;
 
-    /// Starts the engine and opens a file, or the first example when `path` is empty.
+    /// Starts the engine and opens a file, over the first example where it is no experiment.
     void begin(const QString& path);
 
     SessionActions& files() { return m_files; }
@@ -69,6 +70,8 @@ private:
     void askInfeasible();
     void refuse(const Message& refusal);
     void showReason(int index);
+    void showManual();
+    void reportProblem();
     void showTitle();
     void showAges(); ///< of the calibrations, in the list behind the chip
     void retranslate();
@@ -90,6 +93,7 @@ private:
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;
+    ManualWindow* m_manual = nullptr;
 
     Snapshot m_last;
     std::function<bool()> m_closeQuestion;

@@ -78,6 +78,8 @@ void MainWindow::connectActions() {
     on(m_actions.saveSession, [this] { m_files.saveSession(); });
     on(m_actions.quit, [this] { close(); });
     on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
+    on(m_actions.manual, [this] { showManual(); });
+    on(m_actions.reportProblem, [this] { reportProblem(); });
     on(m_actions.about, [this] { showAbout(this); });
     m_undo = new UndoActions(m_document, m_actions.undo, m_actions.redo, this);
     m_pages->objects()->setUndoActions(m_actions.undo, m_actions.redo);

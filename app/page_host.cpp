@@ -81,8 +81,8 @@ void PageHost::connectRig() {
     connect(m_rig, &RigPage::openRigRequested, &m_files, &SessionActions::openRig);
     connect(m_rig, &RigPage::saveRigRequested, &m_files, &SessionActions::saveRig);
     connect(&m_files, &SessionActions::rigRead, this, [this](const RigSpec& rig) {
-        show(Page::Rig);
         m_rig->useRig(rig);
+        show(Page::Rig);
     });
 }
 

@@ -8,16 +8,14 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSaveFile>
 
 namespace bask {
 namespace {
-
-constexpr qint64 kBeginning = 200;
 
 QString withSuffix(const QString& path, const QString& suffix) {
     return path.isEmpty() || suffix.isEmpty() || !QFileInfo(path).suffix().isEmpty() ? path
@@ -28,11 +26,6 @@ QString withSuffix(const QString& path, const QString& suffix) {
 
 bool SessionActions::isSession(const QString& path) {
     return QFileInfo(path).suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
-}
-
-bool SessionActions::isRig(const QString& path) {
-    QFile file(path);
-    return file.open(QIODevice::ReadOnly) && file.read(kBeginning).contains("\"bask-rig\"");
 }
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
@@ -115,10 +108,12 @@ void SessionActions::askAndOpenSession() {
 
 void SessionActions::open(const QString& path) {
     if (isSession(path))
-        openSession(path);
-    else if (isRig(path))
-        useRigFile(path);
-    else if (mayReplace())
+        return openSession(path);
+    if (refusedByRun())
+        return;
+    if (isRigFile(path.toStdString()))
+        readRig(path);
+    else if (mayDiscard())
         openExperiment(path);
 }
 
@@ -257,16 +252,29 @@ void SessionActions::openRig() {
                               tr("Rigs (*.json);;All files (*)"),
                               {}});
     if (!path.isEmpty())
-        useRigFile(path);
+        readRig(path);
 }
 
-void SessionActions::useRigFile(const QString& path) {
+void SessionActions::readRig(const QString& path) {
     if (refusedByRun())
         return;
     if (const auto rig = readRigFile(path.toStdString()))
         emit rigRead(*rig);
     else
         emit problem(sentence(rig.error()));
+}
+
+void SessionActions::saveReport(const QString& text) {
+    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
+                              QDir(m_settings.lastFolder()).filePath(QStringLiteral("bask-report.txt")),
+                              tr("Texts (*.txt);;All files (*)"), QStringLiteral("txt")});
+    if (path.isEmpty())
+        return;
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit())
+        return emit problem(sentence(
+            Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()})));
+    emit told(tr("The report was saved as %1.").arg(path));
 }
 
 void SessionActions::saveRig() {

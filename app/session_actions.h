@@ -47,18 +47,18 @@ public:
     void openExample(const QString& name, bool remember = true);
     void askAndOpen();
     void askAndOpenSession();
-    /// *.bask is a session, anything else a rig or an experiment by what it says.
+    /// *.bask is a session; a .json says whether it is a rig or an experiment.
     void open(const QString& path);
     bool save(); ///< false: cancelled or refused
     bool saveAs();
     void saveSession();
     void exportSession();
     static bool isSession(const QString& path);
-    /// Says so at its beginning, as those that Bask writes do.
-    static bool isRig(const QString& path);
     /// The devices of a rig file; the open experiment's into one.
     void openRig();
     void saveRig();
+    /// A problem report, as it was read.
+    void saveReport(const QString& text);
 
     /// A changed experiment may be lost: asks to save. False: stay.
     bool mayDiscard();
@@ -84,9 +84,9 @@ private:
     QString ask(const FileQuestion& question);
     void adopt(const Result<Experiment>& read, const QString& path);
     void openExperiment(const QString& path);
-    void useRigFile(const QString& path);
     void openSession(const QString& path);
     void forgetMissing(const QString& path);
+    void readRig(const QString& path);
     bool write(const QString& path);
 
     Document& m_document;

@@ -24,7 +24,7 @@ public:
     Theme theme() const;
     void setTheme(Theme theme);
 
-    /// "en" or "fr"; the desktop's language when it was never chosen.
+    /// One of Language::codes(); the desktop's language when it was never chosen.
     QString language() const;
     void setLanguage(const QString& code);
 

@@ -1515,6 +1515,14 @@
             <source>&amp;Clear the list</source>
             <translation>&amp;Vider la liste</translation>
         </message>
+        <message>
+            <source>&amp;Manual</source>
+            <translation>&amp;Manuel</translation>
+        </message>
+        <message>
+            <source>Report a &amp;problem…</source>
+            <translation>Signaler un &amp;problème…</translation>
+        </message>
     </context>
     <context>
         <name>bask::AxisTable</name>
@@ -2276,6 +2284,26 @@
         <message>
             <source>Adaptive</source>
             <translation>Adaptatif</translation>
+        </message>
+        <message>
+            <source>robot</source>
+            <translation>robot</translation>
+        </message>
+        <message>
+            <source>thermometer</source>
+            <translation>thermomètre</translation>
+        </message>
+        <message>
+            <source>heat source</source>
+            <translation>source de chaleur</translation>
+        </message>
+        <message>
+            <source>source temperature</source>
+            <translation>température de la source</translation>
+        </message>
+        <message>
+            <source>heat source kept by hand</source>
+            <translation>source chauffée à la main</translation>
         </message>
     </context>
     <context>
@@ -4648,6 +4676,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>The rig was saved as %1.</source>
             <translation>Le banc a été enregistré sous %1.</translation>
         </message>
+        <message>
+            <source>Save the report</source>
+            <translation>Enregistrer le rapport</translation>
+        </message>
+        <message>
+            <source>Texts (*.txt);;All files (*)</source>
+            <translation>Textes (*.txt);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>The report was saved as %1.</source>
+            <translation>Le rapport a été enregistré sous %1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>
@@ -5478,6 +5518,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Waiting for the camera&apos;s pictures.</source>
             <translation>En attente des images de la caméra.</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CameraResult</name>
@@ -5573,6 +5617,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>residual %1 px</source>
             <translation>résidu %1 px</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CoverageView</name>
@@ -5615,6 +5663,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Top to bottom</source>
             <translation>De haut en bas</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
         </message>
     </context>
     <context>
@@ -5745,12 +5797,21 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>from before</source>
             <translation>d’avant</translation>
         </message>
+        <message>
+            <source>, </source>
+            <comment>between states</comment>
+            <translation>, </translation>
+        </message>
     </context>
     <context>
         <name>bask::AlarmList</name>
         <message>
             <source>Priority %1</source>
             <translation>Priorité %1</translation>
+        </message>
+        <message>
+            <source>Priority %1. %2.</source>
+            <translation>Priorité %1. %2.</translation>
         </message>
         <message>
             <source>%1×</source>
@@ -6243,6 +6304,79 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
             <translation>Le banc pourra aller plus loin que maintenant. Robot, source, objets et capteurs le supportent-ils ?</translation>
+        </message>
+    </context>
+    <context>
+        <name>About</name>
+        <message>
+            <source>About Bask</source>
+            <translation>À propos de Bask</translation>
+        </message>
+        <message>
+            <source>Radiation-based thermal servoing: a robot brings objects to their temperatures by holding them in front of a heat source.</source>
+            <translation>Asservissement thermique par rayonnement : un robot amène des objets à leurs températures en les tenant devant une source de chaleur.</translation>
+        </message>
+        <message>
+            <source>Qt %1 on %2. Licence: GPL-3.0-or-later.</source>
+            <translation>Qt %1 sur %2. Licence : GPL-3.0-or-later.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Fermer</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ManualWindow</name>
+        <message>
+            <source>Bask: manual</source>
+            <translation>Bask : manuel</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Retour</translation>
+        </message>
+        <message>
+            <source>Contents</source>
+            <translation>Sommaire</translation>
+        </message>
+        <message>
+            <source>Find in the manual</source>
+            <translation>Chercher dans le manuel</translation>
+        </message>
+        <message>
+            <source>Text of the manual</source>
+            <translation>Texte du manuel</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ProblemDialog</name>
+        <message>
+            <source>Report a problem</source>
+            <translation>Signaler un problème</translation>
+        </message>
+        <message>
+            <source>This is all that the report has. Write at the top what happened and what you expected, take out what nobody should see, save it, and give it to whoever looks after your Bask. Nothing is sent.</source>
+            <translation>Voici tout ce que contient le rapport. Écrivez en haut ce qui s’est passé et ce que vous attendiez, retirez ce que personne ne doit voir, enregistrez-le et donnez-le à la personne qui s’occupe de votre Bask. Rien n’est envoyé.</translation>
+        </message>
+        <message>
+            <source>The report</source>
+            <translation>Le rapport</translation>
+        </message>
+        <message>
+            <source>What happened:</source>
+            <translation>Ce qui s’est passé :</translation>
+        </message>
+        <message>
+            <source>What was expected:</source>
+            <translation>Ce qui était attendu :</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Enregistrer…</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Fermer</translation>
         </message>
     </context>
 </TS>
