@@ -65,10 +65,13 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     saveSession = make("saveSession", QKeySequence(Qt::CTRL | Qt::Key_E));
     quit = make("quit", QKeySequence(Qt::CTRL | Qt::Key_Q));
     quit->setMenuRole(QAction::QuitRole);
-    undo = make("editUndo"); // their keys belong to the Objects page
+    undo = make("editUndo", QKeySequence::Undo);
     redo = make("editRedo");
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     acknowledgeAlarms->setEnabled(false);
+    m_clearRecent = make("clearRecent");
+    connect(m_clearRecent, &QAction::triggered, this, &Actions::recentCleared);
     manual = make("manual", QKeySequence(Qt::Key_F1));
     reportProblem = make("reportProblem");
     about = make("about");
@@ -79,8 +82,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
                          &m_unitMenu, &m_themeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_helpMenu})
         *menu = new QMenu(window);
     m_fileMenu->setToolTipsVisible(true);
+    m_editMenu->setToolTipsVisible(true);
     m_runMenu->setToolTipsVisible(true);
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
+    m_editMenu->setObjectName(QStringLiteral("editMenu"));
     for (const QString& name : exampleNames())
         connect(m_exampleMenu->addAction(name), &QAction::triggered, this,
                 [this, name] { emit exampleChosen(name); });
@@ -263,8 +268,7 @@ void Actions::retranslateFile() {
     saveSession->setText(tr("Save s&ession…"));
     saveSession->setToolTip(tr("Copy the recording of the present or last run to a file of your choice"));
     quit->setText(tr("&Quit"));
-    undo->setText(tr("&Undo") + u'\t' + QKeySequence(QKeySequence::Undo).toString(QKeySequence::NativeText));
-    redo->setText(tr("&Redo") + u'\t' + QKeySequence(QKeySequence::Redo).toString(QKeySequence::NativeText));
+    m_clearRecent->setText(tr("&Clear the list"));
     manual->setText(tr("&Manual"));
     reportProblem->setText(tr("Report a &problem…"));
     about->setText(tr("&About Bask"));
@@ -360,10 +364,19 @@ void Actions::setRecent(const QStringList& files) {
     m_recentMenu->setEnabled(!files.isEmpty());
     m_recentMenu->setToolTipsVisible(true);
     for (const QString& file : files) {
-        QAction* action = m_recentMenu->addAction(plain(QFileInfo(file).fileName()));
+        const QFileInfo info(file);
+        const auto namesake = [&](const QString& other) {
+            return other != file && QFileInfo(other).fileName() == info.fileName();
+        };
+        QString text = info.fileName();
+        if (std::ranges::any_of(files, namesake))
+            text += QStringLiteral(" (%1)").arg(info.path());
+        QAction* action = m_recentMenu->addAction(plain(text));
         action->setToolTip(file);
         connect(action, &QAction::triggered, this, [this, file] { emit recentChosen(file); });
     }
+    m_recentMenu->addSeparator();
+    m_recentMenu->addAction(m_clearRecent);
 }
 
 void Actions::showTemperatureUnit(TemperatureUnit unit) {

@@ -3,6 +3,7 @@
 // work.
 
 #include "app/actions.h"
+#include "app/autosave.h"
 #include "app/document.h"
 #include "app/engine_client.h"
 #include "app/language.h"
@@ -18,8 +19,10 @@ namespace bask {
 
 class BottomDock;
 class ManualWindow;
+class RecoveryOffer;
 class StateBar;
 class StatusLine;
+class UndoActions;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -70,7 +73,6 @@ private:
     void showManual();
     void reportProblem();
     void showTitle();
-    void showUndo();
     void showAges(); ///< of the calibrations, in the list behind the chip
     void retranslate();
     void restyle();
@@ -80,11 +82,14 @@ private:
     SettingsStore m_settings;
     Language m_language;
     Document m_document;
+    Autosave m_autosave;
     EngineClient m_engine;
     SessionActions m_files;
     Actions m_actions;
     StateBar* m_stateBar = nullptr;
     PageHost* m_pages = nullptr;
+    UndoActions* m_undo = nullptr;
+    RecoveryOffer* m_recovery = nullptr;
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;

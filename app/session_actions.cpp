@@ -22,11 +22,11 @@ QString withSuffix(const QString& path, const QString& suffix) {
                                                                                      : path + u'.' + suffix;
 }
 
-bool isSession(const QString& path) {
+} // namespace
+
+bool SessionActions::isSession(const QString& path) {
     return QFileInfo(path).suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
 }
-
-} // namespace
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {}
@@ -74,7 +74,7 @@ bool SessionActions::mayDiscard() {
 }
 
 void SessionActions::newExperiment() {
-    if (!refusedByRun() && mayDiscard())
+    if (mayReplace())
         m_document.open(Document::blank(), {});
 }
 
@@ -125,8 +125,7 @@ void SessionActions::openExperiment(const QString& path) {
 void SessionActions::adopt(const Result<Experiment>& read, const QString& path) {
     if (!read) {
         emit problem(sentence(read.error()));
-        m_settings.removeRecentFile(path);
-        emit recentChanged();
+        forgetMissing(path);
         return;
     }
     if (refusedByRun()) // one may have begun while the file was read
@@ -138,17 +137,24 @@ void SessionActions::adopt(const Result<Experiment>& read, const QString& path) 
     }
 }
 
+/// One that is there and cannot be read stays in the list: it may be mended.
+void SessionActions::forgetMissing(const QString& path) {
+    if (QFileInfo::exists(path))
+        return;
+    m_settings.removeRecentFile(path);
+    emit recentChanged();
+}
+
 void SessionActions::openSession(const QString& path) {
     m_readSession.run([file = path.toStdString()] { return readSession(file); },
                       [this, path](Result<SessionRecord> read) {
                           if (!read) {
                               emit problem(sentence(read.error()));
-                              m_settings.removeRecentFile(path);
-                          } else {
-                              m_openSession = path;
-                              m_settings.addRecentFile(path);
-                              emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
+                              return forgetMissing(path);
                           }
+                          m_openSession = path;
+                          m_settings.addRecentFile(path);
+                          emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
                           emit recentChanged();
                       });
 }
@@ -250,6 +256,8 @@ void SessionActions::openRig() {
 }
 
 void SessionActions::readRig(const QString& path) {
+    if (refusedByRun())
+        return;
     if (const auto rig = readRigFile(path.toStdString()))
         emit rigRead(*rig);
     else

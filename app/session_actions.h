@@ -53,6 +53,7 @@ public:
     bool saveAs();
     void saveSession();
     void exportSession();
+    static bool isSession(const QString& path);
     /// The devices of a rig file; the open experiment's into one.
     void openRig();
     void saveRig();
@@ -61,6 +62,10 @@ public:
 
     /// A changed experiment may be lost: asks to save. False: stay.
     bool mayDiscard();
+    /// A run is on, and it is told that this forbids another experiment.
+    bool refusedByRun();
+    /// Neither of the two stands against another experiment.
+    bool mayReplace() { return !refusedByRun() && mayDiscard(); }
 
     /// File for the run that is armed next; its folder is made. Empty when that is impossible (said as a
     /// problem).
@@ -77,10 +82,10 @@ signals:
 
 private:
     QString ask(const FileQuestion& question);
-    bool refusedByRun();
     void adopt(const Result<Experiment>& read, const QString& path);
     void openExperiment(const QString& path);
     void openSession(const QString& path);
+    void forgetMissing(const QString& path);
     void readRig(const QString& path);
     bool write(const QString& path);
 

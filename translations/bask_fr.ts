@@ -1260,14 +1260,6 @@
             <translation>&amp;Quitter</translation>
         </message>
         <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Annuler</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Rétablir</translation>
-        </message>
-        <message>
             <source>&amp;About Bask</source>
             <translation>À &amp;propos de Bask</translation>
         </message>
@@ -1518,6 +1510,10 @@
         <message>
             <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
             <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste. (F9)</translation>
+        </message>
+        <message>
+            <source>&amp;Clear the list</source>
+            <translation>&amp;Vider la liste</translation>
         </message>
         <message>
             <source>&amp;Manual</source>
@@ -3045,6 +3041,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Cancel</source>
             <translation>Annuler</translation>
         </message>
+        <message>
+            <source>Only files of this computer can be opened: save it here first.</source>
+            <translation>Seuls les fichiers de cet ordinateur peuvent être ouverts : enregistrez-le d’abord ici.</translation>
+        </message>
+        <message>
+            <source>Only one file can be opened at a time.</source>
+            <translation>Un seul fichier peut être ouvert à la fois.</translation>
+        </message>
+        <message>
+            <source>Unsaved edits cannot be kept for a crash: %1</source>
+            <translation>Les modifications non enregistrées ne peuvent pas être gardées en cas de panne : %1</translation>
+        </message>
     </context>
     <context>
         <name>bask::MarkerEditor</name>
@@ -3469,18 +3477,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <context>
         <name>bask::ObjectsPage</name>
         <message>
-            <source>move of “%1”</source>
-            <translation>déplacement de « %1 »</translation>
-        </message>
-        <message>
-            <source>rename</source>
-            <translation>renommage</translation>
-        </message>
-        <message>
-            <source>change of “%1”</source>
-            <translation>modification de « %1 »</translation>
-        </message>
-        <message>
             <source>Reading %1…</source>
             <translation>Lecture de %1…</translation>
         </message>
@@ -3489,28 +3485,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>disque</translation>
         </message>
         <message>
-            <source>add disk</source>
-            <translation>ajout d’un disque</translation>
-        </message>
-        <message>
-            <source>duplicate</source>
-            <translation>duplication</translation>
-        </message>
-        <message>
-            <source>remove “%1”</source>
-            <translation>suppression de « %1 »</translation>
-        </message>
-        <message>
             <source>“%1” was removed.</source>
             <translation>« %1 » a été supprimé.</translation>
         </message>
         <message>
             <source>Undo</source>
             <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>import</source>
-            <translation>importation</translation>
         </message>
         <message>
             <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
@@ -3525,10 +3505,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Contours (%1);;Tous les fichiers (*)</translation>
         </message>
         <message>
-            <source>harmonics</source>
-            <translation>harmoniques</translation>
-        </message>
-        <message>
             <source>A disk is used as it is; it needs no fit.</source>
             <translation>Un disque est utilisé tel quel ; il n’a pas besoin d’ajustement.</translation>
         </message>
@@ -3539,22 +3515,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Each object needs a free axis of the robot of its own; all are used. Remove an object first.</source>
             <translation>Chaque objet demande un axe libre du robot ; tous sont pris. Supprimez d’abord un objet.</translation>
-        </message>
-        <message>
-            <source>Undo: %1</source>
-            <translation>Annuler : %1</translation>
-        </message>
-        <message>
-            <source>Nothing to undo</source>
-            <translation>Rien à annuler</translation>
-        </message>
-        <message>
-            <source>Redo: %1</source>
-            <translation>Rétablir : %1</translation>
-        </message>
-        <message>
-            <source>Nothing to redo</source>
-            <translation>Rien à rétablir</translation>
         </message>
         <message>
             <source>&amp;Objects</source>
@@ -3587,10 +3547,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>%1 of %2 degrees of freedom used</source>
             <translation>%1 degrés de liberté utilisés sur %2</translation>
-        </message>
-        <message>
-            <source>use of the outline itself</source>
-            <translation>utilisation du contour lui-même</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -3716,6 +3672,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>The source is followed no more: that takes markers on it, a calibrated camera and its place.</source>
             <translation>La source n’est plus suivie : il y faut des marqueurs sur elle, une caméra étalonnée et sa place.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
+            <translation>%1 ne peut pas être ouvert. Bask ouvre des expériences et des bancs (JSON), des sessions enregistrées (BASK) et des contours (SVG, DXF, CSV, images).</translation>
+        </message>
+        <message>
+            <source>Redone: %1</source>
+            <translation>Rétabli : %1</translation>
+        </message>
+        <message>
+            <source>Undone: %1</source>
+            <translation>Annulé : %1</translation>
         </message>
     </context>
     <context>
@@ -6147,6 +6115,195 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>With less no recording is begun</source>
             <translation>Avec moins, aucun enregistrement ne commence</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ExperimentEdit</name>
+        <message>
+            <source>target of “%1”</source>
+            <translation>consigne de « %1 »</translation>
+        </message>
+        <message>
+            <source>targets</source>
+            <translation>consignes</translation>
+        </message>
+        <message>
+            <source>controller and gains</source>
+            <translation>régulateur et gains</translation>
+        </message>
+        <message>
+            <source>markers</source>
+            <translation>marqueurs</translation>
+        </message>
+        <message>
+            <source>calibration of the camera</source>
+            <translation>étalonnage de la caméra</translation>
+        </message>
+        <message>
+            <source>place of the camera</source>
+            <translation>place de la caméra</translation>
+        </message>
+        <message>
+            <source>calibration</source>
+            <translation>étalonnage</translation>
+        </message>
+        <message>
+            <source>place of the source</source>
+            <translation>place de la source</translation>
+        </message>
+        <message>
+            <source>following of the source</source>
+            <translation>suivi de la source</translation>
+        </message>
+        <message>
+            <source>start of runs</source>
+            <translation>départ des essais</translation>
+        </message>
+        <message>
+            <source>set point of the source</source>
+            <translation>température de consigne de la source</translation>
+        </message>
+        <message>
+            <source>emittance of the source</source>
+            <translation>émissivité de la source</translation>
+        </message>
+        <message>
+            <source>workspace</source>
+            <translation>espace de travail</translation>
+        </message>
+        <message>
+            <source>limits of motion</source>
+            <translation>limites de mouvement</translation>
+        </message>
+        <message>
+            <source>safety limits</source>
+            <translation>limites de sécurité</translation>
+        </message>
+        <message>
+            <source>choice of the real rig</source>
+            <translation>choix du banc réel</translation>
+        </message>
+        <message>
+            <source>devices of the rig</source>
+            <translation>appareils du banc</translation>
+        </message>
+        <message>
+            <source>choice of the simulated rig</source>
+            <translation>choix du banc simulé</translation>
+        </message>
+        <message>
+            <source>move of “%1”</source>
+            <translation>déplacement de « %1 »</translation>
+        </message>
+        <message>
+            <source>moves</source>
+            <translation>déplacements</translation>
+        </message>
+        <message>
+            <source>renaming of “%1”</source>
+            <translation>nouveau nom de « %1 »</translation>
+        </message>
+        <message>
+            <source>names</source>
+            <translation>noms</translation>
+        </message>
+        <message>
+            <source>start values of “%1”</source>
+            <translation>valeurs de départ de « %1 »</translation>
+        </message>
+        <message>
+            <source>start values</source>
+            <translation>valeurs de départ</translation>
+        </message>
+        <message>
+            <source>material of “%1”</source>
+            <translation>matériau de « %1 »</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>matériaux</translation>
+        </message>
+        <message>
+            <source>outline of “%1”</source>
+            <translation>contour de « %1 »</translation>
+        </message>
+        <message>
+            <source>outlines</source>
+            <translation>contours</translation>
+        </message>
+        <message>
+            <source>change of “%1”</source>
+            <translation>modification de « %1 »</translation>
+        </message>
+        <message>
+            <source>change of several objects</source>
+            <translation>modification de plusieurs objets</translation>
+        </message>
+        <message>
+            <source>addition of “%1”</source>
+            <translation>ajout de « %1 »</translation>
+        </message>
+        <message>
+            <source>removal of “%1”</source>
+            <translation>retrait de « %1 »</translation>
+        </message>
+        <message>
+            <source>change of the experiment</source>
+            <translation>modification de l’expérience</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::RecoveryOffer</name>
+        <message>
+            <source>Bask ended before changes of “%1” were saved. They are kept as they were on %2.</source>
+            <translation>Bask s’est arrêté avant l’enregistrement de modifications de « %1 ». Elles sont gardées dans leur état du %2.</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>Abandonner</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>Récupérer</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::UndoActions</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1 : %2</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Rétablir</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Annuler</translation>
+        </message>
+        <message>
+            <source>A run is armed or on. This can be changed once it has stopped.</source>
+            <translation>Un essai est armé ou en cours. Ceci pourra être modifié une fois l’essai arrêté.</translation>
+        </message>
+        <message>
+            <source>Nothing to redo</source>
+            <translation>Rien à rétablir</translation>
+        </message>
+        <message>
+            <source>Nothing to undo</source>
+            <translation>Rien à annuler</translation>
+        </message>
+        <message>
+            <source>Raise a limit of the real rig</source>
+            <translation>Élever une limite du banc réel</translation>
+        </message>
+        <message>
+            <source>Raise the limit</source>
+            <translation>Élever la limite</translation>
+        </message>
+        <message>
+            <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
+            <translation>Le banc pourra aller plus loin que maintenant. Robot, source, objets et capteurs le supportent-ils ?</translation>
         </message>
     </context>
     <context>

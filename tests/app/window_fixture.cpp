@@ -11,6 +11,7 @@ namespace bask::test {
 void WindowTest::SetUp() {
     for (const char* kept : {"/bask.ini", "/alarms.json"})
         QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QLatin1String(kept));
+    QDir(unsavedFolder()).removeRecursively();
 }
 
 void WindowTest::TearDown() {
