@@ -1260,14 +1260,6 @@
             <translation>退出(&amp;Q)</translation>
         </message>
         <message>
-            <source>&amp;Undo</source>
-            <translation>撤销(&amp;U)</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>重做(&amp;R)</translation>
-        </message>
-        <message>
             <source>&amp;About Bask</source>
             <translation>关于 Bask(&amp;A)</translation>
         </message>
@@ -1518,6 +1510,10 @@
         <message>
             <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
             <translation>表示您已看到所有报警。已解除的报警将从列表中移除。（F9）</translation>
+        </message>
+        <message>
+            <source>&amp;Clear the list</source>
+            <translation>清空列表(&amp;C)</translation>
         </message>
         <message>
             <source>&amp;Manual</source>
@@ -3044,6 +3040,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>Cancel</source>
             <translation>取消</translation>
         </message>
+        <message>
+            <source>Only files of this computer can be opened: save it here first.</source>
+            <translation>只能打开此计算机上的文件：请先将其保存到此处。</translation>
+        </message>
+        <message>
+            <source>Only one file can be opened at a time.</source>
+            <translation>一次只能打开一个文件。</translation>
+        </message>
+        <message>
+            <source>Unsaved edits cannot be kept for a crash: %1</source>
+            <translation>无法为防备崩溃而保留未保存的更改：%1</translation>
+        </message>
     </context>
     <context>
         <name>bask::MarkerEditor</name>
@@ -3468,18 +3476,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <context>
         <name>bask::ObjectsPage</name>
         <message>
-            <source>move of “%1”</source>
-            <translation>移动“%1”</translation>
-        </message>
-        <message>
-            <source>rename</source>
-            <translation>重命名</translation>
-        </message>
-        <message>
-            <source>change of “%1”</source>
-            <translation>更改“%1”</translation>
-        </message>
-        <message>
             <source>Reading %1…</source>
             <translation>正在读取 %1…</translation>
         </message>
@@ -3488,28 +3484,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>圆盘</translation>
         </message>
         <message>
-            <source>add disk</source>
-            <translation>添加圆盘</translation>
-        </message>
-        <message>
-            <source>duplicate</source>
-            <translation>复制副本</translation>
-        </message>
-        <message>
-            <source>remove “%1”</source>
-            <translation>移除“%1”</translation>
-        </message>
-        <message>
             <source>“%1” was removed.</source>
             <translation>“%1”已移除。</translation>
         </message>
         <message>
             <source>Undo</source>
             <translation>撤销</translation>
-        </message>
-        <message>
-            <source>import</source>
-            <translation>导入</translation>
         </message>
         <message>
             <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
@@ -3524,10 +3504,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>轮廓 (%1);;所有文件 (*)</translation>
         </message>
         <message>
-            <source>harmonics</source>
-            <translation>谐波数</translation>
-        </message>
-        <message>
             <source>A disk is used as it is; it needs no fit.</source>
             <translation>圆盘按原样使用，无需拟合。</translation>
         </message>
@@ -3538,22 +3514,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Each object needs a free axis of the robot of its own; all are used. Remove an object first.</source>
             <translation>每个物体都需要各自的一个机器人自由轴；自由轴已全部用完。请先移除一个物体。</translation>
-        </message>
-        <message>
-            <source>Undo: %1</source>
-            <translation>撤销：%1</translation>
-        </message>
-        <message>
-            <source>Nothing to undo</source>
-            <translation>没有可撤销的操作</translation>
-        </message>
-        <message>
-            <source>Redo: %1</source>
-            <translation>重做：%1</translation>
-        </message>
-        <message>
-            <source>Nothing to redo</source>
-            <translation>没有可重做的操作</translation>
         </message>
         <message>
             <source>&amp;Objects</source>
@@ -3586,10 +3546,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>%1 of %2 degrees of freedom used</source>
             <translation>已用 %1 个自由度，共 %2 个</translation>
-        </message>
-        <message>
-            <source>use of the outline itself</source>
-            <translation>使用轮廓本身</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -3715,6 +3671,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>The source is followed no more: that takes markers on it, a calibrated camera and its place.</source>
             <translation>不再跟踪热源：这需要热源上有标记、相机已标定且其位置已知。</translation>
+        </message>
+        <message>
+            <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
+            <translation>无法打开 %1。Bask 可打开实验和装置（JSON）、记录的会话（BASK）以及轮廓（SVG、DXF、CSV、图片）。</translation>
+        </message>
+        <message>
+            <source>Redone: %1</source>
+            <translation>已重做：%1</translation>
+        </message>
+        <message>
+            <source>Undone: %1</source>
+            <translation>已撤销：%1</translation>
         </message>
     </context>
     <context>
@@ -6148,6 +6116,195 @@ This is a software stop, not a safety-rated emergency stop.</source>
         </message>
     </context>
     <context>
+        <name>bask::ExperimentEdit</name>
+        <message>
+            <source>target of “%1”</source>
+            <translation>“%1”的目标</translation>
+        </message>
+        <message>
+            <source>targets</source>
+            <translation>目标</translation>
+        </message>
+        <message>
+            <source>controller and gains</source>
+            <translation>控制器与增益</translation>
+        </message>
+        <message>
+            <source>markers</source>
+            <translation>标记</translation>
+        </message>
+        <message>
+            <source>calibration of the camera</source>
+            <translation>相机标定</translation>
+        </message>
+        <message>
+            <source>place of the camera</source>
+            <translation>相机的位置</translation>
+        </message>
+        <message>
+            <source>calibration</source>
+            <translation>标定</translation>
+        </message>
+        <message>
+            <source>place of the source</source>
+            <translation>热源的位置</translation>
+        </message>
+        <message>
+            <source>following of the source</source>
+            <translation>热源的跟踪</translation>
+        </message>
+        <message>
+            <source>start of runs</source>
+            <translation>运行的起始位姿</translation>
+        </message>
+        <message>
+            <source>set point of the source</source>
+            <translation>热源的设定值</translation>
+        </message>
+        <message>
+            <source>emittance of the source</source>
+            <translation>热源的发射率</translation>
+        </message>
+        <message>
+            <source>workspace</source>
+            <translation>工作空间</translation>
+        </message>
+        <message>
+            <source>limits of motion</source>
+            <translation>运动限值</translation>
+        </message>
+        <message>
+            <source>safety limits</source>
+            <translation>安全限值</translation>
+        </message>
+        <message>
+            <source>choice of the real rig</source>
+            <translation>选用实际装置</translation>
+        </message>
+        <message>
+            <source>devices of the rig</source>
+            <translation>装置的设备</translation>
+        </message>
+        <message>
+            <source>choice of the simulated rig</source>
+            <translation>选用仿真装置</translation>
+        </message>
+        <message>
+            <source>move of “%1”</source>
+            <translation>移动“%1”</translation>
+        </message>
+        <message>
+            <source>moves</source>
+            <translation>移动</translation>
+        </message>
+        <message>
+            <source>renaming of “%1”</source>
+            <translation>重命名“%1”</translation>
+        </message>
+        <message>
+            <source>names</source>
+            <translation>名称</translation>
+        </message>
+        <message>
+            <source>start values of “%1”</source>
+            <translation>“%1”的起始值</translation>
+        </message>
+        <message>
+            <source>start values</source>
+            <translation>起始值</translation>
+        </message>
+        <message>
+            <source>material of “%1”</source>
+            <translation>“%1”的材料</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>材料</translation>
+        </message>
+        <message>
+            <source>outline of “%1”</source>
+            <translation>“%1”的轮廓</translation>
+        </message>
+        <message>
+            <source>outlines</source>
+            <translation>轮廓</translation>
+        </message>
+        <message>
+            <source>change of “%1”</source>
+            <translation>更改“%1”</translation>
+        </message>
+        <message>
+            <source>change of several objects</source>
+            <translation>更改多个物体</translation>
+        </message>
+        <message>
+            <source>addition of “%1”</source>
+            <translation>添加“%1”</translation>
+        </message>
+        <message>
+            <source>removal of “%1”</source>
+            <translation>移除“%1”</translation>
+        </message>
+        <message>
+            <source>change of the experiment</source>
+            <translation>更改实验</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecoveryOffer</name>
+        <message>
+            <source>Bask ended before changes of “%1” were saved. They are kept as they were on %2.</source>
+            <translation>Bask 在“%1”的更改保存之前就已结束。这些更改已按 %2 时的状态保留。</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>放弃</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>恢复</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::UndoActions</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>重做(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>撤销(&amp;U)</translation>
+        </message>
+        <message>
+            <source>A run is armed or on. This can be changed once it has stopped.</source>
+            <translation>已待命或正在运行。停止后即可更改此项。</translation>
+        </message>
+        <message>
+            <source>Nothing to redo</source>
+            <translation>没有可重做的操作</translation>
+        </message>
+        <message>
+            <source>Nothing to undo</source>
+            <translation>没有可撤销的操作</translation>
+        </message>
+        <message>
+            <source>Raise a limit of the real rig</source>
+            <translation>提高实际装置的限值</translation>
+        </message>
+        <message>
+            <source>Raise the limit</source>
+            <translation>提高限值</translation>
+        </message>
+        <message>
+            <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
+            <translation>这将允许装置超出现在的范围。机器人、热源、物体和传感器能承受吗？</translation>
+        </message>
+    </context>
+    <context>
         <name>About</name>
         <message>
             <source>About Bask</source>
@@ -6166,8 +6323,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>关闭</translation>
         </message>
     </context>
-<context>
-    <name>bask::ManualWindow</name>
+    <context>
+        <name>bask::ManualWindow</name>
         <message>
             <source>Bask: manual</source>
             <translation>Bask：手册</translation>
@@ -6189,8 +6346,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>手册正文</translation>
         </message>
     </context>
-<context>
-    <name>bask::ProblemDialog</name>
+    <context>
+        <name>bask::ProblemDialog</name>
         <message>
             <source>Report a problem</source>
             <translation>报告问题</translation>

@@ -1260,14 +1260,6 @@
             <translation>結束(&amp;Q)</translation>
         </message>
         <message>
-            <source>&amp;Undo</source>
-            <translation>復原(&amp;U)</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>重做(&amp;R)</translation>
-        </message>
-        <message>
             <source>&amp;About Bask</source>
             <translation>關於 Bask(&amp;A)</translation>
         </message>
@@ -1518,6 +1510,10 @@
         <message>
             <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
             <translation>表示您已看到所有警報。已解除的警報將從清單中移除。（F9）</translation>
+        </message>
+        <message>
+            <source>&amp;Clear the list</source>
+            <translation>清空清單(&amp;C)</translation>
         </message>
         <message>
             <source>&amp;Manual</source>
@@ -3044,6 +3040,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>Cancel</source>
             <translation>取消</translation>
         </message>
+        <message>
+            <source>Only files of this computer can be opened: save it here first.</source>
+            <translation>只能開啟此電腦上的檔案：請先將其儲存到此處。</translation>
+        </message>
+        <message>
+            <source>Only one file can be opened at a time.</source>
+            <translation>一次只能開啟一個檔案。</translation>
+        </message>
+        <message>
+            <source>Unsaved edits cannot be kept for a crash: %1</source>
+            <translation>無法為防備當機而保留未儲存的變更：%1</translation>
+        </message>
     </context>
     <context>
         <name>bask::MarkerEditor</name>
@@ -3468,18 +3476,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <context>
         <name>bask::ObjectsPage</name>
         <message>
-            <source>move of “%1”</source>
-            <translation>移動「%1」</translation>
-        </message>
-        <message>
-            <source>rename</source>
-            <translation>重新命名</translation>
-        </message>
-        <message>
-            <source>change of “%1”</source>
-            <translation>更改「%1」</translation>
-        </message>
-        <message>
             <source>Reading %1…</source>
             <translation>正在讀取 %1…</translation>
         </message>
@@ -3488,28 +3484,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>圓盤</translation>
         </message>
         <message>
-            <source>add disk</source>
-            <translation>新增圓盤</translation>
-        </message>
-        <message>
-            <source>duplicate</source>
-            <translation>複製副本</translation>
-        </message>
-        <message>
-            <source>remove “%1”</source>
-            <translation>移除「%1」</translation>
-        </message>
-        <message>
             <source>“%1” was removed.</source>
             <translation>「%1」已移除。</translation>
         </message>
         <message>
             <source>Undo</source>
             <translation>復原</translation>
-        </message>
-        <message>
-            <source>import</source>
-            <translation>匯入</translation>
         </message>
         <message>
             <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
@@ -3524,10 +3504,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>輪廓 (%1);;所有檔案 (*)</translation>
         </message>
         <message>
-            <source>harmonics</source>
-            <translation>諧波數</translation>
-        </message>
-        <message>
             <source>A disk is used as it is; it needs no fit.</source>
             <translation>圓盤按原樣使用，不需擬合。</translation>
         </message>
@@ -3538,22 +3514,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Each object needs a free axis of the robot of its own; all are used. Remove an object first.</source>
             <translation>每個物體都需要各自的一個機器人自由軸；自由軸已全部用完。請先移除一個物體。</translation>
-        </message>
-        <message>
-            <source>Undo: %1</source>
-            <translation>復原：%1</translation>
-        </message>
-        <message>
-            <source>Nothing to undo</source>
-            <translation>沒有可復原的操作</translation>
-        </message>
-        <message>
-            <source>Redo: %1</source>
-            <translation>重做：%1</translation>
-        </message>
-        <message>
-            <source>Nothing to redo</source>
-            <translation>沒有可重做的操作</translation>
         </message>
         <message>
             <source>&amp;Objects</source>
@@ -3586,10 +3546,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>%1 of %2 degrees of freedom used</source>
             <translation>已用 %1 個自由度，共 %2 個</translation>
-        </message>
-        <message>
-            <source>use of the outline itself</source>
-            <translation>使用輪廓本身</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -3715,6 +3671,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>The source is followed no more: that takes markers on it, a calibrated camera and its place.</source>
             <translation>不再追蹤熱源：這需要熱源上有標記、相機已校正且其位置已知。</translation>
+        </message>
+        <message>
+            <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
+            <translation>無法開啟 %1。Bask 可開啟實驗和實驗台（JSON）、記錄的工作階段（BASK）以及輪廓（SVG、DXF、CSV、圖片）。</translation>
+        </message>
+        <message>
+            <source>Redone: %1</source>
+            <translation>已重做：%1</translation>
+        </message>
+        <message>
+            <source>Undone: %1</source>
+            <translation>已復原：%1</translation>
         </message>
     </context>
     <context>
@@ -6148,6 +6116,195 @@ This is a software stop, not a safety-rated emergency stop.</source>
         </message>
     </context>
     <context>
+        <name>bask::ExperimentEdit</name>
+        <message>
+            <source>target of “%1”</source>
+            <translation>「%1」的目標</translation>
+        </message>
+        <message>
+            <source>targets</source>
+            <translation>目標</translation>
+        </message>
+        <message>
+            <source>controller and gains</source>
+            <translation>控制器與增益</translation>
+        </message>
+        <message>
+            <source>markers</source>
+            <translation>標記</translation>
+        </message>
+        <message>
+            <source>calibration of the camera</source>
+            <translation>相機校正</translation>
+        </message>
+        <message>
+            <source>place of the camera</source>
+            <translation>相機的位置</translation>
+        </message>
+        <message>
+            <source>calibration</source>
+            <translation>校正</translation>
+        </message>
+        <message>
+            <source>place of the source</source>
+            <translation>熱源的位置</translation>
+        </message>
+        <message>
+            <source>following of the source</source>
+            <translation>熱源的追蹤</translation>
+        </message>
+        <message>
+            <source>start of runs</source>
+            <translation>運轉的起始位姿</translation>
+        </message>
+        <message>
+            <source>set point of the source</source>
+            <translation>熱源的設定值</translation>
+        </message>
+        <message>
+            <source>emittance of the source</source>
+            <translation>熱源的發射率</translation>
+        </message>
+        <message>
+            <source>workspace</source>
+            <translation>工作空間</translation>
+        </message>
+        <message>
+            <source>limits of motion</source>
+            <translation>運動限值</translation>
+        </message>
+        <message>
+            <source>safety limits</source>
+            <translation>安全限值</translation>
+        </message>
+        <message>
+            <source>choice of the real rig</source>
+            <translation>選用實際實驗台</translation>
+        </message>
+        <message>
+            <source>devices of the rig</source>
+            <translation>實驗台的裝置</translation>
+        </message>
+        <message>
+            <source>choice of the simulated rig</source>
+            <translation>選用模擬實驗台</translation>
+        </message>
+        <message>
+            <source>move of “%1”</source>
+            <translation>移動「%1」</translation>
+        </message>
+        <message>
+            <source>moves</source>
+            <translation>移動</translation>
+        </message>
+        <message>
+            <source>renaming of “%1”</source>
+            <translation>重新命名「%1」</translation>
+        </message>
+        <message>
+            <source>names</source>
+            <translation>名稱</translation>
+        </message>
+        <message>
+            <source>start values of “%1”</source>
+            <translation>「%1」的起始值</translation>
+        </message>
+        <message>
+            <source>start values</source>
+            <translation>起始值</translation>
+        </message>
+        <message>
+            <source>material of “%1”</source>
+            <translation>「%1」的材料</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>材料</translation>
+        </message>
+        <message>
+            <source>outline of “%1”</source>
+            <translation>「%1」的輪廓</translation>
+        </message>
+        <message>
+            <source>outlines</source>
+            <translation>輪廓</translation>
+        </message>
+        <message>
+            <source>change of “%1”</source>
+            <translation>更改「%1」</translation>
+        </message>
+        <message>
+            <source>change of several objects</source>
+            <translation>更改多個物體</translation>
+        </message>
+        <message>
+            <source>addition of “%1”</source>
+            <translation>新增「%1」</translation>
+        </message>
+        <message>
+            <source>removal of “%1”</source>
+            <translation>移除「%1」</translation>
+        </message>
+        <message>
+            <source>change of the experiment</source>
+            <translation>更改實驗</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecoveryOffer</name>
+        <message>
+            <source>Bask ended before changes of “%1” were saved. They are kept as they were on %2.</source>
+            <translation>Bask 在「%1」的更改儲存之前就已結束。這些更改已按 %2 時的狀態保留。</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>捨棄</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>復原變更</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::UndoActions</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>重做(&amp;R)</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>復原(&amp;U)</translation>
+        </message>
+        <message>
+            <source>A run is armed or on. This can be changed once it has stopped.</source>
+            <translation>已待命或正在運轉。停止後即可更改此項。</translation>
+        </message>
+        <message>
+            <source>Nothing to redo</source>
+            <translation>沒有可重做的操作</translation>
+        </message>
+        <message>
+            <source>Nothing to undo</source>
+            <translation>沒有可復原的操作</translation>
+        </message>
+        <message>
+            <source>Raise a limit of the real rig</source>
+            <translation>提高實際實驗台的限值</translation>
+        </message>
+        <message>
+            <source>Raise the limit</source>
+            <translation>提高限值</translation>
+        </message>
+        <message>
+            <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
+            <translation>這將允許實驗台超出現在的範圍。機器人、熱源、物體和感測器能承受嗎？</translation>
+        </message>
+    </context>
+    <context>
         <name>About</name>
         <message>
             <source>About Bask</source>
@@ -6166,8 +6323,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>關閉</translation>
         </message>
     </context>
-<context>
-    <name>bask::ManualWindow</name>
+    <context>
+        <name>bask::ManualWindow</name>
         <message>
             <source>Bask: manual</source>
             <translation>Bask：手冊</translation>
@@ -6189,8 +6346,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>手冊內文</translation>
         </message>
     </context>
-<context>
-    <name>bask::ProblemDialog</name>
+    <context>
+        <name>bask::ProblemDialog</name>
         <message>
             <source>Report a problem</source>
             <translation>回報問題</translation>
