@@ -5,10 +5,8 @@
 // them over in a worker of its own, and the one who asks waits for it (Linux: n_tty_poll, flush_work). The
 // engine's thread must not.
 
-#include <QThread>
-#include <QTimer>
-
 #include <functional>
+#include <memory>
 
 namespace bask {
 
@@ -26,10 +24,8 @@ public:
     void finish(const std::function<void()>& last);
 
 private:
-    static constexpr int kTurn_ms = 4;
-
-    QThread m_thread;
-    QTimer* m_timer; ///< lives on that thread
+    struct Parts;
+    std::unique_ptr<Parts> m_parts;
 };
 
 } // namespace bask
