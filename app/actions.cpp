@@ -73,6 +73,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     m_clearRecent = make("clearRecent");
     connect(m_clearRecent, &QAction::triggered, this, &Actions::recentCleared);
     manual = make("manual", QKeySequence(Qt::Key_F1));
+    firstFiveMinutes = make("firstFiveMinutes");
     reportProblem = make("reportProblem");
     about = make("about");
     about->setMenuRole(QAction::AboutRole);
@@ -241,7 +242,7 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
     fillFaults();
-    m_helpMenu->addActions({manual, reportProblem});
+    m_helpMenu->addActions({manual, firstFiveMinutes, reportProblem});
     m_helpMenu->addSeparator();
     m_helpMenu->addAction(about);
     for (QMenu* menu : {m_fileMenu, m_editMenu, m_runMenu, m_viewMenu, m_toolsMenu, m_helpMenu})
@@ -270,6 +271,7 @@ void Actions::retranslateFile() {
     quit->setText(tr("&Quit"));
     m_clearRecent->setText(tr("&Clear the list"));
     manual->setText(tr("&Manual"));
+    firstFiveMinutes->setText(tr("The &first five minutes"));
     reportProblem->setText(tr("Report a &problem…"));
     about->setText(tr("&About Bask"));
 }

@@ -56,7 +56,7 @@ public:
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
     QAction *undo, *redo; ///< their texts are UndoActions'
     QAction* acknowledgeAlarms;
-    QAction *manual, *reportProblem, *about;
+    QAction *manual, *firstFiveMinutes, *reportProblem, *about;
 
 signals:
     void verbTriggered(bask::Verb verb);

@@ -1,6 +1,7 @@
 #include "app/main_window.h"
 
 #include "app/bottom_dock.h"
+#include "app/coach.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
 #include "app/manual_window.h"
@@ -14,6 +15,7 @@
 #include "engine/session/rig_file.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/display.h"
+#include "widgets/common/point_at.h"
 #include "widgets/common/run_state_chip.h"
 
 #include <QApplication>
@@ -55,6 +57,8 @@ MainWindow::~MainWindow() = default;
 void MainWindow::begin(const QString& path) {
     m_engine.start(alarmFile());
     m_recovery->begin(unsavedFolder());
+    if (!m_settings.isCoachAnswered() && path.isEmpty())
+        m_coach->offer();
     const bool isRig = isRigFile(path.toStdString());
     if (isRig) // it is put into the example, once that is there
         connect(
@@ -176,6 +180,16 @@ void MainWindow::showReason(int index) {
     }
 }
 
+/// The keyboard goes there as well.
+void MainWindow::showControl(Page page, const QString& name) {
+    m_pages->show(page);
+    for (QWidget* control : name.isEmpty() ? QList<QWidget*>() : findChildren<QWidget*>(name))
+        if (control->isVisible()) {
+            control->setFocus(Qt::TabFocusReason);
+            return pointAt(control);
+        }
+}
+
 void MainWindow::showManual() {
     if (!m_manual)
         m_manual = new ManualWindow(this);
@@ -209,6 +223,7 @@ void MainWindow::setTemperatureUnit(TemperatureUnit unit) {
     m_pages->setTemperatureUnit(unit);
     m_stateBar->setTemperatureUnit(unit);
     m_dock->setTemperatureUnit(unit);
+    m_coach->setTemperatureUnit(unit);
 }
 
 void MainWindow::showTitle() {
@@ -224,6 +239,7 @@ void MainWindow::retranslate() {
     m_actions.retranslate();
     m_undo->refresh();
     m_recovery->retranslate();
+    m_coach->retranslate();
     m_navigation->setWindowTitle(tr("Pages"));
     showTitle();
     showAges();

@@ -18,6 +18,7 @@ class QToolBar;
 namespace bask {
 
 class BottomDock;
+class Coach;
 class ManualWindow;
 class RecoveryOffer;
 class StateBar;
@@ -62,6 +63,7 @@ private:
     void buildNavigation();
     void connectActions();
     void connectParts();
+    void connectCoach();
 
     void apply(const Snapshot& snapshot);
     void perform(Verb verb);
@@ -70,6 +72,7 @@ private:
     void askInfeasible();
     void refuse(const Message& refusal);
     void showReason(int index);
+    void showControl(Page page, const QString& name);
     void showManual();
     void reportProblem();
     void showTitle();
@@ -90,6 +93,7 @@ private:
     PageHost* m_pages = nullptr;
     UndoActions* m_undo = nullptr;
     RecoveryOffer* m_recovery = nullptr;
+    Coach* m_coach = nullptr;
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;

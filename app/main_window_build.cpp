@@ -2,6 +2,7 @@
 
 #include "app/about.h"
 #include "app/bottom_dock.h"
+#include "app/coach.h"
 #include "app/error_text.h"
 #include "app/main_window.h"
 #include "app/recovery_offer.h"
@@ -79,6 +80,7 @@ void MainWindow::connectActions() {
     on(m_actions.quit, [this] { close(); });
     on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
     on(m_actions.manual, [this] { showManual(); });
+    on(m_actions.firstFiveMinutes, [this] { m_coach->begin(); });
     on(m_actions.reportProblem, [this] { reportProblem(); });
     on(m_actions.about, [this] { showAbout(this); });
     m_undo = new UndoActions(m_document, m_actions.undo, m_actions.redo, this);
@@ -141,6 +143,25 @@ void MainWindow::connectParts() {
     connect(&m_autosave, &Autosave::failed, this, [this](const Error& error) {
         m_pages->showProblem(tr("Unsaved edits cannot be kept for a crash: %1").arg(sentence(error)));
     });
+    connectCoach();
+}
+
+void MainWindow::connectCoach() {
+    m_coach = new Coach(m_pages->coachBar(), this);
+    connect(&m_document, &Document::changed, m_coach, [this] {
+        if (const EditStep* step = m_document.toUndo())
+            m_coach->see(*step);
+    });
+    connect(m_undo, &UndoActions::undone, m_coach, &Coach::seeUndone);
+    connect(&m_pages->judge(), &TargetJudge::verdictChanged, m_coach, [this] {
+        const auto& verdict = m_pages->judge().verdict();
+        if (verdict && !m_pages->judge().isStale())
+            m_coach->seeVerdict(verdict->feasible);
+    });
+    connect(this, &MainWindow::snapshotApplied, m_coach, qOverload<const Snapshot&>(&Coach::see));
+    connect(&m_files, &SessionActions::sessionOpened, m_coach, &Coach::seeReview);
+    connect(m_coach, &Coach::showWanted, this, &MainWindow::showControl);
+    connect(m_coach, &Coach::answered, this, [this] { m_settings.setCoachAnswered(); });
 }
 
 } // namespace bask

@@ -29,7 +29,8 @@ class RunPage;
 class TargetsPage;
 
 /// Edits go to the document, which refuses or takes them; what the engine must know goes out as
-/// commandIssued. Object names: "pages", "messageBar", "questionBar".
+/// commandIssued. Object names: "pages", "messageBar", "questionBar",
+/// "coachBar".
 class PageHost : public QWidget {
     Q_OBJECT
 
@@ -54,6 +55,7 @@ public:
 
     /// Over all, for what waits for an answer.
     MessageBar& questionBar() { return *m_question; }
+    MessageBar& coachBar() { return *m_coach; }
     const TargetJudge& judge() const { return m_judge; }
     ObjectsPage* objects() const { return m_objects; }
     RunPage* run() const { return m_run; }
@@ -84,7 +86,7 @@ private:
     Document& m_document;
     TargetJudge m_judge;
     SessionActions& m_files;
-    MessageBar *m_question, *m_bar;
+    MessageBar *m_question, *m_coach, *m_bar;
     QStackedWidget* m_pages;
     RigPage* m_rig;
     ObjectsPage* m_objects;

@@ -105,6 +105,14 @@ void SettingsStore::clearRecentFiles() {
     m_settings.remove(QStringLiteral("recent"));
 }
 
+bool SettingsStore::isCoachAnswered() const {
+    return m_settings.value(QStringLiteral("coachAnswered")).toBool();
+}
+
+void SettingsStore::setCoachAnswered() {
+    m_settings.setValue(QStringLiteral("coachAnswered"), true);
+}
+
 QString SettingsStore::lastFolder() const {
     const QString folder = m_settings.value(QStringLiteral("folder")).toString();
     return !folder.isEmpty() && QFileInfo(folder).isDir()

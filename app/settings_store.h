@@ -34,6 +34,10 @@ public:
     void removeRecentFile(const QString& path);
     void clearRecentFiles();
 
+    /// Whether the first five minutes were offered, and answered.
+    bool isCoachAnswered() const;
+    void setCoachAnswered();
+
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
 

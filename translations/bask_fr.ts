@@ -1523,6 +1523,10 @@
             <source>Report a &amp;problem…</source>
             <translation>Signaler un &amp;problème…</translation>
         </message>
+        <message>
+            <source>The &amp;first five minutes</source>
+            <translation>Les cinq &amp;premières minutes</translation>
+        </message>
     </context>
     <context>
         <name>bask::AxisTable</name>
@@ -6377,6 +6381,89 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Close</source>
             <translation>Fermer</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::Coach</name>
+        <message>
+            <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
+            <translation>Première fois ? Treize petites étapes sur le banc simulé montrent ce que fait Bask. Rien ne peut brûler.</translation>
+        </message>
+        <message>
+            <source>Show me</source>
+            <translation>Montrer</translation>
+        </message>
+        <message>
+            <source>Not now</source>
+            <translation>Pas maintenant</translation>
+        </message>
+        <message>
+            <source>%1 of %2: %3</source>
+            <translation>%1 sur %2 : %3</translation>
+        </message>
+        <message>
+            <source>Show where</source>
+            <translation>Montrer où</translation>
+        </message>
+        <message>
+            <source>Skip</source>
+            <translation>Passer</translation>
+        </message>
+        <message>
+            <source>That was all. F1 opens the manual, which has the rest.</source>
+            <translation>C’est tout. F1 ouvre le manuel, où se trouve le reste.</translation>
+        </message>
+        <message>
+            <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing's.</source>
+            <translation>Page Objets : choisissez « bunny » et faites glisser les harmoniques. Moins il y en a, plus le contour s’écarte du dessin.</translation>
+        </message>
+        <message>
+            <source>Take that back with Ctrl+Z. Every edit can be undone.</source>
+            <translation>Annulez avec Ctrl+Z. Toute modification peut être annulée.</translation>
+        </message>
+        <message>
+            <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
+            <translation>Page Consignes : tapez 200 °C pour un objet et lisez pourquoi cela ne peut être tenu.</translation>
+        </message>
+        <message>
+            <source>Press “Use nearest feasible”: targets that can be held together.</source>
+            <translation>Appuyez sur « Prendre les plus proches » : des consignes tenables ensemble.</translation>
+        </message>
+        <message>
+            <source>Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+            <translation>Armer (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
+        </message>
+        <message>
+            <source>Start (F6): the heat is on, and the robot moves.</source>
+            <translation>Démarrer (F6) : le chauffage est en marche et le robot bouge.</translation>
+        </message>
+        <message>
+            <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
+            <translation>Les températures vont à leurs consignes. Sur la page Essai, appuyez sur N et notez quelque chose.</translation>
+        </message>
+        <message>
+            <source>Change a gain at the controller and apply it: the traces are marked there.</source>
+            <translation>Changez un gain du régulateur et appliquez-le : les courbes en gardent la marque.</translation>
+        </message>
+        <message>
+            <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
+            <translation>Outils &gt; Simuler un défaut : retirez un capteur. L’essai se met en pause et une alarme dit que faire.</translation>
+        </message>
+        <message>
+            <source>Acknowledge the alarm (F9): you have seen it.</source>
+            <translation>Acquittez l’alarme (F9) : vous l’avez vue.</translation>
+        </message>
+        <message>
+            <source>End the fault in the same menu, then Resume (Shift+F7).</source>
+            <translation>Mettez fin au défaut dans le même menu, puis Reprendre (Maj+F7).</translation>
+        </message>
+        <message>
+            <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
+            <translation>Arrêter (F8) : chauffage coupé, le robot se retire, l’enregistrement est fermé.</translation>
+        </message>
+        <message>
+            <source>On the Review page, open the recording of this run.</source>
+            <translation>Page Relecture : ouvrez l’enregistrement de cet essai.</translation>
         </message>
     </context>
 </TS>

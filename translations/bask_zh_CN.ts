@@ -1523,6 +1523,10 @@
             <source>Report a &amp;problem…</source>
             <translation>报告问题(&amp;P)…</translation>
         </message>
+        <message>
+            <source>The &amp;first five minutes</source>
+            <translation>最初五分钟(&amp;F)</translation>
+        </message>
     </context>
     <context>
         <name>bask::AxisTable</name>
@@ -6375,6 +6379,89 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Close</source>
             <translation>关闭</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::Coach</name>
+        <message>
+            <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
+            <translation>初次使用？在仿真装置上的十三个小步骤演示 Bask 的功能，不会有任何危险。</translation>
+        </message>
+        <message>
+            <source>Show me</source>
+            <translation>演示</translation>
+        </message>
+        <message>
+            <source>Not now</source>
+            <translation>以后再说</translation>
+        </message>
+        <message>
+            <source>%1 of %2: %3</source>
+            <translation>第 %1 步，共 %2 步：%3</translation>
+        </message>
+        <message>
+            <source>Show where</source>
+            <translation>指出位置</translation>
+        </message>
+        <message>
+            <source>Skip</source>
+            <translation>跳过</translation>
+        </message>
+        <message>
+            <source>That was all. F1 opens the manual, which has the rest.</source>
+            <translation>到此结束。其余内容见手册（F1）。</translation>
+        </message>
+        <message>
+            <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing's.</source>
+            <translation>在“物体”页选择“bunny”并拖动谐波数。谐波越少，轮廓偏离原图越多。</translation>
+        </message>
+        <message>
+            <source>Take that back with Ctrl+Z. Every edit can be undone.</source>
+            <translation>用 Ctrl+Z 撤销。每项编辑都可以撤销。</translation>
+        </message>
+        <message>
+            <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
+            <translation>在“目标”页为一个物体输入 200 °C，阅读为何无法保持。</translation>
+        </message>
+        <message>
+            <source>Press “Use nearest feasible”: targets that can be held together.</source>
+            <translation>按“采用最近的可行目标”：可同时保持的目标。</translation>
+        </message>
+        <message>
+            <source>Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+            <translation>待命（F5）：传感器校零，打开记录。此时什么都不动。</translation>
+        </message>
+        <message>
+            <source>Start (F6): the heat is on, and the robot moves.</source>
+            <translation>开始（F6）：加热打开，机器人移动。</translation>
+        </message>
+        <message>
+            <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
+            <translation>温度趋向各自的目标。在“运行”页按 N，写一条备注。</translation>
+        </message>
+        <message>
+            <source>Change a gain at the controller and apply it: the traces are marked there.</source>
+            <translation>更改控制器的一个增益并应用：曲线上会有标记。</translation>
+        </message>
+        <message>
+            <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
+            <translation>“工具 &gt; 模拟故障”：去掉一个传感器。运行保持，报警说明如何处理。</translation>
+        </message>
+        <message>
+            <source>Acknowledge the alarm (F9): you have seen it.</source>
+            <translation>确认报警（F9）：表示您已看到。</translation>
+        </message>
+        <message>
+            <source>End the fault in the same menu, then Resume (Shift+F7).</source>
+            <translation>在同一菜单中结束故障，然后继续（Shift+F7）。</translation>
+        </message>
+        <message>
+            <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
+            <translation>停止（F8）：关闭加热，机器人退回，关闭记录。</translation>
+        </message>
+        <message>
+            <source>On the Review page, open the recording of this run.</source>
+            <translation>在“回顾”页打开本次运行的记录。</translation>
         </message>
     </context>
 </TS>

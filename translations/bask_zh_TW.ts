@@ -1523,6 +1523,10 @@
             <source>Report a &amp;problem…</source>
             <translation>回報問題(&amp;P)…</translation>
         </message>
+        <message>
+            <source>The &amp;first five minutes</source>
+            <translation>最初五分鐘(&amp;F)</translation>
+        </message>
     </context>
     <context>
         <name>bask::AxisTable</name>
@@ -6375,6 +6379,89 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Close</source>
             <translation>關閉</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::Coach</name>
+        <message>
+            <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
+            <translation>初次使用？在模擬實驗台上的十三個小步驟示範 Bask 的功能，不會有任何危險。</translation>
+        </message>
+        <message>
+            <source>Show me</source>
+            <translation>示範</translation>
+        </message>
+        <message>
+            <source>Not now</source>
+            <translation>以後再說</translation>
+        </message>
+        <message>
+            <source>%1 of %2: %3</source>
+            <translation>第 %1 步，共 %2 步：%3</translation>
+        </message>
+        <message>
+            <source>Show where</source>
+            <translation>指出位置</translation>
+        </message>
+        <message>
+            <source>Skip</source>
+            <translation>略過</translation>
+        </message>
+        <message>
+            <source>That was all. F1 opens the manual, which has the rest.</source>
+            <translation>到此結束。其餘內容見手冊（F1）。</translation>
+        </message>
+        <message>
+            <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing's.</source>
+            <translation>在「物體」頁選擇「bunny」並拖動諧波數。諧波越少，輪廓偏離原圖越多。</translation>
+        </message>
+        <message>
+            <source>Take that back with Ctrl+Z. Every edit can be undone.</source>
+            <translation>用 Ctrl+Z 復原。每項編輯都可以復原。</translation>
+        </message>
+        <message>
+            <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
+            <translation>在「目標」頁為一個物體輸入 200 °C，閱讀為何無法維持。</translation>
+        </message>
+        <message>
+            <source>Press “Use nearest feasible”: targets that can be held together.</source>
+            <translation>按「採用最近的可行目標」：可同時維持的目標。</translation>
+        </message>
+        <message>
+            <source>Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+            <translation>待命（F5）：感測器校零，開啟記錄。此時什麼都不動。</translation>
+        </message>
+        <message>
+            <source>Start (F6): the heat is on, and the robot moves.</source>
+            <translation>開始（F6）：加熱開啟，機器人移動。</translation>
+        </message>
+        <message>
+            <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
+            <translation>溫度趨向各自的目標。在「運轉」頁按 N，寫一則備註。</translation>
+        </message>
+        <message>
+            <source>Change a gain at the controller and apply it: the traces are marked there.</source>
+            <translation>更改控制器的一個增益並套用：曲線上會有標記。</translation>
+        </message>
+        <message>
+            <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
+            <translation>「工具 &gt; 模擬故障」：去掉一個感測器。運轉保持，警報說明如何處理。</translation>
+        </message>
+        <message>
+            <source>Acknowledge the alarm (F9): you have seen it.</source>
+            <translation>確認警報（F9）：表示您已看到。</translation>
+        </message>
+        <message>
+            <source>End the fault in the same menu, then Resume (Shift+F7).</source>
+            <translation>在同一選單中結束故障，然後繼續（Shift+F7）。</translation>
+        </message>
+        <message>
+            <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
+            <translation>停止（F8）：關閉加熱，機器人退回，關閉記錄。</translation>
+        </message>
+        <message>
+            <source>On the Review page, open the recording of this run.</source>
+            <translation>在「回顧」頁開啟本次運轉的記錄。</translation>
         </message>
     </context>
 </TS>

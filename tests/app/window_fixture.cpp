@@ -12,6 +12,7 @@ void WindowTest::SetUp() {
     for (const char* kept : {"/bask.ini", "/alarms.json"})
         QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QLatin1String(kept));
     QDir(unsavedFolder()).removeRecursively();
+    SettingsStore().setCoachAnswered();
 }
 
 void WindowTest::TearDown() {

@@ -29,6 +29,7 @@ public:
 signals:
     void actionClicked();
     void otherClicked();
+    void closed(); ///< by a person
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -1,0 +1,187 @@
+#include "app/coach.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/message_bar.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bask {
+namespace {
+
+struct Place {
+    Page page;
+    const char* control;
+};
+
+constexpr std::array<Place, Coach::kSteps> kPlaces{{{Page::Objects, "harmonicsSlider"},
+                                                    {Page::Objects, ""},
+                                                    {Page::Targets, "target0"},
+                                                    {Page::Targets, "useNearest"},
+                                                    {Page::Run, "armButton"},
+                                                    {Page::Run, "startButton"},
+                                                    {Page::Run, "plot.temperature"},
+                                                    {Page::Run, "controllerPanel"},
+                                                    {Page::Run, ""},
+                                                    {Page::Run, ""},
+                                                    {Page::Run, "resumeButton"},
+                                                    {Page::Run, "stopRunButton"},
+                                                    {Page::Review, "openSession"}}};
+
+bool isRunOn(RunState state) {
+    return state == RunState::Running || state == RunState::Settled || state == RunState::Holding;
+}
+
+} // namespace
+
+Coach::Coach(MessageBar& bar, QObject* parent) : QObject(parent), m_bar(bar) {
+    connect(&m_bar, &MessageBar::actionClicked, this, &Coach::act);
+    connect(&m_bar, &MessageBar::otherClicked, this, &Coach::skip);
+    connect(&m_bar, &MessageBar::closed, this, &Coach::end);
+}
+
+void Coach::offer() {
+    m_isOffer = true;
+    say();
+}
+
+void Coach::begin() {
+    m_isOffer = false;
+    m_step = Step::Harmonics;
+    say();
+}
+
+void Coach::end() {
+    m_isOffer = false;
+    m_step.reset();
+    m_bar.clear();
+    emit answered();
+}
+
+void Coach::act() {
+    if (m_isOffer) {
+        emit answered();
+        begin();
+    }
+    if (m_step) {
+        const Place& place = kPlaces[static_cast<std::size_t>(*m_step)];
+        emit showWanted(place.page, QLatin1String(place.control));
+    }
+}
+
+void Coach::skip() {
+    if (m_isOffer)
+        end();
+    else if (m_step)
+        done(*m_step);
+}
+
+void Coach::done(Step step) {
+    if (m_step != step)
+        return;
+    if (step == Step::Review) {
+        m_step.reset();
+        m_bar.say(MessageBar::Kind::Note, tr("That was all. F1 opens the manual, which has the rest."));
+        return;
+    }
+    m_step = static_cast<Step>(static_cast<int>(step) + 1);
+    say();
+}
+
+void Coach::see(const EditStep& edit) {
+    if (edit.edit.kind == EditKind::Outline)
+        done(Step::Harmonics);
+    else if (edit.edit.kind == EditKind::Controller)
+        done(Step::Gain);
+}
+
+void Coach::seeUndone(const EditStep& edit) {
+    if (edit.edit.kind == EditKind::Outline)
+        done(Step::Undo);
+}
+
+void Coach::seeVerdict(bool isFeasible) {
+    done(isFeasible ? Step::Feasible : Step::TooHot);
+}
+
+void Coach::see(const Snapshot& snapshot) {
+    m_state = snapshot.state;
+    if (m_isSimulated != snapshot.simulated) {
+        m_isSimulated = snapshot.simulated;
+        if (!m_isSimulated && (m_step || m_isOffer))
+            end();
+    }
+    if (m_state == RunState::Armed || isRunOn(m_state))
+        done(Step::Arm);
+    if (isRunOn(m_state))
+        done(Step::Start);
+    if (!snapshot.newNotes.empty())
+        done(Step::Note);
+    if (m_state == RunState::Holding && !snapshot.alarms.empty())
+        done(Step::Fault);
+    if (std::ranges::all_of(snapshot.alarms, &Alarm::isAcknowledged))
+        done(Step::Acknowledge);
+    if (m_state == RunState::Running || m_state == RunState::Settled)
+        done(Step::Resume);
+    if (m_state == RunState::Stopped)
+        done(Step::Stop);
+}
+
+void Coach::seeReview() {
+    done(Step::Review);
+}
+
+void Coach::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    retranslate();
+}
+
+void Coach::retranslate() {
+    if (m_isOffer || m_step)
+        say();
+}
+
+void Coach::say() {
+    if (m_isOffer)
+        return m_bar.ask(
+            tr("New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn."),
+            tr("Show me"), tr("Not now"));
+    //: number of the step, of so many, what to do
+    m_bar.ask(tr("%1 of %2: %3").arg(static_cast<int>(*m_step) + 1).arg(kSteps).arg(inUnit(words(), m_unit)),
+              tr("Show where"), tr("Skip"));
+}
+
+QString Coach::words() const {
+    switch (*m_step) {
+    case Step::Harmonics:
+        return tr("On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline "
+                  "leaves the drawing's.");
+    case Step::Undo:
+        return tr("Take that back with Ctrl+Z. Every edit can be undone.");
+    case Step::TooHot:
+        return tr("On the Targets page, type 200 °C for one object and read why it cannot be held.");
+    case Step::Feasible:
+        return tr("Press “Use nearest feasible”: targets that can be held together.");
+    case Step::Arm:
+        return tr("Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.");
+    case Step::Start:
+        return tr("Start (F6): the heat is on, and the robot moves.");
+    case Step::Note:
+        return tr("The temperatures go to their targets. Press N on the Run page and note something.");
+    case Step::Gain:
+        return tr("Change a gain at the controller and apply it: the traces are marked there.");
+    case Step::Fault:
+        return tr("Tools > Simulate fault: take a sensor away. The run holds, and an alarm says what to do.");
+    case Step::Acknowledge:
+        return tr("Acknowledge the alarm (F9): you have seen it.");
+    case Step::Resume:
+        return tr("End the fault in the same menu, then Resume (Shift+F7).");
+    case Step::Stop:
+        return tr("Stop (F8): heat off, the robot retreats, the recording is closed.");
+    case Step::Review:
+        return tr("On the Review page, open the recording of this run.");
+    }
+    return {};
+}
+
+} // namespace bask

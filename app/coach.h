@@ -1,0 +1,79 @@
+#pragma once
+// The first five minutes, as the manual has them: one thing to do at a time, seen when it is done.
+
+#include "app/edit_history.h"
+#include "engine/base/units.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace bask {
+
+class MessageBar;
+
+/// In a bar over the pages; it never does anything itself and never keeps a person from anything. For a
+/// simulated rig only.
+class Coach : public QObject {
+    Q_OBJECT
+
+public:
+    enum class Step {
+        Harmonics,
+        Undo,
+        TooHot,
+        Feasible,
+        Arm,
+        Start,
+        Note,
+        Gain,
+        Fault,
+        Acknowledge,
+        Resume,
+        Stop,
+        Review
+    };
+    static constexpr int kSteps = 13;
+
+    explicit Coach(MessageBar& bar, QObject* parent = nullptr);
+
+    /// Asks whether to begin.
+    void offer();
+    void begin();
+    /// Empty: it has not begun, or has ended.
+    std::optional<Step> step() const { return m_step; }
+
+    // What a person did
+    void see(const EditStep& edit);
+    void seeUndone(const EditStep& edit);
+    void seeVerdict(bool isFeasible);
+    void see(const Snapshot& snapshot);
+    void seeReview();
+
+    void setTemperatureUnit(TemperatureUnit unit);
+    void retranslate();
+
+signals:
+    /// Where the present step is done: a page, and a control on it by its object name if there is one.
+    void showWanted(bask::Page page, const QString& control);
+    /// The offer was answered, or the bar closed: no reason to ask again.
+    void answered();
+
+private:
+    void done(Step step);
+    void say();
+    QString words() const;
+    void act();
+    void skip();
+    void end();
+
+    MessageBar& m_bar;
+    bool m_isOffer = false;
+    std::optional<Step> m_step;
+    RunState m_state = RunState::Idle;
+    bool m_isSimulated = true;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+};
+
+} // namespace bask

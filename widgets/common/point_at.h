@@ -1,0 +1,11 @@
+#pragma once
+// A frame around a control for a moment, so that it is found.
+
+class QWidget;
+
+namespace bask {
+
+/// One at a time in a window; the control works as ever. Object name: "pointedAt".
+void pointAt(QWidget* control);
+
+} // namespace bask
