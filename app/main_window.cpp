@@ -176,10 +176,10 @@ void MainWindow::showReason(int index) {
     }
 }
 
-void MainWindow::showManual() {
+void MainWindow::showManual(const QString& page) {
     if (!m_manual)
         m_manual = new ManualWindow(this);
-    m_manual->open(QStringLiteral("manual.md"));
+    m_manual->open(page);
 }
 
 void MainWindow::reportProblem() {

@@ -70,7 +70,7 @@ private:
     void askInfeasible();
     void refuse(const Message& refusal);
     void showReason(int index);
-    void showManual();
+    void showManual(const QString& page);
     void reportProblem();
     void showTitle();
     void showAges(); ///< of the calibrations, in the list behind the chip

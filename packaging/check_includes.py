@@ -53,6 +53,7 @@ VALUE_HEADERS = {
     "engine/session/vision_spec.h",
     "engine/session/run_metrics.h",
     "engine/session/session_file.h",
+    "engine/session/session_header.h",
     "engine/session/trace.h",
     "engine/devices/camera.h",
     "engine/devices/device.h",

@@ -1,0 +1,106 @@
+#include "widgets/review/metrics_panel.h"
+
+#include "widgets/common/metric_words.h"
+#include "widgets/common/theme.h"
+#include "widgets/review/object_table.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace bask {
+
+MetricsPanel::MetricsPanel(QWidget* parent)
+    : QWidget(parent), m_table(new QTableWidget(this)), m_details(new QLabel(this)) {
+    m_table->setObjectName(QStringLiteral("metricsTable"));
+    styleObjectTable(*m_table);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    m_table->setMinimumHeight(80);
+    m_table->installEventFilter(this);
+    m_details->setObjectName(QStringLiteral("metricsDetails"));
+    m_details->setTextFormat(Qt::RichText);
+    m_details->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 4);
+    layout->setSpacing(4);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_details);
+    connect(m_details, &QLabel::linkActivated, this, &MetricsPanel::detailsRequested);
+    refresh();
+}
+
+void MetricsPanel::setMetrics(const QStringList& names, RunMetrics metrics) {
+    m_names = names;
+    m_metrics = std::move(metrics);
+    refresh();
+}
+
+void MetricsPanel::clear() {
+    setMetrics({}, {});
+}
+
+void MetricsPanel::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    refresh();
+}
+
+void MetricsPanel::refresh() {
+    m_table->setAccessibleName(tr("Metrics of the run"));
+    m_details->setText(
+        QStringLiteral("<a href=\"#\" style=\"color:%1\">%2</a>")
+            .arg(accentColor(isDark(this)).name(), tr("How these numbers are defined").toHtmlEscaped()));
+    const auto objects = static_cast<int>(m_metrics.objects.size());
+    m_table->clearSpans();
+    m_table->setColumnCount(objects + 1);
+    m_table->setRowCount(objects > 0 ? static_cast<int>(kObjectMetrics.size() + kRunMetrics.size()) : 0);
+    auto* corner = new QTableWidgetItem(tr("Metric"));
+    corner->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->setHorizontalHeaderItem(0, corner);
+    for (int i = 0; i < objects; ++i)
+        m_table->setHorizontalHeaderItem(
+            i + 1, new QTableWidgetItem(
+                       QIcon(seriesSwatch(i, isDark(this), {20, 12}, devicePixelRatioF())), m_names.value(i)));
+    const auto put = [this](int row, int column, const QString& text, const QString& definition) {
+        auto* item = new QTableWidgetItem(text);
+        item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        item->setToolTip(definition);
+        m_table->setItem(row, column, item);
+    };
+    if (objects == 0)
+        return;
+    int row = 0;
+    for (const ObjectMetric metric : kObjectMetrics) {
+        const QString definition = metricDefinition(metric, m_metrics.band_K, m_unit);
+        put(row, 0, metricName(metric), definition);
+        for (int i = 0; i < objects; ++i)
+            put(row, i + 1, metricText(metric, m_metrics, static_cast<std::size_t>(i), m_unit), definition);
+        ++row;
+    }
+    for (const RunMetric metric : kRunMetrics) { // of the run as a whole: one value for all columns
+        put(row, 0, metricName(metric), metricDefinition(metric));
+        put(row, 1, metricText(metric, m_metrics), metricDefinition(metric));
+        if (objects > 1)
+            m_table->setSpan(row, 1, 1, objects);
+        ++row;
+    }
+}
+
+bool MetricsPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->matches(QKeySequence::Copy)) {
+        copyTable(*m_table);
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void MetricsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        refresh();
+    QWidget::changeEvent(event);
+}
+
+} // namespace bask
