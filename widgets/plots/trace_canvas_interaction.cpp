@@ -265,7 +265,7 @@ void TracePlot::Canvas::setPosition(std::optional<double> time_s) {
         m_position->start->setCoords(*time_s, 1.0);
         m_position->end->setCoords(*time_s, 0.0);
     }
-    if (isVisible())
+    if (isVisible() && m_sinceReplot.isValid()) // else the first drawing is still to come, with the line
         layer(QStringLiteral("cursor"))->replot();
 }
 

@@ -1,4 +1,5 @@
-// Further runs over the one of a trace plot: colours by object, dashes by run, marked at the ends of their lines.
+// Further runs over the one of a trace plot: colours by object, dashes by run, marked at the ends of their
+// lines.
 
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_canvas.h"
