@@ -85,15 +85,17 @@ void PageHost::connectReview() {
     });
     connect(&m_library, &SessionLibrary::problem, this, &PageHost::showProblem);
     connect(&m_library, &SessionLibrary::closed, this, [this](const QString& path) {
-        showNote(tr("%1 was closed properly: its outcome is \"interrupted\" now.").arg(QFileInfo(path).fileName()));
+        showNote(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
+                     .arg(QFileInfo(path).fileName()));
         if (m_record && QString::fromStdString(m_record->path) == path)
             m_files.open(path);
     });
     connect(&m_library, &SessionLibrary::overlayRead, this,
             [this](const std::shared_ptr<const SessionRecord>& record) {
                 if (!m_review->replay()->addOverlay(record))
-                    showNote(tr("It is shown already, or there are %n runs over the open one: take one away first.",
-                                nullptr, ReplayView::kMostOverlays));
+                    showNote(tr(
+                        "It is shown already, or there are %n runs over the open one: take one away first.",
+                        nullptr, ReplayView::kMostOverlays));
             });
     connect(m_review, &ReviewPage::definitionsRequested, this,
             [this] { emit manualRequested(QStringLiteral("manual.md#metrics")); });

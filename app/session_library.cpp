@@ -6,6 +6,7 @@
 #include <QDateTime>
 #include <QFileInfo>
 #include <QFuture>
+#include <QThread>
 #include <QtConcurrentRun>
 
 namespace bask {

@@ -17,8 +17,8 @@ namespace bask {
 
 class SessionList;
 
-/// All work on files is done on one thread, in the order in which it was asked for: what is written is what is read
-/// next. A header is read again only when its file has changed.
+/// All work on files is done on one thread, in the order in which it was asked for: what is written is what
+/// is read next. A header is read again only when its file has changed.
 class SessionLibrary : public QObject {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ private:
 
     SessionList& m_list;
     QString m_folder;
-    int m_listings = 0; ///< asked for and not answered yet
+    int m_listings = 0;                                             ///< asked for and not answered yet
     std::shared_ptr<Headers> m_known = std::make_shared<Headers>(); ///< the pool's
     std::shared_ptr<std::atomic<bool>> m_isOver = std::make_shared<std::atomic<bool>>(false);
     QThreadPool m_pool;

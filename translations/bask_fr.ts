@@ -3685,6 +3685,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Undone: %1</source>
             <translation>Annulé : %1</translation>
         </message>
+        <message>
+            <source>%1 was closed properly: its outcome is "interrupted" now.</source>
+            <translation>%1 a été clôturée : son issue est maintenant « interrompu ».</translation>
+        </message>
+        <message numerus="yes">
+            <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+            <translation><numerusform>Elle est déjà affichée, ou il y a %n essai superposé à celui qui est ouvert : retirez-en un d’abord.</numerusform><numerusform>Elle est déjà affichée, ou il y a %n essais superposés à celui qui est ouvert : retirez-en un d’abord.</numerusform></translation>
+        </message>
     </context>
     <context>
         <name>bask::PairsView</name>
@@ -3911,10 +3919,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Aucune session ouverte</translation>
         </message>
         <message>
-            <source>Open a recorded run to see its traces, events and final errors.</source>
-            <translation>Ouvrez un essai enregistré pour voir ses courbes, ses événements et ses écarts finaux.</translation>
-        </message>
-        <message>
             <source>&amp;Open session…</source>
             <translation>&amp;Ouvrir une session…</translation>
         </message>
@@ -3927,28 +3931,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Écrire un fichier CSV par table, unités dans les en-têtes</translation>
         </message>
         <message>
-            <source>Temperature</source>
-            <translation>Température</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>Écart</translation>
-        </message>
-        <message>
             <source>Final values</source>
             <translation>Valeurs finales</translation>
-        </message>
-        <message>
-            <source>Events and notes</source>
-            <translation>Événements et notes</translation>
-        </message>
-        <message>
-            <source>Temperatures of the run</source>
-            <translation>Températures de l’essai</translation>
-        </message>
-        <message>
-            <source>Errors of the run</source>
-            <translation>Écarts de l’essai</translation>
         </message>
         <message>
             <source>Outcome</source>
@@ -3993,6 +3977,34 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Fitting the heat balance to the record…</source>
             <translation>Ajustement du bilan thermique à l’enregistrement…</translation>
+        </message>
+        <message>
+            <source>About</source>
+            <translation>À propos</translation>
+        </message>
+        <message>
+            <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
+            <translation>Choisissez un essai enregistré dans la liste et appuyez sur Entrée, ou ouvrez un fichier : ses courbes, événements et grandeurs s’affichent ici, et l’essai peut être rejoué.</translation>
+        </message>
+        <message>
+            <source>Heat rates</source>
+            <translation>Coefficients</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
+            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est ici.</translation>
+        </message>
+        <message>
+            <source>Metrics</source>
+            <translation>Grandeurs</translation>
+        </message>
+        <message>
+            <source>What is known of the run</source>
+            <translation>Ce que l’on sait de l’essai</translation>
+        </message>
+        <message>
+            <source>Events</source>
+            <translation>Événements</translation>
         </message>
     </context>
     <context>
@@ -4687,6 +4699,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>The report was saved as %1.</source>
             <translation>Le rapport a été enregistré sous %1.</translation>
+        </message>
+        <message>
+            <source>Folder of recorded runs</source>
+            <translation>Dossier des essais enregistrés</translation>
         </message>
     </context>
     <context>
@@ -6407,6 +6423,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>%1 (s.d. %2)</source>
+            <comment>mean with its unit, standard deviation without</comment>
             <translation>%1 (é.-t. %2)</translation>
         </message>
         <message>
@@ -6512,6 +6529,257 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>not known</source>
             <translation>inconnue</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::MetricsPanel</name>
+        <message>
+            <source>How these numbers are defined</source>
+            <translation>Définition de ces grandeurs</translation>
+        </message>
+        <message>
+            <source>Metric</source>
+            <translation>Grandeur</translation>
+        </message>
+        <message>
+            <source>Metrics of the run</source>
+            <translation>Grandeurs de l’essai</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::Outcome</name>
+        <message>
+            <source>Fault</source>
+            <translation>Défaut</translation>
+        </message>
+        <message>
+            <source>Interrupted</source>
+            <translation>Interrompu</translation>
+        </message>
+        <message>
+            <source>Not settled</source>
+            <translation>Non stabilisé</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>En cours</translation>
+        </message>
+        <message>
+            <source>Settled</source>
+            <translation>Stabilisé</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>Arrêté</translation>
+        </message>
+        <message>
+            <source>Unreadable</source>
+            <translation>Illisible</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ReplayView</name>
+        <message>
+            <source>3-D scene of the run: source, objects and their paths</source>
+            <translation>Scène 3D de l’essai : source, objets et leurs trajets</translation>
+        </message>
+        <message>
+            <source>Command speed</source>
+            <translation>Vitesse commandée</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>Erreurs</translation>
+        </message>
+        <message>
+            <source>Estimates</source>
+            <translation>Estimations</translation>
+        </message>
+        <message>
+            <source>Further traces and the scene</source>
+            <translation>Autres courbes et scène</translation>
+        </message>
+        <message>
+            <source>Laid over it:</source>
+            <translation>Superposé :</translation>
+        </message>
+        <message>
+            <source>Rates</source>
+            <translation>Vitesses de variation</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>Scène</translation>
+        </message>
+        <message>
+            <source>Take %1 away</source>
+            <translation>Retirer %1</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>Facteurs de forme</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::SessionList</name>
+        <message numerus="yes">
+            <source>%1 of %n session(s)</source>
+            <translation><numerusform>%1 sur %n session</numerusform><numerusform>%1 sur %n sessions</numerusform></translation>
+        </message>
+        <message numerus="yes">
+            <source>%n sample(s)</source>
+            <translation><numerusform>%n échantillon</numerusform><numerusform>%n échantillons</numerusform></translation>
+        </message>
+        <message numerus="yes">
+            <source>%n session(s)</source>
+            <translation><numerusform>%n session</numerusform><numerusform>%n sessions</numerusform></translation>
+        </message>
+        <message>
+            <source>Choose the folder whose runs are listed</source>
+            <translation>Choisir le dossier dont les essais sont listés</translation>
+        </message>
+        <message>
+            <source>Close it properly</source>
+            <translation>Clôturer</translation>
+        </message>
+        <message>
+            <source>Draws the selected run over the one that is open, both from their Start.</source>
+            <translation>Dessine l’essai choisi par-dessus celui qui est ouvert, tous deux depuis leur démarrage.</translation>
+        </message>
+        <message>
+            <source>Duration</source>
+            <translation>Durée</translation>
+        </message>
+        <message>
+            <source>Experiment</source>
+            <translation>Expérience</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>Dossier…</translation>
+        </message>
+        <message>
+            <source>Kept in the session file. A recording without an end has to be closed first.</source>
+            <translation>Conservées dans le fichier de session. Un enregistrement sans fin doit d’abord être clôturé.</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>RÉEL</translation>
+        </message>
+        <message>
+            <source>Lay the selected run over the open one</source>
+            <translation>Superposer l’essai choisi à celui qui est ouvert</translation>
+        </message>
+        <message>
+            <source>No recorded runs in this folder.</source>
+            <translation>Aucun essai enregistré dans ce dossier.</translation>
+        </message>
+        <message>
+            <source>Open the selected run</source>
+            <translation>Ouvrir l’essai choisi</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Ouvrir</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Issue</translation>
+        </message>
+        <message>
+            <source>Overlay</source>
+            <translation>Superposer</translation>
+        </message>
+        <message>
+            <source>Reading the folder…</source>
+            <translation>Lecture du dossier…</translation>
+        </message>
+        <message>
+            <source>Recorded runs</source>
+            <translation>Essais enregistrés</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Enregistré</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>Banc</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>SIMULÉ</translation>
+        </message>
+        <message>
+            <source>Search names, experiments, notes, tags</source>
+            <translation>Chercher noms, expériences, notes, étiquettes</translation>
+        </message>
+        <message>
+            <source>Search the recorded runs</source>
+            <translation>Chercher dans les essais enregistrés</translation>
+        </message>
+        <message>
+            <source>Tags of the selected run, with commas</source>
+            <translation>Étiquettes de l’essai choisi, séparées par des virgules</translation>
+        </message>
+        <message>
+            <source>Tags</source>
+            <translation>Étiquettes</translation>
+        </message>
+        <message>
+            <source>The recording has no end: Bask or the computer went down. Saved: %1, until %2 after Start; at most the last %3 s before it went down are missing.</source>
+            <translation>L’enregistrement n’a pas de fin : Bask ou l’ordinateur s’est arrêté. Conservé : %1, jusqu’à %2 après le démarrage ; il manque au plus les %3 dernières secondes.</translation>
+        </message>
+        <message>
+            <source>The runs listed are in %1</source>
+            <translation>Les essais listés sont dans %1</translation>
+        </message>
+        <message>
+            <source>This run is being recorded now.</source>
+            <translation>Cet essai est en cours d’enregistrement.</translation>
+        </message>
+        <message>
+            <source>with commas</source>
+            <translation>séparées par des virgules</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::TransportBar</name>
+        <message>
+            <source>Pause</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>Lecture</translation>
+        </message>
+        <message>
+            <source>Position and length of the run</source>
+            <translation>Position et durée de l’essai</translation>
+        </message>
+        <message>
+            <source>Position in the run</source>
+            <translation>Position dans l’essai</translation>
+        </message>
+        <message>
+            <source>REPLAY</source>
+            <translation>REJEU</translation>
+        </message>
+        <message>
+            <source>Space, while nothing else on the page takes it</source>
+            <translation>Espace, tant que rien d’autre sur la page ne la prend</translation>
+        </message>
+        <message>
+            <source>Speed of the replay</source>
+            <translation>Vitesse du rejeu</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Vitesse</translation>
+        </message>
+        <message>
+            <source>What is shown here was recorded: nothing moves or heats by it.</source>
+            <translation>Ce qui est affiché ici a été enregistré : rien ne bouge ni ne chauffe.</translation>
         </message>
     </context>
 </TS>

@@ -14,7 +14,7 @@
 namespace bask {
 
 MetricsPanel::MetricsPanel(QWidget* parent)
-    : QWidget(parent), m_table(new QTableWidget(this)), m_details(new QLabel(this)) {
+    : QWidget(parent), m_table(new QTableWidget(0, 1, this)), m_details(new QLabel(this)) {
     m_table->setObjectName(QStringLiteral("metricsTable"));
     styleObjectTable(*m_table);
     m_table->setFrameShape(QFrame::NoFrame);
@@ -62,8 +62,8 @@ void MetricsPanel::refresh() {
     m_table->setHorizontalHeaderItem(0, corner);
     for (int i = 0; i < objects; ++i)
         m_table->setHorizontalHeaderItem(
-            i + 1, new QTableWidgetItem(
-                       QIcon(seriesSwatch(i, isDark(this), {20, 12}, devicePixelRatioF())), m_names.value(i)));
+            i + 1, new QTableWidgetItem(QIcon(seriesSwatch(i, isDark(this), {20, 12}, devicePixelRatioF())),
+                                        m_names.value(i)));
     const auto put = [this](int row, int column, const QString& text, const QString& definition) {
         auto* item = new QTableWidgetItem(text);
         item->setTextAlignment((column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);

@@ -27,7 +27,7 @@ constexpr int kGap = 6;
 
 /// A short line in the dashes of overlay `index`, in no object's colour.
 QIcon overlayIcon(int index, const QColor& ink, double devicePixelRatio) {
-    QPixmap pixmap(QSize(28, 12) * devicePixelRatio);
+    QPixmap pixmap(QSize(32, 12) * devicePixelRatio);
     pixmap.setDevicePixelRatio(devicePixelRatio);
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
@@ -110,7 +110,7 @@ void ReplayView::connectPlots() {
         TracePlot* plot = each.plot;
         connect(plot, &TracePlot::momentClicked, this, &ReplayView::seek);
         connect(plot, &TracePlot::timeRangeChosen, this, [this, plot](double from_s, double to_s) {
-            m_visible_s = {from_s, to_s};
+            m_visible_s = std::pair{from_s, to_s};
             for (const Plot& other : m_plots)
                 if (other.plot != plot)
                     other.plot->setTimeRange(from_s, to_s);
@@ -169,8 +169,7 @@ void ReplayView::fill(Plot& each) {
     each.plot->setSamples(m_run->samples);
     addMarkers(*each.plot);
     for (const Overlay& overlay : m_overlays)
-        each.plot->addOverlay(overlay.mark, objectNames(*overlay.run),
-                              {overlay.run, &overlay.run->samples});
+        each.plot->addOverlay(overlay.mark, objectNames(*overlay.run), {overlay.run, &overlay.run->samples});
     if (m_visible_s)
         each.plot->setTimeRange(m_visible_s->first, m_visible_s->second);
 }
@@ -224,6 +223,7 @@ void ReplayView::makeTiles() {
     const auto perRow = static_cast<int>(count <= 4 ? std::max<std::size_t>(count, 1) : (count + 1) / 2);
     for (int i = 0; i < static_cast<int>(count); ++i) {
         auto* tile = new ObjectTile(i, m_tileArea);
+        tile->setObjectName(QStringLiteral("reviewTile.%1").arg(i)); // others of its kind are on the Run page
         tile->setName(m_names[i]);
         tile->setTemperatureUnit(m_unit);
         tile->clear(m_run->experiment.objects[static_cast<std::size_t>(i)].target_K);
@@ -250,7 +250,7 @@ void ReplayView::showMoment(double time_s) {
     if (m_visible_s && (time_s < m_visible_s->first || time_s > m_visible_s->second)) { // turn the page
         const double width_s = m_visible_s->second - m_visible_s->first;
         const double from_s = std::max(0.0, time_s - 0.1 * width_s);
-        m_visible_s = {from_s, from_s + width_s};
+        m_visible_s = std::pair{from_s, from_s + width_s};
         for (const Plot& each : m_plots)
             each.plot->setTimeRange(from_s, from_s + width_s);
     }
@@ -306,15 +306,16 @@ void ReplayView::showOverlays() {
     m_legendLayout->addWidget(caption, 0, 0);
     for (std::size_t k = 0; k < m_overlays.size(); ++k) {
         Overlay& overlay = m_overlays[k];
-        overlay.mark = QChar(u'B' + static_cast<char16_t>(k));
+        overlay.mark = QChar(static_cast<char16_t>(u'B' + k));
         const QString path = QString::fromStdString(overlay.run->path);
         const QString file = QFileInfo(path).completeBaseName();
         auto* button = new QPushButton(
             overlayIcon(static_cast<int>(k), palette().color(QPalette::ButtonText), devicePixelRatioF()),
-            QStringLiteral("%1  %2  \u2715").arg(overlay.mark, QString(file).replace(u'&', QStringLiteral("&&"))),
+            QStringLiteral("%1  %2  \u2715")
+                .arg(overlay.mark, QString(file).replace(u'&', QStringLiteral("&&"))),
             m_legend);
         button->setObjectName(QStringLiteral("overlay.") + overlay.mark);
-        button->setIconSize({28, 12});
+        button->setIconSize({32, 12});
         button->setFlat(true);
         button->setAccessibleName(tr("Take %1 away").arg(file));
         button->setToolTip(button->accessibleName());

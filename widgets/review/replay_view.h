@@ -23,7 +23,7 @@ class TracePlot;
 class TransportBar;
 enum class Quantity;
 
-/// Object names: those of TransportBar; tiles "objectTile.<i>"; plots "reviewTemperature", "reviewError",
+/// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "reviewTemperature", "reviewError",
 /// "reviewViewFactor", "reviewSpeed", "reviewRate", "reviewStrength", their tabs "reviewTabs"; "reviewScene"
 /// once it was looked at; a button to take an overlay away "overlay.<letter>".
 class ReplayView : public QWidget {
@@ -93,7 +93,7 @@ private:
     QGridLayout* m_tileLayout;
     std::vector<ObjectTile*> m_tiles;
     std::vector<Plot> m_plots; ///< temperature first, then the tabs' in order
-    QTabWidget* m_tabs;
+    QTabWidget* m_tabs = nullptr;
     QWidget* m_sceneTab;
     SceneView* m_scene = nullptr;
 };

@@ -1,6 +1,5 @@
 #include "widgets/review/review_page.h"
 
-#include "engine/base/message_code.h"
 #include "engine/session/run_metrics.h"
 #include "engine/session/session_header.h"
 #include "widgets/common/display.h"
@@ -18,6 +17,7 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QFuture>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -27,16 +27,21 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QVBoxLayout>
+#include <QtConcurrentRun>
 
 #include <algorithm>
 
 namespace bask {
 
+namespace {
+
 /// What takes long on a long run.
-struct ReviewPage::Numbers {
+struct Numbers {
     std::vector<FinalValue> finals;
     RunMetrics metrics;
 };
+
+} // namespace
 
 ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new SessionList(this)) {
     setFocusPolicy(Qt::ClickFocus);
@@ -45,7 +50,7 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     left->addWidget(m_sessions);
     left->addWidget(buildDetails());
     left->setSizes({300, 260});
-    left->setMinimumWidth(340);
+    left->setMinimumWidth(260);
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(buildEmpty());
     m_stack->addWidget(buildRun());
@@ -183,7 +188,7 @@ QWidget* ReviewPage::buildDetails() {
     column->addWidget(m_final);
     column->addStretch(1);
     for (QWidget* tab : std::initializer_list<QWidget*>{m_events, m_metrics, finals,
-                                                         buildIdentified(m_details), buildFacts(m_details)})
+                                                        buildIdentified(m_details), buildFacts(m_details)})
         m_details->addTab(tab, QString());
     return m_details;
 }
@@ -222,19 +227,18 @@ void ReviewPage::setSession(std::shared_ptr<const SessionRecord> session, const 
 void ReviewPage::count() {
     m_final->setValues({});
     m_metrics->clear();
-    m_counting.run(
-        [session = m_session] {
-            return std::make_shared<Numbers>(Numbers{finalValues(*session), runMetrics(*session)});
-        },
-        [this, session = m_session](const std::shared_ptr<Numbers>& numbers) {
-            if (session != m_session)
-                return;
-            QStringList names;
-            for (const ObjectSpec& object : session->experiment.objects)
-                names << QString::fromStdString(object.name);
-            m_final->setValues(numbers->finals);
-            m_metrics->setMetrics(names, numbers->metrics);
-        });
+    const auto session = m_session;
+    QtConcurrent::run([session] {
+        return std::make_shared<Numbers>(Numbers{finalValues(*session), runMetrics(*session)});
+    }).then(this, [this, session](const std::shared_ptr<Numbers>& numbers) {
+        if (session != m_session) // another one was opened meanwhile
+            return;
+        QStringList names;
+        for (const ObjectSpec& object : session->experiment.objects)
+            names << QString::fromStdString(object.name);
+        m_final->setValues(numbers->finals);
+        m_metrics->setMetrics(names, numbers->metrics);
+    });
 }
 
 void ReviewPage::setIdentified(const std::vector<IdentifiedRow>& rows) {
@@ -256,7 +260,6 @@ void ReviewPage::setIdentificationFailed(const QString& sentence) {
 void ReviewPage::clear() {
     m_session.reset();
     m_sentences.clear();
-    m_counting.forget();
     m_final->setValues({});
     m_metrics->clear();
     m_events->clear();
@@ -304,8 +307,9 @@ void ReviewPage::showOutcome() {
 QString ReviewPage::outcomeText() const {
     const std::string& outcome = m_session->outcome;
     if (outcome == kOutcomeInterrupted)
-        return tr("Interrupted: the recording ended without a Stop, and was closed later. What had been written "
-                  "is here.");
+        return tr(
+            "Interrupted: the recording ended without a Stop, and was closed later. What had been written "
+            "is here.");
     if (m_session->interrupted())
         return tr("Interrupted: the recording ended without a Stop. What had been written is here.");
     if (outcome == "settled")
@@ -321,15 +325,15 @@ QString ReviewPage::outcomeText() const {
 
 void ReviewPage::refreshTexts() {
     m_emptyTitle->setText(tr("No session open"));
-    m_emptyText->setText(tr("Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, "
-           "and it can be played again."));
+    m_emptyText->setText(tr("Choose a recorded run in the list and press Enter, or open a file: its traces, "
+                            "events and metrics are shown here, "
+                            "and it can be played again."));
     m_emptyText->setPalette(captionPalette(palette()));
     for (QPushButton* button : {m_open, m_openEmpty})
         button->setText(tr("&Open session\u2026"));
     m_export->setText(tr("&Export CSV\u2026"));
     m_export->setToolTip(tr("Write one CSV file per table, units in the headers"));
-    const QString tabs[] = {tr("Events and notes"), tr("Metrics"), tr("Final values"), tr("Heat rates"),
-                            tr("About")};
+    const QString tabs[] = {tr("Events"), tr("Metrics"), tr("Final values"), tr("Heat rates"), tr("About")};
     for (int i = 0; i < m_details->count(); ++i)
         m_details->setTabText(i, tabs[i]);
     m_details->setAccessibleName(tr("What is known of the run"));

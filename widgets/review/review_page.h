@@ -1,10 +1,9 @@
 #pragma once
-// The Review page: recorded runs found again, one of them opened: its facts, replay, metrics, final values, events and
-// notes.
+// The Review page: recorded runs found again, one of them opened: its facts, replay, metrics, final values,
+// events and notes.
 
 #include "engine/base/units.h"
 #include "engine/session/session_file.h"
-#include "widgets/common/latest_job.h"
 
 #include <QWidget>
 
@@ -23,14 +22,13 @@ class IdentifiedTable;
 class MetricsPanel;
 class ReplayView;
 class SessionList;
-struct FinalValue;
 struct IdentifiedRow;
-struct RunMetrics;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
 /// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedNote", "useIdentified",
-/// "reviewEvents", "reviewDetails" (the tabs of these), and those of SessionList, ReplayView and MetricsPanel.
+/// "reviewEvents", "reviewDetails" (the tabs of these), and those of SessionList, ReplayView and
+/// MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -38,8 +36,8 @@ public:
     explicit ReviewPage(QWidget* parent = nullptr);
     ~ReviewPage() override;
 
-    /// Shows a run; `eventSentences` are its events translated, in their order. The one that is shown already only
-    /// gets its sentences. Metrics and final values follow, from a thread of their own.
+    /// Shows a run; `eventSentences` are its events translated, in their order. The one that is shown already
+    /// only gets its sentences. Metrics and final values follow, from a thread of their own.
     void setSession(std::shared_ptr<const SessionRecord> session, const QStringList& eventSentences);
     /// Heat rates from the record, found by the receiver after setSession; until then they are said to be on
     /// their way.
@@ -68,7 +66,6 @@ private:
         QLabel* caption;
         QLabel* value;
     };
-    struct Numbers;
     QWidget* buildEmpty();
     QWidget* buildDetails();
     QWidget* buildRun();
@@ -105,7 +102,6 @@ private:
     QPushButton* m_useIdentified;
     bool m_identifying = false;
     EventList* m_events;
-    LatestJob<std::shared_ptr<Numbers>> m_counting;
 };
 
 } // namespace bask

@@ -89,17 +89,19 @@ SessionList::SessionList(QWidget* parent)
     auto* top = new QHBoxLayout;
     top->addWidget(m_search, 1);
     top->addWidget(m_folder);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_count, 1);
+    buttons->addWidget(m_compare);
+    buttons->addWidget(m_open);
     auto* bottom = new QHBoxLayout;
     bottom->addWidget(m_tagsLabel);
     bottom->addWidget(m_tags, 1);
-    bottom->addWidget(m_compare);
-    bottom->addWidget(m_open);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(6);
     layout->addLayout(top);
     layout->addWidget(m_tree, 1);
-    layout->addWidget(m_count);
+    layout->addLayout(buttons);
     layout->addWidget(m_message);
     layout->addLayout(bottom);
 
@@ -204,14 +206,14 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
     const QString rig = session.error ? QString() : session.simulated ? tr("SIMULATED") : tr("LIVE");
     const QString word = outcome == Outcome::Other ? text(session.outcome) : outcomeWord(outcome);
     const bool hasTime = !session.error && session.samples > 0;
-    const QStringList texts{QLocale().toString(date, QLocale::ShortFormat),
-                            experiment,
-                            word,
-                            hasTime ? formatDuration(session.end_s) : kNoValue,
-                            rig,
-                            tags};
-    const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()), experiment, word,
-                             hasTime ? session.end_s : -1.0, rig, tags};
+    const QStringList texts{QLocale().toString(date, QLocale::ShortFormat),     experiment, word,
+                            hasTime ? formatDuration(session.end_s) : kNoValue, rig,        tags};
+    const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
+                             experiment,
+                             word,
+                             hasTime ? session.end_s : -1.0,
+                             rig,
+                             tags};
     for (int column = 0; column < kColumns; ++column) {
         row->setText(column, texts[column]);
         row->setData(column, kSortRole, keys[column]);
@@ -278,10 +280,10 @@ void SessionList::showSelected() {
     if (session == nullptr)
         return m_message->clear();
     if (session->error)
-        return m_message->say(MessageBar::Kind::Problem,
-                              QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(),
-                                                           sentenceText(session->error->message)),
-                              {}, false);
+        return m_message->say(
+            MessageBar::Kind::Problem,
+            QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), sentenceText(session->error->message)),
+            {}, false);
     if (isOn)
         return m_message->say(MessageBar::Kind::Note, tr("This run is being recorded now."), {}, false);
     if (!session->outcome.empty())

@@ -18,8 +18,8 @@ namespace bask {
 
 class MessageBar;
 
-/// Reading and writing are the receiver's work. Object names: "sessionSearch", "sessionFolder", "sessionTree",
-/// "sessionCount", "sessionMessage", "sessionTags", "sessionOpen", "sessionCompare".
+/// Reading and writing are the receiver's work. Object names: "sessionSearch", "sessionFolder",
+/// "sessionTree", "sessionCount", "sessionMessage", "sessionTags", "sessionOpen", "sessionCompare".
 class SessionList : public QWidget {
     Q_OBJECT
 

@@ -130,8 +130,8 @@ void TransportBar::setSpan(double begin_s, double end_s) {
         m_slider->setRange(milliseconds(m_replay.begin_s()), milliseconds(m_replay.end_s()));
     }
     const QString longest = formatDuration(m_replay.end_s());
-    m_time->setMinimumWidth(
-        m_time->fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(longest)) + 4);
+    m_time->setMinimumWidth(m_time->fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(longest)) +
+                            4);
     setEnabled(m_replay.end_s() > m_replay.begin_s());
     showPosition();
 }

@@ -14,8 +14,8 @@ class QSlider;
 
 namespace bask {
 
-/// Tells the moment to show, at most 25 times a second while playing, and only while it can be seen: hidden, it
-/// pauses. Object names: "replayTag", "replayPlay", "replaySlider", "replayTime", "replaySpeed".
+/// Tells the moment to show, at most 25 times a second while playing, and only while it can be seen: hidden,
+/// it pauses. Object names: "replayTag", "replayPlay", "replaySlider", "replayTime", "replaySpeed".
 class TransportBar : public QWidget {
     Q_OBJECT
 

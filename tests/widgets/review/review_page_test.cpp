@@ -278,13 +278,13 @@ TEST_F(ReviewPageTest, ASeekMovesAllToThatMoment) {
         page.replay()->seek(moment_s);
         QApplication::processEvents();
     }
-    RecordProperty("ms_each", std::to_string(timer.elapsed() / 10.0));
+    RecordProperty("ms_each", std::to_string(static_cast<double>(timer.elapsed()) / 10.0));
     EXPECT_LT(timer.elapsed(), 1000) << "ten seeks with what they draw";
     EXPECT_EQ(child<QLabel>("replayTime")->text(), "0:40 / 3:20");
     EXPECT_EQ(child<QSlider>("replaySlider")->value(), 40'000);
     EXPECT_EQ(child<TracePlot>("reviewTemperature")->position_s(), 40.0);
     const double then_K = std::round((313.15 - 15.0 * std::exp(-40 / 18.0)) * 10.0) / 10.0;
-    auto* tile = child<QWidget>("objectTile.0");
+    auto* tile = child<QWidget>("reviewTile.0");
     EXPECT_EQ(tile->findChild<QLabel*>("tileTemperature")->text(),
               formatTemperature(then_K, TemperatureUnit::Celsius));
     child<QSlider>("replaySlider")->setValue(60'000);
@@ -347,13 +347,15 @@ TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     for (int row = 0; row < table->rowCount(); ++row)
         EXPECT_GT(table->item(row, 0)->toolTip().size(), 20) << row;
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
-    EXPECT_TRUE(table->item(0, 1)->text().startsWith("313.1") || table->item(0, 1)->text().startsWith("313.2"));
+    EXPECT_TRUE(table->item(0, 1)->text().startsWith("313.1") ||
+                table->item(0, 1)->text().startsWith("313.2"));
     QSignalSpy wanted(&page, &ReviewPage::definitionsRequested);
     emit child<QLabel>("metricsDetails")->linkActivated("#");
     EXPECT_EQ(wanted.count(), 1);
 }
 
-// Catches an overlay without its mark, one that stays when another run is opened, or that cannot be taken away.
+// Catches an overlay without its mark, one that stays when another run is opened, or that cannot be taken
+// away.
 TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
     show(record());
     auto other = std::make_shared<SessionRecord>(record());
@@ -363,7 +365,8 @@ TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
     auto* plot = child<TracePlot>("reviewTemperature");
     ASSERT_TRUE(page.replay()->addOverlay(other));
     EXPECT_FALSE(page.replay()->addOverlay(other)) << "it is there";
-    EXPECT_FALSE(page.replay()->addOverlay(std::make_shared<SessionRecord>(record()))) << "it is the open one";
+    EXPECT_FALSE(page.replay()->addOverlay(std::make_shared<SessionRecord>(record())))
+        << "it is the open one";
     EXPECT_EQ(plot->overlayLabels(), (QStringList{"circle B", "bunny B", "hand B"}));
     EXPECT_EQ(plot->visibleTo_s(), 400.0) << "the longer run is in view";
     EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);

@@ -48,7 +48,8 @@ struct SessionListTest : testing::Test {
         list.setSessions({a, b, cut, bad});
         list.resize(500, 500);
         list.show();
-        QApplication::processEvents();
+        list.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&list));
     }
     QTreeWidgetItem* row(const char* name) {
         for (int k = 0; k < tree->topLevelItemCount(); ++k)
@@ -86,15 +87,16 @@ TEST_F(SessionListTest, ARowTellsTheRun) {
         EXPECT_FALSE(row(name)->icon(2).isNull()) << name;
     tree->sortByColumn(0, Qt::DescendingOrder);
     EXPECT_EQ(tree->indexOfTopLevelItem(row("b")) + 1, tree->indexOfTopLevelItem(row("a")));
-    EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "4 session(s)") << "English plurals are a translation";
+    EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "4 session(s)")
+        << "English plurals are a translation";
 }
 
 // Catches a search that misses a field, or takes any word for all.
 TEST_F(SessionListTest, TheSearchLooksIntoAll) {
     const std::pair<const char*, QStringList> cases[] = {
-        {"DOOR", {"a"}},      {"paper", {"a"}},     {"title", {"a", "b", "cut"}}, {"bad.bask", {"bad"}},
-        {"live", {"b"}},      {"door good", {"a"}}, {"door live", {}},            {"circle fault", {"b"}},
-        {"", {"a", "b", "bad", "cut"}}};
+        {"DOOR", {"a"}},       {"paper", {"a"}},        {"title", {"a", "b", "cut"}},
+        {"bad.bask", {"bad"}}, {"live", {"b"}},         {"door good", {"a"}},
+        {"door live", {}},     {"circle fault", {"b"}}, {"", {"a", "b", "bad", "cut"}}};
     for (const auto& [text, wanted] : cases) {
         search->setText(text);
         EXPECT_EQ(found(), wanted) << text;
