@@ -1,0 +1,244 @@
+// Every page in every language: no text is cut off, and every control has a name and is reached by keyboard.
+
+#include "tests/app/window_fixture.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSpinBox>
+#include <QAccessible>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QSlider>
+#include <QStyle>
+#include <QTabBar>
+#include <QTableView>
+#include <QToolButton>
+
+namespace bask::test {
+namespace {
+
+QString nameOf(const QObject* object) {
+    return QLatin1String(object->metaObject()->className()) + u' ' + object->objectName();
+}
+
+bool isSpinBoxPart(const QWidget* widget) {
+    const QWidget* parent = widget->parentWidget();
+    return qobject_cast<const QAbstractSpinBox*>(parent) != nullptr ||
+           qobject_cast<const QComboBox*>(parent) != nullptr;
+}
+
+/// Texts that the place they have does not hold.
+class Cut {
+public:
+    explicit Cut(const QWidget* window) {
+        for (const QWidget* widget : window->findChildren<QWidget*>())
+            if (widget->isVisible())
+                one(widget);
+    }
+    const QStringList& found() const { return m_found; }
+    int looked() const { return m_looked; }
+
+private:
+    void need(const QWidget* widget, QSize needed, const QString& text) {
+        ++m_looked;
+        const QSize has = seenOf(widget);
+        if (needed.width() > has.width() || needed.height() > has.height())
+            m_found << QStringLiteral("%1 has %2 x %3, needs %4 x %5: %6")
+                           .arg(nameOf(widget))
+                           .arg(has.width())
+                           .arg(has.height())
+                           .arg(needed.width())
+                           .arg(needed.height())
+                           .arg(text);
+    }
+
+    /// What its parents leave of it; what is scrolled is seen in time.
+    static QSize seenOf(const QWidget* widget) {
+        QRect seen = widget->rect();
+        QPoint offset;
+        for (const QWidget* w = widget; !w->isWindow(); w = w->parentWidget()) {
+            if (qobject_cast<const QAbstractScrollArea*>(w->parentWidget()))
+                return widget->size();
+            offset += w->pos();
+            seen &= w->parentWidget()->rect().translated(-offset);
+        }
+        return seen.size();
+    }
+
+    void one(const QWidget* widget) {
+        if (const auto* label = qobject_cast<const QLabel*>(widget); label && !label->text().isEmpty()) {
+            if (label->wordWrap())
+                need(label, {label->minimumSizeHint().width(), label->heightForWidth(label->width())},
+                     label->text());
+            else
+                need(label, label->sizeHint(), label->text());
+        } else if (const auto* button = qobject_cast<const QAbstractButton*>(widget)) {
+            if (!button->text().isEmpty() && button->minimumSizeHint().isValid())
+                need(button, button->minimumSizeHint(), button->text());
+        } else if (const auto* combo = qobject_cast<const QComboBox*>(widget)) {
+            QStyleOptionComboBox option;
+            option.initFrom(combo);
+            option.editable = combo->isEditable();
+            const QRect field = combo->style()->subControlRect(QStyle::CC_ComboBox, &option,
+                                                               QStyle::SC_ComboBoxEditField, combo);
+            const int width = combo->fontMetrics().horizontalAdvance(combo->currentText());
+            need(combo, {combo->width() + width - field.width(), 0}, combo->currentText());
+        } else if (const auto* box = qobject_cast<const QAbstractSpinBox*>(widget)) {
+            const auto* edit = box->findChild<QLineEdit*>();
+            const int width = edit->fontMetrics().horizontalAdvance(edit->text());
+            need(box, {box->width() + width - edit->contentsRect().width(), 0}, edit->text());
+        } else if (const auto* header = qobject_cast<const QHeaderView*>(widget)) {
+            for (int i = 0; header->orientation() == Qt::Horizontal && i < header->count(); ++i)
+                if (!header->isSectionHidden(i)) {
+                    const int hint = header->sectionSizeHint(i);
+                    ++m_looked;
+                    if (header->sectionSize(i) < hint)
+                        m_found << QStringLiteral("%1 of %2 has %3, needs %4: %5")
+                                       .arg(nameOf(header), nameOf(header->parent()))
+                                       .arg(header->sectionSize(i))
+                                       .arg(hint)
+                                       .arg(header->model()->headerData(i, Qt::Horizontal).toString());
+                }
+        } else if (const auto* bar = qobject_cast<const QTabBar*>(widget)) {
+            need(bar, bar->sizeHint(), bar->tabText(0));
+        } else if (const auto* table = qobject_cast<const QTableView*>(widget)) {
+            cells(*table);
+        }
+    }
+
+    /// A cell may be shorter than its text if pointing at it tells the whole.
+    void cells(const QTableView& table) {
+        const QAbstractItemModel& model = *table.model();
+        for (int row = 0; row < model.rowCount(); ++row)
+            for (int column = 0; column < model.columnCount(); ++column) {
+                const QModelIndex index = model.index(row, column);
+                const QString text = index.data().toString();
+                if (text.isEmpty() || table.isColumnHidden(column) || table.indexWidget(index))
+                    continue;
+                ++m_looked;
+                const int margin = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin) + 1);
+                const int width = table.fontMetrics().horizontalAdvance(text) + margin;
+                if (width > table.columnWidth(column) && index.data(Qt::ToolTipRole).toString().isEmpty())
+                    m_found << QStringLiteral("cell %1, %2 of %3 has %4, needs %5: %6")
+                                   .arg(row)
+                                   .arg(column)
+                                   .arg(nameOf(&table))
+                                   .arg(table.columnWidth(column))
+                                   .arg(width)
+                                   .arg(text);
+            }
+    }
+
+    QStringList m_found;
+    int m_looked = 0;
+};
+
+bool isControl(const QWidget* widget) {
+    if (isSpinBoxPart(widget))
+        return false;
+    return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QLineEdit*>(widget) ||
+           qobject_cast<const QComboBox*>(widget) || qobject_cast<const QAbstractSpinBox*>(widget) ||
+           (qobject_cast<const QAbstractSlider*>(widget) && !qobject_cast<const QScrollBar*>(widget)) ||
+           (qobject_cast<const QAbstractItemView*>(widget) && !qobject_cast<const QHeaderView*>(widget));
+}
+
+bool hasShortcut(const QWidget* widget) {
+    const auto* button = qobject_cast<const QAbstractButton*>(widget);
+    if (button == nullptr)
+        return false;
+    if (qobject_cast<const QLineEdit*>(widget->parentWidget()))
+        return true; // clears it, as its keys do
+    const auto* tool = qobject_cast<const QToolButton*>(widget);
+    return !button->shortcut().isEmpty() ||
+           (tool && tool->defaultAction() && !tool->defaultAction()->shortcuts().isEmpty());
+}
+
+constexpr QSize kSmall{1024, 700};
+
+class LegibleTest : public WindowTest {
+protected:
+    template <class Look> void onEachPage(Look look) {
+        for (int page = 0; page < kPages; ++page) {
+            window->pages().show(static_cast<Page>(page));
+            const QDeadlineTimer settled(200);
+            waitFor([&] { return settled.hasExpired(); });
+            look(page);
+        }
+    }
+
+    /// Fills tables, tiles and lists.
+    void holdARunAndOpenIt() {
+        ASSERT_NO_FATAL_FAILURE(goFast());
+        ASSERT_TRUE(waitForState(RunState::Ready));
+        click("armButton");
+        ASSERT_TRUE(waitForState(RunState::Armed));
+        click("startButton");
+        ASSERT_TRUE(waitFor([this] { return samples.size() > 20; }));
+        click("holdButton");
+        ASSERT_TRUE(waitForState(RunState::Holding));
+        const QString recording = QString::fromStdString(window->lastSnapshot().recordingPath);
+        bool isOpened = false;
+        QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
+                         [&] { isOpened = true; });
+        window->files().open(recording);
+        ASSERT_TRUE(waitFor([&] { return isOpened; }));
+    }
+};
+
+// Catches: a translation longer than its place, a column too narrow, a row of buttons pushed together.
+TEST_F(LegibleTest, NoTextIsCutOffInAnyLanguage) {
+    openWindow(kSmall);
+    ASSERT_NO_FATAL_FAILURE(holdARunAndOpenIt());
+    int looked = 0;
+    for (const char* language : {"en", "fr", "zh_CN", "zh_TW"}) {
+        window->setLanguage(QLatin1String(language));
+        onEachPage([&](int page) {
+            waitFor([this] { return Cut(window.get()).found().isEmpty(); }, 2000); // layouts settle
+            const Cut cut(window.get());
+            looked += cut.looked();
+            EXPECT_TRUE(cut.found().isEmpty()) << language << ", page " << page << "\n  "
+                                               << cut.found().join(QStringLiteral("\n  ")).toStdString();
+        });
+    }
+    EXPECT_GT(looked, 1000);
+}
+
+// Catches: a control that a screen reader cannot name.
+TEST_F(LegibleTest, EveryControlHasAName) {
+    openWindow();
+    int looked = 0;
+    onEachPage([&](int page) {
+        for (QWidget* widget : window->findChildren<QWidget*>()) {
+            if (!widget->isVisible() || !isControl(widget))
+                continue;
+            ++looked;
+            const QAccessibleInterface* told = QAccessible::queryAccessibleInterface(widget);
+            EXPECT_FALSE(told == nullptr || told->text(QAccessible::Name).isEmpty())
+                << "page " << page << ": " << nameOf(widget).toStdString();
+        }
+    });
+    EXPECT_GT(looked, 100);
+}
+
+// Catches: a control that only the mouse reaches, and a table that Tab never leaves.
+TEST_F(LegibleTest, EveryControlIsReachedByKeyboard) {
+    openWindow();
+    onEachPage([&](int page) {
+        for (const QWidget* widget : window->findChildren<QWidget*>()) {
+            if (!widget->isVisible() || !isControl(widget))
+                continue;
+            const auto where = [&] {
+                return QStringLiteral("page %1: %2").arg(page).arg(nameOf(widget)).toStdString();
+            };
+            EXPECT_TRUE((widget->focusPolicy() & Qt::TabFocus) != 0 || hasShortcut(widget)) << where();
+            const auto* view = qobject_cast<const QAbstractItemView*>(widget);
+            EXPECT_FALSE(view != nullptr && view->tabKeyNavigation()) << where();
+        }
+    });
+}
+
+} // namespace
+} // namespace bask::test
