@@ -123,6 +123,7 @@ private:
 
     QTimer m_timer;
     QElapsedTimer m_sinceReplot;
+    bool m_isDrawn = false; ///< for the first time
     bool m_programRange = false;
     bool m_valueAuto = true;
     std::optional<double> m_pinned_s;

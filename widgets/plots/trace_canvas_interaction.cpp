@@ -26,6 +26,7 @@ void TracePlot::Canvas::connectInteraction() {
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] { redrawNow(); });
+    connect(this, &QCustomPlot::afterReplot, this, [this] { m_isDrawn = true; });
     connect(this, &QCustomPlot::afterLayout, this, [this] {
         placeLabels();
         placeMarkerTexts();
@@ -265,7 +266,7 @@ void TracePlot::Canvas::setPosition(std::optional<double> time_s) {
         m_position->start->setCoords(*time_s, 1.0);
         m_position->end->setCoords(*time_s, 0.0);
     }
-    if (isVisible() && m_sinceReplot.isValid()) // else the first drawing is still to come, with the line
+    if (isVisible() && m_isDrawn) // else the first drawing is still to come, with the line
         layer(QStringLiteral("cursor"))->replot();
 }
 

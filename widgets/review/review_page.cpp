@@ -54,24 +54,23 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     m_stack = new QStackedWidget(this);
     m_stack->addWidget(buildEmpty());
     m_stack->addWidget(buildRun());
-    auto* splitter = new QSplitter(Qt::Horizontal, this);
-    splitter->setChildrenCollapsible(false);
-    splitter->setHandleWidth(12);
-    splitter->addWidget(left);
-    splitter->addWidget(m_stack);
-    splitter->setStretchFactor(0, 0);
-    splitter->setStretchFactor(1, 1);
-    splitter->setSizes({430, 760});
+    m_splitter = new QSplitter(Qt::Horizontal, this);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setHandleWidth(12);
+    m_splitter->addWidget(left);
+    m_splitter->addWidget(m_stack);
+    m_splitter->setStretchFactor(0, 0);
+    m_splitter->setStretchFactor(1, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 10, 12, 10);
-    layout->addWidget(splitter);
-    m_details->hide();
+    layout->addWidget(m_splitter);
     for (QPushButton* button : {m_open, m_openEmpty})
         connect(button, &QPushButton::clicked, this, &ReviewPage::openRequested);
     connect(m_export, &QPushButton::clicked, this, &ReviewPage::exportRequested);
     connect(m_useIdentified, &QPushButton::clicked, this, &ReviewPage::useIdentifiedRequested);
     connect(m_metrics, &MetricsPanel::detailsRequested, this, &ReviewPage::definitionsRequested);
     connect(m_events, &EventList::timeChosen, m_replay, &ReplayView::seek);
+    showRun(false);
     refreshTexts();
 }
 
@@ -219,9 +218,16 @@ void ReviewPage::setSession(std::shared_ptr<const SessionRecord> session, const 
     count();
     showEvents();
     refreshTexts();
-    m_details->show();
-    m_stack->setCurrentIndex(1);
+    if (m_stack->currentIndex() == 0)
+        showRun(true);
     setFocus(); // so that Space plays
+}
+
+/// Without a run the list has the room.
+void ReviewPage::showRun(bool isOpen) {
+    m_details->setVisible(isOpen);
+    m_stack->setCurrentIndex(isOpen ? 1 : 0);
+    m_splitter->setSizes(isOpen ? QList<int>{430, 760} : QList<int>{720, 470});
 }
 
 void ReviewPage::count() {
@@ -265,8 +271,7 @@ void ReviewPage::clear() {
     m_events->clear();
     m_replay->clear();
     m_sessions->setComparable(false);
-    m_details->hide();
-    m_stack->setCurrentIndex(0);
+    showRun(false);
 }
 
 void ReviewPage::setTemperatureUnit(TemperatureUnit unit) {

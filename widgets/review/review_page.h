@@ -11,6 +11,7 @@
 
 class QLabel;
 class QPushButton;
+class QSplitter;
 class QStackedWidget;
 class QTabWidget;
 
@@ -73,6 +74,7 @@ private:
     QWidget* buildFacts(QWidget* parent);
     QWidget* buildIdentified(QWidget* parent);
     void count();
+    void showRun(bool isOpen);
     void showEvents();
     void refreshTexts();
     void showOutcome();
@@ -81,6 +83,7 @@ private:
     std::shared_ptr<const SessionRecord> m_session; ///< null: none open
     QStringList m_sentences;
 
+    QSplitter* m_splitter;
     SessionList* m_sessions;
     QTabWidget* m_details;
     QStackedWidget* m_stack;

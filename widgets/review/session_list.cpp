@@ -24,6 +24,7 @@ namespace bask {
 namespace {
 
 enum Column { kDate, kExperiment, kOutcome, kDuration, kRig, kTags, kColumns };
+constexpr int kLeastExperiment = 90; // px; longer titles are elided
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kSearchRole = Qt::UserRole + 2;
@@ -170,7 +171,7 @@ void SessionList::showRows() {
     const SessionHeader* before = selected();
     const std::string chosen = before != nullptr ? before->path : std::string();
     const QSignalBlocker quiet(m_tree);
-    const int widths[] = {m_tree->columnWidth(kDate), m_tree->columnWidth(kExperiment)};
+    const int dateWidth = m_tree->columnWidth(kDate);
     const bool isFirst = m_tree->topLevelItemCount() == 0;
     m_tree->setSortingEnabled(false);
     m_tree->clear();
@@ -184,15 +185,29 @@ void SessionList::showRows() {
     m_tree->setSortingEnabled(true);
     if (current != nullptr)
         m_tree->setCurrentItem(current);
-    if (isFirst) {
+    if (isFirst)
         for (int column = 0; column < kTags; ++column)
             m_tree->resizeColumnToContents(column);
-    } else {
-        m_tree->setColumnWidth(kDate, widths[0]);
-        m_tree->setColumnWidth(kExperiment, widths[1]);
-    }
+    else
+        m_tree->setColumnWidth(kDate, dateWidth);
+    fitExperiment();
     search();
     showSelected();
+}
+
+/// Titles get what the other columns leave.
+void SessionList::fitExperiment() {
+    int others = m_tree->header()->minimumSectionSize() + 40; // tags
+    for (const Column column : {kDate, kOutcome, kDuration, kRig})
+        others += m_tree->columnWidth(column);
+    const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kExperiment) + 8;
+    const int room = m_tree->viewport()->width() - others;
+    m_tree->setColumnWidth(kExperiment, std::max(std::min(wanted, room), kLeastExperiment));
+}
+
+void SessionList::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitExperiment();
 }
 
 void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) const {
@@ -206,8 +221,14 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
     const QString rig = session.error ? QString() : session.simulated ? tr("SIMULATED") : tr("LIVE");
     const QString word = outcome == Outcome::Other ? text(session.outcome) : outcomeWord(outcome);
     const bool hasTime = !session.error && session.samples > 0;
-    const QStringList texts{QLocale().toString(date, QLocale::ShortFormat),     experiment, word,
-                            hasTime ? formatDuration(session.end_s) : kNoValue, rig,        tags};
+    const QLocale locale;
+    const QString day = locale.toString(date.date(), QLocale::ShortFormat);
+    const QStringList texts{day + u' ' + locale.toString(date.time(), QStringLiteral("HH:mm")),
+                            experiment,
+                            word,
+                            hasTime ? formatDuration(session.end_s) : kNoValue,
+                            rig,
+                            tags};
     const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
                              experiment,
                              word,
@@ -219,6 +240,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
         row->setData(column, kSortRole, keys[column]);
         row->setToolTip(column, text(session.path));
     }
+    row->setToolTip(kExperiment, experiment);
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
     row->setIcon(kOutcome, QIcon(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF())));
     if (session.error)

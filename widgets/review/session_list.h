@@ -48,10 +48,12 @@ signals:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     void showRows();
     void fillRow(QTreeWidgetItem* row, const SessionHeader& session) const;
+    void fitExperiment();
     void search();
     void showSelected();
     void takeTags();
