@@ -3979,16 +3979,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Ajustement du bilan thermique à l’enregistrement…</translation>
         </message>
         <message>
-            <source>About</source>
-            <translation>À propos</translation>
-        </message>
-        <message>
             <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
             <translation>Choisissez un essai enregistré dans la liste et appuyez sur Entrée, ou ouvrez un fichier : ses courbes, événements et grandeurs s’affichent ici, et l’essai peut être rejoué.</translation>
-        </message>
-        <message>
-            <source>Heat rates</source>
-            <translation>Coefficients</translation>
         </message>
         <message>
             <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
@@ -4003,8 +3995,16 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Ce que l’on sait de l’essai</translation>
         </message>
         <message>
-            <source>Events</source>
-            <translation>Événements</translation>
+            <source>Events and notes</source>
+            <translation>Événements et notes</translation>
+        </message>
+        <message>
+            <source>About the recording</source>
+            <translation>À propos de l’enregistrement</translation>
+        </message>
+        <message>
+            <source>Heat rates</source>
+            <translation>Coefficients thermiques</translation>
         </message>
     </context>
     <context>

@@ -13,6 +13,7 @@
 #include "widgets/review/replay_view.h"
 #include "widgets/review/session_list.h"
 
+#include <QComboBox>
 #include <QDateTime>
 #include <QEvent>
 #include <QFileInfo>
@@ -25,7 +26,6 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QTabWidget>
 #include <QVBoxLayout>
 #include <QtConcurrentRun>
 
@@ -170,25 +170,34 @@ QWidget* ReviewPage::buildIdentified(QWidget* parent) {
     return box;
 }
 
+/// A list to choose from, not tabs: in a narrow column their names have no room in every language.
 QWidget* ReviewPage::buildDetails() {
-    m_details = new QTabWidget(this);
-    m_details->setObjectName("reviewDetails");
-    m_details->setDocumentMode(true);
-    m_details->setUsesScrollButtons(true);
-    m_events = new EventList(m_details);
+    m_details = new QWidget(this);
+    m_detail = new QComboBox(m_details);
+    m_detail->setObjectName("reviewDetails");
+    auto* pages = new QStackedWidget(m_details);
+    m_events = new EventList(pages);
     m_events->setObjectName("reviewEvents");
     m_events->setChosenByClick();
-    m_metrics = new MetricsPanel(m_details);
-    auto* finals = new QWidget(m_details);
+    m_metrics = new MetricsPanel(pages);
+    auto* finals = new QWidget(pages);
     m_final = new FinalValuesTable(finals);
     m_final->setObjectName("finalValues");
     auto* column = new QVBoxLayout(finals);
-    column->setContentsMargins(0, 6, 0, 0);
+    column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_final);
     column->addStretch(1);
-    for (QWidget* tab : std::initializer_list<QWidget*>{m_events, m_metrics, finals,
-                                                        buildIdentified(m_details), buildFacts(m_details)})
-        m_details->addTab(tab, QString());
+    for (QWidget* page : std::initializer_list<QWidget*>{m_events, m_metrics, finals, buildIdentified(pages),
+                                                         buildFacts(pages)}) {
+        pages->addWidget(page);
+        m_detail->addItem(QString());
+    }
+    connect(m_detail, &QComboBox::currentIndexChanged, pages, &QStackedWidget::setCurrentIndex);
+    auto* layout = new QVBoxLayout(m_details);
+    layout->setContentsMargins(0, 4, 0, 0);
+    layout->setSpacing(6);
+    layout->addWidget(m_detail);
+    layout->addWidget(pages, 1);
     return m_details;
 }
 
@@ -338,10 +347,11 @@ void ReviewPage::refreshTexts() {
         button->setText(tr("&Open session\u2026"));
     m_export->setText(tr("&Export CSV\u2026"));
     m_export->setToolTip(tr("Write one CSV file per table, units in the headers"));
-    const QString tabs[] = {tr("Events"), tr("Metrics"), tr("Final values"), tr("Heat rates"), tr("About")};
-    for (int i = 0; i < m_details->count(); ++i)
-        m_details->setTabText(i, tabs[i]);
-    m_details->setAccessibleName(tr("What is known of the run"));
+    const QString details[] = {tr("Events and notes"), tr("Metrics"), tr("Final values"), tr("Heat rates"),
+                               tr("About the recording")};
+    for (int i = 0; i < m_detail->count(); ++i)
+        m_detail->setItemText(i, details[i]);
+    m_detail->setAccessibleName(tr("What is known of the run"));
     m_identifiedTitle->setText(tr("Heat rates \u03bb\u2081 in K/s"));
     m_useIdentified->setText(tr("Use as start values"));
     m_useIdentified->setToolTip(

@@ -9,11 +9,11 @@
 
 #include <memory>
 
+class QComboBox;
 class QLabel;
 class QPushButton;
 class QSplitter;
 class QStackedWidget;
-class QTabWidget;
 
 namespace bask {
 
@@ -28,7 +28,7 @@ struct IdentifiedRow;
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
 /// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedNote", "useIdentified",
-/// "reviewEvents", "reviewDetails" (the tabs of these), and those of SessionList, ReplayView and
+/// "reviewEvents", "reviewDetails" (which of these is shown), and those of SessionList, ReplayView and
 /// MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
@@ -85,7 +85,8 @@ private:
 
     QSplitter* m_splitter;
     SessionList* m_sessions;
-    QTabWidget* m_details;
+    QWidget* m_details;
+    QComboBox* m_detail;
     QStackedWidget* m_stack;
     QLabel* m_emptyTitle;
     QLabel* m_emptyText;

@@ -24,7 +24,6 @@ namespace bask {
 namespace {
 
 enum Column { kDate, kExperiment, kOutcome, kDuration, kRig, kTags, kColumns };
-constexpr int kLeastExperiment = 90; // px; longer titles are elided
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kSearchRole = Qt::UserRole + 2;
@@ -202,7 +201,8 @@ void SessionList::fitExperiment() {
         others += m_tree->columnWidth(column);
     const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kExperiment) + 8;
     const int room = m_tree->viewport()->width() - others;
-    m_tree->setColumnWidth(kExperiment, std::max(std::min(wanted, room), kLeastExperiment));
+    m_tree->setColumnWidth(kExperiment,
+                           std::max(std::min(wanted, room), m_tree->header()->sectionSizeHint(kExperiment)));
 }
 
 void SessionList::resizeEvent(QResizeEvent* event) {
