@@ -242,7 +242,9 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
     }
     row->setToolTip(kExperiment, experiment);
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
-    row->setIcon(kOutcome, QIcon(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF())));
+    QIcon icon(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
+    icon.addPixmap(outcomePixmap(outcome, true, 16, devicePixelRatioF()), QIcon::Selected); // on its ground
+    row->setIcon(kOutcome, icon);
     if (session.error)
         row->setToolTip(kOutcome, sentenceText(session.error->message));
     row->setData(0, kPathRole, text(session.path));
