@@ -190,10 +190,10 @@ void MainWindow::showControl(Page page, const QString& name) {
         }
 }
 
-void MainWindow::showManual() {
+void MainWindow::showManual(const QString& page) {
     if (!m_manual)
         m_manual = new ManualWindow(this);
-    m_manual->open(QStringLiteral("manual.md"));
+    m_manual->open(page);
 }
 
 void MainWindow::reportProblem() {

@@ -73,7 +73,7 @@ private:
     void refuse(const Message& refusal);
     void showReason(int index);
     void showControl(Page page, const QString& name);
-    void showManual();
+    void showManual(const QString& page);
     void reportProblem();
     void showTitle();
     void showAges(); ///< of the calibrations, in the list behind the chip

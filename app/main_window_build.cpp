@@ -79,7 +79,7 @@ void MainWindow::connectActions() {
     on(m_actions.saveSession, [this] { m_files.saveSession(); });
     on(m_actions.quit, [this] { close(); });
     on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
-    on(m_actions.manual, [this] { showManual(); });
+    on(m_actions.manual, [this] { showManual(QStringLiteral("manual.md")); });
     on(m_actions.firstFiveMinutes, [this] { m_coach->begin(); });
     on(m_actions.reportProblem, [this] { reportProblem(); });
     on(m_actions.about, [this] { showAbout(this); });
@@ -113,6 +113,7 @@ void MainWindow::connectParts() {
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_dock, &BottomDock::setAnswering);
     connect(m_pages, &PageHost::commandIssued, &m_engine, &EngineClient::send);
+    connect(m_pages, &PageHost::manualRequested, this, &MainWindow::showManual);
     connect(m_pages, &PageHost::pageChanged, this, [this](Page page) {
         m_actions.showPage(static_cast<int>(page));
         m_dock->setReviewing(page == Page::Review);

@@ -6,7 +6,9 @@
 #include "widgets/common/message_bar.h"
 #include "widgets/objects/objects_page.h"
 #include "widgets/review/identified_table.h"
+#include "widgets/review/replay_view.h"
 #include "widgets/review/review_page.h"
+#include "widgets/review/session_list.h"
 #include "widgets/rig/device_words.h"
 #include "widgets/rig/rig_page.h"
 #include "widgets/run/run_page.h"
@@ -24,7 +26,8 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     : QWidget(parent), m_document(document), m_files(files), m_question(new MessageBar(this)),
       m_coach(new MessageBar(this)), m_bar(new MessageBar(this)), m_pages(new QStackedWidget(this)),
       m_rig(new RigPage), m_objects(new ObjectsPage), m_calibrate(new CalibratePage),
-      m_targets(new TargetsPage), m_run(new RunPage), m_review(new ReviewPage) {
+      m_targets(new TargetsPage), m_run(new RunPage), m_review(new ReviewPage),
+      m_library(*m_review->sessions()) {
     m_question->setObjectName(QStringLiteral("questionBar"));
     m_coach->setObjectName(QStringLiteral("coachBar"));
     m_bar->setObjectName(QStringLiteral("messageBar"));
@@ -45,6 +48,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connectCalibrate();
     connectDocument();
     connectJudge();
+    connectReview();
     connect(m_targets, &TargetsPage::targetsEdited, this, [this](const std::vector<double>& targets_K) {
         if (const auto set = m_document.setTargets(targets_K); !set) {
             showProblem(sentence(set.error()));
@@ -72,6 +76,32 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
             });
     connect(&m_files, &SessionActions::problem, this, &PageHost::showProblem);
     connect(&m_files, &SessionActions::told, this, &PageHost::showNote);
+}
+
+/// The list of runs; reading them is the library's work.
+void PageHost::connectReview() {
+    SessionList* list = m_review->sessions();
+    connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
+    connect(list, &SessionList::folderRequested, this, [this] {
+        if (const QString folder = m_files.askSessionFolder(); !folder.isEmpty())
+            m_library.setFolder(folder);
+    });
+    connect(&m_library, &SessionLibrary::problem, this, &PageHost::showProblem);
+    connect(&m_library, &SessionLibrary::closed, this, [this](const QString& path) {
+        showNote(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
+                     .arg(QFileInfo(path).fileName()));
+        if (m_record && QString::fromStdString(m_record->path) == path)
+            m_files.open(path);
+    });
+    connect(&m_library, &SessionLibrary::overlayRead, this,
+            [this](const std::shared_ptr<const SessionRecord>& record) {
+                if (!m_review->replay()->addOverlay(record))
+                    showNote(tr(
+                        "It is shown already, or there are %n runs over the open one: take one away first.",
+                        nullptr, ReplayView::kMostOverlays));
+            });
+    connect(m_review, &ReviewPage::definitionsRequested, this,
+            [this] { emit manualRequested(QStringLiteral("manual.md#metrics")); });
 }
 
 void PageHost::connectRig() {
@@ -249,7 +279,7 @@ void PageHost::showSession() {
     QStringList sentences;
     for (const TraceEvent& event : m_record->events)
         sentences << sentence(event.message);
-    m_review->setSession(*m_record, sentences);
+    m_review->setSession(m_record, sentences);
     showIdentified();
 }
 
@@ -315,6 +345,8 @@ void PageHost::showEditable() {
 
 void PageHost::show(Page page) {
     m_pages->setCurrentIndex(static_cast<int>(page));
+    if (page == Page::Review)
+        m_library.setFolder(m_files.sessionFolder());
     emit pageChanged(page);
 }
 
@@ -328,6 +360,12 @@ void PageHost::show(const VisionView& view) {
 
 void PageHost::apply(const Snapshot& snapshot) {
     m_run->apply(snapshot);
+    if (const QString path = QString::fromStdString(snapshot.recordingPath); path != m_recording) {
+        m_recording = path;
+        m_review->sessions()->setRecording(path);
+        if (page() == Page::Review)
+            m_library.refresh();
+    }
     const bool editable = allowsEdits(snapshot.state);
     m_rig->apply(snapshot, editable);
     m_calibrate->setRobot(snapshot.latest.coordinates, snapshot.isMoving,

@@ -4,6 +4,7 @@
 #include "app/document.h"
 #include "app/page.h"
 #include "app/session_actions.h"
+#include "app/session_library.h"
 #include "app/session_rates.h"
 #include "app/target_judge.h"
 #include "engine/base/units.h"
@@ -64,6 +65,8 @@ public:
 signals:
     void commandIssued(const bask::Command& command);
     void pageChanged(bask::Page page);
+    /// "manual.md#review"
+    void manualRequested(const QString& page);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -74,6 +77,7 @@ private:
     void connectCalibrate();
     void connectDocument();
     void connectJudge();
+    void connectReview();
     void reportInfeasible();
     void showDocument();
     void showSession();
@@ -94,6 +98,8 @@ private:
     TargetsPage* m_targets;
     RunPage* m_run;
     ReviewPage* m_review;
+    SessionLibrary m_library;
+    QString m_recording; ///< the file that is being recorded into
     std::shared_ptr<const SessionRecord> m_record;
     std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way
     bool m_editable = true;

@@ -106,6 +106,18 @@ void SessionActions::askAndOpenSession() {
         openSession(path);
 }
 
+QString SessionActions::sessionFolder() const {
+    return m_settings.sessionFolder();
+}
+
+QString SessionActions::askSessionFolder() {
+    const QString folder =
+        ask({FileQuestion::Kind::Folder, tr("Folder of recorded runs"), m_settings.sessionFolder(), {}, {}});
+    if (!folder.isEmpty())
+        m_settings.setSessionFolder(folder);
+    return folder;
+}
+
 void SessionActions::open(const QString& path) {
     if (isSession(path))
         return openSession(path);

@@ -47,6 +47,9 @@ public:
     void openExample(const QString& name, bool remember = true);
     void askAndOpen();
     void askAndOpenSession();
+    /// The folder whose runs are listed; another one is asked for. Empty: it stays.
+    QString sessionFolder() const;
+    QString askSessionFolder();
     /// *.bask is a session; a .json says whether it is a rig or an experiment.
     void open(const QString& path);
     bool save(); ///< false: cancelled or refused

@@ -124,6 +124,19 @@ void SettingsStore::setLastFolder(const QString& folder) {
     m_settings.setValue(QStringLiteral("folder"), folder);
 }
 
+QString SettingsStore::sessionFolder() const {
+    const QString folder = m_settings.value(QStringLiteral("sessions")).toString();
+    return folder.isEmpty() ? recordingFolder() : folder;
+}
+
+/// That of the recordings is not put down: it follows the settings' own place.
+void SettingsStore::setSessionFolder(const QString& folder) {
+    if (folder == recordingFolder())
+        m_settings.remove(QStringLiteral("sessions"));
+    else
+        m_settings.setValue(QStringLiteral("sessions"), folder);
+}
+
 QByteArray SettingsStore::windowGeometry() const {
     return m_settings.value(windowKey("geometry")).toByteArray();
 }

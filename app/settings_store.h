@@ -41,6 +41,10 @@ public:
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
 
+    /// Whose runs the Review page lists: where Bask records, unless another was chosen.
+    QString sessionFolder() const;
+    void setSessionFolder(const QString& folder);
+
     QByteArray windowGeometry() const;
     QByteArray windowState() const;
     void setWindow(const QByteArray& geometry, const QByteArray& state);

@@ -45,4 +45,38 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>bask::SessionList</name>
+    <message numerus="yes">
+        <source>%1 of %n session(s)</source>
+        <translation>
+            <numerusform>%1 of %n session</numerusform>
+            <numerusform>%1 of %n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n session</numerusform>
+            <numerusform>%n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::PageHost</name>
+    <message numerus="yes">
+        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+        <translation>
+            <numerusform>It is shown already, or there is %n run over the open one: take it away first.</numerusform>
+            <numerusform>It is shown already, or there are %n runs over the open one: take one away first.</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -135,7 +135,7 @@
     <context>
         <name>Message</name>
         <message>
-            <source>&quot;%1&quot; is not the finite number or numbers that it should be</source>
+            <source>"%1" is not the finite number or numbers that it should be</source>
             <translation>« %1 » n’est pas le ou les nombres finis attendus</translation>
         </message>
         <message>
@@ -151,15 +151,15 @@
             <translation>la caméra a été étalonnée avec des images de %1 pixels, celle-ci en a %2 ; étalonnez-la à cette taille</translation>
         </message>
         <message>
-            <source>&quot;%1&quot; is not %2 digits 0 or 1</source>
+            <source>"%1" is not %2 digits 0 or 1</source>
             <translation>« %1 » n’est pas une suite de %2 chiffres 0 ou 1</translation>
         </message>
         <message>
-            <source>&quot;%1&quot; is no board; write chessboard:9x6:0.025 (inner corners, square in m) or charuco:5x7:0.04:0.02:6X6_250 (squares, square and marker in m, dictionary)</source>
+            <source>"%1" is no board; write chessboard:9x6:0.025 (inner corners, square in m) or charuco:5x7:0.04:0.02:6X6_250 (squares, square and marker in m, dictionary)</source>
             <translation>« %1 » n’est pas une mire ; écrivez chessboard:9x6:0.025 (coins intérieurs, case en m) ou charuco:5x7:0.04:0.02:6X6_250 (cases, case et marqueur en m, dictionnaire)</translation>
         </message>
         <message>
-            <source>&quot;%1&quot; is no marker; write marker:6X6_250:23:0.05 (dictionary, id, side in m)</source>
+            <source>"%1" is no marker; write marker:6X6_250:23:0.05 (dictionary, id, side in m)</source>
             <translation>« %1 » n’est pas un marqueur ; écrivez marker:6X6_250:23:0.05 (dictionnaire, numéro, côté en m)</translation>
         </message>
         <message>
@@ -215,7 +215,7 @@
             <translation>%1 et %2 se chevauchent ; déplacez l’un des deux</translation>
         </message>
         <message>
-            <source>%1 reaches %2 cm from the end-effector&apos;s centre; the robot can carry objects within %3 cm</source>
+            <source>%1 reaches %2 cm from the end-effector's centre; the robot can carry objects within %3 cm</source>
             <translation>%1 s’étend à %2 cm du centre de l’effecteur ; le robot peut porter des objets jusqu’à %3 cm</translation>
         </message>
         <message>
@@ -803,11 +803,11 @@
             <translation>le marqueur %1 mesure %2 mm de côté d’après les autres, et non %3 mm ; mesurez l’impression</translation>
         </message>
         <message>
-            <source>the markers are seen %1 px from where they fit best together; the uncertainty is widened accordingly; check their sides and places, and the camera&apos;s calibration</source>
+            <source>the markers are seen %1 px from where they fit best together; the uncertainty is widened accordingly; check their sides and places, and the camera's calibration</source>
             <translation>les marqueurs sont vus à %1 px de l’endroit où ils s’accordent le mieux ; l’incertitude est élargie en conséquence ; vérifiez leurs côtés et leurs positions, et l’étalonnage de la caméra</translation>
         </message>
         <message>
-            <source>the markers&apos; corners allow two poses, %1 degrees apart; use more or larger markers, or tilt them against the camera</source>
+            <source>the markers' corners allow two poses, %1 degrees apart; use more or larger markers, or tilt them against the camera</source>
             <translation>les coins des marqueurs permettent deux poses, à %1 degrés l’une de l’autre ; utilisez des marqueurs plus nombreux ou plus grands, ou inclinez-les par rapport à la caméra</translation>
         </message>
         <message>
@@ -823,19 +823,19 @@
             <translation>la pose n’est sûre qu’à %1 mm et %2 degrés près (2 sigma), alors que ces marqueurs devant cette caméra permettent %3 mm et %4 degrés ; vérifiez l’éclairage et la mise au point, que tous les marqueurs sont vus, et leurs positions</translation>
         </message>
         <message>
-            <source>the end-effector&apos;s markers were seen at %1 poses of the robot; at least %2 are needed</source>
+            <source>the end-effector's markers were seen at %1 poses of the robot; at least %2 are needed</source>
             <translation>les marqueurs de l’effecteur ont été vus à %1 poses du robot ; il en faut au moins %2</translation>
         </message>
         <message>
-            <source>the robot hardly turned (by %1 degrees between poses; %2 are needed): without turns the camera&apos;s place cannot be told from the markers&apos; mounting; turn it about two axes, or measure where the markers sit on the end-effector</source>
+            <source>the robot hardly turned (by %1 degrees between poses; %2 are needed): without turns the camera's place cannot be told from the markers' mounting; turn it about two axes, or measure where the markers sit on the end-effector</source>
             <translation>le robot n’a guère tourné (de %1 degrés d’une pose à l’autre ; il en faut %2) : sans rotation, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour de deux axes, ou mesurez où sont les marqueurs sur l’effecteur</translation>
         </message>
         <message>
-            <source>the robot turned about one axis only (by %1 degrees about any other; %2 are needed): along that axis the camera&apos;s place cannot be told from the markers&apos; mounting; turn it about a second one, or measure where the markers sit on the end-effector</source>
+            <source>the robot turned about one axis only (by %1 degrees about any other; %2 are needed): along that axis the camera's place cannot be told from the markers' mounting; turn it about a second one, or measure where the markers sit on the end-effector</source>
             <translation>le robot n’a tourné qu’autour d’un seul axe (de %1 degrés autour de tout autre ; il en faut %2) : le long de cet axe, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour d’un second, ou mesurez où sont les marqueurs sur l’effecteur</translation>
         </message>
         <message>
-            <source>the robot&apos;s poses and the pictures contradict one another; check that each picture was taken at its pose, that the camera kept still, and the markers&apos; sides and places</source>
+            <source>the robot's poses and the pictures contradict one another; check that each picture was taken at its pose, that the camera kept still, and the markers' sides and places</source>
             <translation>les poses du robot et les images se contredisent ; vérifiez que chaque image a été prise à sa pose, que la caméra est restée immobile, ainsi que les côtés et les positions des marqueurs</translation>
         </message>
         <message>
@@ -875,7 +875,7 @@
             <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; vérifiez que la mire est plane, mesurée et nette sur les images, et écartez les vues qui se distinguent</translation>
         </message>
         <message>
-            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; take more views with the board tilted, near the camera and at the picture&apos;s edges</source>
+            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; take more views with the board tilted, near the camera and at the picture's edges</source>
             <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; prenez davantage de vues avec la mire inclinée, près de la caméra et aux bords de l’image</translation>
         </message>
         <message>
@@ -2012,7 +2012,10 @@
         </message>
         <message numerus="yes">
             <source>%n answer(s) discarded</source>
-            <translation><numerusform>%n réponse écartée</numerusform><numerusform>%n réponses écartées</numerusform></translation>
+            <translation>
+                <numerusform>%n réponse écartée</numerusform>
+                <numerusform>%n réponses écartées</numerusform>
+            </translation>
         </message>
         <message>
             <source>Age of its newest answer, answers a second, and answers that nobody can read or that were not asked for</source>
@@ -3689,6 +3692,17 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Undone: %1</source>
             <translation>Annulé : %1</translation>
         </message>
+        <message>
+            <source>%1 was closed properly: its outcome is "interrupted" now.</source>
+            <translation>%1 a été clôturée : son issue est maintenant « interrompu ».</translation>
+        </message>
+        <message numerus="yes">
+            <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+            <translation>
+                <numerusform>Elle est déjà affichée, ou il y a %n essai superposé à celui qui est ouvert : retirez-en un d’abord.</numerusform>
+                <numerusform>Elle est déjà affichée, ou il y a %n essais superposés à celui qui est ouvert : retirez-en un d’abord.</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>bask::PairsView</name>
@@ -3729,7 +3743,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>beaucoup (log)</translation>
         </message>
         <message>
-            <source>Share of the workspace&apos;s poses at which the pair settles there, on a logarithmic scale. Where it is small, the pair asks for a pose that is hard to keep.</source>
+            <source>Share of the workspace's poses at which the pair settles there, on a logarithmic scale. Where it is small, the pair asks for a pose that is hard to keep.</source>
             <translation>Part des poses de l’espace de travail où la paire se stabilise là, en échelle logarithmique. Là où elle est faible, la paire demande une pose difficile à tenir.</translation>
         </message>
         <message>
@@ -3915,10 +3929,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Aucune session ouverte</translation>
         </message>
         <message>
-            <source>Open a recorded run to see its traces, events and final errors.</source>
-            <translation>Ouvrez un essai enregistré pour voir ses courbes, ses événements et ses écarts finaux.</translation>
-        </message>
-        <message>
             <source>&amp;Open session…</source>
             <translation>&amp;Ouvrir une session…</translation>
         </message>
@@ -3931,28 +3941,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Écrire un fichier CSV par table, unités dans les en-têtes</translation>
         </message>
         <message>
-            <source>Temperature</source>
-            <translation>Température</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>Écart</translation>
-        </message>
-        <message>
             <source>Final values</source>
             <translation>Valeurs finales</translation>
         </message>
         <message>
             <source>Events and notes</source>
             <translation>Événements et notes</translation>
-        </message>
-        <message>
-            <source>Temperatures of the run</source>
-            <translation>Températures de l’essai</translation>
-        </message>
-        <message>
-            <source>Errors of the run</source>
-            <translation>Écarts de l’essai</translation>
         </message>
         <message>
             <source>Outcome</source>
@@ -3997,6 +3991,30 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Fitting the heat balance to the record…</source>
             <translation>Ajustement du bilan thermique à l’enregistrement…</translation>
+        </message>
+        <message>
+            <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
+            <translation>Choisissez un essai enregistré dans la liste et appuyez sur Entrée, ou ouvrez un fichier : ses courbes, événements et grandeurs s’affichent ici, et l’essai peut être rejoué.</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
+            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est ici.</translation>
+        </message>
+        <message>
+            <source>Metrics</source>
+            <translation>Grandeurs</translation>
+        </message>
+        <message>
+            <source>What is known of the run</source>
+            <translation>Ce que l’on sait de l’essai</translation>
+        </message>
+        <message>
+            <source>About the recording</source>
+            <translation>À propos de l’enregistrement</translation>
+        </message>
+        <message>
+            <source>Heat rates</source>
+            <translation>Coefficients thermiques</translation>
         </message>
     </context>
     <context>
@@ -4691,6 +4709,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>The report was saved as %1.</source>
             <translation>Le rapport a été enregistré sous %1.</translation>
+        </message>
+        <message>
+            <source>Folder of recorded runs</source>
+            <translation>Dossier des essais enregistrés</translation>
         </message>
     </context>
     <context>
@@ -5519,7 +5541,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Vues</translation>
         </message>
         <message>
-            <source>Waiting for the camera&apos;s pictures.</source>
+            <source>Waiting for the camera's pictures.</source>
             <translation>En attente des images de la caméra.</translation>
         </message>
         <message>
@@ -6121,8 +6143,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Avec moins, aucun enregistrement ne commence</translation>
         </message>
     </context>
-<context>
-    <name>bask::ExperimentEdit</name>
+    <context>
+        <name>bask::ExperimentEdit</name>
         <message>
             <source>target of “%1”</source>
             <translation>consigne de « %1 »</translation>
@@ -6256,8 +6278,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>modification de l’expérience</translation>
         </message>
     </context>
-<context>
-    <name>bask::RecoveryOffer</name>
+    <context>
+        <name>bask::RecoveryOffer</name>
         <message>
             <source>Bask ended before changes of “%1” were saved. They are kept as they were on %2.</source>
             <translation>Bask s’est arrêté avant l’enregistrement de modifications de « %1 ». Elles sont gardées dans leur état du %2.</translation>
@@ -6271,8 +6293,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Récupérer</translation>
         </message>
     </context>
-<context>
-    <name>bask::UndoActions</name>
+    <context>
+        <name>bask::UndoActions</name>
         <message>
             <source>%1: %2</source>
             <translation>%1 : %2</translation>
@@ -6329,8 +6351,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Fermer</translation>
         </message>
     </context>
-<context>
-    <name>bask::ManualWindow</name>
+    <context>
+        <name>bask::ManualWindow</name>
         <message>
             <source>Bask: manual</source>
             <translation>Bask : manuel</translation>
@@ -6352,8 +6374,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Texte du manuel</translation>
         </message>
     </context>
-<context>
-    <name>bask::ProblemDialog</name>
+    <context>
+        <name>bask::ProblemDialog</name>
         <message>
             <source>Report a problem</source>
             <translation>Signaler un problème</translation>
@@ -6383,8 +6405,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Fermer</translation>
         </message>
     </context>
-<context>
-    <name>bask::Coach</name>
+    <context>
+        <name>bask::Coach</name>
         <message>
             <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
             <translation>Première fois ? Treize petites étapes sur le banc simulé montrent ce que fait Bask. Rien ne peut brûler.</translation>
@@ -6464,6 +6486,402 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>On the Review page, open the recording of this run.</source>
             <translation>Page Relecture : ouvrez l’enregistrement de cet essai.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Metrics</name>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>start unknown</source>
+            <translation>départ inconnu</translation>
+        </message>
+        <message>
+            <source>step too small</source>
+            <translation>échelon trop petit</translation>
+        </message>
+        <message>
+            <source>not reached</source>
+            <translation>non atteint</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>aucun</translation>
+        </message>
+        <message>
+            <source>not settled</source>
+            <translation>non stabilisé</translation>
+        </message>
+        <message>
+            <source>%1 (s.d. %2)</source>
+            <comment>mean with its unit, standard deviation without</comment>
+            <translation>%1 (é.-t. %2)</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Final</source>
+            <translation>Finale</translation>
+        </message>
+        <message>
+            <source>Settling time</source>
+            <translation>Temps de stabilisation</translation>
+        </message>
+        <message>
+            <source>Rise time</source>
+            <translation>Temps de montée</translation>
+        </message>
+        <message>
+            <source>Overshoot</source>
+            <translation>Dépassement</translation>
+        </message>
+        <message>
+            <source>Steady-state error</source>
+            <translation>Erreur statique</translation>
+        </message>
+        <message>
+            <source>Path length</source>
+            <translation>Longueur du trajet</translation>
+        </message>
+        <message>
+            <source>Duration of control</source>
+            <translation>Durée de l’asservissement</translation>
+        </message>
+        <message>
+            <source>Path of the end-effector</source>
+            <translation>Trajet de l’effecteur</translation>
+        </message>
+        <message>
+            <source>Rotation of the end-effector</source>
+            <translation>Rotation de l’effecteur</translation>
+        </message>
+        <message>
+            <source>Time at a velocity limit</source>
+            <translation>Temps en limite de vitesse</translation>
+        </message>
+        <message>
+            <source>Time at any limit</source>
+            <translation>Temps en limite, toutes confondues</translation>
+        </message>
+        <message>
+            <source>The last target that was set. The other numbers count from that moment, or from Start when it was not changed, until Stop.</source>
+            <translation>La dernière consigne fixée. Les autres valeurs comptent depuis ce moment, ou depuis le démarrage si elle n’a pas changé, jusqu’à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>The object's temperature at the last sample until Stop: the simulated object's own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
+            <translation>La température de l’objet au dernier échantillon avant l’arrêt : celle de l’objet simulé lui-même ; sur un banc réel, l’estimation issue de son capteur. Les autres valeurs prennent aussi cette température.</translation>
+        </message>
+        <message>
+            <source>Time until the temperature stays within %1 of the target until Stop.</source>
+            <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
+            <translation>Temps entre les premiers passages à 10 % et à 90 % de l’échelon, qui va de la température au moment où la consigne est fixée jusqu’à la consigne. Non donné pour un échelon inférieur à deux fois la bande.</translation>
+        </message>
+        <message>
+            <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
+            <translation>De combien la température a dépassé la consigne dans le sens de l’échelon, et en part de l’échelon. Non donné pour un échelon inférieur à deux fois la bande.</translation>
+        </message>
+        <message>
+            <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
+            <translation>Moyenne de la température moins la consigne sur les %1 dernières secondes avant l’arrêt, ou depuis la stabilisation si c’est moins, avec l’écart-type des échantillons.</translation>
+        </message>
+        <message>
+            <source>Length of the path of the object's centre in the robot's base, from Start until Stop.</source>
+            <translation>Longueur du trajet du centre de l’objet dans la base du robot, du démarrage à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>From Start until Stop.</source>
+            <translation>Du démarrage à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>Length of the path of the end-effector's origin in the robot's base, from Start until Stop.</source>
+            <translation>Longueur du trajet de l’origine de l’effecteur dans la base du robot, du démarrage à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
+            <translation>Somme des angles dont l’effecteur a tourné d’un échantillon au suivant.</translation>
+        </message>
+        <message>
+            <source>Time in which the limit of speed or of rotation held the command back.</source>
+            <translation>Temps pendant lequel la limite de vitesse ou de rotation a retenu la commande.</translation>
+        </message>
+        <message>
+            <source>Time in which a limit of any kind held the command back: speed, rotation, acceleration, clearance or workspace.</source>
+            <translation>Temps pendant lequel une limite quelconque a retenu la commande : vitesse, rotation, accélération, garde ou espace de travail.</translation>
+        </message>
+        <message>
+            <source>no samples</source>
+            <translation>aucun échantillon</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>inconnue</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::MetricsPanel</name>
+        <message>
+            <source>How these numbers are defined</source>
+            <translation>Définition de ces grandeurs</translation>
+        </message>
+        <message>
+            <source>Metric</source>
+            <translation>Grandeur</translation>
+        </message>
+        <message>
+            <source>Metrics of the run</source>
+            <translation>Grandeurs de l’essai</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Outcome</name>
+        <message>
+            <source>Fault</source>
+            <translation>Défaut</translation>
+        </message>
+        <message>
+            <source>Interrupted</source>
+            <translation>Interrompu</translation>
+        </message>
+        <message>
+            <source>Not settled</source>
+            <translation>Non stabilisé</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>En cours</translation>
+        </message>
+        <message>
+            <source>Settled</source>
+            <translation>Stabilisé</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>Arrêté</translation>
+        </message>
+        <message>
+            <source>Unreadable</source>
+            <translation>Illisible</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ReplayView</name>
+        <message>
+            <source>3-D scene of the run: source, objects and their paths</source>
+            <translation>Scène 3D de l’essai : source, objets et leurs trajets</translation>
+        </message>
+        <message>
+            <source>Command speed</source>
+            <translation>Vitesse commandée</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>Erreurs</translation>
+        </message>
+        <message>
+            <source>Estimates</source>
+            <translation>Estimations</translation>
+        </message>
+        <message>
+            <source>Further traces and the scene</source>
+            <translation>Autres courbes et scène</translation>
+        </message>
+        <message>
+            <source>Laid over it:</source>
+            <translation>Superposé :</translation>
+        </message>
+        <message>
+            <source>Rates</source>
+            <translation>Vitesses de variation</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>Scène</translation>
+        </message>
+        <message>
+            <source>Take %1 away</source>
+            <translation>Retirer %1</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>Facteurs de forme</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SessionList</name>
+        <message numerus="yes">
+            <source>%1 of %n session(s)</source>
+            <translation>
+                <numerusform>%1 sur %n session</numerusform>
+                <numerusform>%1 sur %n sessions</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n sample(s)</source>
+            <translation>
+                <numerusform>%n échantillon</numerusform>
+                <numerusform>%n échantillons</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n session(s)</source>
+            <translation>
+                <numerusform>%n session</numerusform>
+                <numerusform>%n sessions</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose the folder whose runs are listed</source>
+            <translation>Choisir le dossier dont les essais sont listés</translation>
+        </message>
+        <message>
+            <source>Close it properly</source>
+            <translation>Clôturer</translation>
+        </message>
+        <message>
+            <source>Draws the selected run over the one that is open, both from their Start.</source>
+            <translation>Dessine l’essai choisi par-dessus celui qui est ouvert, tous deux depuis leur démarrage.</translation>
+        </message>
+        <message>
+            <source>Duration</source>
+            <translation>Durée</translation>
+        </message>
+        <message>
+            <source>Experiment</source>
+            <translation>Expérience</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>Dossier…</translation>
+        </message>
+        <message>
+            <source>Kept in the session file. A recording without an end has to be closed first.</source>
+            <translation>Conservées dans le fichier de session. Un enregistrement sans fin doit d’abord être clôturé.</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>RÉEL</translation>
+        </message>
+        <message>
+            <source>Lay the selected run over the open one</source>
+            <translation>Superposer l’essai choisi à celui qui est ouvert</translation>
+        </message>
+        <message>
+            <source>No recorded runs in this folder.</source>
+            <translation>Aucun essai enregistré dans ce dossier.</translation>
+        </message>
+        <message>
+            <source>Open the selected run</source>
+            <translation>Ouvrir l’essai choisi</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>Ouvrir</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Issue</translation>
+        </message>
+        <message>
+            <source>Overlay</source>
+            <translation>Superposer</translation>
+        </message>
+        <message>
+            <source>Reading the folder…</source>
+            <translation>Lecture du dossier…</translation>
+        </message>
+        <message>
+            <source>Recorded runs</source>
+            <translation>Essais enregistrés</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Enregistré</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>Banc</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>SIMULÉ</translation>
+        </message>
+        <message>
+            <source>Search names, experiments, notes, tags</source>
+            <translation>Chercher noms, expériences, notes, étiquettes</translation>
+        </message>
+        <message>
+            <source>Search the recorded runs</source>
+            <translation>Chercher dans les essais enregistrés</translation>
+        </message>
+        <message>
+            <source>Tags of the selected run, with commas</source>
+            <translation>Étiquettes de l’essai choisi, séparées par des virgules</translation>
+        </message>
+        <message>
+            <source>Tags</source>
+            <translation>Étiquettes</translation>
+        </message>
+        <message>
+            <source>The recording has no end: Bask or the computer went down. Saved: %1, until %2 after Start; at most the last %3 s before it went down are missing.</source>
+            <translation>L’enregistrement n’a pas de fin : Bask ou l’ordinateur s’est arrêté. Conservé : %1, jusqu’à %2 après le démarrage ; il manque au plus les %3 dernières secondes.</translation>
+        </message>
+        <message>
+            <source>The runs listed are in %1</source>
+            <translation>Les essais listés sont dans %1</translation>
+        </message>
+        <message>
+            <source>This run is being recorded now.</source>
+            <translation>Cet essai est en cours d’enregistrement.</translation>
+        </message>
+        <message>
+            <source>with commas</source>
+            <translation>séparées par des virgules</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::TransportBar</name>
+        <message>
+            <source>Pause</source>
+            <translation>Pause</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>Lecture</translation>
+        </message>
+        <message>
+            <source>Position and length of the run</source>
+            <translation>Position et durée de l’essai</translation>
+        </message>
+        <message>
+            <source>Position in the run</source>
+            <translation>Position dans l’essai</translation>
+        </message>
+        <message>
+            <source>REPLAY</source>
+            <translation>REJEU</translation>
+        </message>
+        <message>
+            <source>Space, while nothing else on the page takes it</source>
+            <translation>Espace, tant que rien d’autre sur la page ne la prend</translation>
+        </message>
+        <message>
+            <source>Speed of the replay</source>
+            <translation>Vitesse du rejeu</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>Vitesse</translation>
+        </message>
+        <message>
+            <source>What is shown here was recorded: nothing moves or heats by it.</source>
+            <translation>Ce qui est affiché ici a été enregistré : rien ne bouge ni ne chauffe.</translation>
         </message>
     </context>
 </TS>

@@ -3688,6 +3688,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>Undone: %1</source>
             <translation>已撤销：%1</translation>
         </message>
+        <message>
+            <source>%1 was closed properly: its outcome is "interrupted" now.</source>
+            <translation>%1 已正确关闭：其结果现为“中断”。</translation>
+        </message>
+        <message numerus="yes">
+            <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+            <translation>
+                <numerusform>它已在显示，或已有 %n 次运行叠加在当前运行上：请先移除一次。</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>bask::PairsView</name>
@@ -3914,10 +3924,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>未打开会话</translation>
         </message>
         <message>
-            <source>Open a recorded run to see its traces, events and final errors.</source>
-            <translation>打开已记录的运行，查看其曲线、事件和最终误差。</translation>
-        </message>
-        <message>
             <source>&amp;Open session…</source>
             <translation>打开会话(&amp;O)…</translation>
         </message>
@@ -3930,28 +3936,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>每个表写成一个 CSV 文件，表头含单位</translation>
         </message>
         <message>
-            <source>Temperature</source>
-            <translation>温度</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>误差</translation>
-        </message>
-        <message>
             <source>Final values</source>
             <translation>最终值</translation>
         </message>
         <message>
             <source>Events and notes</source>
             <translation>事件与备注</translation>
-        </message>
-        <message>
-            <source>Temperatures of the run</source>
-            <translation>运行的温度</translation>
-        </message>
-        <message>
-            <source>Errors of the run</source>
-            <translation>运行的误差</translation>
         </message>
         <message>
             <source>Outcome</source>
@@ -3996,6 +3986,30 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Fitting the heat balance to the record…</source>
             <translation>正在将热平衡模型拟合到记录…</translation>
+        </message>
+        <message>
+            <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
+            <translation>在列表中选择一次已记录的运行并按回车，或打开文件：这里显示其曲线、事件和指标，并可回放。</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
+            <translation>中断：记录未经停止便结束，后来才关闭。已写入的内容都在这里。</translation>
+        </message>
+        <message>
+            <source>Metrics</source>
+            <translation>指标</translation>
+        </message>
+        <message>
+            <source>What is known of the run</source>
+            <translation>关于本次运行的已知信息</translation>
+        </message>
+        <message>
+            <source>About the recording</source>
+            <translation>关于此记录</translation>
+        </message>
+        <message>
+            <source>Heat rates</source>
+            <translation>热变化率</translation>
         </message>
     </context>
     <context>
@@ -4689,6 +4703,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>The report was saved as %1.</source>
             <translation>报告已保存为 %1。</translation>
+        </message>
+        <message>
+            <source>Folder of recorded runs</source>
+            <translation>已记录运行的文件夹</translation>
         </message>
     </context>
     <context>
@@ -6381,8 +6399,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>关闭</translation>
         </message>
     </context>
-<context>
-    <name>bask::Coach</name>
+    <context>
+        <name>bask::Coach</name>
         <message>
             <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
             <translation>初次使用？在仿真装置上的十三个小步骤演示 Bask 的功能，不会有任何危险。</translation>
@@ -6462,6 +6480,399 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>On the Review page, open the recording of this run.</source>
             <translation>在“回顾”页打开本次运行的记录。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Metrics</name>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>start unknown</source>
+            <translation>起点未知</translation>
+        </message>
+        <message>
+            <source>step too small</source>
+            <translation>阶跃太小</translation>
+        </message>
+        <message>
+            <source>not reached</source>
+            <translation>未达到</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>not settled</source>
+            <translation>未稳定</translation>
+        </message>
+        <message>
+            <source>%1 (s.d. %2)</source>
+            <comment>mean with its unit, standard deviation without</comment>
+            <translation>%1（标准差 %2）</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>目标</translation>
+        </message>
+        <message>
+            <source>Final</source>
+            <translation>最终</translation>
+        </message>
+        <message>
+            <source>Settling time</source>
+            <translation>稳定时间</translation>
+        </message>
+        <message>
+            <source>Rise time</source>
+            <translation>上升时间</translation>
+        </message>
+        <message>
+            <source>Overshoot</source>
+            <translation>超调</translation>
+        </message>
+        <message>
+            <source>Steady-state error</source>
+            <translation>稳态误差</translation>
+        </message>
+        <message>
+            <source>Path length</source>
+            <translation>路径长度</translation>
+        </message>
+        <message>
+            <source>Duration of control</source>
+            <translation>控制时长</translation>
+        </message>
+        <message>
+            <source>Path of the end-effector</source>
+            <translation>末端执行器的路径</translation>
+        </message>
+        <message>
+            <source>Rotation of the end-effector</source>
+            <translation>末端执行器的转动</translation>
+        </message>
+        <message>
+            <source>Time at a velocity limit</source>
+            <translation>处于速度限值的时间</translation>
+        </message>
+        <message>
+            <source>Time at any limit</source>
+            <translation>处于任一限值的时间</translation>
+        </message>
+        <message>
+            <source>The last target that was set. The other numbers count from that moment, or from Start when it was not changed, until Stop.</source>
+            <translation>最后设定的目标。其余数值从该时刻（若未更改过，则从“开始”）算起，到“停止”为止。</translation>
+        </message>
+        <message>
+            <source>The object's temperature at the last sample until Stop: the simulated object's own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
+            <translation>到“停止”为止最后一个采样时物体的温度：仿真时为物体自身的温度，实际装置上为由其传感器得出的估计值。其余数值也采用此温度。</translation>
+        </message>
+        <message>
+            <source>Time until the temperature stays within %1 of the target until Stop.</source>
+            <translation>直到温度进入目标的 %1 以内并保持到“停止”为止所需的时间。</translation>
+        </message>
+        <message>
+            <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
+            <translation>首次越过阶跃的 10 % 与首次越过 90 % 之间的时间；阶跃从设定目标时的温度到目标为止。阶跃小于容差带两倍时不给出。</translation>
+        </message>
+        <message>
+            <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
+            <translation>温度沿阶跃方向超出目标的量，以及它占阶跃的比例。阶跃小于容差带两倍时不给出。</translation>
+        </message>
+        <message>
+            <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
+            <translation>到“停止”为止的最后 %1 s 内（若稳定后的时间更短，则自稳定时起）温度减目标的平均值，附采样的标准差。</translation>
+        </message>
+        <message>
+            <source>Length of the path of the object's centre in the robot's base, from Start until Stop.</source>
+            <translation>从“开始”到“停止”，物体中心在机器人基座坐标系中所走路径的长度。</translation>
+        </message>
+        <message>
+            <source>From Start until Stop.</source>
+            <translation>从“开始”到“停止”。</translation>
+        </message>
+        <message>
+            <source>Length of the path of the end-effector's origin in the robot's base, from Start until Stop.</source>
+            <translation>从“开始”到“停止”，末端执行器原点在机器人基座坐标系中所走路径的长度。</translation>
+        </message>
+        <message>
+            <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
+            <translation>各采样之间末端执行器所转角度之和。</translation>
+        </message>
+        <message>
+            <source>Time in which the limit of speed or of rotation held the command back.</source>
+            <translation>指令受速度限值或转动限值约束的时间。</translation>
+        </message>
+        <message>
+            <source>Time in which a limit of any kind held the command back: speed, rotation, acceleration, clearance or workspace.</source>
+            <translation>指令受任何一种限值约束的时间：速度、转动、加速度、间距或工作空间。</translation>
+        </message>
+        <message>
+            <source>no samples</source>
+            <translation>没有采样</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>未知</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::MetricsPanel</name>
+        <message>
+            <source>How these numbers are defined</source>
+            <translation>这些数值的定义</translation>
+        </message>
+        <message>
+            <source>Metric</source>
+            <translation>指标</translation>
+        </message>
+        <message>
+            <source>Metrics of the run</source>
+            <translation>本次运行的指标</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Outcome</name>
+        <message>
+            <source>Fault</source>
+            <translation>故障</translation>
+        </message>
+        <message>
+            <source>Interrupted</source>
+            <translation>中断</translation>
+        </message>
+        <message>
+            <source>Not settled</source>
+            <translation>未稳定</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>正在记录</translation>
+        </message>
+        <message>
+            <source>Settled</source>
+            <translation>已稳定</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>已停止</translation>
+        </message>
+        <message>
+            <source>Unreadable</source>
+            <translation>无法读取</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ReplayView</name>
+        <message>
+            <source>3-D scene of the run: source, objects and their paths</source>
+            <translation>运行的三维场景：热源、物体及其路径</translation>
+        </message>
+        <message>
+            <source>Command speed</source>
+            <translation>速度指令</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>Estimates</source>
+            <translation>估计值</translation>
+        </message>
+        <message>
+            <source>Further traces and the scene</source>
+            <translation>其他曲线与场景</translation>
+        </message>
+        <message>
+            <source>Laid over it:</source>
+            <translation>叠加：</translation>
+        </message>
+        <message>
+            <source>Rates</source>
+            <translation>变化率</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>场景</translation>
+        </message>
+        <message>
+            <source>Take %1 away</source>
+            <translation>移除 %1</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>角系数</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SessionList</name>
+        <message numerus="yes">
+            <source>%1 of %n session(s)</source>
+            <translation>
+                <numerusform>%n 个会话中的 %1 个</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n sample(s)</source>
+            <translation>
+                <numerusform>%n 个样本</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n session(s)</source>
+            <translation>
+                <numerusform>%n 个会话</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose the folder whose runs are listed</source>
+            <translation>选择要列出其运行的文件夹</translation>
+        </message>
+        <message>
+            <source>Close it properly</source>
+            <translation>正确关闭</translation>
+        </message>
+        <message>
+            <source>Draws the selected run over the one that is open, both from their Start.</source>
+            <translation>将所选运行叠加到已打开的运行上，两者都从开始时刻对齐。</translation>
+        </message>
+        <message>
+            <source>Duration</source>
+            <translation>时长</translation>
+        </message>
+        <message>
+            <source>Experiment</source>
+            <translation>实验</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>文件夹…</translation>
+        </message>
+        <message>
+            <source>Kept in the session file. A recording without an end has to be closed first.</source>
+            <translation>保存在会话文件中。没有结尾的记录须先关闭。</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>实机</translation>
+        </message>
+        <message>
+            <source>Lay the selected run over the open one</source>
+            <translation>将所选运行叠加到已打开的运行上</translation>
+        </message>
+        <message>
+            <source>No recorded runs in this folder.</source>
+            <translation>此文件夹中没有已记录的运行。</translation>
+        </message>
+        <message>
+            <source>Open the selected run</source>
+            <translation>打开所选运行</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>打开</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>结果</translation>
+        </message>
+        <message>
+            <source>Overlay</source>
+            <translation>叠加</translation>
+        </message>
+        <message>
+            <source>Reading the folder…</source>
+            <translation>正在读取文件夹…</translation>
+        </message>
+        <message>
+            <source>Recorded runs</source>
+            <translation>已记录的运行</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>记录时间</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>装置</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>仿真</translation>
+        </message>
+        <message>
+            <source>Search names, experiments, notes, tags</source>
+            <translation>搜索名称、实验、备注、标签</translation>
+        </message>
+        <message>
+            <source>Search the recorded runs</source>
+            <translation>搜索已记录的运行</translation>
+        </message>
+        <message>
+            <source>Tags of the selected run, with commas</source>
+            <translation>所选运行的标签，用逗号分隔</translation>
+        </message>
+        <message>
+            <source>Tags</source>
+            <translation>标签</translation>
+        </message>
+        <message>
+            <source>The recording has no end: Bask or the computer went down. Saved: %1, until %2 after Start; at most the last %3 s before it went down are missing.</source>
+            <translation>记录没有结尾：Bask 或计算机曾意外终止。已保存：%1，直至开始后 %2；最多缺少终止前最后 %3 秒。</translation>
+        </message>
+        <message>
+            <source>The runs listed are in %1</source>
+            <translation>所列运行位于 %1</translation>
+        </message>
+        <message>
+            <source>This run is being recorded now.</source>
+            <translation>此运行正在记录中。</translation>
+        </message>
+        <message>
+            <source>with commas</source>
+            <translation>用逗号分隔</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::TransportBar</name>
+        <message>
+            <source>Pause</source>
+            <translation>暂停</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>播放</translation>
+        </message>
+        <message>
+            <source>Position and length of the run</source>
+            <translation>运行的位置与时长</translation>
+        </message>
+        <message>
+            <source>Position in the run</source>
+            <translation>运行中的位置</translation>
+        </message>
+        <message>
+            <source>REPLAY</source>
+            <translation>回放</translation>
+        </message>
+        <message>
+            <source>Space, while nothing else on the page takes it</source>
+            <translation>空格键（页面上没有其他控件占用时）</translation>
+        </message>
+        <message>
+            <source>Speed of the replay</source>
+            <translation>回放速度</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>What is shown here was recorded: nothing moves or heats by it.</source>
+            <translation>这里显示的是记录内容：不会使任何东西移动或加热。</translation>
         </message>
     </context>
 </TS>

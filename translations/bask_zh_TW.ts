@@ -3688,6 +3688,16 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>Undone: %1</source>
             <translation>已復原：%1</translation>
         </message>
+        <message>
+            <source>%1 was closed properly: its outcome is "interrupted" now.</source>
+            <translation>%1 已正確關閉：其結果現為「中斷」。</translation>
+        </message>
+        <message numerus="yes">
+            <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+            <translation>
+                <numerusform>它已在顯示，或已有 %n 次運轉疊加在目前的運轉上：請先移除一次。</numerusform>
+            </translation>
+        </message>
     </context>
     <context>
         <name>bask::PairsView</name>
@@ -3914,10 +3924,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>未開啟工作階段</translation>
         </message>
         <message>
-            <source>Open a recorded run to see its traces, events and final errors.</source>
-            <translation>開啟已記錄的運轉，檢視其曲線、事件和最終誤差。</translation>
-        </message>
-        <message>
             <source>&amp;Open session…</source>
             <translation>開啟工作階段(&amp;O)…</translation>
         </message>
@@ -3930,28 +3936,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>每個表寫成一個 CSV 檔案，表頭含單位</translation>
         </message>
         <message>
-            <source>Temperature</source>
-            <translation>溫度</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>誤差</translation>
-        </message>
-        <message>
             <source>Final values</source>
             <translation>最終值</translation>
         </message>
         <message>
             <source>Events and notes</source>
             <translation>事件與備註</translation>
-        </message>
-        <message>
-            <source>Temperatures of the run</source>
-            <translation>運轉的溫度</translation>
-        </message>
-        <message>
-            <source>Errors of the run</source>
-            <translation>運轉的誤差</translation>
         </message>
         <message>
             <source>Outcome</source>
@@ -3996,6 +3986,30 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Fitting the heat balance to the record…</source>
             <translation>正在將熱平衡模型擬合到記錄…</translation>
+        </message>
+        <message>
+            <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
+            <translation>在清單中選擇一次已記錄的運轉並按 Enter，或開啟檔案：這裡顯示其曲線、事件和指標，並可重播。</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
+            <translation>中斷：記錄未經停止便結束，後來才關閉。已寫入的內容都在這裡。</translation>
+        </message>
+        <message>
+            <source>Metrics</source>
+            <translation>指標</translation>
+        </message>
+        <message>
+            <source>What is known of the run</source>
+            <translation>關於本次運轉的已知資訊</translation>
+        </message>
+        <message>
+            <source>About the recording</source>
+            <translation>關於此記錄</translation>
+        </message>
+        <message>
+            <source>Heat rates</source>
+            <translation>熱變化率</translation>
         </message>
     </context>
     <context>
@@ -4689,6 +4703,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>The report was saved as %1.</source>
             <translation>報告已儲存為 %1。</translation>
+        </message>
+        <message>
+            <source>Folder of recorded runs</source>
+            <translation>已記錄運轉的資料夾</translation>
         </message>
     </context>
     <context>
@@ -6381,8 +6399,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>關閉</translation>
         </message>
     </context>
-<context>
-    <name>bask::Coach</name>
+    <context>
+        <name>bask::Coach</name>
         <message>
             <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
             <translation>初次使用？在模擬實驗台上的十三個小步驟示範 Bask 的功能，不會有任何危險。</translation>
@@ -6462,6 +6480,399 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>On the Review page, open the recording of this run.</source>
             <translation>在「回顧」頁開啟本次運轉的記錄。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Metrics</name>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>start unknown</source>
+            <translation>起點未知</translation>
+        </message>
+        <message>
+            <source>step too small</source>
+            <translation>步階太小</translation>
+        </message>
+        <message>
+            <source>not reached</source>
+            <translation>未達到</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>無</translation>
+        </message>
+        <message>
+            <source>not settled</source>
+            <translation>未穩定</translation>
+        </message>
+        <message>
+            <source>%1 (s.d. %2)</source>
+            <comment>mean with its unit, standard deviation without</comment>
+            <translation>%1（標準差 %2）</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>目標</translation>
+        </message>
+        <message>
+            <source>Final</source>
+            <translation>最終</translation>
+        </message>
+        <message>
+            <source>Settling time</source>
+            <translation>穩定時間</translation>
+        </message>
+        <message>
+            <source>Rise time</source>
+            <translation>上升時間</translation>
+        </message>
+        <message>
+            <source>Overshoot</source>
+            <translation>過衝</translation>
+        </message>
+        <message>
+            <source>Steady-state error</source>
+            <translation>穩態誤差</translation>
+        </message>
+        <message>
+            <source>Path length</source>
+            <translation>路徑長度</translation>
+        </message>
+        <message>
+            <source>Duration of control</source>
+            <translation>控制持續時間</translation>
+        </message>
+        <message>
+            <source>Path of the end-effector</source>
+            <translation>末端執行器的路徑</translation>
+        </message>
+        <message>
+            <source>Rotation of the end-effector</source>
+            <translation>末端執行器的轉動</translation>
+        </message>
+        <message>
+            <source>Time at a velocity limit</source>
+            <translation>處於速度限值的時間</translation>
+        </message>
+        <message>
+            <source>Time at any limit</source>
+            <translation>處於任一限值的時間</translation>
+        </message>
+        <message>
+            <source>The last target that was set. The other numbers count from that moment, or from Start when it was not changed, until Stop.</source>
+            <translation>最後設定的目標。其餘數值從該時刻（若未更改過，則從「開始」）算起，到「停止」為止。</translation>
+        </message>
+        <message>
+            <source>The object's temperature at the last sample until Stop: the simulated object's own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
+            <translation>到「停止」為止最後一個取樣時物體的溫度：模擬時為物體本身的溫度，實際實驗台上為由其感測器得出的估計值。其餘數值也採用此溫度。</translation>
+        </message>
+        <message>
+            <source>Time until the temperature stays within %1 of the target until Stop.</source>
+            <translation>直到溫度進入目標的 %1 以內並保持到「停止」為止所需的時間。</translation>
+        </message>
+        <message>
+            <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
+            <translation>首次越過步階的 10 % 與首次越過 90 % 之間的時間；步階從設定目標時的溫度到目標為止。步階小於容差帶兩倍時不給出。</translation>
+        </message>
+        <message>
+            <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
+            <translation>溫度沿步階方向超出目標的量，以及它佔步階的比例。步階小於容差帶兩倍時不給出。</translation>
+        </message>
+        <message>
+            <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
+            <translation>到「停止」為止的最後 %1 s 內（若穩定後的時間更短，則自穩定時起）溫度減目標的平均值，附取樣的標準差。</translation>
+        </message>
+        <message>
+            <source>Length of the path of the object's centre in the robot's base, from Start until Stop.</source>
+            <translation>從「開始」到「停止」，物體中心在機器人基座座標系中所走路徑的長度。</translation>
+        </message>
+        <message>
+            <source>From Start until Stop.</source>
+            <translation>從「開始」到「停止」。</translation>
+        </message>
+        <message>
+            <source>Length of the path of the end-effector's origin in the robot's base, from Start until Stop.</source>
+            <translation>從「開始」到「停止」，末端執行器原點在機器人基座座標系中所走路徑的長度。</translation>
+        </message>
+        <message>
+            <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
+            <translation>各取樣之間末端執行器所轉角度之和。</translation>
+        </message>
+        <message>
+            <source>Time in which the limit of speed or of rotation held the command back.</source>
+            <translation>指令受速度限值或轉動限值約束的時間。</translation>
+        </message>
+        <message>
+            <source>Time in which a limit of any kind held the command back: speed, rotation, acceleration, clearance or workspace.</source>
+            <translation>指令受任何一種限值約束的時間：速度、轉動、加速度、間距或工作空間。</translation>
+        </message>
+        <message>
+            <source>no samples</source>
+            <translation>沒有取樣</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>未知</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::MetricsPanel</name>
+        <message>
+            <source>How these numbers are defined</source>
+            <translation>這些數值的定義</translation>
+        </message>
+        <message>
+            <source>Metric</source>
+            <translation>指標</translation>
+        </message>
+        <message>
+            <source>Metrics of the run</source>
+            <translation>本次運轉的指標</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Outcome</name>
+        <message>
+            <source>Fault</source>
+            <translation>故障</translation>
+        </message>
+        <message>
+            <source>Interrupted</source>
+            <translation>中斷</translation>
+        </message>
+        <message>
+            <source>Not settled</source>
+            <translation>未穩定</translation>
+        </message>
+        <message>
+            <source>Recording</source>
+            <translation>正在記錄</translation>
+        </message>
+        <message>
+            <source>Settled</source>
+            <translation>已穩定</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>已停止</translation>
+        </message>
+        <message>
+            <source>Unreadable</source>
+            <translation>無法讀取</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::ReplayView</name>
+        <message>
+            <source>3-D scene of the run: source, objects and their paths</source>
+            <translation>運轉的三維場景：熱源、物體及其路徑</translation>
+        </message>
+        <message>
+            <source>Command speed</source>
+            <translation>速度指令</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>誤差</translation>
+        </message>
+        <message>
+            <source>Estimates</source>
+            <translation>估計值</translation>
+        </message>
+        <message>
+            <source>Further traces and the scene</source>
+            <translation>其他曲線與場景</translation>
+        </message>
+        <message>
+            <source>Laid over it:</source>
+            <translation>疊加：</translation>
+        </message>
+        <message>
+            <source>Rates</source>
+            <translation>變化率</translation>
+        </message>
+        <message>
+            <source>Scene</source>
+            <translation>場景</translation>
+        </message>
+        <message>
+            <source>Take %1 away</source>
+            <translation>移除 %1</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>角係數</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SessionList</name>
+        <message numerus="yes">
+            <source>%1 of %n session(s)</source>
+            <translation>
+                <numerusform>%n 個工作階段中的 %1 個</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n sample(s)</source>
+            <translation>
+                <numerusform>%n 個樣本</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n session(s)</source>
+            <translation>
+                <numerusform>%n 個工作階段</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Choose the folder whose runs are listed</source>
+            <translation>選擇要列出其運轉的資料夾</translation>
+        </message>
+        <message>
+            <source>Close it properly</source>
+            <translation>正確關閉</translation>
+        </message>
+        <message>
+            <source>Draws the selected run over the one that is open, both from their Start.</source>
+            <translation>將所選運轉疊加到已開啟的運轉上，兩者都從開始時刻對齊。</translation>
+        </message>
+        <message>
+            <source>Duration</source>
+            <translation>持續時間</translation>
+        </message>
+        <message>
+            <source>Experiment</source>
+            <translation>實驗</translation>
+        </message>
+        <message>
+            <source>Folder…</source>
+            <translation>資料夾…</translation>
+        </message>
+        <message>
+            <source>Kept in the session file. A recording without an end has to be closed first.</source>
+            <translation>保存在工作階段檔案中。沒有結尾的記錄須先關閉。</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>實機</translation>
+        </message>
+        <message>
+            <source>Lay the selected run over the open one</source>
+            <translation>將所選運轉疊加到已開啟的運轉上</translation>
+        </message>
+        <message>
+            <source>No recorded runs in this folder.</source>
+            <translation>此資料夾中沒有已記錄的運轉。</translation>
+        </message>
+        <message>
+            <source>Open the selected run</source>
+            <translation>開啟所選運轉</translation>
+        </message>
+        <message>
+            <source>Open</source>
+            <translation>開啟</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>結果</translation>
+        </message>
+        <message>
+            <source>Overlay</source>
+            <translation>疊加</translation>
+        </message>
+        <message>
+            <source>Reading the folder…</source>
+            <translation>正在讀取資料夾…</translation>
+        </message>
+        <message>
+            <source>Recorded runs</source>
+            <translation>已記錄的運轉</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>記錄時間</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>實驗台</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>模擬</translation>
+        </message>
+        <message>
+            <source>Search names, experiments, notes, tags</source>
+            <translation>搜尋名稱、實驗、備註、標籤</translation>
+        </message>
+        <message>
+            <source>Search the recorded runs</source>
+            <translation>搜尋已記錄的運轉</translation>
+        </message>
+        <message>
+            <source>Tags of the selected run, with commas</source>
+            <translation>所選運轉的標籤，用逗號分隔</translation>
+        </message>
+        <message>
+            <source>Tags</source>
+            <translation>標籤</translation>
+        </message>
+        <message>
+            <source>The recording has no end: Bask or the computer went down. Saved: %1, until %2 after Start; at most the last %3 s before it went down are missing.</source>
+            <translation>記錄沒有結尾：Bask 或電腦曾意外終止。已儲存：%1，直至開始後 %2；最多缺少終止前最後 %3 秒。</translation>
+        </message>
+        <message>
+            <source>The runs listed are in %1</source>
+            <translation>所列運轉位於 %1</translation>
+        </message>
+        <message>
+            <source>This run is being recorded now.</source>
+            <translation>此運轉正在記錄中。</translation>
+        </message>
+        <message>
+            <source>with commas</source>
+            <translation>用逗號分隔</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::TransportBar</name>
+        <message>
+            <source>Pause</source>
+            <translation>暫停</translation>
+        </message>
+        <message>
+            <source>Play</source>
+            <translation>播放</translation>
+        </message>
+        <message>
+            <source>Position and length of the run</source>
+            <translation>運轉的位置與時長</translation>
+        </message>
+        <message>
+            <source>Position in the run</source>
+            <translation>運轉中的位置</translation>
+        </message>
+        <message>
+            <source>REPLAY</source>
+            <translation>重播</translation>
+        </message>
+        <message>
+            <source>Space, while nothing else on the page takes it</source>
+            <translation>空白鍵（頁面上沒有其他控制項占用時）</translation>
+        </message>
+        <message>
+            <source>Speed of the replay</source>
+            <translation>重播速度</translation>
+        </message>
+        <message>
+            <source>Speed</source>
+            <translation>速度</translation>
+        </message>
+        <message>
+            <source>What is shown here was recorded: nothing moves or heats by it.</source>
+            <translation>這裡顯示的是記錄內容：不會使任何東西移動或加熱。</translation>
         </message>
     </context>
 </TS>

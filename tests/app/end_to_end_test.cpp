@@ -6,6 +6,7 @@
 #include "widgets/plots/trace_plot.h"
 
 #include <QAbstractButton>
+#include <QComboBox>
 #include <QLineEdit>
 #include <QTemporaryDir>
 
@@ -117,6 +118,7 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
     // The rates come from a job; they become start values of the experiment, which is the one of the run.
     auto* use = find<QAbstractButton>("useIdentified");
     ASSERT_TRUE(waitFor([&] { return use->isEnabled(); }));
+    find<QComboBox>("reviewDetails")->setCurrentIndex(3);
     QTest::mouseClick(use, Qt::LeftButton);
     EXPECT_TRUE(std::ranges::any_of(window->document().experiment().objects, [](const ObjectSpec& object) {
         return object.believedRates.has_value();

@@ -78,6 +78,11 @@ void EventList::add(double time_s, const QString& text, EventKind kind) {
         m_tree->scrollToItem(item);
 }
 
+void EventList::setChosenByClick() {
+    connect(m_tree, &QTreeWidget::itemClicked, this,
+            [this](QTreeWidgetItem* item) { emit timeChosen(item->data(0, kTimeRole).toDouble()); });
+}
+
 void EventList::clear() {
     m_tree->clear();
 }

@@ -25,6 +25,8 @@ public:
     /// `time_s` since Start, `text` already translated.
     void add(double time_s, const QString& text, EventKind kind = EventKind::Event);
     void clear();
+    /// A row is chosen by one click, not only by Enter and a double click.
+    void setChosenByClick();
     int count() const;
     QString textAt(int row) const;
 

@@ -39,7 +39,7 @@ TracePlot::Canvas::Canvas(TracePlot* plot) : QCustomPlot(plot), owner(plot) {
     m_empty->setLayer(QStringLiteral("labels"));
     m_empty->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_empty->position->setCoords(0.5, 0.5);
-    for (QCPItemLine** line : {&m_pinned, &m_cursor}) {
+    for (QCPItemLine** line : {&m_position, &m_pinned, &m_cursor}) {
         *line = new QCPItemLine(this);
         (*line)->setLayer(QStringLiteral("cursor"));
         (*line)->setVisible(false);
@@ -135,6 +135,7 @@ void TracePlot::Canvas::rebuild() {
                 graph->setLineStyle(QCPGraph::lsStepLeft);
         }
     }
+    rebuildOverlays(); // under the lines of the run itself
     for (int i = 0; i < count; ++i) {
         QCPGraph* graph = addGraph();
         graph->setAdaptiveSampling(true);
@@ -188,7 +189,7 @@ void TracePlot::Canvas::updateTargets() {
             values << displayTemperature(target_K, unit);
         }
         if (!steps.empty()) {
-            keys << std::max(columns.lastTime_s(), xAxis->range().upper);
+            keys << std::max(lastTime_s(), xAxis->range().upper);
             values << values.back();
         }
         m_targets[i]->setData(keys, values, true);
@@ -217,7 +218,10 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
         }
     };
     const QCPRange time = xAxis->range();
-    for (const QCPGraph* graph : m_series) {
+    QList<QCPGraph*> graphs = m_series;
+    for (const Overlay& overlay : overlays)
+        graphs << overlay.graphs;
+    for (const QCPGraph* graph : std::as_const(graphs)) {
         const auto points = graph->data();
         for (auto it = points->findBegin(time.lower); it != points->findEnd(time.upper); ++it)
             include(it->value);

@@ -43,6 +43,14 @@ public:
     void clearMarkers();
     void placeMarkerTexts();
 
+    // Further runs drawn over this one (trace_canvas_overlays.cpp)
+    void addOverlay(const QString& mark, const QStringList& objects,
+                    std::shared_ptr<const std::vector<TraceSample>> samples);
+    void clearOverlays();
+    void rebuildOverlays();
+    void styleOverlays(bool dense);
+    double lastTime_s() const; ///< of all runs
+
     // Ranges, mouse, keys (trace_canvas_interaction.cpp)
     void connectInteraction();
     void schedule();
@@ -56,6 +64,7 @@ public:
     void showCursor(double time_s);
     void hideCursor();
     void pinCursor(std::optional<double> time_s);
+    void setPosition(std::optional<double> time_s);
 
     TracePlot* owner;
     Quantity quantity = Quantity::Temperature;
@@ -67,6 +76,7 @@ public:
     bool follow = true;
     double window_s = 0.0;
     bool markerTexts = true;
+    std::optional<double> position_s; ///< of a replay
 
     struct Marker {
         double time_s;
@@ -76,12 +86,23 @@ public:
     };
     QList<Marker> markers;
 
+    struct Overlay {
+        QString mark;
+        QStringList objects;
+        std::shared_ptr<const std::vector<TraceSample>> samples;
+        QList<QCPGraph*> graphs;
+        QList<QCPItemText*> labels;
+    };
+    std::vector<Overlay> overlays;
+
 protected:
     void resizeEvent(QResizeEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
     void addPoints(std::size_t firstRow);
+    void removeOverlayItems();
+    void fillOverlay(QCPGraph* graph, const Overlay& overlay, int series) const;
     void updateTargets();
     void updateEmptyText();
     void fitMargins();
@@ -97,10 +118,12 @@ private:
     QCPItemText* m_empty = nullptr;
     QCPItemLine* m_cursor = nullptr;
     QCPItemLine* m_pinned = nullptr;
+    QCPItemLine* m_position = nullptr;
     QLabel* m_readout = nullptr;
 
     QTimer m_timer;
     QElapsedTimer m_sinceReplot;
+    bool m_isDrawn = false; ///< for the first time
     bool m_programRange = false;
     bool m_valueAuto = true;
     std::optional<double> m_pinned_s;

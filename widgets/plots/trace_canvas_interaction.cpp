@@ -26,6 +26,7 @@ void TracePlot::Canvas::connectInteraction() {
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] { redrawNow(); });
+    connect(this, &QCustomPlot::afterReplot, this, [this] { m_isDrawn = true; });
     connect(this, &QCustomPlot::afterLayout, this, [this] {
         placeLabels();
         placeMarkerTexts();
@@ -51,10 +52,13 @@ void TracePlot::Canvas::connectInteraction() {
     connect(this, &QCustomPlot::mouseRelease, this, [this](const QMouseEvent* event) {
         if ((event->pos() - m_pressed).manhattanLength() > 4 || !axisRect()->rect().contains(event->pos()))
             return;
-        if (event->button() == Qt::LeftButton && columns.rows() > 0)
-            pinCursor(xAxis->pixelToCoord(event->pos().x()));
-        else
+        if (event->button() == Qt::LeftButton && columns.rows() > 0) {
+            const double clicked_s = xAxis->pixelToCoord(event->pos().x());
+            pinCursor(clicked_s);
+            emit owner->momentClicked(clicked_s);
+        } else {
             pinCursor(std::nullopt);
+        }
     });
     connect(this, &QCustomPlot::mouseDoubleClick, this, [this] {
         pinCursor(std::nullopt);
@@ -97,7 +101,7 @@ void TracePlot::Canvas::redrawNow() {
 void TracePlot::Canvas::updateRanges() {
     const QScopedValueRollback<bool> guard(m_programRange, true);
     if (follow) {
-        const double last = columns.lastTime_s();
+        const double last = lastTime_s();
         if (window_s > 0.0)
             xAxis->setRange(std::max(0.0, last - window_s), std::max(last, window_s));
         else
@@ -140,7 +144,7 @@ void TracePlot::Canvas::onUserRange(const QCPRange& range) {
         return;
     {
         const QScopedValueRollback<bool> guard(m_programRange, true);
-        const double end = std::max(columns.lastTime_s(), kShortestFollow_s);
+        const double end = std::max(lastTime_s(), kShortestFollow_s);
         const double size = std::clamp(range.size(), kShortestZoom_s, 1.5 * end);
         const double centre = std::clamp(range.center(), 0.0, end);
         if (size != range.size() || centre != range.center())
@@ -163,7 +167,7 @@ void TracePlot::Canvas::showTime(double from_s, double to_s) {
 void TracePlot::Canvas::showWhole() {
     m_valueAuto = true;
     const QScopedValueRollback<bool> guard(m_programRange, true);
-    xAxis->setRange(0.0, std::max(columns.lastTime_s(), kShortestFollow_s));
+    xAxis->setRange(0.0, std::max(lastTime_s(), kShortestFollow_s));
     schedule();
 }
 
@@ -251,6 +255,19 @@ void TracePlot::Canvas::pinCursor(std::optional<double> time_s) {
         m_pinned->end->setCoords(*time_s, 0.0);
     }
     layer(QStringLiteral("cursor"))->replot();
+}
+
+void TracePlot::Canvas::setPosition(std::optional<double> time_s) {
+    if (position_s == time_s)
+        return;
+    position_s = time_s;
+    m_position->setVisible(time_s.has_value());
+    if (time_s) {
+        m_position->start->setCoords(*time_s, 1.0);
+        m_position->end->setCoords(*time_s, 0.0);
+    }
+    if (isVisible() && m_isDrawn) // else the first drawing is still to come, with the line
+        layer(QStringLiteral("cursor"))->replot();
 }
 
 void TracePlot::Canvas::resizeEvent(QResizeEvent* event) {

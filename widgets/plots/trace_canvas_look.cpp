@@ -24,10 +24,11 @@ QColor withAlpha(QColor color, int alpha) {
 } // namespace
 
 QPen TracePlot::Canvas::penOfSeries(int series) const {
+    const bool isPlain = !overlays.empty(); // dashes tell the runs apart then
     if (quantity != Quantity::Speed)
-        return seriesPen(series, dark, 1.8);
+        return isPlain ? QPen(seriesColor(series, dark), 1.8) : seriesPen(series, dark, 1.8);
     QPen pen(series == 0 ? palette().color(QPalette::Text) : accentColor(dark), 1.6);
-    if (series == 1)
+    if (series == 1 && !isPlain)
         pen.setDashPattern({6, 2.5});
     return pen;
 }
@@ -80,6 +81,7 @@ void TracePlot::Canvas::restyle(bool darkGround) {
     m_empty->setFont(font());
     m_cursor->setPen(QPen(quiet, 1));
     m_pinned->setPen(QPen(accentColor(dark), 1, Qt::DashLine));
+    m_position->setPen(QPen(accentColor(dark), 2));
     for (const Marker& marker : std::as_const(markers)) {
         marker.line->setPen(QPen(withAlpha(quiet, 190), 1, Qt::DotLine));
         marker.label->setColor(quiet);
@@ -136,6 +138,7 @@ void TracePlot::Canvas::fitPensToDensity() {
             pen = QPen(pen.color(), 1.0);
         m_series[i]->setPen(pen);
     }
+    styleOverlays(dense);
 }
 
 /// Fixed left and right margins, so that plots above each other line up.
@@ -149,6 +152,9 @@ void TracePlot::Canvas::fitMargins() {
         m_labels[i]->setText(text);
         widest = std::max(widest, boldMetrics.horizontalAdvance(text));
     }
+    for (const Overlay& overlay : overlays)
+        for (const QCPItemText* label : overlay.labels)
+            widest = std::max(widest, metrics.horizontalAdvance(label->text()));
     for (const QString& name : std::as_const(names))
         widest = std::max(widest, std::min(kLongestLabel, boldMetrics.horizontalAdvance(name)));
     const int left = metrics.horizontalAdvance(QStringLiteral("0.000")) + metrics.height() + 20;
@@ -179,13 +185,19 @@ void TracePlot::Canvas::updateEmptyText() {
 /// overlap.
 void TracePlot::Canvas::placeLabels() {
     struct Wish {
-        int series;
+        QCPItemText* label;
         double y;
     };
     std::vector<Wish> wishes;
     const QRect area = axisRect()->rect();
-    for (int i = 0; i < m_series.size(); ++i) {
-        const auto points = m_series[i]->data();
+    QList<QCPGraph*> graphs = m_series;
+    QList<QCPItemText*> labels = m_labels;
+    for (const Overlay& overlay : overlays) {
+        graphs << overlay.graphs;
+        labels << overlay.labels;
+    }
+    for (int i = 0; i < graphs.size(); ++i) {
+        const auto points = graphs[i]->data();
         auto it = points->findEnd(xAxis->range().upper, false);
         const auto begin = points->findBegin(xAxis->range().lower, false);
         bool found = false;
@@ -193,10 +205,10 @@ void TracePlot::Canvas::placeLabels() {
             --it;
             found = std::isfinite(it->value);
         }
-        m_labels[i]->setVisible(found);
+        labels[i]->setVisible(found);
         if (found)
-            wishes.push_back(
-                {i, std::clamp(yAxis->coordToPixel(it->value), double(area.top()), double(area.bottom()))});
+            wishes.push_back({labels[i], std::clamp(yAxis->coordToPixel(it->value), double(area.top()),
+                                                    double(area.bottom()))});
     }
     std::ranges::stable_sort(wishes, {}, &Wish::y);
     QFont bold = font();
@@ -211,7 +223,7 @@ void TracePlot::Canvas::placeLabels() {
         floor = wishes[i].y - step;
     }
     for (const Wish& wish : wishes)
-        m_labels[wish.series]->position->setPixelPosition({area.right() + 8.0, wish.y});
+        wish.label->position->setPixelPosition({area.right() + 8.0, wish.y});
 }
 
 void TracePlot::Canvas::addMarker(double time_s, const QString& text) {

@@ -61,6 +61,19 @@ void TracePlot::setMarkerTextsVisible(bool visible) {
     m_canvas->schedule();
 }
 
+void TracePlot::addOverlay(const QString& mark, const QStringList& objects,
+                           std::shared_ptr<const std::vector<TraceSample>> samples) {
+    m_canvas->addOverlay(mark, objects, std::move(samples));
+}
+
+void TracePlot::clearOverlays() {
+    m_canvas->clearOverlays();
+}
+
+void TracePlot::setPosition(std::optional<double> time_s) {
+    m_canvas->setPosition(time_s);
+}
+
 void TracePlot::setTemperatureUnit(TemperatureUnit unit) {
     m_canvas->setUnit(unit);
 }
@@ -133,6 +146,18 @@ QStringList TracePlot::markerTexts() const {
     for (const auto& marker : std::as_const(m_canvas->markers))
         texts << marker.text;
     return texts;
+}
+
+QStringList TracePlot::overlayLabels() const {
+    QStringList texts;
+    for (const Canvas::Overlay& overlay : m_canvas->overlays)
+        for (const QCPItemText* label : overlay.labels)
+            texts << label->text();
+    return texts;
+}
+
+std::optional<double> TracePlot::position_s() const {
+    return m_canvas->position_s;
 }
 
 QString TracePlot::readout(double time_s) const {

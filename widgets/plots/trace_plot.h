@@ -11,6 +11,7 @@
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 namespace bask {
 
@@ -42,6 +43,15 @@ public:
     void clearMarkers();
     void setMarkerTextsVisible(bool visible);
 
+    /// Draws another run over this one, both from their Start: colours by the names of the objects, dashes by
+    /// the run, its mark (a letter) at the ends of its lines. clear() leaves them.
+    void addOverlay(const QString& mark, const QStringList& objects,
+                    std::shared_ptr<const std::vector<TraceSample>> samples);
+    void clearOverlays();
+
+    /// A line at the moment that a replay shows; moving it draws no trace anew.
+    void setPosition(std::optional<double> time_s);
+
     void setTemperatureUnit(TemperatureUnit unit);
     void setTheme(bool dark); ///< follows the palette by itself; only needed to differ from it
 
@@ -64,6 +74,8 @@ public:
     double visibleHighest() const;
     QString valueAxisLabel() const;
     QStringList markerTexts() const;
+    QStringList overlayLabels() const;
+    std::optional<double> position_s() const;
     /// Values at the row nearest to a time, one line, as the cursor reads them.
     QString readout(double time_s) const;
 
@@ -79,6 +91,8 @@ signals:
     void followLiveChanged(bool follow);
     /// A person moved or zoomed the time axis.
     void timeRangeChosen(double from_s, double to_s);
+    /// A person clicked at a moment of the run.
+    void momentClicked(double time_s);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -4,8 +4,6 @@
 #include "widgets/common/theme.h"
 #include "widgets/review/object_table.h"
 
-#include <QApplication>
-#include <QClipboard>
 #include <QEvent>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -104,14 +102,7 @@ void FinalValuesTable::changeEvent(QEvent* event) {
 void FinalValuesTable::keyPressEvent(QKeyEvent* event) {
     if (!event->matches(QKeySequence::Copy))
         return QTableWidget::keyPressEvent(event);
-    QStringList lines;
-    for (int row = 0; row < rowCount(); ++row) {
-        QStringList cells;
-        for (int column = 0; column < kColumns; ++column)
-            cells << item(row, column)->text();
-        lines << cells.join(QLatin1Char('\t'));
-    }
-    QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+    copyTable(*this);
 }
 
 } // namespace bask

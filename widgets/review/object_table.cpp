@@ -1,5 +1,7 @@
 #include "widgets/review/object_table.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QHeaderView>
 #include <QScrollBar>
 
@@ -25,6 +27,22 @@ void styleObjectTable(QTableWidget& table) {
     columns.setMinimumSectionSize(70);
     columns.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     columns.setHighlightSections(false);
+}
+
+void copyTable(const QTableWidget& table) {
+    QStringList lines, header;
+    for (int column = 0; column < table.columnCount(); ++column)
+        header << table.horizontalHeaderItem(column)->text();
+    lines << header.join(u'\t');
+    for (int row = 0; row < table.rowCount(); ++row) {
+        QStringList cells;
+        for (int column = 0; column < table.columnCount(); ++column) {
+            const QTableWidgetItem* item = table.item(row, column);
+            cells << (item != nullptr ? item->text() : QString());
+        }
+        lines << cells.join(u'\t');
+    }
+    QApplication::clipboard()->setText(lines.join(u'\n'));
 }
 
 void fitHeightToRows(QTableWidget& table) {

@@ -11,4 +11,7 @@ void styleObjectTable(QTableWidget& table);
 /// As high as its rows, one to six of them.
 void fitHeightToRows(QTableWidget& table);
 
+/// The whole table onto the clipboard, as tab-separated text with its header.
+void copyTable(const QTableWidget& table);
+
 } // namespace bask

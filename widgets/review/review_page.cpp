@@ -1,63 +1,76 @@
 #include "widgets/review/review_page.h"
 
-#include "engine/base/message_code.h"
+#include "engine/session/run_metrics.h"
+#include "engine/session/session_header.h"
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
-#include "widgets/plots/trace_plot.h"
 #include "widgets/review/final_values.h"
 #include "widgets/review/identified_table.h"
+#include "widgets/review/metrics_panel.h"
+#include "widgets/review/outcome_words.h"
+#include "widgets/review/replay_view.h"
+#include "widgets/review/session_list.h"
 
+#include <QComboBox>
 #include <QDateTime>
 #include <QEvent>
 #include <QFileInfo>
+#include <QFormLayout>
+#include <QFuture>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
+#include <QtConcurrentRun>
 
 #include <algorithm>
 
 namespace bask {
+
 namespace {
 
-bool isMarked(MessageCode code) {
-    switch (code) {
-    case MessageCode::EventHeld:
-    case MessageCode::EventResumed:
-    case MessageCode::EventSettled:
-    case MessageCode::EventTargetsChanged:
-    case MessageCode::EventGainsChanged:
-        return true;
-    default:
-        return alarmPriority(code) > 0;
-    }
-}
+/// What takes long on a long run.
+struct Numbers {
+    std::vector<FinalValue> finals;
+    RunMetrics metrics;
+};
 
 } // namespace
 
-ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_stack(new QStackedWidget(this)) {
+ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new SessionList(this)) {
+    setFocusPolicy(Qt::ClickFocus);
+    auto* left = new QSplitter(Qt::Vertical, this);
+    left->setChildrenCollapsible(false);
+    left->addWidget(m_sessions);
+    left->addWidget(buildDetails());
+    left->setSizes({300, 260});
+    left->setMinimumWidth(260);
+    m_stack = new QStackedWidget(this);
     m_stack->addWidget(buildEmpty());
     m_stack->addWidget(buildRun());
+    m_splitter = new QSplitter(Qt::Horizontal, this);
+    m_splitter->setChildrenCollapsible(false);
+    m_splitter->setHandleWidth(12);
+    m_splitter->addWidget(left);
+    m_splitter->addWidget(m_stack);
+    m_splitter->setStretchFactor(0, 0);
+    m_splitter->setStretchFactor(1, 1);
     auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_stack);
+    layout->setContentsMargins(12, 10, 12, 10);
+    layout->addWidget(m_splitter);
     for (QPushButton* button : {m_open, m_openEmpty})
         connect(button, &QPushButton::clicked, this, &ReviewPage::openRequested);
     connect(m_export, &QPushButton::clicked, this, &ReviewPage::exportRequested);
     connect(m_useIdentified, &QPushButton::clicked, this, &ReviewPage::useIdentifiedRequested);
-    connect(m_temperature, &TracePlot::timeRangeChosen, m_error, &TracePlot::setTimeRange);
-    connect(m_error, &TracePlot::timeRangeChosen, m_temperature, &TracePlot::setTimeRange);
-    connect(m_events, &EventList::timeChosen, this, [this](double time_s) {
-        const double half_s =
-            std::max(0.5 * (m_temperature->visibleTo_s() - m_temperature->visibleFrom_s()), 1.0);
-        for (TracePlot* plot : {m_temperature, m_error})
-            plot->setTimeRange(time_s - half_s, time_s + half_s);
-    });
+    connect(m_metrics, &MetricsPanel::detailsRequested, this, &ReviewPage::definitionsRequested);
+    connect(m_events, &EventList::timeChosen, m_replay, &ReplayView::seek);
+    showRun(false);
     refreshTexts();
 }
 
@@ -82,21 +95,6 @@ QWidget* ReviewPage::buildEmpty() {
     return box;
 }
 
-ReviewPage::Fact ReviewPage::addFact(QWidget* parent, const char* name) {
-    auto* box = new QVBoxLayout;
-    box->setSpacing(1);
-    Fact fact{new QLabel(parent), new QLabel(parent)};
-    fact.value->setObjectName(QString::fromLatin1(name));
-    fact.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    fact.value->setWordWrap(true);
-    fact.caption->setBuddy(fact.value);
-    box->addWidget(fact.caption);
-    box->addWidget(fact.value);
-    box->addStretch(1);
-    static_cast<QHBoxLayout*>(parent->layout())->addLayout(box, 1);
-    return fact;
-}
-
 QWidget* ReviewPage::buildHeader(QWidget* parent) {
     auto* header = new QWidget(parent);
     m_file = boldLabel(header, 1.25);
@@ -106,6 +104,9 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     m_tag->setObjectName("sessionTag");
     m_tag->setFrameShape(QFrame::Box);
     m_tag->setContentsMargins(6, 1, 6, 1);
+    m_outcomeIcon = new QLabel(header);
+    m_outcomeWord = new QLabel(header);
+    m_outcomeWord->setObjectName("outcomeWord");
     m_open = new QPushButton(header);
     m_open->setObjectName("openSession");
     m_export = new QPushButton(header);
@@ -114,27 +115,36 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     title->setSpacing(10);
     title->addWidget(m_file);
     title->addWidget(m_tag);
+    title->addWidget(m_outcomeIcon);
+    title->addWidget(m_outcomeWord);
     title->addStretch(1);
     title->addWidget(m_open);
     title->addWidget(m_export);
 
-    auto* facts = new QWidget(header);
-    auto* row = new QHBoxLayout(facts);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(18);
-    m_outcome = addFact(facts, "factOutcome");
-    row->setStretch(0, 2);
-    m_duration = addFact(facts, "factDuration");
-    m_controller = addFact(facts, "factController");
-    m_created = addFact(facts, "factCreated");
-    m_software = addFact(facts, "factSoftware");
-
     auto* layout = new QVBoxLayout(header);
-    layout->setContentsMargins(0, 0, 0, 4);
-    layout->setSpacing(8);
+    layout->setContentsMargins(0, 0, 0, 0);
     layout->addLayout(title);
-    layout->addWidget(facts);
     return header;
+}
+
+QWidget* ReviewPage::buildFacts(QWidget* parent) {
+    auto* facts = new QWidget(parent);
+    auto* form = new QFormLayout(facts);
+    form->setContentsMargins(4, 8, 4, 4);
+    const auto add = [&](Fact& fact, const char* name) {
+        fact = {new QLabel(facts), new QLabel(facts)};
+        fact.value->setObjectName(QString::fromLatin1(name));
+        fact.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+        fact.value->setWordWrap(true);
+        fact.caption->setBuddy(fact.value);
+        form->addRow(fact.caption, fact.value);
+    };
+    add(m_outcome, "factOutcome");
+    add(m_duration, "factDuration");
+    add(m_controller, "factController");
+    add(m_created, "factCreated");
+    add(m_software, "factSoftware");
+    return facts;
 }
 
 QWidget* ReviewPage::buildIdentified(QWidget* parent) {
@@ -152,72 +162,98 @@ QWidget* ReviewPage::buildIdentified(QWidget* parent) {
     row->addWidget(m_identifiedNote, 1);
     row->addWidget(m_useIdentified, 0, Qt::AlignTop);
     auto* layout = new QVBoxLayout(box);
-    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setContentsMargins(0, 6, 0, 0);
     layout->addWidget(m_identifiedTitle);
     layout->addWidget(m_identified);
     layout->addLayout(row);
+    layout->addStretch(1);
     return box;
+}
+
+/// A list to choose from, not tabs: in a narrow column their names have no room in every language.
+QWidget* ReviewPage::buildDetails() {
+    m_details = new QWidget(this);
+    m_detail = new QComboBox(m_details);
+    m_detail->setObjectName("reviewDetails");
+    auto* pages = new QStackedWidget(m_details);
+    m_events = new EventList(pages);
+    m_events->setObjectName("reviewEvents");
+    m_events->setChosenByClick();
+    m_metrics = new MetricsPanel(pages);
+    auto* finals = new QWidget(pages);
+    m_final = new FinalValuesTable(finals);
+    m_final->setObjectName("finalValues");
+    auto* column = new QVBoxLayout(finals);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->addWidget(m_final);
+    column->addStretch(1);
+    for (QWidget* page : std::initializer_list<QWidget*>{m_events, m_metrics, finals, buildIdentified(pages),
+                                                         buildFacts(pages)}) {
+        pages->addWidget(page);
+        m_detail->addItem(QString());
+    }
+    connect(m_detail, &QComboBox::currentIndexChanged, pages, &QStackedWidget::setCurrentIndex);
+    auto* layout = new QVBoxLayout(m_details);
+    layout->setContentsMargins(0, 4, 0, 0);
+    layout->setSpacing(6);
+    layout->addWidget(m_detail);
+    layout->addWidget(pages, 1);
+    return m_details;
 }
 
 QWidget* ReviewPage::buildRun() {
     auto* box = new QWidget(this);
-    auto* plots = new QWidget(box);
-    m_temperatureTitle = boldLabel(plots);
-    m_errorTitle = boldLabel(plots);
-    m_temperature = new TracePlot(Quantity::Temperature, plots);
-    m_temperature->setObjectName("reviewTemperature");
-    m_error = new TracePlot(Quantity::Error, plots);
-    m_error->setObjectName("reviewError");
-    m_error->setMarkerTextsVisible(false);
-    auto* left = new QVBoxLayout(plots);
-    left->setContentsMargins(0, 0, 6, 0);
-    left->addWidget(m_temperatureTitle);
-    left->addWidget(m_temperature, 3);
-    left->addWidget(m_errorTitle);
-    left->addWidget(m_error, 2);
-
-    auto* tables = new QWidget(box);
-    m_finalTitle = boldLabel(tables);
-    m_eventsTitle = boldLabel(tables);
-    m_final = new FinalValuesTable(tables);
-    m_final->setObjectName("finalValues");
-    m_events = new EventList(tables);
-    m_events->setObjectName("reviewEvents");
-    auto* right = new QVBoxLayout(tables);
-    right->setContentsMargins(6, 0, 0, 0);
-    right->addWidget(m_finalTitle);
-    right->addWidget(m_final);
-    right->addWidget(buildIdentified(tables));
-    right->addWidget(m_eventsTitle);
-    right->addWidget(m_events, 1);
-    tables->setMinimumWidth(420);
-
-    auto* splitter = new QSplitter(Qt::Horizontal, box);
-    splitter->addWidget(plots);
-    splitter->addWidget(tables);
-    splitter->setStretchFactor(0, 3);
-    splitter->setStretchFactor(1, 1);
-    splitter->setSizes({620, 520});
-    splitter->setChildrenCollapsible(false);
+    auto* header = buildHeader(box);
+    m_replay = new ReplayView(box);
     auto* layout = new QVBoxLayout(box);
-    layout->setContentsMargins(14, 12, 14, 12);
-    layout->addWidget(buildHeader(box));
-    layout->addWidget(splitter, 1);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(8);
+    layout->addWidget(header);
+    layout->addWidget(m_replay, 1);
     return box;
 }
 
-void ReviewPage::setSession(const SessionRecord& session, const QStringList& eventSentences) {
-    m_session = std::make_unique<SessionRecord>(session);
+void ReviewPage::setSession(std::shared_ptr<const SessionRecord> session, const QStringList& eventSentences) {
     m_sentences = eventSentences;
-    m_final->setValues(finalValues(session));
+    if (session == m_session)
+        return showEvents();
+    m_session = std::move(session);
     m_identified->setRows({});
     m_useIdentified->setEnabled(false);
     m_identifiedNote->clear();
     m_identifying = true;
-    showTraces();
+    m_replay->setRun(m_session);
+    m_sessions->setComparable(true);
+    count();
     showEvents();
     refreshTexts();
-    m_stack->setCurrentIndex(1);
+    if (m_stack->currentIndex() == 0)
+        showRun(true);
+    setFocus(); // so that Space plays
+}
+
+/// Without a run the list has the room.
+void ReviewPage::showRun(bool isOpen) {
+    m_details->setVisible(isOpen);
+    m_stack->setCurrentIndex(isOpen ? 1 : 0);
+    m_splitter->setSizes(isOpen ? QList<int>{430, 760} : QList<int>{720, 470});
+}
+
+void ReviewPage::count() {
+    m_final->setValues({});
+    m_metrics->clear();
+    const auto session = m_session;
+    QtConcurrent::run([session] {
+        return std::make_shared<Numbers>(Numbers{finalValues(*session), runMetrics(*session)});
+    }).then(this, [this, session](const std::shared_ptr<Numbers>& numbers) {
+        if (session != m_session) // another one was opened meanwhile
+            return;
+        QStringList names;
+        for (const ObjectSpec& object : session->experiment.objects)
+            names << QString::fromStdString(object.name);
+        m_final->setValues(numbers->finals);
+        m_metrics->setMetrics(names, numbers->metrics);
+    });
 }
 
 void ReviewPage::setIdentified(const std::vector<IdentifiedRow>& rows) {
@@ -240,32 +276,17 @@ void ReviewPage::clear() {
     m_session.reset();
     m_sentences.clear();
     m_final->setValues({});
+    m_metrics->clear();
     m_events->clear();
-    for (TracePlot* plot : {m_temperature, m_error})
-        plot->clear();
-    m_stack->setCurrentIndex(0);
+    m_replay->clear();
+    m_sessions->setComparable(false);
+    showRun(false);
 }
 
 void ReviewPage::setTemperatureUnit(TemperatureUnit unit) {
-    m_temperature->setTemperatureUnit(unit);
-    m_error->setTemperatureUnit(unit);
+    m_replay->setTemperatureUnit(unit);
     m_final->setTemperatureUnit(unit);
-}
-
-void ReviewPage::showTraces() {
-    QStringList names;
-    for (const ObjectSpec& object : m_session->experiment.objects)
-        names << QString::fromStdString(object.name);
-    for (TracePlot* plot : {m_temperature, m_error}) {
-        plot->setObjects(names);
-        plot->clearMarkers();
-        plot->setSamples(m_session->samples);
-        for (std::size_t i = 0; i < m_session->events.size(); ++i)
-            if (isMarked(m_session->events[i].message.code))
-                plot->addMarker(m_session->events[i].time_s, m_sentences.value(static_cast<qsizetype>(i)));
-        for (const TraceNote& note : m_session->notes)
-            plot->addMarker(note.time_s, QString::fromStdString(note.text));
-    }
+    m_metrics->setTemperatureUnit(unit);
 }
 
 void ReviewPage::showEvents() {
@@ -288,8 +309,21 @@ void ReviewPage::showEvents() {
         m_events->add(line.time_s, line.text, line.kind);
 }
 
+void ReviewPage::showOutcome() {
+    const Outcome outcome = outcomeOf(m_session->outcome);
+    m_outcomeIcon->setPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
+    m_outcomeWord->setText(outcome == Outcome::Other ? QString::fromStdString(m_session->outcome)
+                                                     : outcomeWord(outcome));
+    m_outcomeWord->setToolTip(outcomeText());
+    m_outcome.value->setText(outcomeText());
+}
+
 QString ReviewPage::outcomeText() const {
     const std::string& outcome = m_session->outcome;
+    if (outcome == kOutcomeInterrupted)
+        return tr(
+            "Interrupted: the recording ended without a Stop, and was closed later. What had been written "
+            "is here.");
     if (m_session->interrupted())
         return tr("Interrupted: the recording ended without a Stop. What had been written is here.");
     if (outcome == "settled")
@@ -305,16 +339,19 @@ QString ReviewPage::outcomeText() const {
 
 void ReviewPage::refreshTexts() {
     m_emptyTitle->setText(tr("No session open"));
-    m_emptyText->setText(tr("Open a recorded run to see its traces, events and final errors."));
+    m_emptyText->setText(tr("Choose a recorded run in the list and press Enter, or open a file: its traces, "
+                            "events and metrics are shown here, "
+                            "and it can be played again."));
     m_emptyText->setPalette(captionPalette(palette()));
     for (QPushButton* button : {m_open, m_openEmpty})
         button->setText(tr("&Open session\u2026"));
     m_export->setText(tr("&Export CSV\u2026"));
     m_export->setToolTip(tr("Write one CSV file per table, units in the headers"));
-    m_temperatureTitle->setText(tr("Temperature"));
-    m_errorTitle->setText(tr("Error"));
-    m_finalTitle->setText(tr("Final values"));
-    m_eventsTitle->setText(tr("Events and notes"));
+    const QString details[] = {tr("Events and notes"), tr("Metrics"), tr("Final values"), tr("Heat rates"),
+                               tr("About the recording")};
+    for (int i = 0; i < m_detail->count(); ++i)
+        m_detail->setItemText(i, details[i]);
+    m_detail->setAccessibleName(tr("What is known of the run"));
     m_identifiedTitle->setText(tr("Heat rates \u03bb\u2081 in K/s"));
     m_useIdentified->setText(tr("Use as start values"));
     m_useIdentified->setToolTip(
@@ -322,8 +359,6 @@ void ReviewPage::refreshTexts() {
            "objects of the same name and material under the same source."));
     if (m_identifying)
         m_identifiedNote->setText(tr("Fitting the heat balance to the record\u2026"));
-    m_temperature->setAccessibleName(tr("Temperatures of the run"));
-    m_error->setAccessibleName(tr("Errors of the run"));
     const QPalette caption = captionPalette(palette());
     const std::initializer_list<std::pair<Fact, QString>> facts{{m_outcome, tr("Outcome")},
                                                                 {m_duration, tr("Duration")},
@@ -341,7 +376,7 @@ void ReviewPage::refreshTexts() {
     m_file->setText(QFileInfo(path).fileName());
     m_file->setToolTip(path);
     m_tag->setText(m_session->simulated ? tr("SIMULATED") : tr("LIVE"));
-    m_outcome.value->setText(outcomeText());
+    showOutcome();
     m_duration.value->setText(m_session->samples.empty() ? kNoValue
                                                          : formatDuration(m_session->samples.back().time_s));
     m_controller.value->setText(controllerWord(m_session->experiment.controller.kind));
@@ -356,6 +391,14 @@ void ReviewPage::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
         refreshTexts();
     QWidget::changeEvent(event);
+}
+
+/// What no widget on the page takes for itself.
+void ReviewPage::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Space && event->modifiers() == Qt::NoModifier && m_session)
+        m_replay->togglePlay();
+    else
+        QWidget::keyPressEvent(event);
 }
 
 } // namespace bask

@@ -1,5 +1,6 @@
 #pragma once
-// The Review page: a recorded run opened again, with its facts, traces, final values, events and notes.
+// The Review page: recorded runs found again, one of them opened: its facts, replay, metrics, final values,
+// events and notes.
 
 #include "engine/base/units.h"
 #include "engine/session/session_file.h"
@@ -8,8 +9,10 @@
 
 #include <memory>
 
+class QComboBox;
 class QLabel;
 class QPushButton;
+class QSplitter;
 class QStackedWidget;
 
 namespace bask {
@@ -17,13 +20,16 @@ namespace bask {
 class EventList;
 class FinalValuesTable;
 class IdentifiedTable;
+class MetricsPanel;
+class ReplayView;
+class SessionList;
 struct IdentifiedRow;
-class TracePlot;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
-/// "factOutcome", "factSoftware", "reviewTemperature", "reviewError", "finalValues", "identifiedRates",
-/// "identifiedNote", "useIdentified", "reviewEvents".
+/// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedNote", "useIdentified",
+/// "reviewEvents", "reviewDetails" (which of these is shown), and those of SessionList, ReplayView and
+/// MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -31,8 +37,9 @@ public:
     explicit ReviewPage(QWidget* parent = nullptr);
     ~ReviewPage() override;
 
-    /// Shows a run; `eventSentences` are its events translated, in their order.
-    void setSession(const SessionRecord& session, const QStringList& eventSentences);
+    /// Shows a run; `eventSentences` are its events translated, in their order. The one that is shown already
+    /// only gets its sentences. Metrics and final values follow, from a thread of their own.
+    void setSession(std::shared_ptr<const SessionRecord> session, const QStringList& eventSentences);
     /// Heat rates from the record, found by the receiver after setSession; until then they are said to be on
     /// their way.
     void setIdentified(const std::vector<IdentifiedRow>& rows);
@@ -40,14 +47,20 @@ public:
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
+    SessionList* sessions() const { return m_sessions; }
+    ReplayView* replay() const { return m_replay; }
+
 signals:
     void openRequested();
     void exportRequested();
     /// The identified rates shall be start values of the open experiment.
     void useIdentifiedRequested();
+    /// The metrics' definitions are wanted.
+    void definitionsRequested();
 
 protected:
     void changeEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
 
 private:
     struct Fact {
@@ -55,18 +68,25 @@ private:
         QLabel* value;
     };
     QWidget* buildEmpty();
+    QWidget* buildDetails();
     QWidget* buildRun();
     QWidget* buildHeader(QWidget* parent);
-    Fact addFact(QWidget* parent, const char* name);
+    QWidget* buildFacts(QWidget* parent);
     QWidget* buildIdentified(QWidget* parent);
-    void showTraces();
+    void count();
+    void showRun(bool isOpen);
     void showEvents();
     void refreshTexts();
+    void showOutcome();
     QString outcomeText() const;
 
-    std::unique_ptr<SessionRecord> m_session; ///< null: none open
+    std::shared_ptr<const SessionRecord> m_session; ///< null: none open
     QStringList m_sentences;
 
+    QSplitter* m_splitter;
+    SessionList* m_sessions;
+    QWidget* m_details;
+    QComboBox* m_detail;
     QStackedWidget* m_stack;
     QLabel* m_emptyTitle;
     QLabel* m_emptyText;
@@ -76,15 +96,12 @@ private:
     QPushButton* m_open;
     QPushButton* m_export;
     Fact m_created, m_duration, m_controller, m_outcome, m_software;
-    QLabel* m_temperatureTitle;
-    QLabel* m_errorTitle;
-    QLabel* m_finalTitle;
-    QLabel* m_eventsTitle;
-    TracePlot* m_temperature;
-    TracePlot* m_error;
+    QLabel *m_outcomeIcon, *m_outcomeWord;
+    ReplayView* m_replay;
+    MetricsPanel* m_metrics;
     FinalValuesTable* m_final;
-    QLabel* m_identifiedTitle;
     IdentifiedTable* m_identified;
+    QLabel* m_identifiedTitle;
     QLabel* m_identifiedNote;
     QPushButton* m_useIdentified;
     bool m_identifying = false;

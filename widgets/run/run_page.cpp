@@ -1,11 +1,11 @@
 #include "widgets/run/run_page.h"
 
-#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/marker_words.h"
+#include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
-#include "widgets/run/object_tile.h"
 #include "widgets/scene/scene_view.h"
 
 #include <QAbstractItemView>
@@ -26,38 +26,6 @@
 
 namespace bask {
 namespace {
-
-/// A word or two for the events that are drawn on the traces; empty for the others.
-QString markerWord(MessageCode code) {
-    switch (code) {
-    case MessageCode::EventHeld:
-        return RunPage::tr("Hold");
-    case MessageCode::EventResumed:
-        return RunPage::tr("Resume");
-    case MessageCode::EventStopped:
-        return RunPage::tr("Stop");
-    case MessageCode::EventEmergencyStop:
-        return RunPage::tr("STOP");
-    case MessageCode::EventSettled:
-        return RunPage::tr("Settled");
-    case MessageCode::EventTargetsChanged:
-        return RunPage::tr("New targets");
-    case MessageCode::EventGainsChanged:
-        return RunPage::tr("New gains");
-    case MessageCode::EventCompromise:
-        return RunPage::tr("Compromise");
-    case MessageCode::ReasonSensorInvalid:
-        return RunPage::tr("Sensor lost");
-    case MessageCode::EventSensorBack:
-        return RunPage::tr("Sensor back");
-    case MessageCode::ReasonSourcePoseLost:
-        return RunPage::tr("Source lost");
-    case MessageCode::EventSourcePoseBack:
-        return RunPage::tr("Source back");
-    default:
-        return alarmPriority(code) == 1 ? RunPage::tr("Fault") : QString();
-    }
-}
 
 /// "speed, workspace x".
 QString limitWords(const ActiveLimits& limits) {

@@ -1,9 +1,9 @@
 // How the Run page is put together: its parts, their arrangement and their texts.
 
+#include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
-#include "widgets/run/object_tile.h"
 #include "widgets/run/run_page.h"
 #include "widgets/scene/scene_view.h"
 

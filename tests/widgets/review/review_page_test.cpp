@@ -2,17 +2,25 @@
 #include "widgets/review/review_page.h"
 
 #include "tests/support/longer_translator.h"
+#include "tests/support/wait_for.h"
+#include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/final_values.h"
 #include "widgets/review/identified_table.h"
+#include "widgets/review/replay_view.h"
 
 #include <QApplication>
+#include <QComboBox>
+#include <QElapsedTimer>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QSlider>
+#include <QTabWidget>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <gtest/gtest.h>
 
@@ -70,6 +78,11 @@ struct ReviewPageTest : testing::Test {
         page.show();
         QApplication::processEvents();
     }
+    /// Until its numbers are there, too.
+    void show(const SessionRecord& session) {
+        page.setSession(std::make_shared<const SessionRecord>(session), sentences());
+        EXPECT_TRUE(test::waitFor([this] { return child<QTableWidget>("finalValues")->rowCount() > 0; }));
+    }
     template <class T> T* child(const char* name) {
         auto* found = page.findChild<T*>(name);
         EXPECT_NE(found, nullptr) << name;
@@ -92,7 +105,7 @@ TEST_F(ReviewPageTest, EmptyPageOffersToOpen) {
 
 // Catches facts of the run that are left out or wrong.
 TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
-    page.setSession(record(), sentences());
+    show(record());
     EXPECT_EQ(text("sessionFile"), "2026-03-14 morning.bask");
     EXPECT_EQ(text("sessionTag"), "SIMULATED");
     EXPECT_EQ(text("factDuration"), "3:20");
@@ -104,7 +117,7 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     SessionRecord broken = record();
     broken.outcome.clear();
     broken.simulated = false;
-    page.setSession(broken, sentences());
+    show(broken);
     EXPECT_TRUE(text("factOutcome").startsWith("Interrupted"));
     EXPECT_EQ(text("sessionTag"), "LIVE");
 }
@@ -113,7 +126,7 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
 // up.
 TEST_F(ReviewPageTest, FinalValuesPerObject) {
     const SessionRecord session = record();
-    page.setSession(session, sentences());
+    show(session);
     ASSERT_EQ(child<FinalValuesTable>("finalValues")->rowCount(), 3);
     EXPECT_EQ(cell(0, 0), "circle");
     EXPECT_EQ(cell(0, 1).toStdString(), "40.0 °C");
@@ -129,7 +142,7 @@ TEST_F(ReviewPageTest, FinalValuesPerObject) {
 // Catches rates without their error, an object's failure without its reason, and a button that has nothing to
 // give.
 TEST_F(ReviewPageTest, ShowsTheIdentifiedRatesBesideTheControllers) {
-    page.setSession(record(), sentences());
+    show(record());
     auto* use = child<QPushButton>("useIdentified");
     EXPECT_FALSE(use->isEnabled());
     EXPECT_TRUE(text("identifiedNote").startsWith("Fitting"));
@@ -159,7 +172,7 @@ TEST_F(ReviewPageTest, ShowsTheIdentifiedRatesBesideTheControllers) {
     page.setIdentificationFailed("It went wrong.");
     EXPECT_EQ(text("identifiedNote"), "It went wrong.");
     EXPECT_EQ(table->rowCount(), 0);
-    page.setSession(record(), sentences()); // another one: what was said of the last is gone
+    show(record()); // another one: what was said of the last is gone
     EXPECT_TRUE(text("identifiedNote").startsWith("Fitting"));
 }
 
@@ -172,7 +185,7 @@ TEST_F(ReviewPageTest, FinalValuesAreThoseAtStop) {
         object.true_K -= 8.0;
     session.events.push_back({session.samples.back().time_s, {MessageCode::EventStopped, {}}});
     session.samples.push_back(retreated);
-    page.setSession(session, sentences());
+    show(session);
     EXPECT_EQ(cell(0, 3), "0.00 K");
     EXPECT_EQ(cell(0, 4), QString("%1 s").arg(std::ceil(18.0 * std::log(30.0))));
 }
@@ -183,27 +196,27 @@ TEST_F(ReviewPageTest, WithoutATruthTheEstimateCounts) {
     for (TraceSample& sample : session.samples)
         for (ObjectSample& object : sample.objects)
             object.true_K = kNan;
-    page.setSession(session, sentences());
+    show(session);
     EXPECT_EQ(cell(0, 2).toStdString(), "40.05 °C");
     EXPECT_EQ(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(2)->text(), "Final, estimated");
 }
 
 // Catches traces that are not those of the record.
 TEST_F(ReviewPageTest, TracesAreThoseOfTheRun) {
-    page.setSession(record(), sentences());
+    show(record());
     auto* plot = child<TracePlot>("reviewTemperature");
     ASSERT_GE(plot->seriesCount(), 3);
     EXPECT_EQ(plot->seriesName(0), "circle");
     EXPECT_EQ(plot->seriesPoints(0).size(), 201);
     EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);
     EXPECT_TRUE(plot->markerTexts().contains("door opened"));
-    EXPECT_TRUE(plot->markerTexts().contains("Controller or gains changed"));
+    EXPECT_TRUE(plot->markerTexts().contains("New gains")) << "as on the Run page";
     EXPECT_GE(child<TracePlot>("reviewError")->seriesCount(), 3);
 }
 
 // Catches events and notes out of order or missing.
 TEST_F(ReviewPageTest, EventsAndNotesInOrderOfTime) {
-    page.setSession(record(), sentences());
+    show(record());
     auto* events = child<EventList>("reviewEvents");
     ASSERT_EQ(events->count(), 5);
     EXPECT_EQ(events->textAt(0), "Sensors zeroed at ambient");
@@ -213,7 +226,7 @@ TEST_F(ReviewPageTest, EventsAndNotesInOrderOfTime) {
 
 // Catches a unit switch that leaves a part in the old unit.
 TEST_F(ReviewPageTest, UnitSwitch) {
-    page.setSession(record(), sentences());
+    show(record());
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(cell(0, 1).toStdString(), "313.2 K");
     EXPECT_NEAR(child<TracePlot>("reviewTemperature")->seriesPoints(0).last().y(), 313.15, 0.2);
@@ -223,7 +236,7 @@ TEST_F(ReviewPageTest, UnitSwitch) {
 TEST_F(ReviewPageTest, EmptyRunAndButtons) {
     SessionRecord session = record();
     session.samples.clear();
-    page.setSession(session, sentences());
+    show(session);
     EXPECT_EQ(text("factDuration"), QString(QChar(0x2014)));
     EXPECT_EQ(cell(0, 4), "not settled");
     QSignalSpy open(&page, &ReviewPage::openRequested);
@@ -238,7 +251,7 @@ TEST_F(ReviewPageTest, EmptyRunAndButtons) {
 
 // Catches text that stays in the old language or has no room in a longer one.
 TEST_F(ReviewPageTest, LanguageChangeWithLongerText) {
-    page.setSession(record(), sentences());
+    show(record());
     LongerTranslator longer;
     qApp->installTranslator(&longer);
     for (int i = 0; i < 6; ++i) // nested layouts settle one after the other
@@ -246,6 +259,7 @@ TEST_F(ReviewPageTest, LanguageChangeWithLongerText) {
     page.grab().save("review_longer.png");
     EXPECT_TRUE(text("factOutcome").startsWith('['));
     EXPECT_TRUE(text("sessionTag").startsWith('['));
+    EXPECT_TRUE(text("outcomeWord").startsWith('['));
     EXPECT_TRUE(child<QPushButton>("exportSession")->text().startsWith('['));
     EXPECT_TRUE(child<FinalValuesTable>("finalValues")->horizontalHeaderItem(4)->text().startsWith('['));
     EXPECT_TRUE(cell(2, 4).startsWith('['));
@@ -254,10 +268,130 @@ TEST_F(ReviewPageTest, LanguageChangeWithLongerText) {
     EXPECT_EQ(text("sessionTag"), "SIMULATED");
 }
 
+// Catches a replay whose tiles, lines and slider do not tell the same moment, and a seek that takes long.
+TEST_F(ReviewPageTest, ASeekMovesAllToThatMoment) {
+    show(record());
+    EXPECT_EQ(child<QLabel>("replayTime")->text(), "0:00 / 3:20");
+    QElapsedTimer timer;
+    timer.start();
+    for (const int moment_s : {20, 199, 3, 120, 55, 90, 10, 199, 1, 40}) {
+        page.replay()->seek(moment_s);
+        QApplication::processEvents();
+    }
+    RecordProperty("ms_each", std::to_string(static_cast<double>(timer.elapsed()) / 10.0));
+    EXPECT_LT(timer.elapsed(), 1000) << "ten seeks with what they draw";
+    EXPECT_EQ(child<QLabel>("replayTime")->text(), "0:40 / 3:20");
+    EXPECT_EQ(child<QSlider>("replaySlider")->value(), 40'000);
+    EXPECT_EQ(child<TracePlot>("reviewTemperature")->position_s(), 40.0);
+    const double then_K = std::round((313.15 - 15.0 * std::exp(-40 / 18.0)) * 10.0) / 10.0;
+    auto* tile = child<QWidget>("reviewTile.0");
+    EXPECT_EQ(tile->findChild<QLabel*>("tileTemperature")->text(),
+              formatTemperature(then_K, TemperatureUnit::Celsius));
+    child<QSlider>("replaySlider")->setValue(60'000);
+    EXPECT_EQ(child<TracePlot>("reviewError")->position_s(), 60.0);
+    emit child<TracePlot>("reviewTemperature")->momentClicked(75.0);
+    EXPECT_EQ(page.replay()->position_s(), 75.0);
+}
+
+// Catches events and notes that cannot be gone to, and a zoomed plot that stays behind.
+TEST_F(ReviewPageTest, AClickInTheListGoesToThatMoment) {
+    show(record());
+    auto* plot = child<TracePlot>("reviewTemperature");
+    emit plot->timeRangeChosen(100.0, 120.0);
+    auto* tree = child<QTreeWidget>("eventListTree");
+    emit tree->itemClicked(tree->topLevelItem(2), 2);
+    EXPECT_EQ(page.replay()->position_s(), 45.0);
+    EXPECT_LE(plot->visibleFrom_s(), 45.0);
+    EXPECT_GE(plot->visibleTo_s(), 45.0);
+    EXPECT_NEAR(plot->visibleTo_s() - plot->visibleFrom_s(), 20.0, 1e-6) << "as far zoomed in as before";
+    EXPECT_EQ(child<TracePlot>("reviewError")->visibleFrom_s(), plot->visibleFrom_s());
+}
+
+// Catches Space that does nothing, a replay that goes on unseen, and one that does not advance.
+TEST_F(ReviewPageTest, SpacePlaysAndPauses) {
+    show(record());
+    page.activateWindow();
+    auto* speed = child<QComboBox>("replaySpeed");
+    ASSERT_EQ(speed->count(), 10);
+    speed->setCurrentIndex(speed->findData(100.0));
+    auto* play = child<QPushButton>("replayPlay");
+    EXPECT_EQ(play->text(), "Play");
+    QTest::keyClick(&page, Qt::Key_Space);
+    EXPECT_EQ(play->text(), "Pause");
+    ASSERT_TRUE(test::waitFor([this] { return page.replay()->position_s() > 20.0; }));
+    EXPECT_GT(child<TracePlot>("reviewTemperature")->position_s().value_or(0.0), 0.0);
+    QTest::keyClick(&page, Qt::Key_Space);
+    const double there_s = page.replay()->position_s();
+    QTest::qWait(60);
+    EXPECT_EQ(page.replay()->position_s(), there_s);
+    QTest::keyClick(&page, Qt::Key_Space);
+    page.hide();
+    EXPECT_EQ(play->text(), "Play") << "hidden, it pauses";
+    page.show();
+    page.replay()->seek(199.0);
+    QTest::mouseClick(play, Qt::LeftButton);
+    EXPECT_TRUE(test::waitFor([&] { return play->text() == "Play"; })) << "at the end it stops";
+    EXPECT_EQ(page.replay()->position_s(), 200.0);
+}
+
+// Catches metrics without definitions, in the wrong unit, or of another run.
+TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
+    show(record());
+    auto* table = child<QTableWidget>("metricsTable");
+    ASSERT_EQ(table->columnCount(), 4);
+    ASSERT_EQ(table->rowCount(), 12);
+    EXPECT_EQ(table->horizontalHeaderItem(1)->text(), "circle");
+    EXPECT_EQ(table->item(0, 0)->text(), "Target");
+    EXPECT_EQ(table->item(2, 1)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(table->item(2, 3)->text(), "not settled");
+    for (int row = 0; row < table->rowCount(); ++row)
+        EXPECT_GT(table->item(row, 0)->toolTip().size(), 20) << row;
+    page.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_TRUE(table->item(0, 1)->text().startsWith("313.1") ||
+                table->item(0, 1)->text().startsWith("313.2"));
+    QSignalSpy wanted(&page, &ReviewPage::definitionsRequested);
+    emit child<QLabel>("metricsDetails")->linkActivated("#");
+    EXPECT_EQ(wanted.count(), 1);
+}
+
+// Catches an overlay without its mark, one that stays when another run is opened, or that cannot be taken
+// away.
+TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
+    show(record());
+    auto other = std::make_shared<SessionRecord>(record());
+    other->path = "/data/runs/evening.bask";
+    for (TraceSample& sample : other->samples)
+        sample.time_s *= 2.0;
+    auto* plot = child<TracePlot>("reviewTemperature");
+    ASSERT_TRUE(page.replay()->addOverlay(other));
+    EXPECT_FALSE(page.replay()->addOverlay(other)) << "it is there";
+    EXPECT_FALSE(page.replay()->addOverlay(std::make_shared<SessionRecord>(record())))
+        << "it is the open one";
+    EXPECT_EQ(plot->overlayLabels(), (QStringList{"circle B", "bunny B", "hand B"}));
+    EXPECT_EQ(plot->visibleTo_s(), 400.0) << "the longer run is in view";
+    EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);
+    child<QTabWidget>("reviewTabs")->setCurrentIndex(2);
+    EXPECT_EQ(child<TracePlot>("reviewSpeed")->overlayLabels().size(), 2);
+    page.setTemperatureUnit(TemperatureUnit::Kelvin);
+    EXPECT_EQ(plot->overlayLabels().size(), 3);
+    auto third = std::make_shared<SessionRecord>(*other);
+    third->path = "/data/runs/night.bask";
+    ASSERT_TRUE(page.replay()->addOverlay(third));
+    QTest::qWait(100);
+    EXPECT_TRUE(page.grab().save("review_overlay.png"));
+    QTest::mouseClick(child<QPushButton>("overlay.B"), Qt::LeftButton);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(plot->overlayLabels(), (QStringList{"circle B", "bunny B", "hand B"})) << "the letters move up";
+    SessionRecord next = record();
+    next.path = "/data/runs/next.bask";
+    show(next);
+    EXPECT_TRUE(plot->overlayLabels().isEmpty());
+}
+
 // Keeps a picture of the page in both themes.
 TEST_F(ReviewPageTest, PictureInBothThemes) {
     EXPECT_TRUE(page.grab().save("review_empty.png"));
-    page.setSession(record(), sentences());
+    show(record());
     for (const bool dark : {false, true}) {
         applyTheme(*qApp, dark ? Theme::Dark : Theme::Light);
         QTest::qWait(150); // plots redraw at most 20 times a second

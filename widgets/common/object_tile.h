@@ -7,6 +7,8 @@
 
 #include <QFrame>
 
+#include <vector>
+
 class QLabel;
 
 namespace bask {
@@ -24,6 +26,9 @@ public:
     void setName(const QString& name);
     /// `time_s` tells how long the object has been in its band.
     void setSample(double time_s, const ObjectSample& sample);
+    /// Any moment of a record: row `k`, this object being number `i` of each. What it was doing is judged as
+    /// it would have been live.
+    void setMoment(const std::vector<TraceSample>& samples, std::size_t k, std::size_t i);
     /// Back to "no reading yet"; the target is kept.
     void clear(double target_K);
     void setTemperatureUnit(TemperatureUnit unit);

@@ -1,4 +1,4 @@
-#include "widgets/run/object_tile.h"
+#include "widgets/common/object_tile.h"
 
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
@@ -168,6 +168,17 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
 void ObjectTile::setSample(double time_s, const ObjectSample& sample) {
     m_sample = sample;
     m_activity = judge(time_s, sample);
+    showValues();
+}
+
+void ObjectTile::setMoment(const std::vector<TraceSample>& samples, std::size_t k, std::size_t i) {
+    std::size_t first = k;
+    while (first > 0 && samples[first].time_s > samples[k].time_s - kSettledAfter_s)
+        --first;
+    m_inBandSince_s = -1.0;
+    for (std::size_t row = first; row <= k; ++row)
+        m_activity = judge(samples[row].time_s, samples[row].objects[i]);
+    m_sample = samples[k].objects[i];
     showValues();
 }
 

@@ -1,4 +1,4 @@
-#include "widgets/run/object_tile.h"
+#include "widgets/common/object_tile.h"
 
 #include <QLabel>
 
@@ -66,4 +66,33 @@ TEST(ObjectTile, AnInvalidSensorShowsNoNumber) {
         EXPECT_EQ(shown.text(name), QStringLiteral("\u2014")) << name;
     EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("40.0\u00a0°C"));
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::SensorInvalid);
+}
+
+// Catches a replay that says "Settling" of an object that had long settled, or "Settled" of one that had not.
+TEST(ObjectTile, AMomentOfARecordIsJudgedAsItWasLive) {
+    std::vector<TraceSample> samples;
+    Shown live;
+    std::vector<ObjectActivity> said;
+    for (int k = 0; k <= 400; ++k) { // in the band from 10 s to 25 s and from 30 s on
+        TraceSample sample;
+        sample.time_s = 0.1 * k;
+        ObjectSample object;
+        const bool isOut = k < 100 || (k >= 250 && k < 300);
+        object.measured_K = isOut ? 310.0 : 313.15;
+        object.rate_K_s = 0.1;
+        object.target_K = 313.15;
+        object.valid = true;
+        sample.objects = {ObjectSample{}, object};
+        samples.push_back(sample);
+        live.tile.setSample(sample.time_s, object);
+        said.push_back(live.tile.activity());
+    }
+    Shown replayed;
+    for (const std::size_t k : {350U, 0U, 99U, 100U, 199U, 205U, 249U, 260U, 400U, 310U, 150U}) {
+        replayed.tile.setMoment(samples, k, 1);
+        EXPECT_EQ(replayed.tile.activity(), said[k]) << k;
+    }
+    replayed.tile.setMoment(samples, 400, 1);
+    EXPECT_EQ(replayed.tile.activity(), ObjectActivity::Settled);
+    EXPECT_TRUE(replayed.text("tileTemperature").startsWith(QStringLiteral("40.0")));
 }

@@ -1,0 +1,115 @@
+#include "app/session_library.h"
+
+#include "app/error_text.h"
+#include "widgets/review/session_list.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QFuture>
+#include <QThread>
+#include <QtConcurrentRun>
+
+namespace bask {
+namespace {
+
+/// Differs when a file or its log was written to.
+std::string stampOf(const std::string& path) {
+    std::string stamp;
+    for (const char* suffix : {"", "-wal"}) {
+        const QFileInfo file(QString::fromStdString(path) + QLatin1String(suffix));
+        stamp += file.exists() ? std::to_string(file.size()) + '@' +
+                                     std::to_string(file.lastModified().toMSecsSinceEpoch()) + ' '
+                               : "- ";
+    }
+    return stamp;
+}
+
+} // namespace
+
+SessionLibrary::SessionLibrary(SessionList& list) : m_list(list) {
+    m_pool.setMaxThreadCount(1);
+    m_pool.setThreadPriority(QThread::LowPriority);
+    connect(&m_list, &SessionList::tagsEdited, this, &SessionLibrary::writeTags);
+    connect(&m_list, &SessionList::closeRequested, this, &SessionLibrary::close);
+    connect(&m_list, &SessionList::compareRequested, this, &SessionLibrary::readOverlay);
+}
+
+SessionLibrary::~SessionLibrary() {
+    *m_isOver = true;
+    m_pool.waitForDone();
+}
+
+template <class Work, class Done> void SessionLibrary::run(Work work, Done done) {
+    QtConcurrent::run(&m_pool, std::move(work)).then(this, std::move(done));
+}
+
+void SessionLibrary::setFolder(const QString& folder) {
+    m_folder = folder;
+    m_list.setFolder(folder);
+    refresh();
+}
+
+void SessionLibrary::refresh() {
+    if (m_folder.isEmpty())
+        return;
+    ++m_listings;
+    m_list.setReading();
+    run([folder = m_folder.toStdString(), known = m_known,
+         isOver = m_isOver] { return read(folder, *known, *isOver); },
+        [this](const std::vector<SessionHeader>& headers) {
+            if (--m_listings == 0) // else a newer list is on its way
+                m_list.setSessions(headers);
+        });
+}
+
+std::vector<SessionHeader> SessionLibrary::read(const std::string& folder, Headers& known,
+                                                const std::atomic<bool>& isOver) {
+    std::vector<SessionHeader> headers;
+    Headers now;
+    for (const std::string& path : sessionFiles(folder)) {
+        if (isOver)
+            return {};
+        std::string stamp = stampOf(path);
+        const auto before = known.find(path);
+        const bool isSame = before != known.end() && before->second.stamp == stamp;
+        headers.push_back(isSame ? before->second.header : readSessionHeader(path));
+        now[path] = {std::move(stamp), headers.back()};
+    }
+    known = std::move(now);
+    return headers;
+}
+
+void SessionLibrary::writeTags(const QString& path, const QStringList& tags) {
+    std::vector<std::string> wanted;
+    for (const QString& tag : tags)
+        wanted.push_back(tag.toStdString());
+    run([file = path.toStdString(), wanted] { return writeSessionTags(file, wanted); },
+        [this](const Result<void>& written) {
+            if (!written)
+                emit problem(sentence(written.error()));
+            refresh();
+        });
+}
+
+void SessionLibrary::close(const QString& path) {
+    run([file = path.toStdString()] { return closeInterrupted(file); },
+        [this, path](const Result<void>& done) {
+            if (!done)
+                emit problem(sentence(done.error()));
+            else
+                emit closed(path);
+            refresh();
+        });
+}
+
+void SessionLibrary::readOverlay(const QString& path) {
+    run([file = path.toStdString()] { return std::make_shared<Result<SessionRecord>>(readSession(file)); },
+        [this](const std::shared_ptr<Result<SessionRecord>>& record) {
+            if (!*record)
+                emit problem(sentence(record->error()));
+            else
+                emit overlayRead(std::make_shared<const SessionRecord>(std::move(**record)));
+        });
+}
+
+} // namespace bask

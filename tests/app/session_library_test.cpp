@@ -1,0 +1,163 @@
+// The list of recorded runs with the files behind it.
+
+#include "app/examples.h"
+#include "app/resources.h"
+#include "app/session_library.h"
+#include "tests/support/wait_for.h"
+#include "widgets/review/session_list.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+class SessionLibraryTest : public testing::Test {
+protected:
+    void SetUp() override {
+        initResources();
+        QObject::connect(&library, &SessionLibrary::problem,
+                         [this](const QString& sentence) { problems << sentence; });
+        list.show();
+    }
+
+    /// A short run; without an outcome as a crash leaves it.
+    QString record(const QString& name, const std::string& outcome) {
+        const QString path = folder.filePath(name);
+        auto writer = SessionWriter::create(path.toStdString(), readExample("three-objects").value(), true);
+        EXPECT_TRUE(writer);
+        for (int k = 0; k < 20; ++k) {
+            TraceSample sample;
+            sample.time_s = 0.1 * k;
+            sample.objects.resize(3);
+            EXPECT_TRUE((*writer)->add(sample));
+        }
+        if (!outcome.empty()) {
+            EXPECT_TRUE((*writer)->finish(outcome));
+        }
+        return path;
+    }
+    bool waitForRows(int rows) {
+        return waitFor([&] { return tree->topLevelItemCount() == rows; });
+    }
+    QString cell(const QString& path, int column) {
+        for (int k = 0; k < tree->topLevelItemCount(); ++k)
+            if (tree->topLevelItem(k)->toolTip(0) == path)
+                return tree->topLevelItem(k)->text(column);
+        return {};
+    }
+    void choose(const QString& path) {
+        for (int k = 0; k < tree->topLevelItemCount(); ++k)
+            if (tree->topLevelItem(k)->toolTip(0) == path)
+                tree->setCurrentItem(tree->topLevelItem(k));
+    }
+
+    QTemporaryDir folder;
+    SessionList list;
+    SessionLibrary library{list};
+    QTreeWidget* tree = list.findChild<QTreeWidget*>("sessionTree");
+    QStringList problems;
+};
+
+// Catches: a folder that is not read, tags that do not reach the file, an interrupted run that stays one.
+TEST_F(SessionLibraryTest, RunsAreListedTaggedAndClosed) {
+    const QString a = record("a.bask", "settled"), cut = record("cut.bask", "");
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(2));
+    EXPECT_EQ(cell(cut, 2), "Interrupted");
+
+    choose(a);
+    auto* tags = list.findChild<QLineEdit*>("sessionTags");
+    tags->setText("good, evening");
+    QTest::keyClick(tags, Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return readSessionHeader(a.toStdString()).tags.size() == 2; }));
+    library.refresh();
+    ASSERT_TRUE(waitFor([&] { return cell(a, 5) == "good, evening"; }));
+
+    QString closed;
+    QObject::connect(&library, &SessionLibrary::closed, [&](const QString& path) { closed = path; });
+    choose(cut);
+    QTest::mouseClick(list.findChild<QPushButton*>("messageAction"), Qt::LeftButton);
+    ASSERT_TRUE(waitFor([&] { return closed == cut; }));
+    ASSERT_TRUE(waitFor([&] { return list.findChild<QLineEdit*>("sessionTags")->isEnabled(); }));
+    EXPECT_EQ(readSession(cut.toStdString())->outcome, kOutcomeInterrupted);
+    EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
+}
+
+// Catches: a refused change that stays on the screen as if it had been written.
+TEST_F(SessionLibraryTest, WhatCannotBeWrittenIsToldAndTakenBack) {
+    const QString a = record("a.bask", "settled");
+    library.setFolder(folder.path());
+    ASSERT_TRUE(waitForRows(1));
+    choose(a);
+    ASSERT_TRUE(QFile::remove(a));
+    auto* tags = list.findChild<QLineEdit*>("sessionTags");
+    tags->setText("lost");
+    QTest::keyClick(tags, Qt::Key_Return);
+    ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
+    EXPECT_TRUE(problems[0].contains("a.bask")) << problems[0].toStdString();
+    EXPECT_TRUE(waitForRows(0));
+}
+
+// Catches: an overlay that is not read, and an error of one that is not told.
+TEST_F(SessionLibraryTest, AnOverlayIsReadOrRefused) {
+    const QString a = record("a.bask", "settled");
+    QFile bad(folder.filePath("bad.bask"));
+    ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
+    bad.write("nothing");
+    bad.close();
+    std::shared_ptr<const SessionRecord> read;
+    QObject::connect(&library, &SessionLibrary::overlayRead,
+                     [&](const std::shared_ptr<const SessionRecord>& record) { read = record; });
+    emit list.compareRequested(a);
+    ASSERT_TRUE(waitFor([&] { return read != nullptr; }));
+    EXPECT_EQ(read->samples.size(), 20U);
+    emit list.compareRequested(bad.fileName());
+    ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
+}
+
+// Catches: a folder of hundreds that takes long, above all the second time, or that keeps the window waiting.
+TEST_F(SessionLibraryTest, FiveHundredFilesAreListedQuickly) {
+    const QString first = record("run0.bask", "settled");
+    for (int k = 1; k < 500; ++k)
+        ASSERT_TRUE(QFile::copy(first, folder.filePath(QStringLiteral("run%1.bask").arg(k))));
+    QElapsedTimer timer;
+    timer.start();
+    library.setFolder(folder.path());
+    EXPECT_LT(timer.elapsed(), 100) << "reading is not the window's work";
+    ASSERT_TRUE(waitForRows(500));
+    RecordProperty("first_ms", std::to_string(timer.elapsed()));
+    EXPECT_LT(timer.elapsed(), 10'000);
+    QFile::remove(folder.filePath("run7.bask"));
+    timer.restart();
+    library.refresh();
+    ASSERT_TRUE(waitForRows(499));
+    RecordProperty("again_ms", std::to_string(timer.elapsed()));
+    EXPECT_LT(timer.elapsed(), 2000);
+}
+
+// Catches: an end that waits for hundreds of files, or is told of one when it is gone.
+TEST_F(SessionLibraryTest, ItEndsInTheMidstOfAFolder) {
+    const QString first = record("run0.bask", "settled");
+    for (int k = 1; k < 200; ++k)
+        ASSERT_TRUE(QFile::copy(first, folder.filePath(QStringLiteral("run%1.bask").arg(k))));
+    QElapsedTimer timer;
+    {
+        SessionList other;
+        SessionLibrary brief(other);
+        brief.setFolder(folder.path());
+        timer.start();
+    }
+    EXPECT_LT(timer.elapsed(), 1000);
+    QCoreApplication::processEvents();
+}
+
+} // namespace
+} // namespace bask::test

@@ -1,0 +1,191 @@
+#include "widgets/review/session_list.h"
+
+#include "engine/base/message_code.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+SessionHeader header(const char* name, const char* created, const char* outcome) {
+    SessionHeader made;
+    made.path = std::string("/runs/") + name + ".bask";
+    made.title = std::string("title of ") + name;
+    made.objects = {"circle"};
+    made.created = created;
+    made.simulated = true;
+    made.outcome = outcome;
+    made.samples = 1234;
+    made.end_s = 200.0;
+    return made;
+}
+
+struct SessionListTest : testing::Test {
+    SessionList list;
+    QTreeWidget* tree = list.findChild<QTreeWidget*>("sessionTree");
+    QLineEdit* search = list.findChild<QLineEdit*>("sessionSearch");
+    QLineEdit* tags = list.findChild<QLineEdit*>("sessionTags");
+
+    SessionListTest() {
+        SessionHeader a = header("a", "2026-03-14T09:26:53Z", "settled");
+        a.notes = {"door opened"};
+        a.tags = {"good", "paper"};
+        SessionHeader b = header("b", "2026-03-15T09:26:53Z", "fault");
+        b.simulated = false;
+        const SessionHeader cut = header("cut", "2026-03-13T09:26:53Z", "");
+        SessionHeader bad;
+        bad.path = "/runs/bad.bask";
+        bad.error = Error(MessageCode::SessionDamaged, bad.path, {"it is cut short"});
+        list.setSessions({a, b, cut, bad});
+        list.resize(500, 500);
+        list.show();
+        list.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&list));
+    }
+    QTreeWidgetItem* row(const char* name) {
+        for (int k = 0; k < tree->topLevelItemCount(); ++k)
+            if (tree->topLevelItem(k)->toolTip(0) == QString("/runs/%1.bask").arg(name))
+                return tree->topLevelItem(k);
+        return nullptr;
+    }
+    QStringList found() {
+        QStringList paths;
+        for (int k = 0; k < tree->topLevelItemCount(); ++k)
+            if (!tree->topLevelItem(k)->isHidden())
+                paths << tree->topLevelItem(k)->toolTip(0).mid(6).chopped(5);
+        paths.sort();
+        return paths;
+    }
+    QString message() {
+        auto* bar = list.findChild<QWidget*>("sessionMessage");
+        return bar->isVisible() ? bar->findChild<QLabel*>("message")->text() : QString();
+    }
+};
+
+// Catches columns without their facts, and outcomes that only an icon or only a colour tells.
+TEST_F(SessionListTest, ARowTellsTheRun) {
+    ASSERT_EQ(tree->topLevelItemCount(), 4);
+    EXPECT_EQ(row("a")->text(1), "title of a");
+    EXPECT_EQ(row("a")->text(2), "Settled");
+    EXPECT_EQ(row("a")->text(3), "3:20");
+    EXPECT_EQ(row("a")->text(4), "SIMULATED");
+    EXPECT_EQ(row("a")->text(5), "good, paper");
+    EXPECT_EQ(row("b")->text(2), "Fault");
+    EXPECT_EQ(row("b")->text(4), "LIVE");
+    EXPECT_EQ(row("cut")->text(2), "Interrupted");
+    EXPECT_EQ(row("bad")->text(2), "Unreadable");
+    for (const char* name : {"a", "b", "cut", "bad"})
+        EXPECT_FALSE(row(name)->icon(2).isNull()) << name;
+    tree->sortByColumn(0, Qt::DescendingOrder);
+    EXPECT_EQ(tree->indexOfTopLevelItem(row("b")) + 1, tree->indexOfTopLevelItem(row("a")));
+    EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "4 session(s)")
+        << "English plurals are a translation";
+}
+
+// Catches a search that misses a field, or takes any word for all.
+TEST_F(SessionListTest, TheSearchLooksIntoAll) {
+    const std::pair<const char*, QStringList> cases[] = {
+        {"DOOR", {"a"}},       {"paper", {"a"}},        {"title", {"a", "b", "cut"}},
+        {"bad.bask", {"bad"}}, {"live", {"b"}},         {"door good", {"a"}},
+        {"door live", {}},     {"circle fault", {"b"}}, {"", {"a", "b", "bad", "cut"}}};
+    for (const auto& [text, wanted] : cases) {
+        search->setText(text);
+        EXPECT_EQ(found(), wanted) << text;
+    }
+}
+
+// Catches a damaged file without its reason, and one that can be opened all the same.
+TEST_F(SessionListTest, ADamagedFileSaysWhy) {
+    QSignalSpy chosen(&list, &SessionList::sessionChosen);
+    tree->setCurrentItem(row("bad"));
+    EXPECT_TRUE(message().contains("cut short")) << message().toStdString();
+    EXPECT_FALSE(list.findChild<QPushButton*>("sessionOpen")->isEnabled());
+    EXPECT_FALSE(tags->isEnabled());
+    emit tree->itemActivated(row("bad"), 0);
+    EXPECT_EQ(chosen.count(), 0);
+    tree->setCurrentItem(row("a"));
+    EXPECT_TRUE(message().isEmpty());
+    emit tree->itemActivated(row("a"), 0);
+    QTest::mouseClick(list.findChild<QPushButton*>("sessionOpen"), Qt::LeftButton);
+    ASSERT_EQ(chosen.count(), 2);
+    EXPECT_EQ(chosen[0][0].toString(), "/runs/a.bask");
+}
+
+// Catches an interrupted run that says nothing of what is there and what is missing, or cannot be closed.
+TEST_F(SessionListTest, AnInterruptedRunSaysWhatIsMissingAndIsClosed) {
+    tree->setCurrentItem(row("cut"));
+    for (const char* part : {"1234", "3:20", "0.5 s"})
+        EXPECT_TRUE(message().contains(part)) << part << ": " << message().toStdString();
+    EXPECT_FALSE(tags->isEnabled()) << "it may be being recorded into";
+    QSignalSpy close(&list, &SessionList::closeRequested);
+    QTest::mouseClick(list.findChild<QWidget*>("sessionMessage")->findChild<QPushButton*>("messageAction"),
+                      Qt::LeftButton);
+    ASSERT_EQ(close.count(), 1);
+    EXPECT_EQ(close[0][0].toString(), "/runs/cut.bask");
+    list.setRecording("/runs/cut.bask");
+    EXPECT_EQ(row("cut")->text(2), "Recording");
+    EXPECT_FALSE(message().contains("0.5 s"));
+    EXPECT_FALSE(list.findChild<QPushButton*>("messageAction")->isVisible()) << "it is on";
+}
+
+// Catches tags that go to another session than they were typed for.
+TEST_F(SessionListTest, TagsBelongToTheRunTheyWereTypedFor) {
+    QSignalSpy edited(&list, &SessionList::tagsEdited);
+    tree->setCurrentItem(row("a"));
+    ASSERT_TRUE(tags->isEnabled());
+    EXPECT_EQ(tags->text(), "good, paper");
+    tags->setFocus();
+    tags->setText(" paper,  new  one,,paper ");
+    QTest::keyClick(tags, Qt::Key_Return);
+    ASSERT_EQ(edited.count(), 1);
+    EXPECT_EQ(edited[0][0].toString(), "/runs/a.bask");
+    EXPECT_EQ(edited[0][1].toStringList(), (QStringList{"paper", "new one"}));
+    QTest::keyClick(tags, Qt::Key_Return);
+    EXPECT_EQ(edited.count(), 1) << "nothing changed since";
+    tree->setCurrentItem(row("b"));
+    tags->setFocus();
+    tags->setText("x");
+    tree->setFocus(); // as a click on another row does
+    tree->setCurrentItem(row("a"));
+    ASSERT_EQ(edited.count(), 2);
+    EXPECT_EQ(edited[1][0].toString(), "/runs/b.bask");
+}
+
+// Catches a selection that is lost, or another run's, when the folder is read again.
+TEST_F(SessionListTest, TheSelectionStaysWhenTheListIsReadAgain) {
+    tree->setCurrentItem(row("cut"));
+    list.setSessions({header("new", "2026-03-16T09:26:53Z", "settled"),
+                      header("cut", "2026-03-13T09:26:53Z", "interrupted")});
+    ASSERT_NE(tree->currentItem(), nullptr);
+    EXPECT_EQ(tree->currentItem()->toolTip(0), "/runs/cut.bask");
+    EXPECT_TRUE(message().isEmpty()) << "it has its end";
+    EXPECT_TRUE(tags->isEnabled());
+    list.setSessions({});
+    EXPECT_EQ(list.findChild<QLabel*>("sessionCount")->text(), "No recorded runs in this folder.");
+}
+
+// Catches a list that makes the window wait when there are many.
+TEST_F(SessionListTest, ManyRunsAreShownAtOnce) {
+    std::vector<SessionHeader> many;
+    for (int k = 0; k < 500; ++k)
+        many.push_back(header(qPrintable(QString("run%1").arg(k)), "2026-03-16T09:26:53Z", "settled"));
+    QElapsedTimer timer;
+    timer.start();
+    list.setSessions(many);
+    search->setText("run49");
+    RecordProperty("ms", std::to_string(timer.elapsed()));
+    EXPECT_LT(timer.elapsed(), 500);
+    EXPECT_EQ(found().size(), 11);
+}
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,13 @@
+#pragma once
+// Words for the lines that mark events on the traces.
+
+#include "engine/base/message.h"
+
+#include <QString>
+
+namespace bask {
+
+/// A word or two for the events that are drawn on the traces; empty for the others.
+QString markerWord(MessageCode code);
+
+} // namespace bask

@@ -1,0 +1,127 @@
+// Further runs over the one of a trace plot: colours by object, dashes by run, marked at the ends of their
+// lines.
+
+#include "widgets/common/theme.h"
+#include "widgets/plots/trace_canvas.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr int kLongestName = 100; // px, in front of the run's mark
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// In SI, as TraceColumns has it of the run underneath.
+double plotted(const TraceSample& sample, Quantity quantity, int series) {
+    if (quantity == Quantity::Speed)
+        return series == 0 ? sample.twist.head<3>().norm() : sample.twist.tail<3>().norm();
+    const auto i = static_cast<std::size_t>(series);
+    if (i >= sample.objects.size())
+        return kNaN;
+    const ObjectSample& object = sample.objects[i];
+    switch (quantity) {
+    case Quantity::Temperature:
+        return object.valid ? object.measured_K : kNaN;
+    case Quantity::Error:
+        return object.valid ? object.measured_K - object.target_K : kNaN;
+    case Quantity::Rate:
+        return object.valid ? object.rate_K_s : kNaN;
+    case Quantity::ViewFactor:
+        return object.viewFactor;
+    default:
+        return object.lambda1;
+    }
+}
+
+} // namespace
+
+double TracePlot::Canvas::lastTime_s() const {
+    double last_s = columns.lastTime_s();
+    for (const Overlay& overlay : overlays)
+        if (!overlay.samples->empty())
+            last_s = std::max(last_s, overlay.samples->back().time_s);
+    return last_s;
+}
+
+void TracePlot::Canvas::addOverlay(const QString& mark, const QStringList& objects,
+                                   std::shared_ptr<const std::vector<TraceSample>> samples) {
+    overlays.push_back({mark, objects, std::move(samples), {}, {}});
+    rebuild();
+}
+
+void TracePlot::Canvas::clearOverlays() {
+    if (overlays.empty())
+        return;
+    removeOverlayItems();
+    overlays.clear();
+    rebuild();
+}
+
+/// The graphs go with clearGraphs(), the labels do not.
+void TracePlot::Canvas::removeOverlayItems() {
+    for (Overlay& overlay : overlays) {
+        for (QCPItemText* label : std::as_const(overlay.labels))
+            removeItem(label);
+        overlay.labels.clear();
+        overlay.graphs.clear();
+    }
+}
+
+void TracePlot::Canvas::rebuildOverlays() {
+    removeOverlayItems();
+    for (Overlay& overlay : overlays) {
+        const auto count = quantity == Quantity::Speed ? 2 : static_cast<int>(overlay.objects.size());
+        for (int i = 0; i < count; ++i) {
+            overlay.graphs << addGraph();
+            overlay.graphs.back()->setAdaptiveSampling(true);
+            fillOverlay(overlay.graphs.back(), overlay, i);
+            auto* label = new QCPItemText(this);
+            label->setLayer(QStringLiteral("labels"));
+            label->setClipToAxisRect(false);
+            label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+            label->position->setType(QCPItemPosition::ptAbsolute);
+            overlay.labels << label;
+        }
+    }
+    styleOverlays(false);
+}
+
+void TracePlot::Canvas::fillOverlay(QCPGraph* graph, const Overlay& overlay, int series) const {
+    const auto count = static_cast<qsizetype>(overlay.samples->size());
+    QVector<double> keys(count), values(count);
+    double scale = 1.0;
+    if (quantity == Quantity::Speed)
+        scale = 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
+    for (qsizetype k = 0; k < count; ++k) {
+        const TraceSample& sample = (*overlay.samples)[static_cast<std::size_t>(k)];
+        keys[k] = sample.time_s;
+        values[k] = displayed(plotted(sample, quantity, series)) * scale;
+    }
+    graph->setData(keys, values, true);
+}
+
+void TracePlot::Canvas::styleOverlays(bool dense) {
+    const QFontMetrics metrics(font());
+    for (std::size_t k = 0; k < overlays.size(); ++k) {
+        const Overlay& overlay = overlays[k];
+        for (int i = 0; i < overlay.graphs.size(); ++i) {
+            const QString name = quantity == Quantity::Speed ? seriesName(i) : overlay.objects.value(i);
+            const auto same = static_cast<int>(names.indexOf(name)); // in the run underneath
+            QPen pen(seriesColor(same >= 0 ? same : i, dark), 1.4);
+            if (quantity == Quantity::Speed)
+                pen.setColor(i == 0 ? palette().color(QPalette::Text) : accentColor(dark));
+            pen.setCapStyle(Qt::FlatCap);
+            if (!dense)
+                pen.setDashPattern(seriesDashes(static_cast<int>(k % 5) + 1));
+            overlay.graphs[i]->setPen(pen);
+            overlay.labels[i]->setFont(font());
+            overlay.labels[i]->setColor(pen.color());
+            overlay.labels[i]->setText(QStringLiteral("%1 %2").arg(
+                metrics.elidedText(name, Qt::ElideRight, kLongestName), overlay.mark));
+        }
+    }
+}
+
+} // namespace bask

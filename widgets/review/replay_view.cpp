@@ -1,0 +1,382 @@
+#include "widgets/review/replay_view.h"
+
+#include "widgets/common/marker_words.h"
+#include "widgets/common/object_tile.h"
+#include "widgets/common/theme.h"
+#include "widgets/plots/trace_plot.h"
+#include "widgets/review/transport_bar.h"
+#include "widgets/scene/scene_view.h"
+
+#include <QEvent>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr int kGap = 6;
+
+/// A short line in the dashes of overlay `index`, in no object's colour.
+QIcon overlayIcon(int index, const QColor& ink, double devicePixelRatio) {
+    QPixmap pixmap(QSize(32, 12) * devicePixelRatio);
+    pixmap.setDevicePixelRatio(devicePixelRatio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    QPen pen(ink, 2.0);
+    pen.setCapStyle(Qt::FlatCap);
+    pen.setDashPattern(seriesDashes(index % 5 + 1));
+    painter.setPen(pen);
+    painter.drawLine(QPointF(0, 6), QPointF(28, 6));
+    return QIcon(pixmap);
+}
+
+QStringList objectNames(const SessionRecord& run) {
+    QStringList names;
+    for (const ObjectSpec& object : run.experiment.objects)
+        names << QString::fromStdString(object.name);
+    return names;
+}
+
+} // namespace
+
+ReplayView::ReplayView(QWidget* parent)
+    : QWidget(parent), m_transport(new TransportBar(m_clock, this)), m_legend(new QWidget(this)),
+      m_tileArea(new QWidget(this)) {
+    m_legendLayout = new QGridLayout(m_legend);
+    m_legendLayout->setContentsMargins(0, 0, 0, 0);
+    m_legendLayout->setSpacing(4);
+    m_legendLayout->setColumnStretch(3, 1);
+    m_legend->hide();
+    m_tileLayout = new QGridLayout(m_tileArea);
+    m_tileLayout->setContentsMargins(0, 0, 0, 0);
+    m_tileLayout->setSpacing(kGap);
+
+    auto* stack = new QSplitter(Qt::Vertical, this);
+    stack->setChildrenCollapsible(false);
+    stack->setHandleWidth(kGap);
+    stack->addWidget(makePlot(Quantity::Temperature, "reviewTemperature"));
+    m_tabs = new QTabWidget(stack);
+    m_tabs->setObjectName(QStringLiteral("reviewTabs"));
+    m_tabs->setDocumentMode(true);
+    m_tabs->setUsesScrollButtons(true);
+    m_tabs->addTab(makePlot(Quantity::Error, "reviewError"), QString());
+    m_tabs->addTab(makePlot(Quantity::ViewFactor, "reviewViewFactor"), QString());
+    m_tabs->addTab(makePlot(Quantity::Speed, "reviewSpeed"), QString());
+    m_tabs->addTab(makePlot(Quantity::Rate, "reviewRate"), QString());
+    m_tabs->addTab(makePlot(Quantity::Strength, "reviewStrength"), QString());
+    m_sceneTab = new QWidget(m_tabs);
+    (new QVBoxLayout(m_sceneTab))->setContentsMargins(0, 0, 0, 0);
+    m_tabs->addTab(m_sceneTab, QString());
+    stack->addWidget(m_tabs);
+    stack->setSizes({300, 240});
+    stack->setStretchFactor(0, 3);
+    stack->setStretchFactor(1, 2);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(kGap);
+    layout->addWidget(m_transport);
+    layout->addWidget(m_tileArea);
+    layout->addWidget(m_legend);
+    layout->addWidget(stack, 1);
+
+    connectPlots();
+    connect(m_transport, &TransportBar::moved, this, &ReplayView::showMoment);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &ReplayView::fillShown);
+    retranslate();
+}
+
+ReplayView::~ReplayView() = default;
+
+TracePlot* ReplayView::makePlot(Quantity quantity, const char* name) {
+    auto* plot = new TracePlot(quantity, this);
+    plot->setObjectName(QLatin1String(name));
+    plot->setMarkerTextsVisible(quantity == Quantity::Temperature);
+    m_plots.push_back({plot, false});
+    return plot;
+}
+
+void ReplayView::connectPlots() {
+    for (const Plot& each : m_plots) {
+        TracePlot* plot = each.plot;
+        connect(plot, &TracePlot::momentClicked, this, &ReplayView::seek);
+        connect(plot, &TracePlot::timeRangeChosen, this, [this, plot](double from_s, double to_s) {
+            m_visible_s = std::pair{from_s, to_s};
+            for (const Plot& other : m_plots)
+                if (other.plot != plot)
+                    other.plot->setTimeRange(from_s, to_s);
+        });
+        connect(plot, &TracePlot::followLiveChanged, this, [this, plot](bool whole) {
+            if (!whole)
+                return;
+            m_visible_s.reset();
+            for (const Plot& other : m_plots)
+                if (other.plot != plot)
+                    other.plot->setFollowLive(true);
+        });
+    }
+}
+
+void ReplayView::setRun(std::shared_ptr<const SessionRecord> run) {
+    m_overlays.clear();
+    m_run = std::move(run);
+    m_visible_s.reset();
+    m_names = objectNames(*m_run);
+    makeTiles();
+    const auto& robot = m_run->experiment.robot;
+    for (Plot& each : m_plots) {
+        each.isFilled = false;
+        each.plot->clearOverlays();
+        each.plot->setObjects(m_names);
+        each.plot->setSpeedLimits({robot.maxSpeed_m_s, robot.maxRotation_rad_s});
+        each.plot->setPosition(std::nullopt);
+    }
+    fillScene();
+    fill(m_plots.front());
+    fillShown();
+    showOverlays();
+    const auto& samples = m_run->samples;
+    m_transport->setSpan(samples.empty() ? 0.0 : samples.front().time_s,
+                         samples.empty() ? 0.0 : samples.back().time_s);
+}
+
+void ReplayView::clear() {
+    m_overlays.clear();
+    m_run.reset();
+    for (Plot& each : m_plots) {
+        each.plot->clear();
+        each.plot->clearOverlays();
+        each.plot->setPosition(std::nullopt);
+        each.isFilled = false;
+    }
+    m_transport->setSpan(0.0, 0.0);
+    showOverlays();
+}
+
+void ReplayView::fill(Plot& each) {
+    if (each.isFilled || !m_run)
+        return;
+    each.isFilled = true;
+    each.plot->setSamples(m_run->samples);
+    addMarkers(*each.plot);
+    for (const Overlay& overlay : m_overlays)
+        each.plot->addOverlay(overlay.mark, objectNames(*overlay.run), {overlay.run, &overlay.run->samples});
+    if (m_visible_s)
+        each.plot->setTimeRange(m_visible_s->first, m_visible_s->second);
+}
+
+/// What the chosen tab shows, made when it is looked at: a long run costs each plot its memory.
+void ReplayView::fillShown() {
+    for (Plot& each : m_plots)
+        if (each.plot == m_tabs->currentWidget())
+            fill(each);
+    if (m_tabs->currentWidget() == m_sceneTab && m_scene == nullptr)
+        makeScene();
+    if (m_run)
+        showMoment(m_transport->position_s());
+}
+
+void ReplayView::makeScene() {
+    m_scene = new SceneView(m_sceneTab);
+    m_scene->setObjectName(QStringLiteral("reviewScene"));
+    m_scene->setTemperatureUnit(m_unit);
+    m_sceneTab->layout()->addWidget(m_scene);
+    fillScene();
+    retranslate();
+}
+
+/// The whole way of the objects; of a long run not every sample, which nobody could tell.
+void ReplayView::fillScene() {
+    if (m_scene == nullptr || !m_run)
+        return;
+    constexpr std::size_t kMost = 20'000;
+    const std::size_t every = m_run->samples.size() / kMost + 1;
+    std::vector<TraceSample> some;
+    for (std::size_t k = 0; k < m_run->samples.size(); k += every)
+        some.push_back(m_run->samples[k]);
+    m_scene->setExperiment(m_run->experiment);
+    m_scene->setSamples(some);
+}
+
+void ReplayView::addMarkers(TracePlot& plot) const {
+    for (const TraceEvent& event : m_run->events)
+        if (const QString word = markerWord(event.message.code); !word.isEmpty())
+            plot.addMarker(event.time_s, word);
+    for (const TraceNote& note : m_run->notes)
+        plot.addMarker(note.time_s, QString::fromStdString(note.text));
+}
+
+/// Tiles in one row up to four objects, in two rows above, as on the Run page.
+void ReplayView::makeTiles() {
+    qDeleteAll(m_tiles);
+    m_tiles.clear();
+    const std::size_t count = m_run->experiment.objects.size();
+    const auto perRow = static_cast<int>(count <= 4 ? std::max<std::size_t>(count, 1) : (count + 1) / 2);
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+        auto* tile = new ObjectTile(i, m_tileArea);
+        tile->setObjectName(QStringLiteral("reviewTile.%1").arg(i)); // others of its kind are on the Run page
+        tile->setName(m_names[i]);
+        tile->setTemperatureUnit(m_unit);
+        tile->clear(m_run->experiment.objects[static_cast<std::size_t>(i)].target_K);
+        m_tileLayout->addWidget(tile, i / perRow, i % perRow);
+        m_tiles.push_back(tile);
+    }
+}
+
+/// The newest sample at or before a time, else the first.
+std::size_t ReplayView::rowAt(double time_s) const {
+    const auto after = std::ranges::upper_bound(m_run->samples, time_s, {}, &TraceSample::time_s);
+    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - m_run->samples.begin(), 1) - 1);
+}
+
+void ReplayView::showMoment(double time_s) {
+    if (!m_run || m_run->samples.empty())
+        return;
+    m_row = rowAt(time_s);
+    const auto count = std::min(m_tiles.size(), m_run->samples[m_row].objects.size());
+    for (std::size_t i = 0; i < count; ++i)
+        m_tiles[i]->setMoment(m_run->samples, m_row, i);
+    for (const Plot& each : m_plots)
+        each.plot->setPosition(time_s);
+    if (m_visible_s && (time_s < m_visible_s->first || time_s > m_visible_s->second)) { // turn the page
+        const double width_s = m_visible_s->second - m_visible_s->first;
+        const double from_s = std::max(0.0, time_s - 0.1 * width_s);
+        m_visible_s = std::pair{from_s, from_s + width_s};
+        for (const Plot& each : m_plots)
+            each.plot->setTimeRange(from_s, from_s + width_s);
+    }
+    showScene();
+}
+
+bool ReplayView::isSceneShown() const {
+    return m_scene != nullptr && m_tabs->currentWidget() == m_sceneTab;
+}
+
+void ReplayView::showScene() {
+    if (!isSceneShown())
+        return;
+    const TraceSample& sample = m_run->samples[m_row];
+    std::vector<double> temperatures_K;
+    for (const ObjectSample& object : sample.objects)
+        temperatures_K.push_back(object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN());
+    m_scene->setPose(sample.coordinates);
+    m_scene->setSourcePose(sample.source);
+    m_scene->setTemperatures(temperatures_K);
+}
+
+bool ReplayView::addOverlay(std::shared_ptr<const SessionRecord> run) {
+    const auto same = [&](const SessionRecord& other) { return other.path == run->path; };
+    if (!m_run || same(*m_run) || static_cast<int>(m_overlays.size()) >= kMostOverlays ||
+        std::ranges::any_of(m_overlays, [&](const Overlay& overlay) { return same(*overlay.run); }))
+        return false;
+    m_overlays.push_back({std::move(run), {}});
+    showOverlays();
+    return true;
+}
+
+void ReplayView::removeOverlay(const QString& path) {
+    std::erase_if(m_overlays,
+                  [&](const Overlay& overlay) { return overlay.run->path == path.toStdString(); });
+    showOverlays();
+}
+
+/// Lines and legend anew: marks and dashes are by the place in the list.
+void ReplayView::showOverlays() {
+    while (QLayoutItem* item = m_legendLayout->takeAt(0)) {
+        if (item->widget() != nullptr)
+            item->widget()->deleteLater(); // it may be the button that was just clicked
+        delete item;
+    }
+    for (const Plot& each : m_plots)
+        each.plot->clearOverlays();
+    m_legend->setVisible(!m_overlays.empty());
+    if (m_overlays.empty())
+        return;
+    auto* caption = new QLabel(tr("Laid over it:"), m_legend);
+    caption->setPalette(captionPalette(palette()));
+    m_legendLayout->addWidget(caption, 0, 0);
+    for (std::size_t k = 0; k < m_overlays.size(); ++k) {
+        Overlay& overlay = m_overlays[k];
+        overlay.mark = QChar(static_cast<char16_t>(u'B' + k));
+        const QString path = QString::fromStdString(overlay.run->path);
+        const QString file = QFileInfo(path).completeBaseName();
+        auto* button = new QPushButton(
+            overlayIcon(static_cast<int>(k), palette().color(QPalette::ButtonText), devicePixelRatioF()),
+            QStringLiteral("%1  %2  \u2715")
+                .arg(overlay.mark, QString(file).replace(u'&', QStringLiteral("&&"))),
+            m_legend);
+        button->setObjectName(QStringLiteral("overlay.") + overlay.mark);
+        button->setIconSize({32, 12});
+        button->setFlat(true);
+        button->setAccessibleName(tr("Take %1 away").arg(file));
+        button->setToolTip(button->accessibleName());
+        connect(button, &QPushButton::clicked, this, [this, path] { removeOverlay(path); });
+        m_legendLayout->addWidget(button, static_cast<int>(k) / 2, 1 + static_cast<int>(k) % 2);
+        for (const Plot& each : m_plots)
+            if (each.isFilled)
+                each.plot->addOverlay(overlay.mark, objectNames(*overlay.run),
+                                      {overlay.run, &overlay.run->samples});
+    }
+}
+
+void ReplayView::seek(double time_s) {
+    m_transport->seek(time_s);
+}
+
+void ReplayView::togglePlay() {
+    m_transport->togglePlay();
+}
+
+double ReplayView::position_s() const {
+    return m_transport->position_s();
+}
+
+void ReplayView::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    for (ObjectTile* tile : m_tiles)
+        tile->setTemperatureUnit(unit);
+    for (const Plot& each : m_plots)
+        each.plot->setTemperatureUnit(unit);
+    if (m_scene != nullptr)
+        m_scene->setTemperatureUnit(unit);
+}
+
+void ReplayView::retranslate() {
+    const QString tabs[] = {tr("Errors"), tr("View factors"), tr("Command speed"),
+                            tr("Rates"),  tr("Estimates"),    tr("Scene")};
+    for (int i = 0; i < m_tabs->count(); ++i)
+        m_tabs->setTabText(i, tabs[i]);
+    m_tabs->setAccessibleName(tr("Further traces and the scene"));
+    if (m_scene != nullptr)
+        m_scene->setAccessibleName(tr("3-D scene of the run: source, objects and their paths"));
+    if (!m_run)
+        return;
+    for (const Plot& each : m_plots) {
+        if (!each.isFilled)
+            continue;
+        each.plot->clearMarkers();
+        addMarkers(*each.plot);
+    }
+    showOverlays();
+}
+
+void ReplayView::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (m_tabs == nullptr)
+        return;
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    else if (event->type() == QEvent::PaletteChange && m_run)
+        showOverlays();
+}
+
+} // namespace bask

@@ -1,0 +1,101 @@
+#pragma once
+// A recorded run played again: transport, tiles, traces and scene, by the widgets of the Run page.
+
+#include "engine/base/clock.h"
+#include "engine/base/units.h"
+#include "engine/session/session_file.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+class QGridLayout;
+class QTabWidget;
+
+namespace bask {
+
+class ObjectTile;
+class SceneView;
+class TracePlot;
+class TransportBar;
+enum class Quantity;
+
+/// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "reviewTemperature", "reviewError",
+/// "reviewViewFactor", "reviewSpeed", "reviewRate", "reviewStrength", their tabs "reviewTabs"; "reviewScene"
+/// once it was looked at; a button to take an overlay away "overlay.<letter>".
+class ReplayView : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int kMostOverlays = 4;
+
+    explicit ReplayView(QWidget* parent = nullptr);
+    ~ReplayView() override;
+
+    /// Shows a run from its beginning, paused, without overlays.
+    void setRun(std::shared_ptr<const SessionRecord> run);
+    void clear();
+    void setTemperatureUnit(TemperatureUnit unit);
+
+    /// Draws another run over this one, if there is room: false when there is none, or when it is there
+    /// already.
+    bool addOverlay(std::shared_ptr<const SessionRecord> run);
+    void removeOverlay(const QString& path);
+
+    /// Moves the replay there, and the plots where they do not show that moment.
+    void seek(double time_s);
+    void togglePlay();
+    double position_s() const;
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Plot {
+        TracePlot* plot;
+        bool isFilled; ///< a plot is filled when it is looked at first
+    };
+    struct Overlay {
+        std::shared_ptr<const SessionRecord> run;
+        QString mark;
+    };
+
+    TracePlot* makePlot(Quantity quantity, const char* name);
+    void connectPlots();
+    void fill(Plot& plot);
+    void fillShown();
+    void makeScene();
+    void fillScene();
+    void showMoment(double time_s);
+    void showScene();
+    void showOverlays();
+    void makeTiles();
+    void addMarkers(TracePlot& plot) const;
+    bool isSceneShown() const;
+    std::size_t rowAt(double time_s) const;
+    void retranslate();
+
+    SteadyClock m_clock;
+    std::shared_ptr<const SessionRecord> m_run; ///< null: none
+    std::vector<Overlay> m_overlays;
+    QStringList m_names;
+    std::size_t m_row = 0; ///< shown
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+    std::optional<std::pair<double, double>> m_visible_s; ///< on the time axis; empty: the whole run
+
+    TransportBar* m_transport;
+    QWidget* m_legend;
+    QGridLayout* m_legendLayout;
+    QWidget* m_tileArea;
+    QGridLayout* m_tileLayout;
+    std::vector<ObjectTile*> m_tiles;
+    std::vector<Plot> m_plots; ///< temperature first, then the tabs' in order
+    QTabWidget* m_tabs = nullptr;
+    QWidget* m_sceneTab;
+    SceneView* m_scene = nullptr;
+};
+
+} // namespace bask

@@ -1,0 +1,368 @@
+#include "widgets/review/session_list.h"
+
+#include "widgets/common/display.h"
+#include "widgets/common/message_bar.h"
+#include "widgets/common/theme.h"
+#include "widgets/review/outcome_words.h"
+
+#include <QDateTime>
+#include <QEvent>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+enum Column { kDate, kExperiment, kOutcome, kDuration, kRig, kTags, kColumns };
+constexpr int kSortRole = Qt::UserRole;
+constexpr int kPathRole = Qt::UserRole + 1;
+constexpr int kSearchRole = Qt::UserRole + 2;
+
+/// Sorted by what the texts stand for.
+class Row : public QTreeWidgetItem {
+public:
+    using QTreeWidgetItem::QTreeWidgetItem;
+    bool operator<(const QTreeWidgetItem& other) const override {
+        const int column = treeWidget()->sortColumn();
+        const QVariant mine = data(column, kSortRole), its = other.data(column, kSortRole);
+        if (mine.typeId() == QMetaType::Double)
+            return mine.toDouble() < its.toDouble();
+        return QString::localeAwareCompare(mine.toString(), its.toString()) < 0;
+    }
+};
+
+QString text(const std::string& utf8) {
+    return QString::fromStdString(utf8);
+}
+
+QString joined(const std::vector<std::string>& texts, const QString& separator) {
+    QStringList list;
+    for (const std::string& one : texts)
+        list << text(one);
+    return list.join(separator);
+}
+
+/// When it was recorded; of a file that does not say, when it was changed.
+QDateTime dateOf(const SessionHeader& session) {
+    const QDateTime created = QDateTime::fromString(text(session.created), Qt::ISODate);
+    return (created.isValid() ? created : QFileInfo(text(session.path)).lastModified()).toLocalTime();
+}
+
+} // namespace
+
+SessionList::SessionList(QWidget* parent)
+    : QWidget(parent), m_search(new QLineEdit(this)), m_folder(new QPushButton(this)),
+      m_tree(new QTreeWidget(this)), m_count(new QLabel(this)), m_message(new MessageBar(this)),
+      m_tagsLabel(new QLabel(this)), m_tags(new QLineEdit(this)), m_open(new QPushButton(this)),
+      m_compare(new QPushButton(this)) {
+    m_search->setObjectName(QStringLiteral("sessionSearch"));
+    m_search->setClearButtonEnabled(true);
+    m_folder->setObjectName(QStringLiteral("sessionFolder"));
+    m_count->setObjectName(QStringLiteral("sessionCount"));
+    m_message->setObjectName(QStringLiteral("sessionMessage"));
+    m_tags->setObjectName(QStringLiteral("sessionTags"));
+    m_tags->setMaxLength(400);
+    m_tagsLabel->setBuddy(m_tags);
+    m_open->setObjectName(QStringLiteral("sessionOpen"));
+    m_compare->setObjectName(QStringLiteral("sessionCompare"));
+    m_tree->setObjectName(QStringLiteral("sessionTree"));
+    m_tree->setColumnCount(kColumns);
+    m_tree->setRootIsDecorated(false);
+    m_tree->setUniformRowHeights(true);
+    m_tree->setAlternatingRowColors(true);
+    m_tree->setAllColumnsShowFocus(true);
+    m_tree->setSortingEnabled(true);
+    m_tree->sortByColumn(kDate, Qt::DescendingOrder);
+    m_tree->header()->setStretchLastSection(true);
+    m_tree->setMinimumHeight(110);
+
+    auto* top = new QHBoxLayout;
+    top->addWidget(m_search, 1);
+    top->addWidget(m_folder);
+    auto* buttons = new QHBoxLayout;
+    buttons->addWidget(m_count, 1);
+    buttons->addWidget(m_compare);
+    buttons->addWidget(m_open);
+    auto* bottom = new QHBoxLayout;
+    bottom->addWidget(m_tagsLabel);
+    bottom->addWidget(m_tags, 1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(6);
+    layout->addLayout(top);
+    layout->addWidget(m_tree, 1);
+    layout->addLayout(buttons);
+    layout->addWidget(m_message);
+    layout->addLayout(bottom);
+
+    connect(m_search, &QLineEdit::textChanged, this, &SessionList::search);
+    connect(m_folder, &QPushButton::clicked, this, &SessionList::folderRequested);
+    connect(m_tree, &QTreeWidget::currentItemChanged, this, &SessionList::showSelected);
+    const auto open = [this] {
+        if (const SessionHeader* session = selected(); session != nullptr && !session->error)
+            emit sessionChosen(text(session->path));
+    };
+    connect(m_tree, &QTreeWidget::itemActivated, this, open);
+    connect(m_open, &QPushButton::clicked, this, open);
+    connect(m_compare, &QPushButton::clicked, this, [this] {
+        if (const SessionHeader* session = selected())
+            emit compareRequested(text(session->path));
+    });
+    connect(m_tags, &QLineEdit::editingFinished, this, &SessionList::takeTags);
+    connect(m_message, &MessageBar::actionClicked, this, [this] {
+        if (const SessionHeader* session = selected())
+            emit closeRequested(text(session->path));
+    });
+    retranslate();
+}
+
+QStringList SessionList::tagsOf(const QString& text) {
+    QStringList tags;
+    for (const QString& part : text.split(u','))
+        if (const QString tag = part.simplified(); !tag.isEmpty() && !tags.contains(tag))
+            tags << tag;
+    return tags;
+}
+
+void SessionList::setFolder(const QString& folder) {
+    m_folderPath = folder;
+    retranslate();
+}
+
+void SessionList::setReading() {
+    m_isReading = true;
+    search();
+}
+
+void SessionList::setSessions(std::vector<SessionHeader> sessions) {
+    m_sessions = std::move(sessions);
+    m_isReading = false;
+    showRows();
+}
+
+void SessionList::setRecording(const QString& path) {
+    if (path == m_recording)
+        return;
+    m_recording = path;
+    showRows();
+}
+
+void SessionList::setComparable(bool comparable) {
+    m_isComparable = comparable;
+    showSelected();
+}
+
+bool SessionList::isRecording(const SessionHeader& session) const {
+    return !m_recording.isEmpty() && QFileInfo(text(session.path)) == QFileInfo(m_recording);
+}
+
+void SessionList::showRows() {
+    const SessionHeader* before = selected();
+    const std::string chosen = before != nullptr ? before->path : std::string();
+    const QSignalBlocker quiet(m_tree);
+    const int dateWidth = m_tree->columnWidth(kDate);
+    const bool isFirst = m_tree->topLevelItemCount() == 0;
+    m_tree->setSortingEnabled(false);
+    m_tree->clear();
+    QTreeWidgetItem* current = nullptr;
+    for (const SessionHeader& session : m_sessions) {
+        auto* row = new Row(m_tree);
+        fillRow(row, session);
+        if (session.path == chosen)
+            current = row;
+    }
+    m_tree->setSortingEnabled(true);
+    if (current != nullptr)
+        m_tree->setCurrentItem(current);
+    if (isFirst)
+        for (int column = 0; column < kTags; ++column)
+            m_tree->resizeColumnToContents(column);
+    else
+        m_tree->setColumnWidth(kDate, dateWidth);
+    fitExperiment();
+    search();
+    showSelected();
+}
+
+/// Titles get what the other columns leave.
+void SessionList::fitExperiment() {
+    int others = m_tree->header()->minimumSectionSize() + 40; // tags
+    for (const Column column : {kDate, kOutcome, kDuration, kRig})
+        others += m_tree->columnWidth(column);
+    const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kExperiment) + 8;
+    const int room = m_tree->viewport()->width() - others;
+    m_tree->setColumnWidth(kExperiment,
+                           std::max(std::min(wanted, room), m_tree->header()->sectionSizeHint(kExperiment)));
+}
+
+void SessionList::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    fitExperiment();
+}
+
+void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) const {
+    const QDateTime date = dateOf(session);
+    const QString file = QFileInfo(text(session.path)).fileName();
+    const Outcome outcome = session.error          ? Outcome::Unreadable
+                            : isRecording(session) ? Outcome::Recording
+                                                   : outcomeOf(session.outcome);
+    const QString experiment = session.title.empty() ? file : text(session.title);
+    const QString tags = joined(session.tags, QStringLiteral(", "));
+    const QString rig = session.error ? QString() : session.simulated ? tr("SIMULATED") : tr("LIVE");
+    const QString word = outcome == Outcome::Other ? text(session.outcome) : outcomeWord(outcome);
+    const bool hasTime = !session.error && session.samples > 0;
+    const QLocale locale;
+    const QString day = locale.toString(date.date(), QLocale::ShortFormat);
+    const QStringList texts{day + u' ' + locale.toString(date.time(), QStringLiteral("HH:mm")),
+                            experiment,
+                            word,
+                            hasTime ? formatDuration(session.end_s) : kNoValue,
+                            rig,
+                            tags};
+    const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
+                             experiment,
+                             word,
+                             hasTime ? session.end_s : -1.0,
+                             rig,
+                             tags};
+    for (int column = 0; column < kColumns; ++column) {
+        row->setText(column, texts[column]);
+        row->setData(column, kSortRole, keys[column]);
+        row->setToolTip(column, text(session.path));
+    }
+    row->setToolTip(kExperiment, experiment);
+    row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
+    QIcon icon(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
+    icon.addPixmap(outcomePixmap(outcome, true, 16, devicePixelRatioF()), QIcon::Selected); // on its ground
+    row->setIcon(kOutcome, icon);
+    if (session.error)
+        row->setToolTip(kOutcome, sentenceText(session.error->message));
+    row->setData(0, kPathRole, text(session.path));
+    row->setData(0, kSearchRole,
+                 QStringList{file, experiment, joined(session.objects, QStringLiteral("\n")),
+                             joined(session.notes, QStringLiteral("\n")), tags, word, rig}
+                     .join(u'\n'));
+}
+
+/// Rows that have every word of the search somewhere.
+void SessionList::search() {
+    const QStringList words = m_search->text().split(u' ', Qt::SkipEmptyParts);
+    int shown = 0;
+    for (int k = 0; k < m_tree->topLevelItemCount(); ++k) {
+        QTreeWidgetItem* row = m_tree->topLevelItem(k);
+        const QString all = row->data(0, kSearchRole).toString();
+        const bool isFound = std::ranges::all_of(
+            words, [&](const QString& word) { return all.contains(word, Qt::CaseInsensitive); });
+        row->setHidden(!isFound);
+        shown += isFound ? 1 : 0;
+    }
+    const auto count = static_cast<int>(m_sessions.size());
+    if (m_isReading)
+        m_count->setText(tr("Reading the folder\u2026"));
+    else if (count == 0)
+        m_count->setText(tr("No recorded runs in this folder."));
+    else if (shown < count)
+        m_count->setText(tr("%1 of %n session(s)", nullptr, count).arg(shown));
+    else
+        m_count->setText(tr("%n session(s)", nullptr, count));
+}
+
+const SessionHeader* SessionList::selected() const {
+    const QTreeWidgetItem* row = m_tree->currentItem();
+    if (row == nullptr)
+        return nullptr;
+    const std::string path = row->data(0, kPathRole).toString().toStdString();
+    const auto found = std::ranges::find(m_sessions, path, &SessionHeader::path);
+    return found != m_sessions.end() ? &*found : nullptr;
+}
+
+void SessionList::showSelected() {
+    const SessionHeader* session = selected();
+    const bool isReadable = session != nullptr && !session->error;
+    const bool isOn = isReadable && isRecording(*session);
+    const bool hasEnd = isReadable && !isOn && !session->outcome.empty();
+    m_open->setEnabled(isReadable);
+    m_compare->setEnabled(isReadable && m_isComparable);
+    m_tags->setEnabled(hasEnd);
+    m_tagsLabel->setEnabled(hasEnd);
+    const QString path = session != nullptr ? text(session->path) : QString();
+    const QString tags = session != nullptr ? joined(session->tags, QStringLiteral(", ")) : QString();
+    if (path != m_tagsOf || !m_tags->hasFocus()) { // not while somebody types
+        m_tagsOf = path;
+        m_tags->setText(tags);
+    }
+    if (session == nullptr)
+        return m_message->clear();
+    if (session->error)
+        return m_message->say(
+            MessageBar::Kind::Problem,
+            QStringLiteral("%1: %2").arg(QFileInfo(path).fileName(), sentenceText(session->error->message)),
+            {}, false);
+    if (isOn)
+        return m_message->say(MessageBar::Kind::Note, tr("This run is being recorded now."), {}, false);
+    if (!session->outcome.empty())
+        return m_message->clear();
+    const QString saved = tr("%n sample(s)", nullptr, static_cast<int>(session->samples));
+    m_message->say(MessageBar::Kind::Note,
+                   tr("The recording has no end: Bask or the computer went down. Saved: %1, until %2 after "
+                      "Start; at most the last %3 s before it went down are missing.")
+                       .arg(saved, formatDuration(session->end_s), QLocale().toString(kMostLost_s)),
+                   tr("Close it properly"), false);
+}
+
+void SessionList::takeTags() {
+    if (m_tagsOf.isEmpty())
+        return;
+    const std::string path = m_tagsOf.toStdString();
+    const auto session = std::ranges::find(m_sessions, path, &SessionHeader::path);
+    if (session == m_sessions.end())
+        return;
+    const QStringList tags = tagsOf(m_tags->text());
+    std::vector<std::string> wanted;
+    for (const QString& tag : tags)
+        wanted.push_back(tag.toStdString());
+    if (wanted == session->tags)
+        return;
+    session->tags = wanted; // what was asked for; the folder is read again after it was written
+    emit tagsEdited(m_tagsOf, tags);
+}
+
+void SessionList::retranslate() {
+    m_search->setPlaceholderText(tr("Search names, experiments, notes, tags"));
+    m_search->setAccessibleName(tr("Search the recorded runs"));
+    m_folder->setText(tr("Folder\u2026"));
+    m_folder->setToolTip(m_folderPath.isEmpty() ? tr("Choose the folder whose runs are listed")
+                                                : tr("The runs listed are in %1").arg(m_folderPath));
+    m_tree->setHeaderLabels(
+        {tr("Recorded"), tr("Experiment"), tr("Outcome"), tr("Duration"), tr("Rig"), tr("Tags")});
+    m_tree->setAccessibleName(tr("Recorded runs"));
+    m_tagsLabel->setText(tr("Tags"));
+    m_tags->setPlaceholderText(tr("with commas"));
+    m_tags->setAccessibleName(tr("Tags of the selected run, with commas"));
+    m_tags->setToolTip(tr("Kept in the session file. A recording without an end has to be closed first."));
+    m_open->setText(tr("Open"));
+    m_open->setAccessibleName(tr("Open the selected run"));
+    m_compare->setText(tr("Overlay"));
+    m_compare->setAccessibleName(tr("Lay the selected run over the open one"));
+    m_compare->setToolTip(tr("Draws the selected run over the one that is open, both from their Start."));
+    m_count->setPalette(captionPalette(palette()));
+    showRows();
+}
+
+void SessionList::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+} // namespace bask

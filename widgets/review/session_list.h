@@ -1,0 +1,80 @@
+#pragma once
+// The recorded runs of a folder: searched, tagged, opened.
+
+#include "engine/session/session_header.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <vector>
+
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace bask {
+
+class MessageBar;
+
+/// Reading and writing are the receiver's work. Object names: "sessionSearch", "sessionFolder",
+/// "sessionTree", "sessionCount", "sessionMessage", "sessionTags", "sessionOpen", "sessionCompare".
+class SessionList : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SessionList(QWidget* parent = nullptr);
+
+    void setFolder(const QString& folder);
+    /// It is being read: what is shown may be old.
+    void setReading();
+    void setSessions(std::vector<SessionHeader> sessions);
+    /// The file that is being recorded into, if any.
+    void setRecording(const QString& path);
+    /// Whether there is a run on the page that others can be laid over.
+    void setComparable(bool comparable);
+
+    /// Comma-separated, each once.
+    static QStringList tagsOf(const QString& text);
+
+signals:
+    void sessionChosen(const QString& path);
+    void compareRequested(const QString& path);
+    void folderRequested();
+    void tagsEdited(const QString& path, const QStringList& tags);
+    /// The interrupted recording shall get its end.
+    void closeRequested(const QString& path);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void showRows();
+    void fillRow(QTreeWidgetItem* row, const SessionHeader& session) const;
+    void fitExperiment();
+    void search();
+    void showSelected();
+    void takeTags();
+    void retranslate();
+    const SessionHeader* selected() const;
+    bool isRecording(const SessionHeader& session) const;
+
+    std::vector<SessionHeader> m_sessions;
+    QString m_recording;
+    QString m_tagsOf; ///< the path that the text of m_tags is about
+    QString m_folderPath;
+    bool m_isComparable = false;
+    bool m_isReading = true;
+    QLineEdit* m_search;
+    QPushButton* m_folder;
+    QTreeWidget* m_tree;
+    QLabel* m_count;
+    MessageBar* m_message;
+    QLabel* m_tagsLabel;
+    QLineEdit* m_tags;
+    QPushButton *m_open, *m_compare;
+};
+
+} // namespace bask
