@@ -6631,10 +6631,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Définition de ces grandeurs</translation>
         </message>
         <message>
-            <source>Metric</source>
-            <translation>Grandeur</translation>
-        </message>
-        <message>
             <source>Metrics of the run</source>
             <translation>Grandeurs de l’essai</translation>
         </message>

@@ -11,12 +11,10 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include <algorithm>
-
 namespace bask {
 namespace {
 
-constexpr int kNameWidth = 150; // px; longer names are elided, their tool-tips have them whole
+constexpr int kNameWidth = 150; // px; longer names are elided, pointing at them tells the whole
 
 } // namespace
 
@@ -27,7 +25,13 @@ MetricsPanel::MetricsPanel(QWidget* parent)
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     m_table->setMinimumHeight(80);
-    m_table->verticalHeader()->setDefaultSectionSize(m_table->fontMetrics().height() + 6);
+    QHeaderView& names = *m_table->verticalHeader(); // they stay in view beside many objects
+    names.show();
+    names.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    names.setHighlightSections(false);
+    names.setMaximumWidth(kNameWidth);
+    names.setTextElideMode(Qt::ElideRight);
+    names.setDefaultSectionSize(m_table->fontMetrics().height() + 6);
     m_table->installEventFilter(this);
     m_details->setObjectName(QStringLiteral("metricsDetails"));
     m_details->setTextFormat(Qt::RichText);
@@ -63,47 +67,43 @@ void MetricsPanel::refresh() {
             .arg(accentColor(isDark(this)).name(), tr("How these numbers are defined").toHtmlEscaped()));
     const auto objects = static_cast<int>(m_metrics.objects.size());
     m_table->clearSpans();
-    m_table->setColumnCount(objects + 1);
+    m_table->setColumnCount(objects);
     m_table->setRowCount(objects > 0 ? static_cast<int>(kObjectMetrics.size() + kRunMetrics.size()) : 0);
-    auto* corner = new QTableWidgetItem(tr("Metric"));
-    corner->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->setHorizontalHeaderItem(0, corner);
-    m_table->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Interactive);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     for (int i = 0; i < objects; ++i)
         m_table->setHorizontalHeaderItem(
-            i + 1, new QTableWidgetItem(QIcon(seriesSwatch(i, isDark(this), {20, 12}, devicePixelRatioF())),
-                                        m_names.value(i)));
-    const auto put = [this](int row, int column, const QString& text, Qt::Alignment side,
-                            const QString& definition) {
-        auto* item = new QTableWidgetItem(text);
-        item->setTextAlignment(side | Qt::AlignVCenter);
-        item->setToolTip(QStringLiteral("<b>%1</b><br>%2")
-                             .arg(m_table->item(row, 0) != nullptr && column > 0
-                                      ? m_table->item(row, 0)->text().toHtmlEscaped()
-                                      : text.toHtmlEscaped(),
-                                  definition.toHtmlEscaped()));
-        m_table->setItem(row, column, item);
-    };
+            i, new QTableWidgetItem(QIcon(seriesSwatch(i, isDark(this), {20, 12}, devicePixelRatioF())),
+                                    m_names.value(i)));
     if (objects == 0)
         return;
     int row = 0;
+    const auto name = [&](const QString& text, const QString& definition) {
+        auto* item = new QTableWidgetItem(text);
+        item->setToolTip(
+            QStringLiteral("<b>%1</b><br>%2").arg(text.toHtmlEscaped(), definition.toHtmlEscaped()));
+        m_table->setVerticalHeaderItem(row, item);
+    };
+    const auto put = [&](int column, const QString& text, Qt::Alignment side, const QString& definition) {
+        auto* item = new QTableWidgetItem(text);
+        item->setTextAlignment(side | Qt::AlignVCenter);
+        item->setToolTip(definition);
+        m_table->setItem(row, column, item);
+    };
     for (const ObjectMetric metric : kObjectMetrics) {
         const QString definition = metricDefinition(metric, m_metrics.band_K, m_unit);
-        put(row, 0, metricName(metric), Qt::AlignLeft, definition);
+        name(metricName(metric), definition);
         for (int i = 0; i < objects; ++i)
-            put(row, i + 1, metricText(metric, m_metrics, static_cast<std::size_t>(i), m_unit),
-                Qt::AlignRight, definition);
+            put(i, metricText(metric, m_metrics, static_cast<std::size_t>(i), m_unit), Qt::AlignRight,
+                definition);
         ++row;
     }
     for (const RunMetric metric : kRunMetrics) { // of the run as a whole: one value for all columns
-        put(row, 0, metricName(metric), Qt::AlignLeft, metricDefinition(metric));
-        put(row, 1, metricText(metric, m_metrics), Qt::AlignLeft, metricDefinition(metric));
+        name(metricName(metric), metricDefinition(metric));
+        put(0, metricText(metric, m_metrics), Qt::AlignLeft, metricDefinition(metric));
         if (objects > 1)
-            m_table->setSpan(row, 1, 1, objects);
+            m_table->setSpan(row, 0, 1, objects);
         ++row;
     }
-    m_table->resizeColumnToContents(0);
-    m_table->setColumnWidth(0, std::min(m_table->columnWidth(0), kNameWidth));
 }
 
 bool MetricsPanel::eventFilter(QObject* watched, QEvent* event) {

@@ -12,6 +12,7 @@
 #include "widgets/review/replay_view.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
@@ -338,17 +339,21 @@ TEST_F(ReviewPageTest, SpacePlaysAndPauses) {
 TEST_F(ReviewPageTest, MetricsHaveTheirDefinitions) {
     show(record());
     auto* table = child<QTableWidget>("metricsTable");
-    ASSERT_EQ(table->columnCount(), 4);
+    ASSERT_EQ(table->columnCount(), 3);
     ASSERT_EQ(table->rowCount(), 12);
-    EXPECT_EQ(table->horizontalHeaderItem(1)->text(), "circle");
-    EXPECT_EQ(table->item(0, 0)->text(), "Target");
-    EXPECT_EQ(table->item(2, 1)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
-    EXPECT_EQ(table->item(2, 3)->text(), "not settled");
+    EXPECT_EQ(table->horizontalHeaderItem(0)->text(), "circle");
+    EXPECT_EQ(table->verticalHeaderItem(0)->text(), "Target");
+    EXPECT_EQ(table->item(2, 0)->text(), QString("%1.0 s").arg(std::ceil(18.0 * std::log(30.0))));
+    EXPECT_EQ(table->item(2, 2)->text(), "not settled");
     for (int row = 0; row < table->rowCount(); ++row)
-        EXPECT_GT(table->item(row, 0)->toolTip().size(), 20) << row;
+        EXPECT_GT(table->verticalHeaderItem(row)->toolTip().size(), 20) << row;
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
-    EXPECT_TRUE(table->item(0, 1)->text().startsWith("313.1") ||
-                table->item(0, 1)->text().startsWith("313.2"));
+    EXPECT_EQ(table->item(0, 0)->text().replace(QChar(0x00a0), ' ').toStdString(), "313.2 K");
+    QTest::keyClick(table, Qt::Key_C, Qt::ControlModifier);
+    const QStringList copied = QApplication::clipboard()->text().split('\n');
+    ASSERT_EQ(copied.size(), 13);
+    EXPECT_EQ(copied[0], "\tcircle\tbunny\thand");
+    EXPECT_TRUE(copied[1].startsWith("Target\t313.2"));
     QSignalSpy wanted(&page, &ReviewPage::definitionsRequested);
     emit child<QLabel>("metricsDetails")->linkActivated("#");
     EXPECT_EQ(wanted.count(), 1);
