@@ -6625,10 +6625,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>这些数值的定义</translation>
         </message>
         <message>
-            <source>Metric</source>
-            <translation>指标</translation>
-        </message>
-        <message>
             <source>Metrics of the run</source>
             <translation>本次运行的指标</translation>
         </message>

@@ -6625,10 +6625,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>這些數值的定義</translation>
         </message>
         <message>
-            <source>Metric</source>
-            <translation>指標</translation>
-        </message>
-        <message>
             <source>Metrics of the run</source>
             <translation>本次運轉的指標</translation>
         </message>
