@@ -51,6 +51,7 @@ VALUE_HEADERS = {
     "engine/session/experiment_rig.h",
     "engine/session/mounting_check.h",
     "engine/session/vision_spec.h",
+    "engine/session/run_metrics.h",
     "engine/session/session_file.h",
     "engine/session/trace.h",
     "engine/devices/camera.h",

@@ -6088,4 +6088,139 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Avec moins, aucun enregistrement ne commence</translation>
         </message>
     </context>
+<context>
+    <name>bask::Metrics</name>
+        <message>
+            <source>%1 s</source>
+            <translation>%1 s</translation>
+        </message>
+        <message>
+            <source>start unknown</source>
+            <translation>départ inconnu</translation>
+        </message>
+        <message>
+            <source>step too small</source>
+            <translation>échelon trop petit</translation>
+        </message>
+        <message>
+            <source>not reached</source>
+            <translation>non atteint</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>aucun</translation>
+        </message>
+        <message>
+            <source>not settled</source>
+            <translation>non stabilisé</translation>
+        </message>
+        <message>
+            <source>%1 (s.d. %2)</source>
+            <translation>%1 (é.-t. %2)</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Final</source>
+            <translation>Finale</translation>
+        </message>
+        <message>
+            <source>Settling time</source>
+            <translation>Temps de stabilisation</translation>
+        </message>
+        <message>
+            <source>Rise time</source>
+            <translation>Temps de montée</translation>
+        </message>
+        <message>
+            <source>Overshoot</source>
+            <translation>Dépassement</translation>
+        </message>
+        <message>
+            <source>Steady-state error</source>
+            <translation>Erreur statique</translation>
+        </message>
+        <message>
+            <source>Path length</source>
+            <translation>Longueur du trajet</translation>
+        </message>
+        <message>
+            <source>Duration of control</source>
+            <translation>Durée de l’asservissement</translation>
+        </message>
+        <message>
+            <source>Path of the end-effector</source>
+            <translation>Trajet de l’effecteur</translation>
+        </message>
+        <message>
+            <source>Rotation of the end-effector</source>
+            <translation>Rotation de l’effecteur</translation>
+        </message>
+        <message>
+            <source>Time at a velocity limit</source>
+            <translation>Temps en limite de vitesse</translation>
+        </message>
+        <message>
+            <source>Time at any limit</source>
+            <translation>Temps en limite, toutes confondues</translation>
+        </message>
+        <message>
+            <source>The last target that was set. The other numbers count from that moment, or from Start when it was not changed, until Stop.</source>
+            <translation>La dernière consigne fixée. Les autres valeurs comptent depuis ce moment, ou depuis le démarrage si elle n’a pas changé, jusqu’à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>The object's temperature at the last sample until Stop: the simulated object's own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
+            <translation>La température de l’objet au dernier échantillon avant l’arrêt : celle de l’objet simulé lui-même ; sur un montage réel, l’estimation issue de son capteur. Les autres valeurs prennent aussi cette température.</translation>
+        </message>
+        <message>
+            <source>Time until the temperature stays within %1 of the target until Stop.</source>
+            <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
+            <translation>Temps entre les premiers passages à 10 % et à 90 % de l’échelon, qui va de la température au moment où la consigne est fixée jusqu’à la consigne. Non donné pour un échelon inférieur à deux fois la bande.</translation>
+        </message>
+        <message>
+            <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
+            <translation>De combien la température a dépassé la consigne dans le sens de l’échelon, et en part de l’échelon. Non donné pour un échelon inférieur à deux fois la bande.</translation>
+        </message>
+        <message>
+            <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
+            <translation>Moyenne de la température moins la consigne sur les %1 dernières secondes avant l’arrêt, ou depuis la stabilisation si c’est moins, avec l’écart-type des échantillons.</translation>
+        </message>
+        <message>
+            <source>Length of the way of the object's centre in the robot's base, from Start until Stop.</source>
+            <translation>Longueur du trajet du centre de l’objet dans la base du robot, du démarrage à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>From Start until Stop.</source>
+            <translation>Du démarrage à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>Length of the way of the end-effector's origin in the robot's base, from Start until Stop.</source>
+            <translation>Longueur du trajet de l’origine de l’effecteur dans la base du robot, du démarrage à l’arrêt.</translation>
+        </message>
+        <message>
+            <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
+            <translation>Somme des angles dont l’effecteur a tourné d’un échantillon au suivant.</translation>
+        </message>
+        <message>
+            <source>Time in which the limit of speed or of rotation held the command back.</source>
+            <translation>Temps pendant lequel la limite de vitesse ou de rotation a retenu la commande.</translation>
+        </message>
+        <message>
+            <source>Time in which a limit of any kind held the command back: speed, rotation, acceleration, clearance or workspace.</source>
+            <translation>Temps pendant lequel une limite quelconque a retenu la commande : vitesse, rotation, accélération, garde ou espace de travail.</translation>
+        </message>
+        <message>
+            <source>no samples</source>
+            <translation>aucun échantillon</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>inconnue</translation>
+        </message>
+    </context>
 </TS>

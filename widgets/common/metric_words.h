@@ -1,0 +1,32 @@
+#pragma once
+// The metrics of a run in words: name, definition, value with its unit or why there is none.
+
+#include "engine/base/units.h"
+#include "engine/session/run_metrics.h"
+
+#include <QString>
+
+#include <array>
+
+namespace bask {
+
+/// A column each of a table with one row an object.
+enum class ObjectMetric { Target, Final, Settling, Rise, Overshoot, SteadyError, PathLength };
+inline constexpr std::array kObjectMetrics{
+    ObjectMetric::Target,    ObjectMetric::Final,       ObjectMetric::Settling,  ObjectMetric::Rise,
+    ObjectMetric::Overshoot, ObjectMetric::SteadyError, ObjectMetric::PathLength};
+
+enum class RunMetric { Duration, PathLength, Turned, VelocityLimit, HeldBack };
+inline constexpr std::array kRunMetrics{RunMetric::Duration, RunMetric::PathLength, RunMetric::Turned,
+                                        RunMetric::VelocityLimit, RunMetric::HeldBack};
+
+QString metricName(ObjectMetric metric);
+QString metricName(RunMetric metric);
+/// One or two sentences, as engine/session/run_metrics.h has it.
+QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit unit);
+QString metricDefinition(RunMetric metric);
+/// "42.0 s", "+0.12 K", or in words why there is no value: "not settled".
+QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit);
+QString metricText(RunMetric metric, const RunMetrics& run);
+
+} // namespace bask
