@@ -28,7 +28,10 @@ bool isSession(const QString& path) {
 } // namespace
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
-    : QObject(window), m_document(document), m_settings(settings), m_window(window) {}
+    : QObject(window), m_document(document), m_settings(settings), m_window(window) {
+    connect(&m_export, &SessionExport::problem, this, &SessionActions::problem);
+    connect(&m_export, &SessionExport::told, this, &SessionActions::told);
+}
 
 QString SessionActions::ask(const FileQuestion& question) {
     QString path;
@@ -200,24 +203,25 @@ void SessionActions::saveSession() {
                });
 }
 
-void SessionActions::exportSession() {
-    if (m_openSession.isEmpty())
+void SessionActions::exportAs(SessionForm form) {
+    const bool isDrawn = form == SessionForm::Figures || form == SessionForm::Report;
+    if (m_openSession.isEmpty() || (isDrawn && refusedByRun()))
         return;
-    const QString folder =
-        ask({FileQuestion::Kind::Folder, tr("Folder for the CSV files"), m_settings.lastFolder(), {}, {}});
-    if (folder.isEmpty())
-        return;
-    m_export.run(
-        [from = m_openSession.toStdString(), to = folder.toStdString()] {
-            return exportSessionCsv(from, to);
-        },
-        [this, folder](Result<std::vector<std::string>> files) {
-            if (!files)
-                emit problem(sentence(files.error()));
-            else
-                emit told(
-                    tr("%n file(s) written to %1", nullptr, static_cast<int>(files->size())).arg(folder));
-        });
+    QString to;
+    if (form == SessionForm::Report) {
+        const QString name = QFileInfo(m_openSession).completeBaseName() + QStringLiteral(".pdf");
+        to = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
+                  QDir(m_settings.lastFolder()).filePath(name), tr("PDF (*.pdf);;HTML (*.html)"),
+                  QStringLiteral("pdf")});
+    } else {
+        to = ask({FileQuestion::Kind::Folder,
+                  tr("Folder for the exported files"),
+                  m_settings.lastFolder(),
+                  {},
+                  {}});
+    }
+    if (!to.isEmpty())
+        m_export.start(form, m_openSession, to, m_settings.temperatureUnit(), m_settings.language());
 }
 
 QString SessionActions::nextRecordingPath() {

@@ -2,7 +2,7 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>bask::SessionActions</name>
+    <name>bask::SessionExport</name>
     <message numerus="yes">
         <source>%n file(s) written to %1</source>
         <translation>
@@ -42,6 +42,51 @@
         <translation>
             <numerusform>%n day ago</numerusform>
             <numerusform>%n days ago</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::RunReport</name>
+    <message numerus="yes">
+        <source>%1 (min:s), %n sample(s)</source>
+        <translation>
+            <numerusform>%1 (min:s), %n sample</numerusform>
+            <numerusform>%1 (min:s), %n samples</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
+        <translation>
+            <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view</numerusform>
+            <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n views</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n alarm</numerusform>
+            <numerusform>%n alarms</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n hole</numerusform>
+            <numerusform>%n holes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s) of dictionary %1</source>
+        <translation>
+            <numerusform>%n marker of dictionary %1</numerusform>
+            <numerusform>%n markers of dictionary %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
+        <translation>
+            <numerusform>%n more row is in the session file; bask export --csv lists it.</numerusform>
+            <numerusform>%n more rows are in the session file; bask export --csv lists them.</numerusform>
         </translation>
     </message>
 </context>

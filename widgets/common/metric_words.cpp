@@ -121,7 +121,7 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
             .arg(QLocale().toString(kSteadyWindow_s, 'f', 0));
     case ObjectMetric::PathLength:
         return Words::tr(
-            "Length of the way of the object's centre in the robot's base, from Start until Stop.");
+            "Length of the path of the object's centre in the robot's base, from Start until Stop.");
     }
     return {};
 }
@@ -132,7 +132,7 @@ QString metricDefinition(RunMetric metric) {
         return Words::tr("From Start until Stop.");
     case RunMetric::PathLength:
         return Words::tr(
-            "Length of the way of the end-effector's origin in the robot's base, from Start until Stop.");
+            "Length of the path of the end-effector's origin in the robot's base, from Start until Stop.");
     case RunMetric::Turned:
         return Words::tr("Sum of the angles by which the end-effector was turned from sample to sample.");
     case RunMetric::VelocityLimit:

@@ -15,15 +15,21 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <array>
 
 namespace bask {
 namespace {
+
+constexpr std::array kMenuForms{SessionForm::Report, SessionForm::Figures, SessionForm::Nexus,
+                                SessionForm::Vtk};
 
 bool isMarked(MessageCode code) {
     switch (code) {
@@ -110,6 +116,13 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     m_open->setObjectName("openSession");
     m_export = new QPushButton(header);
     m_export->setObjectName("exportSession");
+    m_exportAs = new QToolButton(header);
+    m_exportAs->setObjectName("exportAs");
+    m_exportAs->setPopupMode(QToolButton::InstantPopup);
+    auto* forms = new QMenu(m_exportAs);
+    for (const SessionForm form : kMenuForms)
+        forms->addAction(QString(), this, [this, form] { emit exportAsRequested(form); });
+    m_exportAs->setMenu(forms);
     auto* title = new QHBoxLayout;
     title->setSpacing(10);
     title->addWidget(m_file);
@@ -117,6 +130,7 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     title->addStretch(1);
     title->addWidget(m_open);
     title->addWidget(m_export);
+    title->addWidget(m_exportAs);
 
     auto* facts = new QWidget(header);
     auto* row = new QHBoxLayout(facts);
@@ -311,6 +325,13 @@ void ReviewPage::refreshTexts() {
         button->setText(tr("&Open session\u2026"));
     m_export->setText(tr("&Export CSV\u2026"));
     m_export->setToolTip(tr("Write one CSV file per table, units in the headers"));
+    m_exportAs->setText(tr("E&xport as"));
+    m_exportAs->setAccessibleName(tr("Export the session in another form"));
+    const std::array<QString, kMenuForms.size()> forms{
+        tr("Report (PDF, HTML)\u2026"), tr("Figures (PNG, SVG, PDF)\u2026"), tr("NeXus (HDF5)\u2026"),
+        tr("VTK, for ParaView\u2026")};
+    for (std::size_t k = 0; k < forms.size(); ++k)
+        m_exportAs->menu()->actions()[static_cast<qsizetype>(k)]->setText(forms[k]);
     m_temperatureTitle->setText(tr("Temperature"));
     m_errorTitle->setText(tr("Error"));
     m_finalTitle->setText(tr("Final values"));

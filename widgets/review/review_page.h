@@ -3,6 +3,7 @@
 
 #include "engine/base/units.h"
 #include "engine/session/session_file.h"
+#include "widgets/review/session_form.h"
 
 #include <QWidget>
 
@@ -11,6 +12,7 @@
 class QLabel;
 class QPushButton;
 class QStackedWidget;
+class QToolButton;
 
 namespace bask {
 
@@ -21,7 +23,7 @@ struct IdentifiedRow;
 class TracePlot;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
-/// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
+/// "exportSession", "exportAs", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
 /// "factOutcome", "factSoftware", "reviewTemperature", "reviewError", "finalValues", "identifiedRates",
 /// "identifiedNote", "useIdentified", "reviewEvents".
 class ReviewPage : public QWidget {
@@ -42,7 +44,8 @@ public:
 
 signals:
     void openRequested();
-    void exportRequested();
+    void exportRequested(); ///< as CSV
+    void exportAsRequested(bask::SessionForm form);
     /// The identified rates shall be start values of the open experiment.
     void useIdentifiedRequested();
 
@@ -75,6 +78,7 @@ private:
     QLabel* m_tag;
     QPushButton* m_open;
     QPushButton* m_export;
+    QToolButton* m_exportAs;
     Fact m_created, m_duration, m_controller, m_outcome, m_software;
     QLabel* m_temperatureTitle;
     QLabel* m_errorTitle;
