@@ -8,6 +8,7 @@
 #include <QFileInfo>
 #include <QMenu>
 #include <QMenuBar>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -64,10 +65,15 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     saveSession = make("saveSession", QKeySequence(Qt::CTRL | Qt::Key_E));
     quit = make("quit", QKeySequence(Qt::CTRL | Qt::Key_Q));
     quit->setMenuRole(QAction::QuitRole);
-    undo = make("editUndo"); // their keys belong to the Objects page
+    undo = make("editUndo", QKeySequence::Undo);
     redo = make("editRedo");
+    redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     acknowledgeAlarms->setEnabled(false);
+    m_clearRecent = make("clearRecent");
+    connect(m_clearRecent, &QAction::triggered, this, &Actions::recentCleared);
+    manual = make("manual", QKeySequence(Qt::Key_F1));
+    reportProblem = make("reportProblem");
     about = make("about");
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
@@ -76,8 +82,10 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
                          &m_unitMenu, &m_themeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_helpMenu})
         *menu = new QMenu(window);
     m_fileMenu->setToolTipsVisible(true);
+    m_editMenu->setToolTipsVisible(true);
     m_runMenu->setToolTipsVisible(true);
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
+    m_editMenu->setObjectName(QStringLiteral("editMenu"));
     for (const QString& name : exampleNames())
         connect(m_exampleMenu->addAction(name), &QAction::triggered, this,
                 [this, name] { emit exampleChosen(name); });
@@ -233,6 +241,8 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
     fillFaults();
+    m_helpMenu->addActions({manual, reportProblem});
+    m_helpMenu->addSeparator();
     m_helpMenu->addAction(about);
     for (QMenu* menu : {m_fileMenu, m_editMenu, m_runMenu, m_viewMenu, m_toolsMenu, m_helpMenu})
         bar->addMenu(menu);
@@ -258,8 +268,9 @@ void Actions::retranslateFile() {
     saveSession->setText(tr("Save s&ession…"));
     saveSession->setToolTip(tr("Copy the recording of the present or last run to a file of your choice"));
     quit->setText(tr("&Quit"));
-    undo->setText(tr("&Undo") + u'\t' + QKeySequence(QKeySequence::Undo).toString(QKeySequence::NativeText));
-    redo->setText(tr("&Redo") + u'\t' + QKeySequence(QKeySequence::Redo).toString(QKeySequence::NativeText));
+    m_clearRecent->setText(tr("&Clear the list"));
+    manual->setText(tr("&Manual"));
+    reportProblem->setText(tr("Report a &problem…"));
     about->setText(tr("&About Bask"));
 }
 
@@ -268,6 +279,8 @@ void Actions::retranslateRun() {
     const auto say = [this](Verb which, const QString& text, const QString& meaning) {
         QAction* action = verb(which);
         action->setText(text);
+        // A button does without the letter that stands behind a Chinese word in the menu.
+        action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&"))));
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setToolTip(keys.isEmpty() ? meaning : meaning + QStringLiteral(" (%1)").arg(keys));
         action->setStatusTip(meaning);
@@ -351,10 +364,19 @@ void Actions::setRecent(const QStringList& files) {
     m_recentMenu->setEnabled(!files.isEmpty());
     m_recentMenu->setToolTipsVisible(true);
     for (const QString& file : files) {
-        QAction* action = m_recentMenu->addAction(plain(QFileInfo(file).fileName()));
+        const QFileInfo info(file);
+        const auto namesake = [&](const QString& other) {
+            return other != file && QFileInfo(other).fileName() == info.fileName();
+        };
+        QString text = info.fileName();
+        if (std::ranges::any_of(files, namesake))
+            text += QStringLiteral(" (%1)").arg(info.path());
+        QAction* action = m_recentMenu->addAction(plain(text));
         action->setToolTip(file);
         connect(action, &QAction::triggered, this, [this, file] { emit recentChosen(file); });
     }
+    m_recentMenu->addSeparator();
+    m_recentMenu->addAction(m_clearRecent);
 }
 
 void Actions::showTemperatureUnit(TemperatureUnit unit) {

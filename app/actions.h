@@ -54,9 +54,9 @@ public:
     QMenu* languageMenu() const { return m_languageMenu; }
 
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
-    QAction *undo, *redo;
+    QAction *undo, *redo; ///< their texts are UndoActions'
     QAction* acknowledgeAlarms;
-    QAction* about;
+    QAction *manual, *reportProblem, *about;
 
 signals:
     void verbTriggered(bask::Verb verb);
@@ -66,6 +66,7 @@ signals:
     void languageChosen(const QString& code);
     void exampleChosen(const QString& name);
     void recentChosen(const QString& path);
+    void recentCleared();
     void faultChosen(const bask::SimulateFault& fault);
 
 private:
@@ -80,6 +81,7 @@ private:
     void retranslateView();
 
     QWidget* m_window;
+    QAction* m_clearRecent;
     std::array<QAction*, kVerbs> m_verbs{};
     std::array<QAction*, kPages> m_pages{};
     QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_languageGroup;

@@ -27,6 +27,8 @@ public:
     /// A recorded run is looked at: its own events are on the page, and only alarms are here, if any.
     void setReviewing(bool isReviewing);
     void showAlarm(std::uint64_t id);
+    /// Of the present or last run.
+    const std::vector<TraceEvent>& events() const { return m_events; }
 
 signals:
     void commandIssued(const bask::Command& command);

@@ -61,7 +61,7 @@ std::string notUtf8(int argc, char** argv) {
 
 int printHelp() {
     std::printf(
-        "Usage: bask [FILE]                open the window, with an experiment (*.json) or a session "
+        "Usage: bask [FILE]                open the window, with an experiment or rig (*.json) or a session "
         "(*.bask)\n"
         "       bask SUBCOMMAND [options]  work without a display\n\n"
         "%s\nOptions:\n  -h, --help     this text\n  -v, --version  the exact version\n\n"
@@ -138,6 +138,10 @@ Dispatch dispatch(int& argc, char** argv) {
             return {unknown(word), {}};
         if (!QFileInfo(word).isFile()) {
             std::fprintf(stderr, "bask: %s: there is no such file; check the path\n", qPrintable(word));
+            return {kExitBadInput, {}};
+        }
+        if (!result.file.isEmpty()) {
+            std::fprintf(stderr, "bask: %s: one file at a time\n", qPrintable(word));
             return {kExitBadInput, {}};
         }
         result.file = QFileInfo(word).absoluteFilePath();

@@ -4,7 +4,7 @@
 
 namespace bask {
 
-Document::Document(QObject* parent) : QObject(parent) {}
+Document::Document(QObject* parent) : QObject(parent), m_shared(std::make_shared<Experiment>()) {}
 
 QString Document::displayName() const {
     if (!m_path.isEmpty())
@@ -22,61 +22,98 @@ Experiment Document::blank() {
 }
 
 void Document::open(const Experiment& experiment, const QString& path) {
-    m_experiment = experiment;
+    reset(experiment, path, true);
+}
+
+void Document::openUnsaved(const Experiment& experiment, const QString& path) {
+    reset(experiment, path, false);
+}
+
+void Document::reset(const Experiment& experiment, const QString& path, bool saved) {
+    m_shared = std::make_shared<const Experiment>(experiment);
+    m_experiment = *m_shared;
     m_path = path;
-    m_modified = false;
+    m_history.clear(saved);
     emit opened();
-    emit modifiedChanged();
+    emit changed();
 }
 
 void Document::markSaved(const QString& path) {
     m_path = path;
-    m_modified = false;
-    emit modifiedChanged();
+    m_history.setSaved();
+    emit changed();
 }
 
-Result<void> Document::adopt(const Experiment& experiment) {
+Result<void> Document::edit(const Experiment& experiment, std::optional<Page> page) {
     if (const auto valid = validate(experiment); !valid)
         return valid;
-    m_experiment = experiment;
-    m_modified = true;
-    emit modifiedChanged();
+    if (experiment == m_experiment)
+        return {};
+    EditStep step;
+    step.edit = compared(m_experiment, experiment);
+    step.edit.page = page.value_or(step.edit.page);
+    step.before = m_shared;
+    step.after = std::make_shared<const Experiment>(experiment);
+    const EditScope scope = step.edit.scope;
+    const auto after = step.after;
+    m_history.add(std::move(step), EditHistory::Time::clock::now());
+    become(after, scope);
     return {};
 }
 
-Result<void> Document::edit(const Experiment& experiment) {
-    if (const auto adopted = adopt(experiment); !adopted)
-        return adopted;
-    emit edited();
-    return {};
+void Document::become(const std::shared_ptr<const Experiment>& experiment, EditScope scope) {
+    m_shared = experiment;
+    m_experiment = *m_shared;
+    switch (scope) {
+    case EditScope::Targets:
+        emit targetsChanged();
+        break;
+    case EditScope::Controller:
+        emit controllerChanged();
+        break;
+    case EditScope::Vision:
+        emit visionChanged();
+        break;
+    case EditScope::All:
+        emit edited();
+        break;
+    }
+    emit changed();
+}
+
+void Document::undo() {
+    if (toUndo() == nullptr)
+        return;
+    const EditStep step = *toUndo();
+    m_history.undo();
+    become(step.before, step.edit.scope);
+}
+
+void Document::redo() {
+    if (toRedo() == nullptr)
+        return;
+    const EditStep step = *toRedo();
+    m_history.redo();
+    become(step.after, step.edit.scope);
 }
 
 Result<void> Document::setTargets(const std::vector<double>& targets_K) {
     Experiment changed = m_experiment;
     if (const auto set = bask::setTargets(changed, targets_K); !set)
         return set;
-    if (const auto adopted = adopt(changed); !adopted)
-        return adopted;
-    emit targetsChanged();
-    return {};
+    return edit(changed);
 }
 
 Result<void> Document::setVision(const VisionSpec& vision) {
     Experiment changed = m_experiment;
     changed.vision = vision;
-    if (const auto adopted = adopt(changed); !adopted)
-        return adopted;
-    emit visionChanged();
-    return {};
+    return edit(changed);
 }
 
 Result<void> Document::setController(const ControllerSettings& settings) {
     Experiment changed = m_experiment;
     changed.controller = settings;
-    if (const auto adopted = adopt(changed); !adopted)
-        return adopted;
-    emit controllerChanged();
-    return {};
+    return edit(changed);
 }
 
 } // namespace bask

@@ -1,26 +1,44 @@
 #include "app/language.h"
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QFont>
 #include <QLibraryInfo>
 #include <QLocale>
 
 namespace bask {
+namespace {
+
+// Left to itself, fontconfig draws Han characters in the forms of the desktop's language, in Japanese ones if
+// that is not Chinese.
+const QStringList kHanFamilies = {QStringLiteral("Noto Sans CJK SC"), QStringLiteral("Noto Sans CJK TC")};
+
+} // namespace
 
 Language::~Language() {
     remove();
 }
 
 QStringList Language::codes() {
-    return {QStringLiteral("en"), QStringLiteral("fr")};
+    return {QStringLiteral("en"), QStringLiteral("fr"), QStringLiteral("zh_CN"), QStringLiteral("zh_TW")};
 }
 
 QString Language::ownName(const QString& code) {
-    return code == QLatin1String("fr") ? QStringLiteral("Français") : QStringLiteral("English");
+    return code == QLatin1String("fr")      ? QStringLiteral("Français")
+           : code == QLatin1String("zh_CN") ? QStringLiteral("简体中文")
+           : code == QLatin1String("zh_TW") ? QStringLiteral("繁體中文")
+                                            : QStringLiteral("English");
+}
+
+QString Language::nearest(const QLocale& locale) {
+    if (locale.language() == QLocale::Chinese)
+        return locale.script() == QLocale::TraditionalHanScript ? QStringLiteral("zh_TW")
+                                                                : QStringLiteral("zh_CN");
+    const QString code = locale.name().left(2);
+    return codes().contains(code) ? code : QStringLiteral("en");
 }
 
 QString Language::ofDesktop() {
-    const QString code = QLocale::system().name().left(2);
-    return codes().contains(code) ? code : QStringLiteral("en");
+    return nearest(QLocale::system());
 }
 
 void Language::remove() {
@@ -40,6 +58,20 @@ void Language::set(const QString& code) {
     // English has a file of its own for plurals.
     if (m_bask.load(QStringLiteral(":/i18n/bask_%1.qm").arg(code)))
         QCoreApplication::installTranslator(&m_bask);
+    chooseFonts();
+}
+
+void Language::chooseFonts() {
+    QFont font = QApplication::font();
+    QStringList families = font.families();
+    families.removeIf([](const QString& family) { return kHanFamilies.contains(family); });
+    // In front: Qt keeps what comes behind the first family from one language to the next.
+    if (m_code.startsWith(QLatin1String("zh")))
+        families.prepend(m_code == QLatin1String("zh_TW") ? kHanFamilies[1] : kHanFamilies[0]);
+    if (families == font.families())
+        return;
+    font.setFamilies(families);
+    QApplication::setFont(font);
 }
 
 } // namespace bask

@@ -1,6 +1,7 @@
 #pragma once
 // The window's language, changed at run time: every widget hears of it through QEvent::LanguageChange.
 
+#include <QLocale>
 #include <QString>
 #include <QStringList>
 #include <QTranslator>
@@ -16,15 +17,19 @@ public:
     Language(const Language&) = delete;
     Language& operator=(const Language&) = delete;
 
-    static QStringList codes();                  ///< "en", "fr"
+    static QStringList codes();                  ///< "en", "fr", "zh_CN", "zh_TW"
     static QString ownName(const QString& code); ///< "English", "Français"
-    static QString ofDesktop();                  ///< the desktop's, if Bask speaks it, else "en"
+    /// The code for a locale, "en" where Bask does not speak its language. Chinese goes by the script: zh_HK
+    /// and zh_MO get zh_TW, zh_SG gets zh_CN.
+    static QString nearest(const QLocale& locale);
+    static QString ofDesktop();
 
     void set(const QString& code);
     QString current() const { return m_code; }
 
 private:
     void remove();
+    void chooseFonts();
 
     QString m_code;
     QTranslator m_bask;

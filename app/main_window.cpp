@@ -3,14 +3,18 @@
 #include "app/bottom_dock.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
+#include "app/manual_window.h"
+#include "app/problem_report.h"
+#include "app/recovery_offer.h"
 #include "app/resources.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
+#include "app/undo_actions.h"
 #include "engine/base/message_code.h"
+#include "engine/session/rig_file.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/display.h"
 #include "widgets/common/run_state_chip.h"
-#include "widgets/objects/objects_page.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -19,23 +23,13 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QToolBar>
-#include <QUndoStack>
 #include <QUrl>
 
 namespace bask {
-namespace {
 
-QString droppedFile(const QMimeData* data) {
-    const QList<QUrl> urls = data->urls();
-    if (urls.size() != 1 || !urls.first().isLocalFile())
-        return {};
-    const QString path = urls.first().toLocalFile();
-    return path.endsWith(QLatin1String(".json")) || path.endsWith(QLatin1String(".bask")) ? path : QString();
-}
-
-} // namespace
-
-MainWindow::MainWindow() : m_files(m_document, m_settings, this), m_actions((initResources(), this)) {
+MainWindow::MainWindow()
+    : m_autosave(m_document, unsavedFolder()), m_files(m_document, m_settings, this),
+      m_actions((initResources(), this)) {
     m_language.set(m_settings.language());
     m_actions.retranslate();
     buildLayout();
@@ -60,17 +54,19 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::begin(const QString& path) {
     m_engine.start(alarmFile());
-    if (path.isEmpty()) {
-        m_files.openExample(QStringLiteral("three-objects"), false);
-        return;
-    }
-    m_files.open(path);
-    if (path.endsWith(QLatin1String(".bask"), Qt::CaseInsensitive))
+    m_recovery->begin(unsavedFolder());
+    const bool isRig = isRigFile(path.toStdString());
+    if (isRig) // it is put into the example, once that is there
+        connect(
+            &m_document, &Document::opened, this, [this, path] { m_files.open(path); },
+            Qt::SingleShotConnection);
+    else if (!path.isEmpty())
+        m_files.open(path);
+    if (path.isEmpty() || isRig || SessionActions::isSession(path))
         m_files.openExample(QStringLiteral("three-objects"), false);
 }
 
 void MainWindow::apply(const Snapshot& snapshot) {
-    const RunState before = m_last.state;
     m_last = snapshot;
     m_actions.apply(snapshot);
     m_stateBar->apply(snapshot);
@@ -80,8 +76,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_files.setRecording(QString::fromStdString(snapshot.recordingPath));
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
-    if (before != snapshot.state)
-        showUndo();
+    m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
 }
 
@@ -181,6 +176,19 @@ void MainWindow::showReason(int index) {
     }
 }
 
+void MainWindow::showManual() {
+    if (!m_manual)
+        m_manual = new ManualWindow(this);
+    m_manual->open(QStringLiteral("manual.md"));
+}
+
+void MainWindow::reportProblem() {
+    delete findChild<ProblemDialog*>();
+    auto* dialog = new ProblemDialog(problemReport(m_last, m_dock->events(), m_document.experiment()), this);
+    connect(dialog, &ProblemDialog::saveWanted, &m_files, &SessionActions::saveReport);
+    dialog->show();
+}
+
 void MainWindow::setLanguage(const QString& code) {
     m_settings.setLanguage(code);
     m_language.set(code);
@@ -212,15 +220,10 @@ void MainWindow::showAges() {
     m_stateBar->chip()->setNotes(calibrationAges(m_document.experiment().vision));
 }
 
-void MainWindow::showUndo() {
-    const QUndoStack* stack = m_pages->objects()->undoStack();
-    const bool here = m_pages->page() == Page::Objects && allowsEdits(m_last.state);
-    m_actions.undo->setEnabled(here && stack->canUndo());
-    m_actions.redo->setEnabled(here && stack->canRedo());
-}
-
 void MainWindow::retranslate() {
     m_actions.retranslate();
+    m_undo->refresh();
+    m_recovery->retranslate();
     m_navigation->setWindowTitle(tr("Pages"));
     showTitle();
     showAges();
@@ -271,21 +274,28 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         return;
     }
     m_settings.setWindow(saveGeometry(), saveState());
+    m_autosave.end();
     m_engine.shutDown(EngineClient::kEnd);
     event->accept();
 }
 
+/// Any file: what cannot be opened is refused in words.
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!droppedFile(event->mimeData()).isEmpty())
+    if (event->mimeData()->hasUrls())
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    const QString path = droppedFile(event->mimeData());
-    if (path.isEmpty())
+    const QList<QUrl> urls = event->mimeData()->urls();
+    if (urls.isEmpty())
         return;
     event->acceptProposedAction();
-    m_files.open(path);
+    if (urls.size() > 1)
+        m_pages->showProblem(tr("Only one file can be opened at a time."));
+    else if (!urls.first().isLocalFile())
+        m_pages->showProblem(tr("Only files of this computer can be opened: save it here first."));
+    else
+        m_pages->takeFile(urls.first().toLocalFile());
 }
 
 } // namespace bask

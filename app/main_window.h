@@ -3,6 +3,7 @@
 // work.
 
 #include "app/actions.h"
+#include "app/autosave.h"
 #include "app/document.h"
 #include "app/engine_client.h"
 #include "app/language.h"
@@ -17,8 +18,11 @@ class QToolBar;
 namespace bask {
 
 class BottomDock;
+class ManualWindow;
+class RecoveryOffer;
 class StateBar;
 class StatusLine;
+class UndoActions;
 
 class MainWindow : public QMainWindow {
     Q_OBJECT
@@ -27,7 +31,7 @@ public:
     MainWindow();
     ~MainWindow() override;
 
-    /// Starts the engine and opens a file, or the first example when `path` is empty.
+    /// Starts the engine and opens a file, over the first example where it is no experiment.
     void begin(const QString& path);
 
     SessionActions& files() { return m_files; }
@@ -66,8 +70,9 @@ private:
     void askInfeasible();
     void refuse(const Message& refusal);
     void showReason(int index);
+    void showManual();
+    void reportProblem();
     void showTitle();
-    void showUndo();
     void showAges(); ///< of the calibrations, in the list behind the chip
     void retranslate();
     void restyle();
@@ -77,14 +82,18 @@ private:
     SettingsStore m_settings;
     Language m_language;
     Document m_document;
+    Autosave m_autosave;
     EngineClient m_engine;
     SessionActions m_files;
     Actions m_actions;
     StateBar* m_stateBar = nullptr;
     PageHost* m_pages = nullptr;
+    UndoActions* m_undo = nullptr;
+    RecoveryOffer* m_recovery = nullptr;
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;
+    ManualWindow* m_manual = nullptr;
 
     Snapshot m_last;
     std::function<bool()> m_closeQuestion;

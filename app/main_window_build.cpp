@@ -2,9 +2,12 @@
 
 #include "app/about.h"
 #include "app/bottom_dock.h"
+#include "app/error_text.h"
 #include "app/main_window.h"
+#include "app/recovery_offer.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
+#include "app/undo_actions.h"
 #include "widgets/objects/objects_page.h"
 
 #include <QApplication>
@@ -12,7 +15,6 @@
 #include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
-#include <QUndoStack>
 #include <QVBoxLayout>
 
 namespace bask {
@@ -76,12 +78,13 @@ void MainWindow::connectActions() {
     on(m_actions.saveSession, [this] { m_files.saveSession(); });
     on(m_actions.quit, [this] { close(); });
     on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
+    on(m_actions.manual, [this] { showManual(); });
+    on(m_actions.reportProblem, [this] { reportProblem(); });
     on(m_actions.about, [this] { showAbout(this); });
-    QUndoStack* stack = m_pages->objects()->undoStack();
-    on(m_actions.undo, [stack] { stack->undo(); });
-    on(m_actions.redo, [stack] { stack->redo(); });
-    // As long as there are actions: the stack empties itself when the window's own parts are gone.
-    connect(stack, &QUndoStack::indexChanged, &m_actions, [this] { showUndo(); });
+    m_undo = new UndoActions(m_document, m_actions.undo, m_actions.redo, this);
+    m_pages->objects()->setUndoActions(m_actions.undo, m_actions.redo);
+    connect(m_undo, &UndoActions::undone, m_pages, &PageHost::showUndone);
+    connect(m_undo, &UndoActions::redone, m_pages, &PageHost::showRedone);
     connect(&m_actions, &Actions::verbTriggered, this, &MainWindow::perform);
     connect(&m_actions, &Actions::pageChosen, this,
             [this](int page) { m_pages->show(static_cast<Page>(page)); });
@@ -91,6 +94,10 @@ void MainWindow::connectActions() {
     connect(&m_actions, &Actions::exampleChosen, this,
             [this](const QString& name) { m_files.openExample(name); });
     connect(&m_actions, &Actions::recentChosen, this, [this](const QString& path) { m_files.open(path); });
+    connect(&m_actions, &Actions::recentCleared, this, [this] {
+        m_settings.clearRecentFiles();
+        m_actions.setRecent({});
+    });
     connect(&m_actions, &Actions::faultChosen, this,
             [this](const SimulateFault& fault) { m_engine.send(fault); });
 }
@@ -107,7 +114,6 @@ void MainWindow::connectParts() {
     connect(m_pages, &PageHost::pageChanged, this, [this](Page page) {
         m_actions.showPage(static_cast<int>(page));
         m_dock->setReviewing(page == Page::Review);
-        showUndo();
     });
     connect(m_stateBar, &StateBar::stopRequested, this, [this] { perform(Verb::EmergencyStop); });
     connect(m_stateBar, &StateBar::reasonActivated, this, &MainWindow::showReason);
@@ -118,19 +124,23 @@ void MainWindow::connectParts() {
             [this] { m_actions.setRecent(m_settings.recentFiles()); });
     connect(&m_files, &SessionActions::recordingChanged, this,
             [this] { m_actions.saveSession->setEnabled(true); });
-    connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showTitle);
+    connect(&m_document, &Document::changed, this, &MainWindow::showTitle);
     const auto names = [this] {
         QStringList list;
         for (const ObjectSpec& object : m_document.experiment().objects)
             list << QString::fromStdString(object.name);
         m_actions.setObjects(list);
     };
-    connect(&m_document, &Document::modifiedChanged, this, &MainWindow::showAges);
+    connect(&m_document, &Document::changed, this, &MainWindow::showAges);
     auto* minute = new QTimer(this);
     connect(minute, &QTimer::timeout, this, &MainWindow::showAges);
     minute->start(std::chrono::minutes(1));
     connect(&m_document, &Document::opened, this, names);
     connect(&m_document, &Document::edited, this, names);
+    m_recovery = new RecoveryOffer(m_pages->questionBar(), m_document, m_autosave, m_files, this);
+    connect(&m_autosave, &Autosave::failed, this, [this](const Error& error) {
+        m_pages->showProblem(tr("Unsaved edits cannot be kept for a crash: %1").arg(sentence(error)));
+    });
 }
 
 } // namespace bask

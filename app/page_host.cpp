@@ -14,16 +14,18 @@
 #include "widgets/targets/verdict_text.h"
 
 #include <QEvent>
+#include <QFileInfo>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace bask {
 
 PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
-    : QWidget(parent), m_document(document), m_files(files), m_bar(new MessageBar(this)),
-      m_pages(new QStackedWidget(this)), m_rig(new RigPage), m_objects(new ObjectsPage),
-      m_calibrate(new CalibratePage), m_targets(new TargetsPage), m_run(new RunPage),
-      m_review(new ReviewPage) {
+    : QWidget(parent), m_document(document), m_files(files), m_question(new MessageBar(this)),
+      m_bar(new MessageBar(this)), m_pages(new QStackedWidget(this)), m_rig(new RigPage),
+      m_objects(new ObjectsPage), m_calibrate(new CalibratePage), m_targets(new TargetsPage),
+      m_run(new RunPage), m_review(new ReviewPage) {
+    m_question->setObjectName(QStringLiteral("questionBar"));
     m_bar->setObjectName(QStringLiteral("messageBar"));
     m_pages->setObjectName(QStringLiteral("pages"));
     for (QWidget* page :
@@ -32,6 +34,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(m_question);
     column->addWidget(m_bar);
     column->addWidget(m_pages, 1);
 
@@ -73,13 +76,15 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
 void PageHost::connectRig() {
     connect(m_rig, &RigPage::commandIssued, this, &PageHost::commandIssued);
     connect(m_rig, &RigPage::experimentEdited, this, [this](const Experiment& experiment) {
-        if (const auto edited = m_document.edit(experiment); !edited)
-            return m_rig->showError(sentence(edited.error()));
-        m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
+        if (const auto edited = m_document.edit(experiment, Page::Rig); !edited)
+            m_rig->showError(sentence(edited.error()));
     });
     connect(m_rig, &RigPage::openRigRequested, &m_files, &SessionActions::openRig);
     connect(m_rig, &RigPage::saveRigRequested, &m_files, &SessionActions::saveRig);
-    connect(&m_files, &SessionActions::rigRead, m_rig, &RigPage::useRig);
+    connect(&m_files, &SessionActions::rigRead, this, [this](const RigSpec& rig) {
+        m_rig->useRig(rig);
+        show(Page::Rig);
+    });
 }
 
 void PageHost::connectObjects() {
@@ -88,7 +93,7 @@ void PageHost::connectObjects() {
         experiment.rig = before.rig;
         if (experiment.rig && experiment.rig->thermometer)
             keepChannels(before.objects, experiment.objects, experiment.rig->thermometer->channels);
-        if (const auto edited = m_document.edit(experiment); !edited) {
+        if (const auto edited = m_document.edit(experiment, Page::Objects); !edited) {
             m_objects->setExperiment(before);
             m_objects->showError(sentence(edited.error()));
         }
@@ -106,9 +111,8 @@ void PageHost::connectCalibrate() {
             [this](const Vector6d& goal) { emit commandIssued(MoveTo{goal}); });
     connect(m_calibrate, &CalibratePage::holdWanted, this, [this] { emit commandIssued(Hold{}); });
     const auto edit = [this](const Experiment& changed) {
-        if (const auto edited = m_document.edit(changed); !edited)
+        if (const auto edited = m_document.edit(changed, Page::Calibrate); !edited)
             showProblem(sentence(edited.error()));
-        m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
         m_calibrate->setExperiment(m_document.experiment());
     };
     connect(m_calibrate, &CalibratePage::visionEdited, this, [this, edit](const VisionSpec& vision) {
@@ -156,10 +160,7 @@ void PageHost::connectDocument() {
         emit commandIssued(SetVision{m_document.experiment().vision});
     });
     connect(&m_document, &Document::edited, this, [this] {
-        m_rig->setExperiment(m_document.experiment());
-        m_calibrate->setExperiment(m_document.experiment());
-        m_targets->setExperiment(m_document.experiment());
-        m_run->setExperiment(m_document.experiment());
+        showDocument();
         emit commandIssued(LoadExperiment{m_document.experiment()});
     });
     connect(&m_document, &Document::targetsChanged, this, [this] {
@@ -182,9 +183,8 @@ void PageHost::connectDocument() {
     connect(m_targets, &TargetsPage::startWanted, this, [this](const Vector6d& pose) {
         Experiment changed = m_document.experiment();
         changed.start = pose;
-        if (const auto edited = m_document.edit(changed); !edited)
+        if (const auto edited = m_document.edit(changed, Page::Targets); !edited)
             return showProblem(sentence(edited.error()));
-        m_objects->setExperiment(m_document.experiment()); // or its next edit would undo this one
         showNote(tr("Runs start at %1 from now on.").arg(poseText(pose, changed.robot)));
     });
 }
@@ -296,7 +296,6 @@ void PageHost::useIdentified() {
                               "under the same source and environment."));
     if (const auto edited = m_document.edit(start.experiment); !edited)
         return showProblem(sentence(edited.error()));
-    m_objects->setExperiment(m_document.experiment());
     QStringList names;
     for (const std::string& name : start.objects)
         names << QString::fromStdString(name);
@@ -351,6 +350,37 @@ void PageHost::setTemperatureUnit(TemperatureUnit unit) {
 void PageHost::showMoment(double time_s) {
     show(Page::Run);
     m_run->showMoment(time_s);
+}
+
+void PageHost::showUndone(const EditStep& step) {
+    showStep(step, tr("Undone: %1"));
+}
+
+void PageHost::showRedone(const EditStep& step) {
+    showStep(step, tr("Redone: %1"));
+}
+
+void PageHost::showStep(const EditStep& step, const QString& words) {
+    if (step.edit.page == Page::Objects && step.edit.object >= 0)
+        m_objects->selectObject(step.edit.object);
+    if (page() == step.edit.page)
+        return;
+    if (m_editable)
+        show(step.edit.page);
+    showNote(words.arg(editWords(step.edit, *step.before, *step.after)));
+}
+
+void PageHost::takeFile(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    if (suffix == QLatin1String("json") || suffix == QLatin1String("bask"))
+        return m_files.open(path);
+    if (!ObjectsPage::isReadable(path))
+        return showProblem(
+            tr("%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions "
+               "(BASK) and outlines (SVG, DXF, CSV, pictures).")
+                .arg(QFileInfo(path).fileName()));
+    show(Page::Objects);
+    m_objects->offerFile(path);
 }
 
 void PageHost::showProblem(const QString& text) {

@@ -2,6 +2,7 @@
 // The six pages with the message bar over them, wired to the document and the engine.
 
 #include "app/document.h"
+#include "app/page.h"
 #include "app/session_actions.h"
 #include "app/session_rates.h"
 #include "app/target_judge.h"
@@ -27,10 +28,8 @@ class RigPage;
 class RunPage;
 class TargetsPage;
 
-enum class Page { Rig, Objects, Calibrate, Targets, Run, Review };
-
 /// Edits go to the document, which refuses or takes them; what the engine must know goes out as
-/// commandIssued. Object names: "pages", "messageBar".
+/// commandIssued. Object names: "pages", "messageBar", "questionBar".
 class PageHost : public QWidget {
     Q_OBJECT
 
@@ -43,11 +42,18 @@ public:
     void show(const VisionView& view);
     void setTemperatureUnit(TemperatureUnit unit);
     void showMoment(double time_s);
+    /// Where an edit was undone or redone: its page, unless a run is on, which is not taken from view.
+    void showUndone(const EditStep& step);
+    void showRedone(const EditStep& step);
+    /// Opens any file that Bask reads, as after a drop, or says why not.
+    void takeFile(const QString& path);
 
     /// A sentence over the pages, until it is closed.
     void showProblem(const QString& sentence);
     void showNote(const QString& sentence);
 
+    /// Over all, for what waits for an answer.
+    MessageBar& questionBar() { return *m_question; }
     const TargetJudge& judge() const { return m_judge; }
     ObjectsPage* objects() const { return m_objects; }
     RunPage* run() const { return m_run; }
@@ -73,11 +79,12 @@ private:
     void showIdentified();
     void useIdentified();
     void showEditable();
+    void showStep(const EditStep& step, const QString& words);
 
     Document& m_document;
     TargetJudge m_judge;
     SessionActions& m_files;
-    MessageBar* m_bar;
+    MessageBar *m_question, *m_bar;
     QStackedWidget* m_pages;
     RigPage* m_rig;
     ObjectsPage* m_objects;

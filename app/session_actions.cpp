@@ -12,6 +12,7 @@
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSaveFile>
 
 namespace bask {
 namespace {
@@ -21,11 +22,11 @@ QString withSuffix(const QString& path, const QString& suffix) {
                                                                                      : path + u'.' + suffix;
 }
 
-bool isSession(const QString& path) {
+} // namespace
+
+bool SessionActions::isSession(const QString& path) {
     return QFileInfo(path).suffix().compare(QLatin1String("bask"), Qt::CaseInsensitive) == 0;
 }
-
-} // namespace
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {
@@ -76,7 +77,7 @@ bool SessionActions::mayDiscard() {
 }
 
 void SessionActions::newExperiment() {
-    if (!refusedByRun() && mayDiscard())
+    if (mayReplace())
         m_document.open(Document::blank(), {});
 }
 
@@ -110,8 +111,12 @@ void SessionActions::askAndOpenSession() {
 
 void SessionActions::open(const QString& path) {
     if (isSession(path))
-        openSession(path);
-    else if (!refusedByRun() && mayDiscard())
+        return openSession(path);
+    if (refusedByRun())
+        return;
+    if (isRigFile(path.toStdString()))
+        readRig(path);
+    else if (mayDiscard())
         openExperiment(path);
 }
 
@@ -123,8 +128,7 @@ void SessionActions::openExperiment(const QString& path) {
 void SessionActions::adopt(const Result<Experiment>& read, const QString& path) {
     if (!read) {
         emit problem(sentence(read.error()));
-        m_settings.removeRecentFile(path);
-        emit recentChanged();
+        forgetMissing(path);
         return;
     }
     if (refusedByRun()) // one may have begun while the file was read
@@ -136,17 +140,24 @@ void SessionActions::adopt(const Result<Experiment>& read, const QString& path) 
     }
 }
 
+/// One that is there and cannot be read stays in the list: it may be mended.
+void SessionActions::forgetMissing(const QString& path) {
+    if (QFileInfo::exists(path))
+        return;
+    m_settings.removeRecentFile(path);
+    emit recentChanged();
+}
+
 void SessionActions::openSession(const QString& path) {
     m_readSession.run([file = path.toStdString()] { return readSession(file); },
                       [this, path](Result<SessionRecord> read) {
                           if (!read) {
                               emit problem(sentence(read.error()));
-                              m_settings.removeRecentFile(path);
-                          } else {
-                              m_openSession = path;
-                              m_settings.addRecentFile(path);
-                              emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
+                              return forgetMissing(path);
                           }
+                          m_openSession = path;
+                          m_settings.addRecentFile(path);
+                          emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
                           emit recentChanged();
                       });
 }
@@ -244,12 +255,30 @@ void SessionActions::openRig() {
                               m_settings.lastFolder(),
                               tr("Rigs (*.json);;All files (*)"),
                               {}});
-    if (path.isEmpty())
+    if (!path.isEmpty())
+        readRig(path);
+}
+
+void SessionActions::readRig(const QString& path) {
+    if (refusedByRun())
         return;
     if (const auto rig = readRigFile(path.toStdString()))
         emit rigRead(*rig);
     else
         emit problem(sentence(rig.error()));
+}
+
+void SessionActions::saveReport(const QString& text) {
+    const QString path = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
+                              QDir(m_settings.lastFolder()).filePath(QStringLiteral("bask-report.txt")),
+                              tr("Texts (*.txt);;All files (*)"), QStringLiteral("txt")});
+    if (path.isEmpty())
+        return;
+    QSaveFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.toUtf8()) < 0 || !file.commit())
+        return emit problem(sentence(
+            Error(MessageCode::FileUnwritable, path.toStdString(), {file.errorString().toStdString()})));
+    emit told(tr("The report was saved as %1.").arg(path));
 }
 
 void SessionActions::saveRig() {

@@ -48,7 +48,7 @@ public:
     void openExample(const QString& name, bool remember = true);
     void askAndOpen();
     void askAndOpenSession();
-    /// By suffix: *.bask is a session, anything else an experiment.
+    /// *.bask is a session; a .json says whether it is a rig or an experiment.
     void open(const QString& path);
     bool save(); ///< false: cancelled or refused
     bool saveAs();
@@ -57,12 +57,19 @@ public:
     /// The open session in another form, into a folder or file that is asked for. Figures and reports not
     /// during a run: drawing them takes the window's time.
     void exportAs(SessionForm form);
+    static bool isSession(const QString& path);
     /// The devices of a rig file; the open experiment's into one.
     void openRig();
     void saveRig();
+    /// A problem report, as it was read.
+    void saveReport(const QString& text);
 
     /// A changed experiment may be lost: asks to save. False: stay.
     bool mayDiscard();
+    /// A run is on, and it is told that this forbids another experiment.
+    bool refusedByRun();
+    /// Neither of the two stands against another experiment.
+    bool mayReplace() { return !refusedByRun() && mayDiscard(); }
 
     /// File for the run that is armed next; its folder is made. Empty when that is impossible (said as a
     /// problem).
@@ -79,10 +86,11 @@ signals:
 
 private:
     QString ask(const FileQuestion& question);
-    bool refusedByRun();
     void adopt(const Result<Experiment>& read, const QString& path);
     void openExperiment(const QString& path);
     void openSession(const QString& path);
+    void forgetMissing(const QString& path);
+    void readRig(const QString& path);
     bool write(const QString& path);
 
     Document& m_document;

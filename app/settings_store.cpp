@@ -37,6 +37,10 @@ QString recordingFolder() {
     return dataFolder().filePath(QStringLiteral("sessions"));
 }
 
+QString unsavedFolder() {
+    return dataFolder().filePath(QStringLiteral("unsaved"));
+}
+
 QString alarmFile() {
     const QDir folder = dataFolder();
     return folder.mkpath(QStringLiteral(".")) ? folder.filePath(QStringLiteral("alarms.json")) : QString();
@@ -93,8 +97,12 @@ void SettingsStore::addRecentFile(const QString& path) {
 
 void SettingsStore::removeRecentFile(const QString& path) {
     QStringList files = recentFiles();
-    files.removeAll(path);
+    files.removeAll(QFileInfo(path).absoluteFilePath());
     m_settings.setValue(QStringLiteral("recent"), files);
+}
+
+void SettingsStore::clearRecentFiles() {
+    m_settings.remove(QStringLiteral("recent"));
 }
 
 QString SettingsStore::lastFolder() const {

@@ -24,7 +24,7 @@ public:
     Theme theme() const;
     void setTheme(Theme theme);
 
-    /// "en" or "fr"; the desktop's language when it was never chosen.
+    /// One of Language::codes(); the desktop's language when it was never chosen.
     QString language() const;
     void setLanguage(const QString& code);
 
@@ -32,6 +32,7 @@ public:
     QStringList recentFiles() const;
     void addRecentFile(const QString& path);
     void removeRecentFile(const QString& path);
+    void clearRecentFiles();
 
     QString lastFolder() const;
     void setLastFolder(const QString& folder);
@@ -46,6 +47,9 @@ private:
 
 /// Where runs are recorded: AppLocalDataLocation/sessions, or BASK_SETTINGS_DIR/sessions.
 QString recordingFolder();
+/// Where unsaved edits are kept until they are saved: AppLocalDataLocation/unsaved, or
+/// BASK_SETTINGS_DIR/unsaved.
+QString unsavedFolder();
 /// Where alarms are kept over a restart; its folder is made. Empty: it cannot be.
 QString alarmFile();
 

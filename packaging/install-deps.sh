@@ -2,6 +2,7 @@
 # Installs the packages that Bask needs on Debian 12, Debian 13 or Ubuntu 24.04. Silent when they are all there.
 #   sh packaging/install-deps.sh          everything: build, run, tests and checks
 #   sh packaging/install-deps.sh run      what building and running Bask takes
+#   sh packaging/install-deps.sh package  that, and what making and checking the Debian package takes
 #   sh packaging/install-deps.sh --list   prints the names for this system, installs nothing
 # In the lists, a|b is the first of the two that the system has (Ubuntu 24.04 keeps some older names), and a trailing ? marks
 # a package that Bask does without where the system lacks it.
@@ -15,17 +16,20 @@ run_packages="
     qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
     libgl-dev libgl1-mesa-dri fonts-dejavu-core"
 test_packages="
-    libgtest-dev libbenchmark-dev socat mbpoll libmodbus-dev python3-pymodbus python3-serial-asyncio|python3-serial python3-h5py ccache python3 xvfb xauth clang-format-14? clang? libclang-rt-dev?"
+    libgtest-dev libbenchmark-dev socat mbpoll libmodbus-dev python3-pymodbus python3-serial-asyncio|python3-serial python3-h5py ccache python3 xvfb xauth fonts-noto-cjk? clang-format-14? clang? libclang-rt-dev?
+    desktop-file-utils appstream libglib2.0-bin"
+package_packages="
+    dpkg-dev lintian debootstrap desktop-file-utils appstream xvfb xdotool x11-utils imagemagick"
 
 usage() {
-    sed -n '2,5s/^# \{0,1\}//p' "$0"
+    sed -n '2,6s/^# \{0,1\}//p' "$0"
 }
 
 want=all
 only_list=no
 for argument in "$@"; do
     case $argument in
-    run | all) want=$argument ;;
+    run | package | all) want=$argument ;;
     --list) only_list=yes ;;
     -h | --help) usage; exit 0 ;;
     *) echo "install-deps.sh: unknown argument '$argument'" >&2; usage >&2; exit 2 ;;
@@ -33,7 +37,10 @@ for argument in "$@"; do
 done
 
 entries=$run_packages
-[ "$want" = run ] || entries="$entries $test_packages"
+case $want in
+package) entries="$entries $package_packages" ;;
+all) entries="$entries $test_packages" ;;
+esac
 
 if ! command -v apt-get >/dev/null 2>&1 || ! command -v dpkg-query >/dev/null 2>&1; then
     echo "install-deps.sh: this system has no apt-get. Bask is built on Debian 12, Debian 13 and Ubuntu 24.04;" >&2

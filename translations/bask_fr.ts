@@ -683,10 +683,6 @@
             <translation>Le capteur de « %1 » n’a rien donné depuis %2 s. Vérifiez son câble, puis reprenez.</translation>
         </message>
         <message>
-            <source>The sensor of "%1" gives no plausible value. Check it, then resume.</source>
-            <translation>Le capteur de « %1 » ne donne aucune valeur plausible. Vérifiez-le, puis reprenez.</translation>
-        </message>
-        <message>
             <source>The source's pose is not measured any more. Bring the source back into view, then resume.</source>
             <translation>La pose de la source n’est plus mesurée. Ramenez la source dans le champ, puis reprenez.</translation>
         </message>
@@ -919,10 +915,6 @@
             <translation>%1 vues sur les %2 qui suffisent</translation>
         </message>
         <message>
-            <source>"%1" and "%2" are far from the source but %3 K apart. One sensor is wrong or off its object: check both.</source>
-            <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
-        </message>
-        <message>
             <source>"%1" cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.</source>
             <translation>« %1 » ne peut pas être ouvert : %2. Vérifiez le câble et le nom du port ; Bask réessaie de lui-même.</translation>
         </message>
@@ -963,24 +955,12 @@
             <translation>Il ne reste que %1 Mo sur le disque ; un enregistrement en demande %2 Mo. Libérez de la place, puis armez de nouveau.</translation>
         </message>
         <message>
-            <source>The control loop was held up for %1 s; the robot stood. Close other programs on this computer.</source>
-            <translation>La boucle de commande a été retenue %1 s ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
-        </message>
-        <message>
-            <source>The robot is %1 mm from where its steps should have brought it. It may have been pushed or have lost steps: check it, home it, then reset.</source>
-            <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
-        </message>
-        <message>
             <source>The robot is held at its own panel (%1). Release it there, then clear the alarm.</source>
             <translation>Le robot est retenu à son propre panneau (%1). Libérez-le là, puis effacez l’alarme.</translation>
         </message>
         <message>
             <source>The robot is switched off at its own controller. Enable it, then clear the alarm.</source>
             <translation>Le robot est désactivé à son propre contrôleur. Activez-le, puis effacez l’alarme.</translation>
-        </message>
-        <message>
-            <source>The robot may not know its own place. Home it, or confirm its place.</source>
-            <translation>Le robot ne connaît peut-être pas sa position. Faites sa prise d’origine, ou confirmez sa position.</translation>
         </message>
         <message>
             <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
@@ -1013,10 +993,6 @@
         <message>
             <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
             <translation>La source est à %1 °C et ne s’approche plus de %2 °C depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The source warmed by %1 K in %2 s though its heat is off. Switch it off at its mains, then reset.</source>
-            <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé. Coupez-la au secteur, puis réarmez.</translation>
         </message>
         <message>
             <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
@@ -1146,6 +1122,30 @@
             <source>with the profile "%1" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with "unattended_heat": true.</source>
             <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par "unattended_heat": true.</translation>
         </message>
+        <message>
+            <source>"%1" and "%2" are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
+            <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K, plus que %4 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
+        </message>
+        <message>
+            <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
+            <translation>La boucle de commande a été retenue %1 s, plus que les %2 s admises ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
+        </message>
+        <message>
+            <source>The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.</source>
+            <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener, plus que %2 mm. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
+            <translation>Le robot ne connaît peut-être pas sa position : sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
+        </message>
+        <message>
+            <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+            <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé, plus que les %3 K admis : son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réarmez.</translation>
+        </message>
+        <message>
+            <source>The sensor of "%1" gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it, then resume.</source>
+            <translation>Le capteur de « %1 » ne donne aucune valeur plausible : fil coupé, faux contact, ou un autre appareil que celui configuré. Vérifiez-le, puis reprenez.</translation>
+        </message>
     </context>
     <context>
         <name>OutlinePainting</name>
@@ -1258,14 +1258,6 @@
         <message>
             <source>&amp;Quit</source>
             <translation>&amp;Quitter</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Annuler</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Rétablir</translation>
         </message>
         <message>
             <source>&amp;About Bask</source>
@@ -1518,6 +1510,18 @@
         <message>
             <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
             <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste. (F9)</translation>
+        </message>
+        <message>
+            <source>&amp;Clear the list</source>
+            <translation>&amp;Vider la liste</translation>
+        </message>
+        <message>
+            <source>&amp;Manual</source>
+            <translation>&amp;Manuel</translation>
+        </message>
+        <message>
+            <source>Report a &amp;problem…</source>
+            <translation>Signaler un &amp;problème…</translation>
         </message>
     </context>
     <context>
@@ -2281,6 +2285,26 @@
             <source>Adaptive</source>
             <translation>Adaptatif</translation>
         </message>
+        <message>
+            <source>robot</source>
+            <translation>robot</translation>
+        </message>
+        <message>
+            <source>thermometer</source>
+            <translation>thermomètre</translation>
+        </message>
+        <message>
+            <source>heat source</source>
+            <translation>source de chaleur</translation>
+        </message>
+        <message>
+            <source>source temperature</source>
+            <translation>température de la source</translation>
+        </message>
+        <message>
+            <source>heat source kept by hand</source>
+            <translation>source chauffée à la main</translation>
+        </message>
     </context>
     <context>
         <name>bask::Document</name>
@@ -3017,6 +3041,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Cancel</source>
             <translation>Annuler</translation>
         </message>
+        <message>
+            <source>Only files of this computer can be opened: save it here first.</source>
+            <translation>Seuls les fichiers de cet ordinateur peuvent être ouverts : enregistrez-le d’abord ici.</translation>
+        </message>
+        <message>
+            <source>Only one file can be opened at a time.</source>
+            <translation>Un seul fichier peut être ouvert à la fois.</translation>
+        </message>
+        <message>
+            <source>Unsaved edits cannot be kept for a crash: %1</source>
+            <translation>Les modifications non enregistrées ne peuvent pas être gardées en cas de panne : %1</translation>
+        </message>
     </context>
     <context>
         <name>bask::MarkerEditor</name>
@@ -3441,18 +3477,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <context>
         <name>bask::ObjectsPage</name>
         <message>
-            <source>move of “%1”</source>
-            <translation>déplacement de « %1 »</translation>
-        </message>
-        <message>
-            <source>rename</source>
-            <translation>renommage</translation>
-        </message>
-        <message>
-            <source>change of “%1”</source>
-            <translation>modification de « %1 »</translation>
-        </message>
-        <message>
             <source>Reading %1…</source>
             <translation>Lecture de %1…</translation>
         </message>
@@ -3461,28 +3485,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>disque</translation>
         </message>
         <message>
-            <source>add disk</source>
-            <translation>ajout d’un disque</translation>
-        </message>
-        <message>
-            <source>duplicate</source>
-            <translation>duplication</translation>
-        </message>
-        <message>
-            <source>remove “%1”</source>
-            <translation>suppression de « %1 »</translation>
-        </message>
-        <message>
             <source>“%1” was removed.</source>
             <translation>« %1 » a été supprimé.</translation>
         </message>
         <message>
             <source>Undo</source>
             <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>import</source>
-            <translation>importation</translation>
         </message>
         <message>
             <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
@@ -3497,10 +3505,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Contours (%1);;Tous les fichiers (*)</translation>
         </message>
         <message>
-            <source>harmonics</source>
-            <translation>harmoniques</translation>
-        </message>
-        <message>
             <source>A disk is used as it is; it needs no fit.</source>
             <translation>Un disque est utilisé tel quel ; il n’a pas besoin d’ajustement.</translation>
         </message>
@@ -3511,22 +3515,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Each object needs a free axis of the robot of its own; all are used. Remove an object first.</source>
             <translation>Chaque objet demande un axe libre du robot ; tous sont pris. Supprimez d’abord un objet.</translation>
-        </message>
-        <message>
-            <source>Undo: %1</source>
-            <translation>Annuler : %1</translation>
-        </message>
-        <message>
-            <source>Nothing to undo</source>
-            <translation>Rien à annuler</translation>
-        </message>
-        <message>
-            <source>Redo: %1</source>
-            <translation>Rétablir : %1</translation>
-        </message>
-        <message>
-            <source>Nothing to redo</source>
-            <translation>Rien à rétablir</translation>
         </message>
         <message>
             <source>&amp;Objects</source>
@@ -3559,10 +3547,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>%1 of %2 degrees of freedom used</source>
             <translation>%1 degrés de liberté utilisés sur %2</translation>
-        </message>
-        <message>
-            <source>use of the outline itself</source>
-            <translation>utilisation du contour lui-même</translation>
         </message>
         <message>
             <source>Cancel</source>
@@ -3688,6 +3672,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>The source is followed no more: that takes markers on it, a calibrated camera and its place.</source>
             <translation>La source n’est plus suivie : il y faut des marqueurs sur elle, une caméra étalonnée et sa place.</translation>
+        </message>
+        <message>
+            <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
+            <translation>%1 ne peut pas être ouvert. Bask ouvre des expériences et des bancs (JSON), des sessions enregistrées (BASK) et des contours (SVG, DXF, CSV, images).</translation>
+        </message>
+        <message>
+            <source>Redone: %1</source>
+            <translation>Rétabli : %1</translation>
+        </message>
+        <message>
+            <source>Undone: %1</source>
+            <translation>Annulé : %1</translation>
         </message>
     </context>
     <context>
@@ -4674,6 +4670,17 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Session enregistrée sous %1</translation>
         </message>
         <message>
+            <source>Folder for the CSV files</source>
+            <translation>Dossier des fichiers CSV</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) written to %1</source>
+            <translation>
+                <numerusform>%n fichier écrit dans %1</numerusform>
+                <numerusform>%n fichiers écrits dans %1</numerusform>
+            </translation>
+        </message>
+        <message>
             <source>the folder cannot be made</source>
             <translation>le dossier ne peut pas être créé</translation>
         </message>
@@ -4694,12 +4701,20 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Le banc a été enregistré sous %1.</translation>
         </message>
         <message>
-            <source>Folder for the exported files</source>
-            <translation>Dossier des fichiers exportés</translation>
-        </message>
-        <message>
             <source>Save the report</source>
             <translation>Enregistrer le rapport</translation>
+        </message>
+        <message>
+            <source>Texts (*.txt);;All files (*)</source>
+            <translation>Textes (*.txt);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>The report was saved as %1.</source>
+            <translation>Le rapport a été enregistré sous %1.</translation>
+        </message>
+        <message>
+            <source>Folder for the exported files</source>
+            <translation>Dossier des fichiers exportés</translation>
         </message>
         <message>
             <source>PDF (*.pdf);;HTML (*.html)</source>
@@ -5547,6 +5562,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Waiting for the camera&apos;s pictures.</source>
             <translation>En attente des images de la caméra.</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CameraResult</name>
@@ -5642,6 +5661,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>residual %1 px</source>
             <translation>résidu %1 px</translation>
         </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
+        </message>
     </context>
     <context>
         <name>bask::CoverageView</name>
@@ -5684,6 +5707,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Top to bottom</source>
             <translation>De haut en bas</translation>
+        </message>
+        <message>
+            <source>%1.</source>
+            <translation>%1.</translation>
         </message>
     </context>
     <context>
@@ -5814,12 +5841,21 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>from before</source>
             <translation>d’avant</translation>
         </message>
+        <message>
+            <source>, </source>
+            <comment>between states</comment>
+            <translation>, </translation>
+        </message>
     </context>
     <context>
         <name>bask::AlarmList</name>
         <message>
             <source>Priority %1</source>
             <translation>Priorité %1</translation>
+        </message>
+        <message>
+            <source>Priority %1. %2.</source>
+            <translation>Priorité %1. %2.</translation>
         </message>
         <message>
             <source>%1×</source>
@@ -6123,6 +6159,268 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>With less no recording is begun</source>
             <translation>Avec moins, aucun enregistrement ne commence</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ExperimentEdit</name>
+        <message>
+            <source>target of “%1”</source>
+            <translation>consigne de « %1 »</translation>
+        </message>
+        <message>
+            <source>targets</source>
+            <translation>consignes</translation>
+        </message>
+        <message>
+            <source>controller and gains</source>
+            <translation>régulateur et gains</translation>
+        </message>
+        <message>
+            <source>markers</source>
+            <translation>marqueurs</translation>
+        </message>
+        <message>
+            <source>calibration of the camera</source>
+            <translation>étalonnage de la caméra</translation>
+        </message>
+        <message>
+            <source>place of the camera</source>
+            <translation>place de la caméra</translation>
+        </message>
+        <message>
+            <source>calibration</source>
+            <translation>étalonnage</translation>
+        </message>
+        <message>
+            <source>place of the source</source>
+            <translation>place de la source</translation>
+        </message>
+        <message>
+            <source>following of the source</source>
+            <translation>suivi de la source</translation>
+        </message>
+        <message>
+            <source>start of runs</source>
+            <translation>départ des essais</translation>
+        </message>
+        <message>
+            <source>set point of the source</source>
+            <translation>température de consigne de la source</translation>
+        </message>
+        <message>
+            <source>emittance of the source</source>
+            <translation>émissivité de la source</translation>
+        </message>
+        <message>
+            <source>workspace</source>
+            <translation>espace de travail</translation>
+        </message>
+        <message>
+            <source>limits of motion</source>
+            <translation>limites de mouvement</translation>
+        </message>
+        <message>
+            <source>safety limits</source>
+            <translation>limites de sécurité</translation>
+        </message>
+        <message>
+            <source>choice of the real rig</source>
+            <translation>choix du banc réel</translation>
+        </message>
+        <message>
+            <source>devices of the rig</source>
+            <translation>appareils du banc</translation>
+        </message>
+        <message>
+            <source>choice of the simulated rig</source>
+            <translation>choix du banc simulé</translation>
+        </message>
+        <message>
+            <source>move of “%1”</source>
+            <translation>déplacement de « %1 »</translation>
+        </message>
+        <message>
+            <source>moves</source>
+            <translation>déplacements</translation>
+        </message>
+        <message>
+            <source>renaming of “%1”</source>
+            <translation>nouveau nom de « %1 »</translation>
+        </message>
+        <message>
+            <source>names</source>
+            <translation>noms</translation>
+        </message>
+        <message>
+            <source>start values of “%1”</source>
+            <translation>valeurs de départ de « %1 »</translation>
+        </message>
+        <message>
+            <source>start values</source>
+            <translation>valeurs de départ</translation>
+        </message>
+        <message>
+            <source>material of “%1”</source>
+            <translation>matériau de « %1 »</translation>
+        </message>
+        <message>
+            <source>materials</source>
+            <translation>matériaux</translation>
+        </message>
+        <message>
+            <source>outline of “%1”</source>
+            <translation>contour de « %1 »</translation>
+        </message>
+        <message>
+            <source>outlines</source>
+            <translation>contours</translation>
+        </message>
+        <message>
+            <source>change of “%1”</source>
+            <translation>modification de « %1 »</translation>
+        </message>
+        <message>
+            <source>change of several objects</source>
+            <translation>modification de plusieurs objets</translation>
+        </message>
+        <message>
+            <source>addition of “%1”</source>
+            <translation>ajout de « %1 »</translation>
+        </message>
+        <message>
+            <source>removal of “%1”</source>
+            <translation>retrait de « %1 »</translation>
+        </message>
+        <message>
+            <source>change of the experiment</source>
+            <translation>modification de l’expérience</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::RecoveryOffer</name>
+        <message>
+            <source>Bask ended before changes of “%1” were saved. They are kept as they were on %2.</source>
+            <translation>Bask s’est arrêté avant l’enregistrement de modifications de « %1 ». Elles sont gardées dans leur état du %2.</translation>
+        </message>
+        <message>
+            <source>Discard</source>
+            <translation>Abandonner</translation>
+        </message>
+        <message>
+            <source>Recover</source>
+            <translation>Récupérer</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::UndoActions</name>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1 : %2</translation>
+        </message>
+        <message>
+            <source>&amp;Redo</source>
+            <translation>&amp;Rétablir</translation>
+        </message>
+        <message>
+            <source>&amp;Undo</source>
+            <translation>&amp;Annuler</translation>
+        </message>
+        <message>
+            <source>A run is armed or on. This can be changed once it has stopped.</source>
+            <translation>Un essai est armé ou en cours. Ceci pourra être modifié une fois l’essai arrêté.</translation>
+        </message>
+        <message>
+            <source>Nothing to redo</source>
+            <translation>Rien à rétablir</translation>
+        </message>
+        <message>
+            <source>Nothing to undo</source>
+            <translation>Rien à annuler</translation>
+        </message>
+        <message>
+            <source>Raise a limit of the real rig</source>
+            <translation>Élever une limite du banc réel</translation>
+        </message>
+        <message>
+            <source>Raise the limit</source>
+            <translation>Élever la limite</translation>
+        </message>
+        <message>
+            <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
+            <translation>Le banc pourra aller plus loin que maintenant. Robot, source, objets et capteurs le supportent-ils ?</translation>
+        </message>
+    </context>
+    <context>
+        <name>About</name>
+        <message>
+            <source>About Bask</source>
+            <translation>À propos de Bask</translation>
+        </message>
+        <message>
+            <source>Radiation-based thermal servoing: a robot brings objects to their temperatures by holding them in front of a heat source.</source>
+            <translation>Asservissement thermique par rayonnement : un robot amène des objets à leurs températures en les tenant devant une source de chaleur.</translation>
+        </message>
+        <message>
+            <source>Qt %1 on %2. Licence: GPL-3.0-or-later.</source>
+            <translation>Qt %1 sur %2. Licence : GPL-3.0-or-later.</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Fermer</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ManualWindow</name>
+        <message>
+            <source>Bask: manual</source>
+            <translation>Bask : manuel</translation>
+        </message>
+        <message>
+            <source>Back</source>
+            <translation>Retour</translation>
+        </message>
+        <message>
+            <source>Contents</source>
+            <translation>Sommaire</translation>
+        </message>
+        <message>
+            <source>Find in the manual</source>
+            <translation>Chercher dans le manuel</translation>
+        </message>
+        <message>
+            <source>Text of the manual</source>
+            <translation>Texte du manuel</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::ProblemDialog</name>
+        <message>
+            <source>Report a problem</source>
+            <translation>Signaler un problème</translation>
+        </message>
+        <message>
+            <source>This is all that the report has. Write at the top what happened and what you expected, take out what nobody should see, save it, and give it to whoever looks after your Bask. Nothing is sent.</source>
+            <translation>Voici tout ce que contient le rapport. Écrivez en haut ce qui s’est passé et ce que vous attendiez, retirez ce que personne ne doit voir, enregistrez-le et donnez-le à la personne qui s’occupe de votre Bask. Rien n’est envoyé.</translation>
+        </message>
+        <message>
+            <source>The report</source>
+            <translation>Le rapport</translation>
+        </message>
+        <message>
+            <source>What happened:</source>
+            <translation>Ce qui s’est passé :</translation>
+        </message>
+        <message>
+            <source>What was expected:</source>
+            <translation>Ce qui était attendu :</translation>
+        </message>
+        <message>
+            <source>Save…</source>
+            <translation>Enregistrer…</translation>
+        </message>
+        <message>
+            <source>Close</source>
+            <translation>Fermer</translation>
         </message>
     </context>
 <context>

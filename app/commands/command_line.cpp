@@ -31,7 +31,7 @@ std::span<const Subcommand> subcommands() {
         Subcommand{"calibrate-camera", "a camera's intrinsics from pictures of a board",
                    calibrateCameraCommand},
         Subcommand{"detect-markers", "the ArUco markers in a picture, with poses", detectMarkersCommand},
-        Subcommand{"simulate-device", "a thermometer or heater that is not there, on a serial port",
+        Subcommand{"simulate-device", "a robot, thermometer or heater that is not there, on a serial port",
                    simulateDeviceCommand},
     };
     return kSubcommands;

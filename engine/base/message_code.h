@@ -232,7 +232,7 @@ enum class MessageCode : int {
     RobotDisabled,       ///< no args
     RobotCannotHome,     ///< no args
     RobotStepOutside,    ///< no args
-    RobotElsewhere,      ///< %1 mm
+    RobotElsewhere,      ///< %1 mm, %2 mm
     RobotSlow,           ///< %1 s
     AxesNone,            ///< no args
     AxisLetterUnknown,   ///< %1 letter
@@ -256,12 +256,12 @@ enum class MessageCode : int {
     SafetySensorShort,        ///< %1 object
     SafetySensorFrozen,       ///< %1 object, %2 s
     SafetySensorJump,         ///< %1 object, %2 K/s, %3 K/s
-    SafetySensorsApart,       ///< %1 object, %2 object, %3 K
+    SafetySensorsApart,       ///< %1 object, %2 object, %3 K, %4 K
     SafetyNotWarming,         ///< %1 object, %2 K with sign, %3 s
     SafetySourceNotHeating,   ///< %1 degC, %2 degC, %3 s
-    SafetySourceHeatsUnasked, ///< %1 K, %2 s
+    SafetySourceHeatsUnasked, ///< %1 K, %2 s, %3 K
     SafetySetPointOther,      ///< %1 degC, %2 degC
-    SafetyLoopLate,           ///< %1 s
+    SafetyLoopLate,           ///< %1 s, %2 s
     SafetyDiskLow,            ///< %1 MB, %2 MB
     SafetySourceSilent,       ///< %1 s
     EventFault,               ///< %1 name

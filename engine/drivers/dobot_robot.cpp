@@ -453,7 +453,7 @@ Message DobotRobot::alarm() const {
     if (!m_failure.empty())
         return {MessageCode::RobotAlarm, {"?", m_failure}};
     if (m_elsewhere)
-        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2)}};
+        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
     if (!m_held.empty())
         return {MessageCode::RobotHeld, {m_held}};
     if (m_isSlow)

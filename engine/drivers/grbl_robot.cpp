@@ -279,7 +279,7 @@ Message GrblRobot::alarm() const {
     if (m_hasRestarted)
         return {MessageCode::RobotRestarted, {}};
     if (m_elsewhere)
-        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2)}};
+        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
     if (!m_held.empty())
         return {MessageCode::RobotHeld, {m_held}};
     if (m_isSlow)

@@ -1,10 +1,12 @@
 #include "engine/runtime/real_rig.h"
 
 #include "engine/devices/video_camera.h"
+#include "engine/drivers/byte_link_on_thread.h"
 #include "engine/drivers/dobot_robot.h"
 #include "engine/drivers/grbl_robot.h"
 #include "engine/drivers/hand_heater.h"
 #include "engine/drivers/modbus_heater.h"
+#include "engine/drivers/modbus_link_on_thread.h"
 #include "engine/drivers/modbus_thermometer.h"
 #include "engine/drivers/namur_heater.h"
 #include "engine/drivers/qt_modbus_link.h"
@@ -65,11 +67,13 @@ struct RealRig::Parts {
     ModbusLink& modbus(const std::string& port, const SerialSettings& settings) {
         auto& link = modbusLinks[port];
         if (!link)
-            link = std::make_unique<QtModbusLink>(port, settings, clock);
+            link = std::make_unique<ModbusLinkOnThread>(
+                port, [=, this] { return std::make_unique<QtModbusLink>(port, settings, clock); });
         return *link;
     }
     ByteLink& serial(const std::string& port, const SerialSettings& settings) {
-        return *byteLinks.emplace_back(std::make_unique<SerialLink>(port, settings));
+        return *byteLinks.emplace_back(std::make_unique<ByteLinkOnThread>(
+            port, [=] { return std::make_unique<SerialLink>(port, settings); }));
     }
     ByteLink& tcp(const std::string& host, int port) {
         return *byteLinks.emplace_back(std::make_unique<TcpLink>(host, port));

@@ -274,7 +274,8 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
     if (const auto warming = m_source.heatsUnasked())
         add(Condition::SourceHeatsUnasked,
             {MessageCode::SafetySourceHeatsUnasked,
-             {formatNumber(warming->gained_K, 3), formatNumber(warming->time_s, 3)}});
+             {formatNumber(warming->gained_K, 3), formatNumber(warming->time_s, 3),
+              formatNumber(m_experiment.safety.sourceUnasked_K)}});
     if (const auto for_s = m_source.notCoolingFor_s(m_experiment.environment_K + kHandWarm_K);
         for_s && seen.isSourceSwitched)
         add(Condition::SourceNotCooling,
@@ -293,8 +294,9 @@ void SafetyMonitor::addRig(const SafetyObservation& seen) {
     if (seen.thermometerProblem.code != MessageCode::None && isThermometerDue)
         add(Condition::ThermometerLost, seen.thermometerProblem);
     if (seen.sinceTick_s > m_experiment.sampling.period_s + kLate_s)
-        add(Condition::LoopLate, {MessageCode::SafetyLoopLate,
-                                  {formatNumber(seen.sinceTick_s - m_experiment.sampling.period_s, 2)}});
+        add(Condition::LoopLate,
+            {MessageCode::SafetyLoopLate,
+             {formatNumber(seen.sinceTick_s - m_experiment.sampling.period_s, 2), formatNumber(kLate_s)}});
     const double disk_MB =
         m_experiment.safety.leastDisk_MB * (isActive(Condition::DiskLow) ? kDiskHysteresis : 1.0);
     if (seen.diskFree_MB && *seen.diskFree_MB < disk_MB)
@@ -319,8 +321,9 @@ void SafetyMonitor::addCrossCheck(const SafetyObservation& seen) {
     }
     const double apart_K = *seen.objects[most].measured_K - *seen.objects[least].measured_K;
     if (apart_K > m_experiment.safety.crossCheck_K)
-        add(Condition::SensorsApart,
-            {MessageCode::SafetySensorsApart, {name(most), name(least), formatNumber(apart_K, 3)}});
+        add(Condition::SensorsApart, {MessageCode::SafetySensorsApart,
+                                      {name(most), name(least), formatNumber(apart_K, 3),
+                                       formatNumber(m_experiment.safety.crossCheck_K)}});
 }
 
 void SafetyMonitor::raise(const SafetyObservation& seen, SafetyChanges& changes) {

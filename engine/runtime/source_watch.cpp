@@ -6,9 +6,12 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
     const bool isOn = setPoint_K.has_value();
     const bool isNearEnough = isOn && *setPoint_K - temperature_K <= m_limits.sourceBand_K;
     const bool isBegun = m_time_s < -1e299 || isOn != m_wasOn;
+    if (isOn != m_wasOn)
+        m_turned_s = time_s;
+    const bool isTurning = !isOn && time_s - m_turned_s < kOffTime_s;
     const bool isProgress = isOn ? temperature_K >= m_from_K + SafetySpec::kSourceGain_K
                                  : temperature_K <= m_from_K; // cooling is what it should do
-    if (isBegun || isNearEnough || isProgress) {
+    if (isBegun || isNearEnough || isTurning || isProgress) {
         m_from_K = temperature_K;
         m_since_s = time_s;
     }

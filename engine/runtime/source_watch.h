@@ -28,8 +28,10 @@ public:
 
 private:
     static constexpr double kCoolingTimes = 3.0; ///< as slow as heating may be: nothing drives it
+    static constexpr double kOffTime_s = 1.5;    ///< until the order is taken, and seen in the readings
     SafetySpec m_limits;
     bool m_wasOn = false;
+    double m_turned_s = -1e300;                      ///< on or off
     double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest
     double m_since_s = 0.0;                          ///< of the last progress; of the least with heat off
     double m_from_K = 0.0;                           ///< temperature then

@@ -51,6 +51,11 @@ Result<RigSpec> rigFromText(const std::string& text) {
 
 } // namespace
 
+bool isRigFile(const std::string& path) {
+    const auto text = readTextFile(path, kMostBytes);
+    return text && text->substr(0, 1024).find("\"bask-rig\"") != std::string::npos;
+}
+
 Result<RigSpec> readRigFile(const std::string& path) {
     const auto text = readTextFile(path, kMostBytes);
     if (!text)

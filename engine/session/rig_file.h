@@ -10,6 +10,8 @@ namespace bask {
 
 inline constexpr int kRigFormat = 1; ///< version written to and accepted from rig files
 
+/// Whether a file says that it is one, sound or not.
+bool isRigFile(const std::string& path);
 /// Refuses unknown keys, wrong types and other formats; what depends on an experiment, such as the channels,
 /// is checked where the rig is used.
 Result<RigSpec> readRigFile(const std::string& path);

@@ -78,7 +78,10 @@ std::string argsJson(const std::vector<std::string>& args) {
 /// Tables, header and experiment come into being in one transaction, before the file is switched to its log:
 /// what is found under the name is a whole session or none.
 Result<void> makeTables(SessionStore& store) {
-    std::vector<std::string> statements{"PRAGMA synchronous = FULL", "BEGIN IMMEDIATE"};
+    std::vector<std::string> statements{
+        "PRAGMA synchronous = FULL",
+        "PRAGMA cache_size = -512", // it only appends: the usual 2 MB fill for minutes
+        "BEGIN IMMEDIATE"};
     for (const char* table : kTables)
         statements.emplace_back(table);
     statements.emplace_back("PRAGMA application_id = ").append(std::to_string(kSessionApplicationId));

@@ -130,7 +130,7 @@ TEST_F(AlarmsTest, TheBarFitsASmallWindow) {
     alarm.id = 1;
     alarm.message = {MessageCode::SafetyObjectHot, {"aluminium hand with a painted palm", "152.3", "150"}};
     snapshot.alarms.assign(12, alarm);
-    for (const char* language : {"en", "fr"}) {
+    for (const char* language : {"en", "fr", "zh_CN", "zh_TW"}) {
         window->setLanguage(QLatin1String(language));
         for (const RunState state : {RunState::NotReady, RunState::Ready, RunState::Armed, RunState::Running,
                                      RunState::Holding, RunState::Stopping, RunState::Fault}) {

@@ -140,5 +140,14 @@ TEST(CommandLine, AMissingFileIsBadInput) {
     EXPECT_TRUE(answer.err.contains(QStringLiteral("gone.json")));
 }
 
+// Catches: several files chosen in a file manager of which all but one are passed over in silence.
+TEST(CommandLine, ASecondFileIsRefused) {
+    const Answer answer = bask({QStringLiteral(BASK_EXAMPLES "/two-circles.json"),
+                                QStringLiteral(BASK_EXAMPLES "/three-objects.json")});
+    EXPECT_EQ(answer.exitCode, 2);
+    EXPECT_TRUE(answer.err.contains(QStringLiteral("three-objects.json: one file at a time")))
+        << answer.err.toStdString();
+}
+
 } // namespace
 } // namespace bask::test

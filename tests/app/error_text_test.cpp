@@ -2,6 +2,7 @@
 #include "app/language.h"
 #include "app/resources.h"
 #include "engine/base/message_code.h"
+#include "widgets/common/alarm_words.h"
 
 #include <gtest/gtest.h>
 
@@ -28,8 +29,25 @@ TEST(ErrorText, WordsOfTheEngineAreTranslatedToo) {
     EXPECT_FALSE(refusal.contains(QStringLiteral("Not ready"))) << refusal.toStdString();
     const QString tooEarly = sentence(Message{MessageCode::CommandNotNow, {"Reset", "Connecting"}});
     EXPECT_FALSE(tooEarly.contains(QStringLiteral("Connecting"))) << tooEarly.toStdString();
+    const QString incomplete = sentence(Message{MessageCode::RigIncomplete, {"heat source"}});
+    EXPECT_TRUE(incomplete.contains(QStringLiteral("source de chaleur"))) << incomplete.toStdString();
     const QString over = sentence(Message{MessageCode::EventAlarmOver, {"SafetySensorOpen", "disk"}});
     EXPECT_TRUE(over.contains(QStringLiteral("capteur"))) << over.toStdString();
+}
+
+// Catches: a headline that is the whole text where sentences end with a Chinese full stop.
+TEST(ErrorText, TheHeadlineIsTheFirstSentence) {
+    initResources();
+    Language language;
+    Alarm alarm;
+    alarm.message = {MessageCode::SafetyObjectHot, {"disk", "152.3", "150"}};
+    for (const QString& code : Language::codes()) {
+        language.set(code);
+        const QString headline = alarmHeadline(alarm, TemperatureUnit::Celsius);
+        EXPECT_LT(3 * headline.size(), 2 * alarmSentence(alarm, TemperatureUnit::Celsius).size())
+            << headline.toStdString();
+        EXPECT_TRUE(headline.contains(QStringLiteral("150"))) << headline.toStdString();
+    }
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 // Switches the language while the program runs and reads everything that is on the screen.
 
+#include "app/language.h"
 #include "tests/app/translation_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/common/run_state_chip.h"
@@ -41,8 +42,9 @@ public:
         static const QRegularExpression kPlaceholder(QStringLiteral("\\\\%L?[1-9n]"));
         pattern.replace(kPlaceholder, QStringLiteral(".*"));
         QString letters = bare(text);
-        letters.remove(QRegularExpression(QStringLiteral("%[1-9n]|[^a-zA-Z]")));
-        if (letters.size() >= 4)
+        letters.remove(QRegularExpression(QStringLiteral("%[1-9n]|[^a-zA-Z\\x{4e00}-\\x{9fff}]")));
+        const bool isChinese = !letters.isEmpty() && letters[0].unicode() >= 0x4e00;
+        if (letters.size() >= (isChinese ? 2 : 4))
             m_patterns << QRegularExpression(QRegularExpression::anchoredPattern(pattern));
     }
     bool has(const QString& text) const {
@@ -65,7 +67,8 @@ public:
     QList<QPair<QString, QString>> read(QWidget* window) {
         one(window);
         for (QWidget* widget : window->findChildren<QWidget*>())
-            one(widget);
+            if (!widget->objectName().startsWith(QLatin1String("qt_dockwidget_"))) // the dock shows no title
+                one(widget);
         for (QAction* action : window->findChildren<QAction*>()) {
             const QString where = QStringLiteral("action ") + action->objectName();
             take(where, action->text());
@@ -98,8 +101,11 @@ private:
             take(where, edit->placeholderText());
         if (auto* dock = qobject_cast<QDockWidget*>(widget))
             take(where, dock->windowTitle());
-        if (auto* plot = qobject_cast<TracePlot*>(widget))
+        if (auto* plot = qobject_cast<TracePlot*>(widget)) {
             take(where, plot->valueAxisLabel());
+            for (const QString& text : plot->markerTexts())
+                take(where, text);
+        }
         if (auto* chip = qobject_cast<RunStateChip*>(widget))
             for (const QString& reason : chip->reasons())
                 take(where, reason);
@@ -135,31 +141,37 @@ class LanguageSwitchTest : public WindowTest {
 protected:
     void SetUp() override {
         WindowTest::SetUp();
-        QSet<QString> englishToo, frenchToo;
-        const auto entries = readTranslations(QStringLiteral(BASK_TRANSLATIONS "/bask_fr.ts"));
-        for (const auto& entry : entries) {
-            englishToo << bare(entry.source);
-            frenchToo << bare(entry.translation);
-        }
-        for (const auto& entry : entries) {
-            // A word that is also right in the other language somewhere ("Source", "Position") proves
-            // nothing.
-            if (!frenchToo.contains(bare(entry.source)))
-                m_english.add(entry.source);
-            if (!englishToo.contains(bare(entry.translation)))
-                m_french.add(entry.translation);
-        }
+        for (const QString& code : Language::codes())
+            for (const auto& entry :
+                 readTranslations(QStringLiteral(BASK_TRANSLATIONS "/bask_%1.ts")
+                                      .arg(code == QLatin1String("en") ? QStringLiteral("fr") : code)))
+                m_texts[code] << (code == QLatin1String("en") ? entry.source : entry.translation);
     }
 
-    void expectNone(const Sentences& unwanted) {
+    /// Sentences of the other languages. A word that is also right in this one somewhere ("Source",
+    /// "Position") proves nothing.
+    Sentences foreignTo(const QString& language) const {
+        QSet<QString> own;
+        for (const QString& text : m_texts[language])
+            own << bare(text);
+        Sentences foreign;
+        for (const QString& code : Language::codes())
+            for (const QString& text : code == language ? QStringList() : m_texts[code])
+                if (!own.contains(bare(text)))
+                    foreign.add(text);
+        return foreign;
+    }
+
+    void expectOnly(const QString& language) {
+        const Sentences unwanted = foreignTo(language);
         int read = 0;
         for (int page = 0; page < kPages; ++page) {
             window->pages().show(static_cast<Page>(page));
             QCoreApplication::processEvents();
             for (const auto& [where, text] : Reader().read(window.get())) {
                 ++read;
-                EXPECT_FALSE(unwanted.has(text))
-                    << "page " << page << ", " << where.toStdString() << ": " << text.toStdString();
+                EXPECT_FALSE(unwanted.has(text)) << language.toStdString() << ", page " << page << ", "
+                                                 << where.toStdString() << ": " << text.toStdString();
             }
             if (HasFailure())
                 return;
@@ -186,18 +198,19 @@ protected:
         ASSERT_TRUE(waitFor([&] { return opened; }));
     }
 
-    Sentences m_english, m_french;
+    QMap<QString, QStringList> m_texts; ///< by the language's code
 };
 
 // Catches: a text made once in a constructor, a string outside tr(), a translation that is missing or not
 // loaded.
-TEST_F(LanguageSwitchTest, NoEnglishIsLeftInFrenchAndNoFrenchInEnglish) {
+TEST_F(LanguageSwitchTest, NothingIsLeftOfAnotherLanguage) {
     openWindow();
     ASSERT_NO_FATAL_FAILURE(fillEverything());
-    window->setLanguage(QStringLiteral("fr"));
-    expectNone(m_english);
-    window->setLanguage(QStringLiteral("en"));
-    expectNone(m_french);
+    for (const char* language : {"fr", "zh_CN", "zh_TW", "en"}) {
+        window->setLanguage(QLatin1String(language));
+        expectOnly(QLatin1String(language));
+        keepPictures(QLatin1String(language));
+    }
 }
 
 // Catches: sentences of the engine and of late-made widgets that miss the language in force.
@@ -205,10 +218,10 @@ TEST_F(LanguageSwitchTest, AWholeRunInFrench) {
     SettingsStore().setLanguage(QStringLiteral("fr"));
     openWindow();
     ASSERT_NO_FATAL_FAILURE(fillEverything());
-    expectNone(m_english);
+    expectOnly(QStringLiteral("fr"));
     QTest::keyClick(window.get(), Qt::Key_F12);
     ASSERT_TRUE(waitForState(RunState::Fault));
-    expectNone(m_english);
+    expectOnly(QStringLiteral("fr"));
     keepPictures(QStringLiteral("french"));
 }
 

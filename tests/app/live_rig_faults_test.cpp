@@ -146,7 +146,7 @@ TEST_F(LiveRigFaults, ofAPlateThatHeatsByItselfAreToldInIdle) {
     ASSERT_NO_FATAL_FAILURE(beReady());
     const BenchState before = state();
     const Reaction alone = raise(
-        "heater stuck-on", {MessageCode::SafetySourceHeatsUnasked, "though its heat is off", 3000.0}, 300);
+        "heater stuck-on", {MessageCode::SafetySourceHeatsUnasked, "though its heat is off", 5000.0}, 300);
     EXPECT_EQ(live.last.state, RunState::Fault) << reasons();
     EXPECT_EQ(alone.moved_m, 0.0);
     ASSERT_TRUE(waitFor([&] { return live.alarm(MessageCode::SafetySourceHot) != nullptr; }, 40000))

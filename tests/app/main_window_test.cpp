@@ -1,6 +1,7 @@
 // The window's own promises: buttons follow the engine, edits are refused during a run, closing asks, starts
 // need the tick.
 
+#include "engine/session/rig_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/calibrate/live_picture.h"
 #include "widgets/common/message_bar.h"
@@ -422,6 +423,20 @@ TEST_F(MainWindowTest, ChannelsFollowTheObjects) {
     EXPECT_EQ(rig->thermometer->channels, (std::vector{2, 0}));
     click("addDisk");
     EXPECT_EQ(window->document().experiment().rig->thermometer->channels, (std::vector{2, 0, 1}));
+}
+
+// Catches: a rig file that is taken for an experiment when it is double-clicked, or put in before there are
+// objects.
+TEST_F(MainWindowTest, ARigFileOpensFromTheCommandLine) {
+    const QTemporaryDir folder;
+    RigSpec rig;
+    rig.name = "bench";
+    ASSERT_TRUE(writeRigFile(rig, folder.filePath(QStringLiteral("bench.json")).toStdString()));
+    openWindow({1280, 800}, folder.filePath(QStringLiteral("bench.json")));
+    ASSERT_TRUE(waitFor([this] { return window->document().experiment().rig.has_value(); }));
+    EXPECT_EQ(window->document().experiment().rig->name, "bench");
+    EXPECT_EQ(window->document().experiment().objects.size(), 3U);
+    EXPECT_TRUE(find<QTabWidget>("rigTabs")->isVisible());
 }
 
 // Catches: a real rig that is armed by one click, ages of its devices that nobody sees, a rig that is said to

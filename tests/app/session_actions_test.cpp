@@ -65,6 +65,20 @@ TEST_F(SessionActionsTest, AMissingFileLeavesTheRecentList) {
     EXPECT_FALSE(settings.recentFiles().contains(QStringLiteral("/nowhere/gone.json")));
 }
 
+// Catches: a file with a slip in it that must be looked for again once it is mended.
+TEST_F(SessionActionsTest, ABadFileStaysInTheRecentList) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("bad.json"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("{");
+    file.close();
+    settings.addRecentFile(path);
+    files.open(path);
+    ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
+    EXPECT_EQ(settings.recentFiles().value(0), path);
+}
+
 // Catches: two runs armed in one second recorded over each other.
 TEST_F(SessionActionsTest, RecordingsNeverShareAName) {
     const QString first = files.nextRecordingPath();
@@ -97,6 +111,16 @@ TEST_F(SessionActionsTest, ARigGoesThroughItsFile) {
     ASSERT_EQ(read.size(), 1U);
     EXPECT_EQ(read.back(), *experiment.rig);
     EXPECT_TRUE(problems.isEmpty());
+
+    files.open(folder.filePath(QStringLiteral("bench.json"))); // as after a drop: known by what it says
+    EXPECT_EQ(read.size(), 2U);
+    files.setRunGuard([] { return true; });
+    files.openRig();
+    EXPECT_EQ(read.size(), 2U) << "other devices under a run";
+    EXPECT_EQ(problems.size(), 1);
+    problems.clear();
+    files.setRunGuard({});
+    read.resize(1);
 
     QFile file(folder.filePath(QStringLiteral("bench.json")));
     ASSERT_TRUE(file.resize(file.size() / 2));

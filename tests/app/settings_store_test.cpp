@@ -1,5 +1,6 @@
 #include "app/settings_store.h"
 
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 
@@ -55,6 +56,11 @@ TEST_F(SettingsStoreTest, RecentFilesAreNewestFirstOnceEachAndFew) {
     EXPECT_EQ(files.size(), SettingsStore::kMaxRecent);
     EXPECT_EQ(files.first(), QStringLiteral("/tmp/7.json"));
     EXPECT_EQ(files.count(QStringLiteral("/tmp/7.json")), 1);
+    EXPECT_EQ(files.value(1), QStringLiteral("/tmp/11.json"));
+    store.removeRecentFile(QDir::current().relativeFilePath(QStringLiteral("/tmp/7.json")));
+    EXPECT_EQ(store.recentFiles().first(), QStringLiteral("/tmp/11.json")) << "by another spelling";
+    store.clearRecentFiles();
+    EXPECT_TRUE(SettingsStore().recentFiles().isEmpty());
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // The control loop at 10 Hz over three serial ports, watched from outside: no sample lost, memory flat, and
 // how late its steps begin. The short form runs in CI, the long one by hand (CONTRIBUTING.md).
 
+#include "engine/runtime/lateness.h"
 #include "engine/session/session_file.h"
 #include "tests/app/rig_processes.h"
 
@@ -35,6 +36,33 @@ private:
     std::vector<std::thread> m_threads;
 };
 
+/// A thread that does nothing but wake up each 100 ms: as late as the machine makes anybody.
+class BareThread {
+public:
+    BareThread()
+        : m_thread([this] {
+              auto due = std::chrono::steady_clock::now();
+              while (!m_isOver) {
+                  due += std::chrono::milliseconds(100);
+                  std::this_thread::sleep_until(due);
+                  const std::chrono::duration<double> late = std::chrono::steady_clock::now() - due;
+                  m_lateness.add(late.count());
+              }
+          }) {}
+    ~BareThread() { end(); }
+    const Lateness& end() {
+        m_isOver = true;
+        if (m_thread.joinable())
+            m_thread.join();
+        return m_lateness;
+    }
+
+private:
+    std::atomic<bool> m_isOver = false;
+    Lateness m_lateness;
+    std::thread m_thread;
+};
+
 /// Least squares, in units of y per unit of x, of equidistant values.
 double slope(const std::vector<double>& values) {
     const double n = static_cast<double>(values.size()), middle = 0.5 * (n - 1.0);
@@ -67,11 +95,13 @@ protected:
                      summary});
         waitUntilHeating();
         const Hogs busy(hogs);
+        BareThread bareThread;
         for (int i = 1; i < duration_s; ++i) {
             std::this_thread::sleep_for(std::chrono::seconds(1)); // waitFor would be one more busy thread
             memory_MB.push_back(resident_MB());
             ASSERT_GT(memory_MB.back(), 0.0) << "it has ended after " << i << " s: " << output();
         }
+        bare = bareThread.end();
         ASSERT_TRUE(ended(120000).has_value());
         QFile file(summary);
         ASSERT_TRUE(file.open(QIODevice::ReadOnly)) << engine.readAll().toStdString();
@@ -82,10 +112,12 @@ protected:
         tell();
     }
     void tell() const {
-        std::printf(
-            "control steps: %d, late by %.1f ms (median), %.1f ms (99.9 %%), %.1f ms (worst)\nmemory:",
-            late_("count") > 0.0 ? static_cast<int>(late_("count")) : 0, late_("late_ms_p50"),
-            late_("late_ms_p99_9"), late_("late_ms_worst"));
+        std::printf("control steps: %d, late by %.1f ms (median), %.1f ms (99.9 %%), %.1f ms (worst)",
+                    late_("count") > 0.0 ? static_cast<int>(late_("count")) : 0, late_("late_ms_p50"),
+                    late_("late_ms_p99_9"), late_("late_ms_worst"));
+        std::printf("\na bare thread meanwhile: late by %.1f ms (median), %.1f ms (99.9 %%), %.1f ms (worst)",
+                    1e3 * bare.quantile_s(0.5), 1e3 * bare.quantile_s(0.999), 1e3 * bare.worst_s());
+        std::printf("\nmemory:");
         for (std::size_t i = 0; i < memory_MB.size(); i += std::max<std::size_t>(1, memory_MB.size() / 10))
             std::printf(" %.2f", memory_MB[i]);
         std::printf(" MB\n");
@@ -113,6 +145,7 @@ protected:
 
     std::vector<double> memory_MB; ///< each second
     QJsonObject late;
+    Lateness bare;
     std::vector<TraceSample> samples;
 };
 

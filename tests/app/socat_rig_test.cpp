@@ -1,5 +1,6 @@
 // The whole engine over serial lines that neither it nor the simulators have made: socat's, as cables.
 
+#include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
 #include "tests/app/rig_processes.h"
 
@@ -41,8 +42,11 @@ protected:
     QString folder() const { return QFileInfo(experiment()).path(); }
     QString far() const { return folder() + QStringLiteral("/far/"); }
 
-    /// The experiment as it is, and one for the far ends.
-    void write(const QByteArray& text) const {
+    /// The experiment, but for a machine that may be busy; and one for the far ends.
+    void write(const QByteArray& experimentText) const {
+        QJsonObject root = QJsonDocument::fromJson(experimentText).object();
+        root[QStringLiteral("safety")] = QJsonObject{{QStringLiteral("stale_periods"), 10}};
+        const QByteArray text = QJsonDocument(root).toJson();
         const QByteArray ports = (folder() + '/').toUtf8();
         const std::array contents{text, QByteArray(text).replace(ports, far().toUtf8())};
         const std::array paths{experiment(), far() + QStringLiteral("rig.json")};
@@ -63,32 +67,79 @@ protected:
         ASSERT_TRUE(waitFor([&] { return !state().objects_degC.empty(); }))
             << bench.readAllStandardError().toStdString();
     }
-    /// At the end of so many seconds of the run, which the engine ends soon after.
-    void expectSettledAfter(int duration_s) {
-        startEngine({QStringLiteral("--duration"), QString::number(duration_s)});
+    /// The true temperatures come to their targets and stay there for longer than "settled" takes. A busy
+    /// machine may hold up what stands between engine and rig for longer than is safe; then it is run anew.
+    void expectSettledWithin(int limit_s, const QString& heating_s) {
+        for (int run = 1; run <= kRuns; ++run) {
+            endProcess(bench);
+            QFile::remove(session());
+            ASSERT_NO_FATAL_FAILURE(startFarBench(heating_s));
+            ASSERT_NO_FATAL_FAILURE(runUntilSettled(limit_s));
+            const auto record = readSession(session().toStdString());
+            ASSERT_TRUE(record) << describe(record.error());
+            EXPECT_FALSE(state().isHeating);
+            if (run < kRuns && wasHeldUp(*record))
+                continue;
+            EXPECT_EQ(engine.exitCode(), 0) << engine.readAll().toStdString();
+            EXPECT_FALSE(record->simulated);
+            EXPECT_EQ(record->outcome, "settled");
+            expectComplete(*record);
+            return;
+        }
+    }
+
+private:
+    static constexpr int kRuns = 3;
+
+    /// Ends it, as Ctrl+C does; or it ends by itself.
+    void runUntilSettled(int limit_s) {
+        constexpr qint64 kHeld_ms = 45000;
+        startEngine({QStringLiteral("--duration"), QString::number(limit_s)});
         waitUntilHeating();
-        QElapsedTimer run;
+        QElapsedTimer run, within;
         run.start();
-        ASSERT_TRUE(waitFor([&] { return run.elapsed() > 1000 * (duration_s - 5); }, 1000 * duration_s));
-        const BenchState state = this->state();
-        ASSERT_EQ(state.objects_degC.size(), 3U);
-        for (const double t_degC : state.objects_degC)
-            EXPECT_NEAR(t_degC, kTarget_degC, kBand_K);
-        EXPECT_TRUE(state.isHeating);
-        EXPECT_EQ(ended(120000), 0) << engine.readAll().toStdString();
-        EXPECT_FALSE(this->state().isHeating);
-        const auto record = readSession(session().toStdString());
-        ASSERT_TRUE(record.ok());
-        EXPECT_FALSE(record->simulated);
-        EXPECT_EQ(record->outcome, "settled");
-        const auto controlled = record->controlledSamples();
-        const double period_s = record->experiment.sampling.period_s;
-        EXPECT_GE(static_cast<double>(controlled.size()), 0.8 * duration_s / period_s)
+        BenchState state;
+        const auto isOver = [&] {
+            QThread::msleep(200);
+            state = this->state();
+            const bool isWithin =
+                state.objects_degC.size() == 3 && std::ranges::all_of(state.objects_degC, [](double t_degC) {
+                    return std::abs(t_degC - kTarget_degC) <= kBand_K;
+                });
+            if (!isWithin)
+                within.invalidate();
+            else if (!within.isValid())
+                within.start();
+            return engine.state() == QProcess::NotRunning ||
+                   (within.isValid() && within.elapsed() > kHeld_ms);
+        };
+        ASSERT_TRUE(waitFor(isOver, 1000 * limit_s)) << testing::PrintToString(state.objects_degC);
+        std::printf("in the band after %.0f s\n", 1e-3 * static_cast<double>(run.elapsed() - kHeld_ms));
+        if (engine.state() != QProcess::NotRunning)
+            ::kill(static_cast<pid_t>(engine.processId()), SIGINT);
+        ASSERT_TRUE(ended(120000)) << engine.readAll().toStdString();
+    }
+    static bool wasHeldUp(const SessionRecord& record) {
+        const bool isHeldUp = std::ranges::any_of(record.events, [](const TraceEvent& event) {
+            const MessageCode code = event.message.code;
+            return code == MessageCode::EventHeld || code == MessageCode::DeviceSilent ||
+                   code == MessageCode::RobotSlow;
+        });
+        if (isHeldUp)
+            std::printf("held up, outcome %s\n", record.outcome.c_str());
+        return isHeldUp;
+    }
+    static void expectComplete(const SessionRecord& record) {
+        const auto controlled = record.controlledSamples();
+        const double period_s = record.experiment.sampling.period_s;
+        ASSERT_FALSE(controlled.empty());
+        EXPECT_GE(static_cast<double>(controlled.size()), 0.8 * controlled.back().time_s / period_s)
             << "a sample each period, but for what a busy machine loses";
         for (std::size_t i = 1; i < controlled.size(); ++i)
             EXPECT_LT(controlled[i].time_s - controlled[i - 1].time_s, std::max(1.0, 2.0 * period_s)) << i;
     }
 
+protected:
     static constexpr std::array kNames{"robot", "thermometer", "heater"};
     std::array<QProcess, 3> cables;
 };
@@ -100,8 +151,7 @@ protected:
 // the end. Thin disks, which are fast.
 TEST_F(SocatRigTest, thinDisksSettle) {
     write(read(experiment()));
-    startFarBench(QStringLiteral("10"));
-    expectSettledAfter(150);
+    expectSettledWithin(300, QStringLiteral("10"));
 }
 
 // The experiment that Bask ships and runs by default, as it is, on a rig: real time, so outside of CI.
@@ -114,8 +164,7 @@ TEST_F(SocatRigTest, theShippedThreeObjectsSettle) {
         ASSERT_TRUE(
             QFile::link(QStringLiteral(BASK_EXAMPLES "/contours"), place + QStringLiteral("/contours")));
     write(QJsonDocument(shipped).toJson());
-    startFarBench(QStringLiteral("60"));
-    expectSettledAfter(900);
+    expectSettledWithin(1800, QStringLiteral("60"));
 }
 
 // Catches a cable pulled out of the robot that leaves the heat on; and lines of Qt's own on the console, one

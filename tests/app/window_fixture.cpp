@@ -11,6 +11,7 @@ namespace bask::test {
 void WindowTest::SetUp() {
     for (const char* kept : {"/bask.ini", "/alarms.json"})
         QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QLatin1String(kept));
+    QDir(unsavedFolder()).removeRecursively();
 }
 
 void WindowTest::TearDown() {
@@ -19,7 +20,7 @@ void WindowTest::TearDown() {
     applyTheme(*qApp, Theme::Light);
 }
 
-void WindowTest::openWindow(QSize size) {
+void WindowTest::openWindow(QSize size, const QString& file) {
     window = std::make_unique<MainWindow>();
     window->resize(size);
     window->move(0, 0);
@@ -35,7 +36,7 @@ void WindowTest::openWindow(QSize size) {
     ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
     window->activateWindow(); // keys go nowhere otherwise, with no window manager
     ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
-    window->begin({});
+    window->begin(file);
     ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().latest.objects.size() == 3; }));
 }
 

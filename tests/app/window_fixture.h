@@ -18,8 +18,9 @@ protected:
     void SetUp() override;
     void TearDown() override;
 
-    /// A shown window with the first example loaded. Settings are new unless kept from before.
-    void openWindow(QSize size = {1280, 800});
+    /// A shown window with the first example loaded, and `file` as on the command line. Settings are new
+    /// unless kept from before.
+    void openWindow(QSize size = {1280, 800}, const QString& file = {});
     void closeWindow();
     /// Simulated time runs 20 times as fast, chosen with the keyboard on the Run page.
     void goFast();

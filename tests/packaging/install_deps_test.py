@@ -47,7 +47,7 @@ class InstallDeps(unittest.TestCase):
     @staticmethod
     def entries():
         words = SCRIPT.read_text(encoding="utf-8")
-        lists = [words.split(f'{name}="')[1].split('"')[0] for name in ("run_packages", "test_packages")]
+        lists = [words.split(f'{name}="')[1].split('"')[0] for name in ("run_packages", "test_packages", "package_packages")]
         return " ".join(lists).split()
 
     def run_script(self, *arguments, uid="0"):
@@ -79,6 +79,14 @@ class InstallDeps(unittest.TestCase):
         self.assertEqual(self.run_script("run").returncode, 0)
         install = self.calls()[-1].split()
         self.assertIn("libvtk9-dev", install)
+        self.assertNotIn("libgtest-dev", install)
+        self.assertNotIn("lintian", install)
+
+    def test_making_the_package_needs_its_tools_and_no_test_packages(self):
+        self.assertEqual(self.run_script("package").returncode, 0)
+        install = self.calls()[-1].split()
+        self.assertIn("libvtk9-dev", install)
+        self.assertIn("dpkg-dev", install)
         self.assertNotIn("libgtest-dev", install)
 
     def test_package_that_the_system_does_not_have_is_named(self):

@@ -1,7 +1,7 @@
-"""Every string of the program has its French, and no French is left of strings that are gone.
+"""Every string of the program is translated into every language, and no translation is left of strings that are gone.
 
-Usage: translated_strings_test.py LUPDATE. Collects the strings afresh and compares them with
-translations/bask_fr.ts, which tests/app/translations_test.cpp checks entry by entry.
+Usage: translated_strings_test.py LUPDATE. Collects the strings afresh and compares them with the languages'
+translations/bask_*.ts, which tests/app/translations_test.cpp checks entry by entry.
 """
 
 import subprocess
@@ -11,11 +11,12 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
+LANGUAGES = {"fr": 2, "zh_CN": 1, "zh_TW": 1}  # forms of the plural
 
 
-def strings(path):
+def messages(path):
     contexts = ElementTree.parse(path).getroot().findall("context")
-    return {(context.findtext("name"), message.findtext("source"))
+    return {(context.findtext("name"), message.findtext("source"), message.findtext("comment")): message
             for context in contexts for message in context.findall("message")}
 
 
@@ -26,13 +27,30 @@ def collected(lupdate):
     with tempfile.TemporaryDirectory() as folder:
         fresh = Path(folder) / "fresh.ts"
         subprocess.run([lupdate, "-silent", "-I", ROOT, *sources, "-ts", fresh], check=True, stderr=subprocess.DEVNULL)
-        return strings(fresh)
+        return messages(fresh)
 
 
-found, french = collected(sys.argv[1]), strings(ROOT / "translations/bask_fr.ts")
+def is_whole(message, forms):
+    translation = message.find("translation")
+    if translation is None or "type" in translation.attrib:
+        return False
+    if message.get("numerus") != "yes":
+        return bool(translation.text)
+    return len(translation) == forms and all(form.text for form in translation)
+
+
+found = collected(sys.argv[1])
 assert len(found) > 500, f"only {len(found)} strings were found"
-for context, source in sorted(found - french):
-    print(f"{context}: no French: {source}")
-for context, source in sorted(french - found):
-    print(f"{context}: French of a string that is gone: {source}")
-sys.exit(found != french)
+wrong = []
+for language, forms in LANGUAGES.items():
+    translated = messages(ROOT / f"translations/bask_{language}.ts")
+    for key in found:
+        if key not in translated:
+            wrong.append(f"{language}: not translated: {key}")
+        elif (found[key].get("numerus") != translated[key].get("numerus")
+              or not is_whole(translated[key], forms)):
+            wrong.append(f"{language}: unfinished: {key}")
+    wrong += [f"{language}: translation of a string that is gone: {key}" for key in translated if key not in found]
+for line in sorted(wrong):
+    print(line)
+sys.exit(bool(wrong))

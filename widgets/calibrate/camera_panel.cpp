@@ -247,7 +247,7 @@ void CameraPanel::look() {
         return;
     if (!*m_view.board) {
         m_collector->lookedInVain();
-        return sayStatus(sentenceText(m_view.board->error().message) + QLatin1Char('.'));
+        return sayStatus(tr("%1.").arg(sentenceText(m_view.board->error().message)));
     }
     if (!m_automatic->isChecked())
         return sayStatus(tr("The board is seen: hold it still and take the view."));

@@ -151,7 +151,7 @@ void CameraResult::showVerdict() {
     if (m_calibration) {
         const Judgement judgement = judged(*m_calibration, m_distance_m);
         head = verdictWord(judgement.verdict);
-        reason = sentenceText(judgement.reason) + QLatin1Char('.');
+        reason = tr("%1.").arg(sentenceText(judgement.reason));
         priority = judgement.verdict == Verdict::Redo ? 2 : judgement.verdict == Verdict::Usable ? 3 : 0;
     } else if (m_camera) {
         head = m_file.isEmpty() ? tr("The camera in use") : m_file;

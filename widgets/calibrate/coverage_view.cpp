@@ -81,7 +81,7 @@ void CoverageView::retranslate() {
     QStringList sentences;
     for (const Message& message : m_coverage.missing)
         if (sentences.size() < kMostSentences)
-            sentences << sentenceText(message) + QLatin1Char('.');
+            sentences << tr("%1.").arg(sentenceText(message));
     m_missing->setText(sentences.isEmpty() ? tr("This is enough: calibrate.")
                                            : sentences.join(QLatin1Char('\n')));
 }

@@ -168,8 +168,7 @@ QString AlarmList::guidance() const {
     const Alarm* alarm = chosen();
     if (alarm == nullptr)
         return m_alarms.empty() ? tr("No alarms.") : tr("Choose an alarm to read what to do.");
-    QStringList facts{tr("Priority %1").arg(alarm->priority) + QStringLiteral(". ") +
-                      alarmStateWords(*alarm) + u'.'};
+    QStringList facts{tr("Priority %1. %2.").arg(alarm->priority).arg(alarmStateWords(*alarm))};
     const QString raised = alarmTime(alarm->raised_s, m_today);
     facts << (alarm->count > 1
                   ? tr("Raised at %1, %2 times since it was last acknowledged.").arg(raised).arg(alarm->count)

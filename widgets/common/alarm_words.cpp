@@ -5,6 +5,7 @@
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QLocale>
+#include <QRegularExpression>
 
 namespace bask {
 namespace {
@@ -22,7 +23,7 @@ QString alarmStateWords(const Alarm& alarm) {
         words << Words::tr("first");
     if (alarm.isFromBefore)
         words << Words::tr("from before");
-    return words.join(QStringLiteral(", "));
+    return words.join(Words::tr(", ", "between states"));
 }
 
 QString alarmSentence(const Alarm& alarm, TemperatureUnit unit) {
@@ -31,8 +32,9 @@ QString alarmSentence(const Alarm& alarm, TemperatureUnit unit) {
 
 QString alarmHeadline(const Alarm& alarm, TemperatureUnit unit) {
     const QString whole = alarmSentence(alarm, unit);
-    const qsizetype end = whole.indexOf(QStringLiteral(". "));
-    return end < 0 ? whole : whole.left(end + 1);
+    static const QRegularExpression kEnd(QStringLiteral("\\.(?= )|。"));
+    const QRegularExpressionMatch end = kEnd.match(whole);
+    return end.hasMatch() ? whole.left(end.capturedEnd()) : whole;
 }
 
 QString alarmTime(double utc_s, QDate today) {

@@ -1,9 +1,12 @@
 #include "widgets/common/display.h"
 
+#include "engine/base/message_code.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <array>
 #include <cmath>
 
 namespace bask {
@@ -142,6 +145,24 @@ QString controllerWord(ControllerKind kind) {
     return {};
 }
 
+namespace {
+
+/// Where the engine's own English stands as an argument.
+QString argument(const Message& message, std::size_t i) {
+    static constexpr std::array kDevices{QT_TRANSLATE_NOOP("bask::Display", "robot"),
+                                         QT_TRANSLATE_NOOP("bask::Display", "thermometer"),
+                                         QT_TRANSLATE_NOOP("bask::Display", "heat source"),
+                                         QT_TRANSLATE_NOOP("bask::Display", "heat source kept by hand"),
+                                         QT_TRANSLATE_NOOP("bask::Display", "source temperature")};
+    if (message.code == MessageCode::RigIncomplete)
+        for (const char* word : kDevices)
+            if (message.args[i] == word)
+                return Words::tr(word);
+    return QString::fromStdString(message.args[i]);
+}
+
+} // namespace
+
 QString messageText(const Message& message) {
     if (const auto within = messageWithin(message))
         return messageText({message.code, {messageText(*within).toStdString()}});
@@ -155,7 +176,7 @@ QString messageText(const Message& message) {
             continue;
         }
         if (static_cast<std::size_t>(digit) <= message.args.size())
-            out += QString::fromStdString(message.args[static_cast<std::size_t>(digit - 1)]);
+            out += argument(message, static_cast<std::size_t>(digit - 1));
         ++i;
     }
     return out;

@@ -13,11 +13,12 @@ namespace bask {
 
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_label(new QLabel(this)), m_action(new QPushButton(this)),
-      m_close(new QToolButton(this)) {
+      m_other(new QPushButton(this)), m_close(new QToolButton(this)) {
     m_label->setObjectName("message");
     m_label->setWordWrap(true);
     m_label->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_action->setObjectName("messageAction");
+    m_other->setObjectName("messageOther");
     m_close->setObjectName("messageClose");
     m_close->setAutoRaise(true);
     m_close->setText(QString(QChar(0x2715)));
@@ -27,8 +28,10 @@ MessageBar::MessageBar(QWidget* parent)
     layout->addWidget(m_icon);
     layout->addWidget(m_label, 1);
     layout->addWidget(m_action);
+    layout->addWidget(m_other);
     layout->addWidget(m_close);
     connect(m_action, &QPushButton::clicked, this, &MessageBar::actionClicked);
+    connect(m_other, &QPushButton::clicked, this, &MessageBar::otherClicked);
     connect(m_close, &QToolButton::clicked, this, &MessageBar::clear);
     refresh();
     hide();
@@ -39,9 +42,16 @@ void MessageBar::say(Kind kind, const QString& sentence, const QString& action, 
     m_label->setText(sentence);
     m_action->setText(action);
     m_action->setVisible(!action.isEmpty());
+    m_other->hide();
     m_close->setVisible(closable);
     refresh();
     show();
+}
+
+void MessageBar::ask(const QString& sentence, const QString& action, const QString& other) {
+    say(Kind::Note, sentence, action);
+    m_other->setText(other);
+    m_other->show();
 }
 
 void MessageBar::clear() {

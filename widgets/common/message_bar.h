@@ -1,5 +1,5 @@
 #pragma once
-// One sentence inside a page, with an optional button: what was refused and why, or what can be undone.
+// One sentence inside a page, with up to two buttons: what was refused and why, or what can be undone.
 
 #include <QFrame>
 
@@ -9,7 +9,8 @@ class QToolButton;
 
 namespace bask {
 
-/// Hidden until it has something to say. Object names: "message", "messageAction", "messageClose".
+/// Hidden until it has something to say. Object names: "message", "messageAction", "messageOther",
+/// "messageClose".
 class MessageBar : public QFrame {
     Q_OBJECT
 
@@ -20,11 +21,14 @@ public:
 
     /// Shows a sentence; with `action` a button of that label, without `closable` it stays until cleared.
     void say(Kind kind, const QString& sentence, const QString& action = {}, bool closable = true);
+    /// A question: a button for each answer, and it may be put off by closing it.
+    void ask(const QString& sentence, const QString& action, const QString& other);
     void clear();
     QString sentence() const;
 
 signals:
     void actionClicked();
+    void otherClicked();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -36,7 +40,7 @@ private:
     Kind m_kind = Kind::Note;
     QLabel* m_icon;
     QLabel* m_label;
-    QPushButton* m_action;
+    QPushButton *m_action, *m_other;
     QToolButton* m_close;
 };
 

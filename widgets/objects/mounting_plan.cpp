@@ -205,7 +205,7 @@ void MountingPlan::mouseReleaseEvent(QMouseEvent* event) {
     m_drag.reset();
     update();
     if (drag.mounting != selected().mounting)
-        emit objectMoved(m_selected, drag.mounting, ++m_stroke);
+        emit objectMoved(m_selected, drag.mounting);
 }
 
 void MountingPlan::keyPressEvent(QKeyEvent* event) {
@@ -247,9 +247,7 @@ void MountingPlan::keyPressEvent(QKeyEvent* event) {
     mounting[kX] += x_m;
     mounting[kY] += y_m;
     mounting[kThetaZ] = turned_rad(degFromRad(mounting[kThetaZ]) + angle_deg);
-    if (!event->isAutoRepeat())
-        ++m_stroke;
-    emit objectMoved(m_selected, mounting, m_stroke);
+    emit objectMoved(m_selected, mounting);
 }
 
 void MountingPlan::paintObjects(QPainter& painter, const QTransform& map) const {

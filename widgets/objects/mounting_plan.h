@@ -41,8 +41,8 @@ public:
 
 signals:
     void objectClicked(int index);
-    /// A drag has ended or a key is pressed: the new mounting. `stroke` is the same while a key is held.
-    void objectMoved(int index, const bask::Vector6d& mounting, int stroke);
+    /// A drag has ended or a key is pressed: the new mounting.
+    void objectMoved(int index, const bask::Vector6d& mounting);
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -81,7 +81,6 @@ private:
     double m_reach_m = 0.0;
     bool m_readOnly = false;
     std::optional<Drag> m_drag;
-    int m_stroke = 0;
 };
 
 } // namespace bask

@@ -13,6 +13,7 @@
 #include "widgets/objects/object_properties.h"
 #include "widgets/objects/outline_preview.h"
 
+#include <QAction>
 #include <QDragEnterEvent>
 #include <QDropEvent>
 #include <QFileDialog>
@@ -23,15 +24,12 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QShortcut>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QUndoStack>
 #include <QVBoxLayout>
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <utility>
 
@@ -74,45 +72,7 @@ static const std::vector<Contour>& rawHoles(const ObjectSpec& object) {
     return object.origin.outline.points_m.empty() ? holesOf(object.shape) : object.origin.holes;
 }
 
-/// The objects before and after one edit. Other parts of the experiment are not the page's to undo.
-class ObjectsPage::Edit : public QUndoCommand {
-public:
-    Edit(ObjectsPage& page, std::vector<ObjectSpec> after, const QString& text, QString mergeKey, int select)
-        : QUndoCommand(text), m_page(page), m_before(page.m_experiment.objects), m_after(std::move(after)),
-          m_mergeKey(std::move(mergeKey)), m_selectBefore(page.m_selected), m_selectAfter(select) {}
-
-    void undo() override { m_page.applyObjects(m_before, m_selectBefore); }
-    void redo() override { m_page.applyObjects(m_after, m_selectAfter); }
-    /// Before what was done or merged last.
-    const std::vector<ObjectSpec>& before() const { return m_beforeMerge ? *m_beforeMerge : m_before; }
-    /// Takes back what was merged last, or all where nothing was.
-    void takeBack() {
-        if (m_beforeMerge)
-            m_after = *std::exchange(m_beforeMerge, std::nullopt);
-        else
-            setObsolete(true);
-    }
-    int id() const override { return m_mergeKey.isEmpty() ? -1 : 1; }
-    bool mergeWith(const QUndoCommand* other) override {
-        const auto* next = dynamic_cast<const Edit*>(other);
-        if (next == nullptr || next->m_mergeKey != m_mergeKey)
-            return false;
-        m_beforeMerge = std::exchange(m_after, next->m_after);
-        m_page.m_lastEdit = this;
-        return true;
-    }
-
-private:
-    ObjectsPage& m_page;
-    std::vector<ObjectSpec> m_before;
-    std::vector<ObjectSpec> m_after;
-    std::optional<std::vector<ObjectSpec>> m_beforeMerge;
-    QString m_mergeKey;
-    int m_selectBefore;
-    int m_selectAfter;
-};
-
-ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent), m_undo(new QUndoStack(this)) {
+ObjectsPage::ObjectsPage(QWidget* parent) : QWidget(parent) {
     setAcceptDrops(true);
     m_note = new MessageBar(this);
     m_note->setObjectName("editNote");
@@ -236,22 +196,12 @@ void ObjectsPage::connectAll() {
     connect(m_list, &ObjectList::objectRenamed, this, [this](int index, const QString& name) {
         auto objects = m_experiment.objects;
         objects[static_cast<std::size_t>(index)].name = name.trimmed().toStdString();
-        commit(std::move(objects), tr("rename"), {}, index);
+        commit(std::move(objects), index);
     });
     connect(m_addDisk, &QPushButton::clicked, this, &ObjectsPage::addDisk);
     connect(m_import, &QPushButton::clicked, this, &ObjectsPage::chooseFile);
     connect(m_duplicate, &QPushButton::clicked, this, &ObjectsPage::duplicateSelected);
     connect(m_remove, &QPushButton::clicked, this, &ObjectsPage::removeSelected);
-    connect(m_undoButton, &QPushButton::clicked, m_undo, &QUndoStack::undo);
-    connect(m_redoButton, &QPushButton::clicked, m_undo, &QUndoStack::redo);
-    connect(m_undo, &QUndoStack::indexChanged, this, &ObjectsPage::tellApplied);
-    const auto shortcut = [this](const QKeySequence& keys, QPushButton* button) {
-        auto* made = new QShortcut(keys, this);
-        made->setContext(Qt::WidgetWithChildrenShortcut);
-        connect(made, &QShortcut::activated, button, &QPushButton::click);
-    };
-    shortcut(QKeySequence::Undo, m_undoButton);
-    shortcut(QKeySequence::Redo, m_redoButton);
     connect(m_message, &MessageBar::actionClicked, this, [this] {
         if (m_importing)
             endImport();
@@ -262,18 +212,13 @@ void ObjectsPage::connectAll() {
     connect(m_harmonics, &HarmonicsPanel::fitCommitted, this, &ObjectsPage::commitFit);
     connect(m_harmonics, &HarmonicsPanel::outlineCommitted, this, &ObjectsPage::commitOutline);
     connect(m_harmonics, &HarmonicsPanel::distancesReady, m_preview, &OutlinePreview::setDistances);
-    connect(m_properties, &ObjectProperties::objectEdited, this, [this](const ObjectSpec& object) {
-        editSelected(tr("change of \u201c%1\u201d").arg(QString::fromStdString(selected().name)), {},
-                     [&object](ObjectSpec& o) { o = object; });
-    });
+    connect(m_properties, &ObjectProperties::objectEdited, this,
+            [this](const ObjectSpec& object) { editSelected([&object](ObjectSpec& o) { o = object; }); });
     connect(m_plan, &MountingPlan::objectClicked, this, &ObjectsPage::selectObject);
-    connect(m_plan, &MountingPlan::objectMoved, this,
-            [this](int index, const Vector6d& mounting, int stroke) {
-                selectObject(index);
-                editSelected(tr("move of \u201c%1\u201d").arg(QString::fromStdString(selected().name)),
-                             QStringLiteral("move %1").arg(stroke),
-                             [&mounting](ObjectSpec& o) { o.mounting = mounting; });
-            });
+    connect(m_plan, &MountingPlan::objectMoved, this, [this](int index, const Vector6d& mounting) {
+        selectObject(index);
+        editSelected([&mounting](ObjectSpec& o) { o.mounting = mounting; });
+    });
     connect(m_importPanel, &ImportPanel::attentionWanted, this, [this] { showPanel(true); });
     connect(m_importPanel, &ImportPanel::cancelled, this, [this] { showPanel(false); });
     connect(m_importPanel, &ImportPanel::accepted, this, &ObjectsPage::addImported);
@@ -290,21 +235,10 @@ bool ObjectsPage::hasSelection() const {
 void ObjectsPage::setExperiment(const Experiment& experiment) {
     if (experiment == m_experiment)
         return;
-    if (experiment.objects != m_experiment.objects) {
-        // A refused edit comes back as the value before it: take it off the stack; anything else is a new
-        // story.
-        if (m_lastEdit != nullptr && m_undo->canUndo() &&
-            m_undo->command(m_undo->index() - 1) == m_lastEdit &&
-            m_lastEdit->before() == experiment.objects) {
-            m_lastEdit->takeBack();
-            if (m_lastEdit->isObsolete())
-                m_undo->undo(); // deletes an obsolete command without running it
-        } else {
-            m_undo->clear();
-            endImport();
-        }
-        m_lastEdit = nullptr;
-    }
+    if (!m_committing && experiment.objects != m_experiment.objects)
+        endImport(); // it was for others
+    if (!m_committing && !m_importing)
+        m_message->clear(); // its Undo would take back something else
     m_experiment = experiment;
     m_selected = std::clamp(m_selected, experiment.objects.empty() ? -1 : 0,
                             static_cast<int>(experiment.objects.size()) - 1);
@@ -333,41 +267,48 @@ void ObjectsPage::selectObject(int index) {
     showAll();
 }
 
-void ObjectsPage::commit(std::vector<ObjectSpec> objects, const QString& text, const QString& mergeKey,
-                         int select) {
+void ObjectsPage::setUndoActions(QAction* undo, QAction* redo) {
+    const auto mirror = [this](QPushButton* button, QAction* action) {
+        const auto show = [button, action] {
+            button->setEnabled(action->isEnabled());
+            button->setToolTip(action->toolTip());
+        };
+        connect(action, &QAction::changed, button, show);
+        connect(button, &QPushButton::clicked, action, &QAction::trigger);
+        show();
+    };
+    mirror(m_undoButton, undo);
+    mirror(m_redoButton, redo);
+}
+
+bool ObjectsPage::isReadable(const QString& path) {
+    return ImportPanel::isReadable(path);
+}
+
+void ObjectsPage::commit(std::vector<ObjectSpec> objects, int select) {
     if (objects == m_experiment.objects) {
         showAll();
         return;
     }
-    auto* edit = new Edit(*this, std::move(objects), text, mergeKey, select < 0 ? m_selected : select);
-    m_lastEdit = edit;
-    m_undo->push(edit); // one that is merged is deleted here, and the one that took it in is the last edit
-}
-
-void ObjectsPage::applyObjects(const std::vector<ObjectSpec>& objects, int select) {
-    m_experiment.objects = objects;
-    m_selected = std::min(select, static_cast<int>(objects.size()) - 1);
-    m_applied = true;
-}
-
-void ObjectsPage::tellApplied() {
-    updateEnabled();
-    // Only now is the stack at rest, so that an answer from within the signal may change it.
-    if (!std::exchange(m_applied, false))
-        return;
+    m_experiment.objects = std::move(objects);
+    if (select >= 0)
+        m_selected = select;
+    m_selected = std::min(m_selected, static_cast<int>(m_experiment.objects.size()) - 1);
     if (!m_importing) // then it is the message that offers to cancel
         m_message->clear();
     showAll();
-    emit experimentEdited(m_experiment);
+    m_committing = true;
+    const Experiment edited = m_experiment; // a receiver may set another one
+    emit experimentEdited(edited);
+    m_committing = false;
 }
 
-void ObjectsPage::editSelected(const QString& text, const QString& mergeKey,
-                               const std::function<void(ObjectSpec&)>& change) {
+void ObjectsPage::editSelected(const std::function<void(ObjectSpec&)>& change) {
     if (!hasSelection() || !m_editable)
         return;
     auto objects = m_experiment.objects;
     change(objects[static_cast<std::size_t>(m_selected)]);
-    commit(std::move(objects), text, mergeKey);
+    commit(std::move(objects));
 }
 
 std::string ObjectsPage::uniqueName(const QString& wish) const {
@@ -402,12 +343,12 @@ Vector6d ObjectsPage::freeMounting(const Shape& shape) const {
     return Vector6d::Zero();
 }
 
-void ObjectsPage::addObject(ObjectSpec object, const QString& text) {
+void ObjectsPage::addObject(ObjectSpec object) {
     object.mounting = freeMounting(object.shape);
     auto objects = m_experiment.objects;
     objects.push_back(std::move(object));
     const int index = static_cast<int>(objects.size()) - 1;
-    commit(std::move(objects), text, {}, index);
+    commit(std::move(objects), index);
 }
 
 void ObjectsPage::addDisk() {
@@ -415,7 +356,7 @@ void ObjectsPage::addDisk() {
     object.name = uniqueName(tr("disk"));
     object.shape = Disk{kNewDiskRadius_m};
     object.material = materialPresets().front().material;
-    addObject(std::move(object), tr("add disk"));
+    addObject(std::move(object));
 }
 
 void ObjectsPage::duplicateSelected() {
@@ -423,7 +364,7 @@ void ObjectsPage::duplicateSelected() {
         return;
     ObjectSpec object = selected();
     object.name = uniqueName(QString::fromStdString(object.name));
-    addObject(std::move(object), tr("duplicate"));
+    addObject(std::move(object));
 }
 
 void ObjectsPage::removeSelected() {
@@ -432,7 +373,7 @@ void ObjectsPage::removeSelected() {
     const QString name = QString::fromStdString(selected().name);
     auto objects = m_experiment.objects;
     objects.erase(objects.begin() + m_selected);
-    commit(std::move(objects), tr("remove \u201c%1\u201d").arg(name));
+    commit(std::move(objects));
     if (m_message->isHidden())
         m_message->say(MessageBar::Kind::Note, tr("\u201c%1\u201d was removed.").arg(name), tr("Undo"));
 }
@@ -459,7 +400,7 @@ void ObjectsPage::addImported(const QString& path, const PickedOutline& picked) 
                       object.origin = made->origin;
                       object.origin.file = QFileInfo(path).fileName().toStdString();
                       object.material = materialPresets().front().material;
-                      addObject(std::move(object), tr("import"));
+                      addObject(std::move(object));
                   });
 }
 
@@ -488,8 +429,8 @@ void ObjectsPage::showError(const QString& sentence) {
 }
 
 void ObjectsPage::offerFile(const QString& path) {
-    if (!m_editable || !m_import->isEnabled())
-        return;
+    if (!m_import->isEnabled())
+        return showError(m_import->toolTip());
     endImport();
     if (ImportPanel::isReadable(path)) {
         sayReading(path);
@@ -513,8 +454,9 @@ void ObjectsPage::chooseFile() {
     offerFile(path);
 }
 
+/// What is no outline is the window's to take or to refuse.
 void ObjectsPage::dragEnterEvent(QDragEnterEvent* event) {
-    if (m_import->isEnabled() && !droppedFile(event->mimeData()).isEmpty())
+    if (isReadable(droppedFile(event->mimeData())))
         event->acceptProposedAction();
 }
 
@@ -531,7 +473,7 @@ void ObjectsPage::previewFit(const FourierFit& fit) {
 
 void ObjectsPage::commitFit(const FourierFit& fit) {
     const Contour raw = hasSelection() ? rawOutline(selected()) : Contour{};
-    editSelected(tr("harmonics"), tr("harmonics") + QString::number(m_selected), [&](ObjectSpec& object) {
+    editSelected([&](ObjectSpec& object) {
         object.origin.holes = rawHoles(object);
         object.shape = shapeOfFit(fit, object.origin.holes);
         object.origin.outline = raw;
@@ -552,7 +494,7 @@ void ObjectsPage::commitOutline(const Contour& polygon) {
         showError(messageText(made.error().message));
         return;
     }
-    editSelected(tr("use of the outline itself"), {}, [&](ObjectSpec& object) {
+    editSelected([&](ObjectSpec& object) {
         object.origin.holes = rawHoles(object);
         object.shape = made->shape;
         object.origin.outline = raw;
@@ -612,8 +554,6 @@ void ObjectsPage::updateEnabled() {
     m_samples->setEnabled(m_editable && room);
     m_duplicate->setEnabled(m_editable && room && some);
     m_remove->setEnabled(m_editable && some);
-    m_undoButton->setEnabled(m_editable && m_undo->canUndo());
-    m_redoButton->setEnabled(m_editable && m_undo->canRedo());
     m_list->setRenamable(m_editable);
     m_properties->setReadOnly(!m_editable);
     m_plan->setReadOnly(!m_editable);
@@ -624,10 +564,6 @@ void ObjectsPage::updateEnabled() {
                   "object first.");
     for (QPushButton* button : {m_addDisk, m_import, m_samples, m_duplicate})
         button->setToolTip(m_editable ? full : m_why);
-    m_undoButton->setToolTip(m_undo->canUndo() ? tr("Undo: %1").arg(m_undo->undoText())
-                                               : tr("Nothing to undo"));
-    m_redoButton->setToolTip(m_undo->canRedo() ? tr("Redo: %1").arg(m_undo->redoText())
-                                               : tr("Nothing to redo"));
 }
 
 void ObjectsPage::refreshTexts() {

@@ -1,5 +1,5 @@
 #pragma once
-// The Objects page: list, import, outline over outline, harmonics, material, mounting; with undo.
+// The Objects page: list, import, outline over outline, harmonics, material, mounting.
 
 #include "engine/base/units.h"
 #include "engine/session/experiment.h"
@@ -10,10 +10,10 @@
 
 #include <functional>
 
+class QAction;
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QUndoStack;
 
 namespace bask {
 
@@ -25,9 +25,9 @@ class ObjectList;
 class ObjectProperties;
 class OutlinePreview;
 
-/// Setters in, signals out. Every committed edit is one experimentEdited with the whole value; the receiver
-/// answers a refused one with setExperiment(the value before) and showError, which also takes the edit off
-/// the undo stack. Files are read off the GUI thread.
+/// Setters in, signals out. Every committed edit is one experimentEdited with the whole value, shown as if it
+/// were taken; the receiver answers a refused one with setExperiment(the value before) and showError. Files
+/// are read off the GUI thread.
 ///
 /// Object names for tests: "objectList", "objectCount", "addDisk", "importOutline", "sampleShapes",
 /// "duplicateObject", "removeObject", "undo", "redo", "outlinePreview", "mountingPlan", "mountingRemarks",
@@ -45,7 +45,10 @@ public:
     /// False while a run is on; `why` is shown above the page.
     void setEditable(bool editable, const QString& why);
     void setTemperatureUnit(TemperatureUnit unit);
-    QUndoStack* undoStack() const { return m_undo; }
+    /// What the buttons are for: they show whether it can be done and what it is.
+    void setUndoActions(QAction* undo, QAction* redo);
+    /// Whether the file is of a kind that can be imported.
+    static bool isReadable(const QString& path);
 
     int selectedObject() const { return m_selected; }
     void selectObject(int index);
@@ -68,21 +71,14 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
-    class Edit;
-
     QWidget* buildLeft();
     QWidget* buildCentre();
     QWidget* buildRight();
     void connectAll();
-    /// One edit: pushed on the undo stack, shown and emitted. `mergeKey`: edits of the same key in a row
-    /// become one.
-    void commit(std::vector<ObjectSpec> objects, const QString& text, const QString& mergeKey = {},
-                int select = -1);
-    void applyObjects(const std::vector<ObjectSpec>& objects, int select);
-    void tellApplied();
-    void editSelected(const QString& text, const QString& mergeKey,
-                      const std::function<void(ObjectSpec&)>& change);
-    void addObject(ObjectSpec object, const QString& text);
+    /// One edit: shown and emitted. `select` -1: as before.
+    void commit(std::vector<ObjectSpec> objects, int select = -1);
+    void editSelected(const std::function<void(ObjectSpec&)>& change);
+    void addObject(ObjectSpec object);
     void addImported(const QString& path, const PickedOutline& picked);
     void showPanel(bool shown);
     void sayReading(const QString& path);
@@ -106,13 +102,11 @@ private:
     Experiment m_experiment;
     int m_selected = -1;
     bool m_editable = true;
-    bool m_importing = false; ///< a file is read or fitted behind the page, as its message says
-    bool m_applied = false;   ///< the undo stack changed the objects and it was not told yet
+    bool m_importing = false;  ///< a file is read or fitted behind the page, as its message says
+    bool m_committing = false; ///< what comes now is the answer to an edit
     QString m_why;
     QString m_folder; ///< of the last file chosen
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
-    QUndoStack* m_undo;
-    Edit* m_lastEdit = nullptr; ///< compared with the stack's last only
 
     MessageBar* m_note;
     MessageBar* m_message;

@@ -104,6 +104,8 @@ void RunPage::setExperiment(const Experiment& experiment) {
 void RunPage::beginTrace() {
     for (TracePlot* plot : m_plots)
         plot->clear();
+    m_events.clear();
+    m_notes.clear();
     for (std::size_t i = 0; i < m_tiles.size(); ++i)
         m_tiles[i]->clear(m_targets_K[i]);
     m_scene->clearTrace();
@@ -119,7 +121,9 @@ void RunPage::apply(const Snapshot& snapshot) {
             plot->append(snapshot.newSamples);
         m_scene->appendSamples(snapshot.newSamples);
     }
-    addMarkers(snapshot);
+    addMarkers(snapshot.newEvents, snapshot.newNotes);
+    m_events.insert(m_events.end(), snapshot.newEvents.begin(), snapshot.newEvents.end());
+    m_notes.insert(m_notes.end(), snapshot.newNotes.begin(), snapshot.newNotes.end());
     showTiles(snapshot);
     showScene(snapshot);
     showLimits(snapshot);
@@ -166,12 +170,12 @@ void RunPage::showLimits(const Snapshot& snapshot) {
     m_limits->setToolTip(m_limits->text());
 }
 
-void RunPage::addMarkers(const Snapshot& snapshot) {
+void RunPage::addMarkers(const std::vector<TraceEvent>& events, const std::vector<TraceNote>& notes) {
     for (TracePlot* plot : m_plots) {
-        for (const TraceEvent& event : snapshot.newEvents)
+        for (const TraceEvent& event : events)
             if (const QString word = markerWord(event.message.code); !word.isEmpty())
                 plot->addMarker(event.time_s, word);
-        for (const TraceNote& note : snapshot.newNotes)
+        for (const TraceNote& note : notes)
             plot->addMarker(note.time_s, QString::fromStdString(note.text));
     }
 }

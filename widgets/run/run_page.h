@@ -67,7 +67,7 @@ private:
     void showScene(const Snapshot& snapshot);
     void showTiles(const Snapshot& snapshot);
     void showLimits(const Snapshot& snapshot);
-    void addMarkers(const Snapshot& snapshot);
+    void addMarkers(const std::vector<TraceEvent>& events, const std::vector<TraceNote>& notes);
     void beginTrace();
     void addNote();
     void retranslateUi();
@@ -76,6 +76,8 @@ private:
     std::vector<double> m_targets_K;
     std::vector<QString> m_names;
     std::optional<std::uint64_t> m_runId;
+    std::vector<TraceEvent> m_events; ///< of the run, for their words in another language
+    std::vector<TraceNote> m_notes;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     QWidget* m_tileArea = nullptr;

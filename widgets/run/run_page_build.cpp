@@ -239,6 +239,9 @@ void RunPage::connectPlots() {
 }
 
 void RunPage::retranslateUi() {
+    for (TracePlot* plot : m_plots)
+        plot->clearMarkers();
+    addMarkers(m_events, m_notes);
     m_follow->setText(tr("Follow live"));
     m_follow->setToolTip(
         tr("Keep the newest samples in view. Zooming or dragging a plot turns it off; no sample is lost."));

@@ -16,6 +16,7 @@ using test::ScratchFolder;
 using test::waitUntil;
 
 const SteadyClock kClock;
+constexpr double kLoss_s = 2.5; // 1.1 where the machine is free; frames in a buffer last longer
 
 bool sees(VideoCamera& camera) {
     return camera.newest().ok();
@@ -163,7 +164,7 @@ TEST(VideoCamera, ToldLostWhileTheWriterStands) {
     const int hanging = VideoCamera::hanging();
     const double loss_s = timeToLoss(camera);
     RecordProperty("loss_ms", static_cast<int>(1e3 * loss_s));
-    EXPECT_LT(loss_s, 1.25);
+    EXPECT_LT(loss_s, kLoss_s);
     EXPECT_EQ(wordsOf(camera), "it does not answer");
     double longest_s = 0.0;
     for (int k = 0; k < 1000; ++k) {
@@ -192,7 +193,7 @@ TEST(VideoCamera, ToldLostWhenTheWriterIsKilled) {
     writer.end();
     const double loss_s = timeToLoss(camera);
     RecordProperty("loss_ms", static_cast<int>(1e3 * loss_s));
-    EXPECT_LT(loss_s, 1.25);
+    EXPECT_LT(loss_s, kLoss_s);
     EXPECT_EQ(wordsOf(camera), "it has ended");
     const test::FifoWriter next(folder / "camera");
     EXPECT_TRUE(waitUntil([&] { return sees(camera); }));

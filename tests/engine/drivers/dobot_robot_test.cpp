@@ -344,7 +344,7 @@ TEST(DobotBytes, AnArmThatLeavesItsWayIsStopped) {
     EXPECT_EQ(dashboard.takeSent(), "");
     run(DobotMode::Running, 206.0);
     EXPECT_EQ(dashboard.takeSent(), "ResetRobot()");
-    EXPECT_EQ(robot.state()->alarm, (Message{MessageCode::RobotElsewhere, {"1"}}));
+    EXPECT_EQ(robot.state()->alarm, (Message{MessageCode::RobotElsewhere, {"1", "0.5"}}));
 }
 
 // Catches frames that were refused and are thought to be set, an arm that is lost for a query that nobody

@@ -76,7 +76,7 @@ TEST_F(GrblBytesTest, ARobotThatLeavesItsWayIsStopped) {
     answered("ok\r\n<Jog|MPos:0.300,0.000,0.400>\r\n");
     EXPECT_EQ(alarm(), MessageCode::None);
     EXPECT_EQ(answered("<Jog|MPos:0.400,0.000,2.600>\r\n").substr(0, 1), "\x85");
-    EXPECT_EQ(m_robot.state()->alarm, (Message{MessageCode::RobotElsewhere, {"0.6"}}));
+    EXPECT_EQ(m_robot.state()->alarm, (Message{MessageCode::RobotElsewhere, {"0.6", "0.5"}}));
     EXPECT_FALSE(m_robot.state()->isPlaceSure);
 }
 

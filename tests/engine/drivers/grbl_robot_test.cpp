@@ -335,7 +335,7 @@ TEST_F(GrblRobotTest, LostStepsAreSeen) {
     ASSERT_TRUE(m_device->setFault("lost-steps"));
     drive(m_right, 0.5);
     EXPECT_EQ(alarm(), MessageCode::RobotElsewhere);
-    EXPECT_EQ(m_robot->state()->alarm.args, std::vector<std::string>{"0.72"});
+    EXPECT_EQ(m_robot->state()->alarm.args, (std::vector<std::string>{"0.72", "0.5"}));
     EXPECT_FALSE(m_robot->state()->isPlaceSure);
     m_link->takeSent();
     EXPECT_FALSE(drive(m_right, 0.5));

@@ -213,6 +213,22 @@ TEST(SafetyMonitor, ASourceThatIsOffMustCool) {
     EXPECT_FALSE(m.isActive(SafetyCondition::SourceNotCooling));
 }
 
+// Catches a fast plate that is blamed for the moment its switching off takes; and one that heats on.
+TEST(SafetyMonitor, ASourceSwitchedOffInFullHeatMayOvershoot) {
+    for (const bool heatsOn : {false, true}) {
+        Monitor m;
+        m.seen.asked_K = kelvinFromCelsius(300.0);
+        m.seen.source_K = kelvinFromCelsius(150.0);
+        (void)m.after(1.0);
+        m.seen.asked_K.reset();
+        for (int i = 0; i < 40; ++i) {
+            m.seen.source_K = *m.seen.source_K + (heatsOn || i < 7 ? 2.5 : -0.5);
+            (void)m.after(0.1);
+        }
+        EXPECT_EQ(m.isActive(SafetyCondition::SourceHeatsUnasked), heatsOn);
+    }
+}
+
 // Catches an object that touches the source and is taken for a loose contact.
 TEST(SafetyMonitor, AJumpThatStaysOverTheTripLimitIsAHotObject) {
     Monitor m;

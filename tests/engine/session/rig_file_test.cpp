@@ -55,6 +55,7 @@ struct RigFile : testing::Test {
 TEST_F(RigFile, SurvivesItsFile) {
     for (const RigSpec& rig : {wholeRig(), RigSpec()}) {
         ASSERT_TRUE(writeRigFile(rig, path));
+        EXPECT_TRUE(isRigFile(path));
         const auto read = readRigFile(path);
         ASSERT_TRUE(read) << describe(read.error());
         EXPECT_EQ(*read, rig);
@@ -76,12 +77,14 @@ TEST_F(RigFile, ALineThatIsLeftOutIsTheDriversUsual) {
 
 // Catches a file of something else, of a newer Bask or with a misspelt key that is read as a rig.
 TEST_F(RigFile, WhatIsNoRigIsRefusedInItsPlace) {
+    EXPECT_FALSE(isRigFile(path));
     EXPECT_EQ(refusal(), MessageCode::FileNotFound);
     write(" \n");
     EXPECT_EQ(refusal(), MessageCode::FileEmpty);
     write("[]");
     EXPECT_EQ(refusal(), MessageCode::JsonWrongType);
     write(R"({"format": "bask-experiment", "version": 1, "rig": {}})");
+    EXPECT_FALSE(isRigFile(path));
     EXPECT_EQ(refusal(), MessageCode::ValueUnknown);
     write(R"({"format": "bask-rig", "version": 2, "rig": {}, "more": 1})");
     EXPECT_EQ(refusal(), MessageCode::VersionTooNew);

@@ -1,5 +1,6 @@
 // Every edit of the Objects page is one step of undo, which brings back exactly what was.
 
+#include "app/document.h"
 #include "engine/base/units.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/objects/mounting_plan.h"
@@ -15,21 +16,34 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
-#include <QUndoStack>
 
 #include <gtest/gtest.h>
 
 #include <functional>
 
-namespace bask {
+namespace bask::test {
 namespace {
 
+/// The page with a document, as the window has them.
 struct ObjectsUndoTest : testing::Test {
     ObjectsPage page;
     QSignalSpy edited{&page, &ObjectsPage::experimentEdited};
 
+    Document document;
+    double most_m = 10.0; ///< the bunny's x, taken from the page
+
     ObjectsUndoTest() {
-        page.setExperiment(readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value());
+        const auto show = [this] { page.setExperiment(document.experiment()); };
+        for (auto change : {&Document::opened, &Document::edited, &Document::targetsChanged})
+            QObject::connect(&document, change, &page, show);
+        QObject::connect(&page, &ObjectsPage::experimentEdited, &page,
+                         [this, show](const Experiment& experiment) {
+                             const bool refused =
+                                 experiment.objects.size() > 1 && experiment.objects[1].mounting[kX] > most_m;
+                             if (refused || !document.edit(experiment, Page::Objects))
+                                 show();
+                         });
+        document.open(readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value(), {});
         page.resize(1150, 720);
         page.show();
         page.activateWindow();
@@ -62,26 +76,34 @@ struct ObjectsUndoTest : testing::Test {
             send(QEvent::MouseMove, from + 0.25 * k * (to - from));
         send(QEvent::MouseButtonRelease, to);
     }
+    int steps() {
+        int count = 0;
+        for (; document.toUndo() != nullptr; ++count)
+            document.undo();
+        for (int i = 0; i < count; ++i)
+            document.redo();
+        return count;
+    }
     /// Does the edit, waits for it, takes it back, does it again and takes it back again. What it made.
     Experiment isOneStep(const char* what, const std::function<void()>& edit) {
         SCOPED_TRACE(what);
         const Experiment before = page.experiment();
-        const int selected = page.selectedObject();
-        const int steps = page.undoStack()->index();
+        const int stepsBefore = steps();
         edited.clear();
         edit();
         EXPECT_TRUE(QTest::qWaitFor([this] { return edited.count() > 0; }, 30000));
         EXPECT_EQ(edited.count(), 1);
         const Experiment after = page.experiment();
         EXPECT_NE(after, before);
-        EXPECT_EQ(page.undoStack()->index(), steps + 1);
+        EXPECT_EQ(document.experiment(), after);
+        EXPECT_EQ(steps(), stepsBefore + 1);
         for (int round = 0; round < 2; ++round) {
-            page.undoStack()->undo();
+            document.undo();
             EXPECT_EQ(page.experiment(), before);
-            EXPECT_EQ(page.selectedObject(), selected);
-            EXPECT_EQ(page.undoStack()->index(), steps);
+            EXPECT_EQ(document.experiment(), before);
+            EXPECT_EQ(steps(), stepsBefore);
             if (round == 0) {
-                page.undoStack()->redo();
+                document.redo();
                 EXPECT_EQ(page.experiment(), after);
             }
         }
@@ -109,7 +131,7 @@ TEST_F(ObjectsUndoTest, OnThePlan) {
         }
         EXPECT_EQ(edited.count(), 4);
         edited.clear();
-        emit page.experimentEdited(page.experiment()); // counted as the one edit that it is to undo
+        edited << QVariantList(); // they are the one edit that it is to undo
     });
     isOneStep("key with Shift", [&] { QTest::keyClick(plan, Qt::Key_Left, Qt::ShiftModifier); });
 }
@@ -121,10 +143,10 @@ TEST_F(ObjectsUndoTest, ADragOfAnotherObject) {
     const Experiment before = page.experiment();
     drag(plan->objectPosition(2), plan->objectPosition(2) + QPointF(30.0, 20.0));
     EXPECT_EQ(edited.count(), 1);
-    EXPECT_EQ(page.undoStack()->index(), 1);
+    EXPECT_EQ(steps(), 1);
     EXPECT_EQ(page.experiment().objects[1], before.objects[1]);
     EXPECT_NE(page.experiment().objects[2].mounting, before.objects[2].mounting);
-    page.undoStack()->undo();
+    document.undo();
     EXPECT_EQ(page.experiment(), before);
 }
 
@@ -142,7 +164,7 @@ TEST_F(ObjectsUndoTest, NumbersTyped) {
     experiment.objects[1].material.infill = 0.333333333;
     experiment.objects[1].target_K = 317.123456;
     experiment.objects[1].believedRates = HeatRates{0.2, 2e-11, 0.16};
-    page.setExperiment(experiment);
+    document.open(experiment, {});
     page.selectObject(1);
     struct Field {
         const char* name;
@@ -211,7 +233,8 @@ TEST_F(ObjectsUndoTest, Harmonics) {
     Experiment experiment = page.experiment();
     experiment.objects[1].shape = experiment.objects[1].origin.outline;
     experiment.objects[1].origin.harmonics = 0;
-    page.setExperiment(experiment);
+    document.open(experiment, {});
+    page.selectObject(1);
     isOneStep("a fit in place of the polygon", [&] { type("harmonicsSpin", "9"); });
 }
 
@@ -226,37 +249,34 @@ TEST_F(ObjectsUndoTest, AllTheWayBackAndForth) {
     type("emittance", "0.4");
     click("removeObject");
     const Experiment after = page.experiment();
-    ASSERT_EQ(page.undoStack()->index(), 6);
-    while (page.undoStack()->canUndo())
-        page.undoStack()->undo();
+    ASSERT_EQ(steps(), 6);
+    while (document.toUndo() != nullptr)
+        document.undo();
     EXPECT_EQ(page.experiment(), before);
-    while (page.undoStack()->canRedo())
-        page.undoStack()->redo();
+    EXPECT_FALSE(document.modified());
+    while (document.toRedo() != nullptr)
+        document.redo();
     EXPECT_EQ(page.experiment(), after);
+    EXPECT_TRUE(document.modified());
 }
 
-// Catches a refused step of a held key that takes the steps before it, or the whole stack, along.
-TEST_F(ObjectsUndoTest, OneRefusedStepOfAHeldKeyIsTakenBackAlone) {
+// Catches a refused step of a held key that takes the steps before it, or the whole history, along.
+TEST_F(ObjectsUndoTest, ARefusedStepOfAHeldKeyLeavesTheOthers) {
     type("thickness", "2.5");
     const Experiment first = page.experiment();
-    Experiment good = first;
-    QObject::connect(&page, &ObjectsPage::experimentEdited, &page, [&](const Experiment& experiment) {
-        if (experiment.objects[1].mounting[kX] > first.objects[1].mounting[kX] + 0.0025)
-            page.setExperiment(good);
-        else
-            good = experiment;
-    });
+    most_m = first.objects[1].mounting[kX] + 0.0025; // two steps
     auto* plan = child<MountingPlan>("mountingPlan");
     for (int k = 0; k < 4; ++k) {
         QKeyEvent held(QEvent::KeyPress, Qt::Key_Right, Qt::NoModifier, QString(), k > 0);
         QApplication::sendEvent(plan, &held);
     }
-    EXPECT_NEAR(page.experiment().objects[1].mounting[kX], first.objects[1].mounting[kX] + 0.002, 1e-12);
-    ASSERT_EQ(page.undoStack()->index(), 2);
-    click("undo");
+    const Experiment last = page.experiment();
+    EXPECT_NEAR(last.objects[1].mounting[kX], first.objects[1].mounting[kX] + 0.002, 1e-12);
+    EXPECT_EQ(steps(), 2);
+    document.undo();
     EXPECT_EQ(page.experiment(), first);
-    click("redo");
-    EXPECT_NEAR(page.experiment().objects[1].mounting[kX], first.objects[1].mounting[kX] + 0.002, 1e-12);
+    document.redo();
+    EXPECT_EQ(page.experiment(), last);
 }
 
-} // namespace bask
+} // namespace bask::test

@@ -1,0 +1,45 @@
+#pragma once
+// Offers what an earlier Bask did not get to save: in the bar over the pages, never as a dialog.
+
+#include "app/unsaved_file.h"
+#include "widgets/common/latest_job.h"
+
+#include <QObject>
+
+#include <memory>
+#include <vector>
+
+namespace bask {
+
+class Autosave;
+class Document;
+class MessageBar;
+class SessionActions;
+
+/// One at a time, the newest first: recovered as unsaved edits of their file, or discarded. What is put off
+/// or not come to is offered again at the next start.
+class RecoveryOffer : public QObject {
+    Q_OBJECT
+
+public:
+    /// What goes wrong is told as a problem of `files`.
+    RecoveryOffer(MessageBar& bar, Document& document, Autosave& autosave, SessionActions& files,
+                  QObject* parent = nullptr);
+
+    void begin(const QString& folder);
+    void retranslate();
+
+private:
+    void show();
+    void recover();
+    void discard();
+
+    MessageBar& m_bar;
+    Document& m_document;
+    Autosave& m_autosave;
+    SessionActions& m_files;
+    std::vector<std::shared_ptr<UnsavedFile>> m_left;
+    LatestJob<Result<UnsavedEdits>> m_read;
+};
+
+} // namespace bask

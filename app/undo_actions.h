@@ -1,0 +1,47 @@
+#pragma once
+// Edit > Undo and Redo, on every page: what they would do, whether it may be done now, and doing it.
+
+#include "app/document.h"
+#include "engine/runtime/snapshot.h"
+
+#include <QObject>
+
+class QAction;
+class QWidget;
+
+namespace bask {
+
+/// An undo is an edit: during a run only targets and gains can be, and where it allows a real rig more than
+/// before a person is asked first ("undoQuestion"). Ctrl+Z in a field with text that is not entered yet
+/// remains the field's.
+class UndoActions : public QObject {
+    Q_OBJECT
+
+public:
+    UndoActions(Document& document, QAction* undo, QAction* redo, QWidget* window);
+
+    void setState(RunState state);
+    /// Texts, in the window's language.
+    void refresh();
+
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+signals:
+    void undone(const bask::EditStep& step);
+    void redone(const bask::EditStep& step);
+
+private:
+    void ask(bool back);
+    void go(bool back);
+    void show(QAction* action, const EditStep* step, const QString& word, const QString& nothing);
+
+    Document& m_document;
+    QAction *m_undo, *m_redo;
+    QWidget* m_window;
+    RunState m_state = RunState::Idle;
+};
+
+/// Whether the engine takes such an edit in that state.
+bool allowsEdit(RunState state, EditScope scope);
+
+} // namespace bask

@@ -1,0 +1,132 @@
+#include "app/unsaved_file.h"
+
+#include "engine/base/message_code.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+constexpr qint64 kMostBytes = 64 << 20;
+constexpr qint64 kLongestLine = 64 << 10;
+const QString kFormat = QStringLiteral("bask-unsaved");
+
+/// -1: another process has it, or there can be none.
+int locked(const QString& path) {
+    const int file = ::open(QFile::encodeName(path).constData(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+    if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) != 0) {
+        ::close(file);
+        return -1;
+    }
+    return file;
+}
+
+QJsonObject headerOf(const QByteArray& line) {
+    return QJsonDocument::fromJson(line).object();
+}
+
+QByteArray firstLine(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readLine(kLongestLine) : QByteArray();
+}
+
+Error unreadable(const QFile& file) {
+    return {MessageCode::FileUnreadable, file.fileName().toStdString(), {file.errorString().toStdString()}};
+}
+
+} // namespace
+
+UnsavedFile::UnsavedFile(const QString& folder)
+    : m_path(QDir(folder).filePath(QStringLiteral("%1-%2.json")
+                                       .arg(QCoreApplication::applicationPid())
+                                       .arg(QDateTime::currentMSecsSinceEpoch()))) {}
+
+UnsavedFile::~UnsavedFile() {
+    if (m_lock >= 0)
+        ::close(m_lock);
+}
+
+std::vector<std::shared_ptr<UnsavedFile>> UnsavedFile::left(const QString& folder) {
+    std::vector<std::shared_ptr<UnsavedFile>> found;
+    const QDir dir(folder);
+    for (const QString& name : dir.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Time)) {
+        std::shared_ptr<UnsavedFile> file(new UnsavedFile(dir.filePath(name), -1));
+        file->m_lock = locked(file->lockPath());
+        // Its owner may have removed it before it let the lock go.
+        if (file->m_lock >= 0 && QFile::exists(file->m_path))
+            found.push_back(std::move(file));
+    }
+    return found;
+}
+
+Result<void> UnsavedFile::write(const UnsavedEdits& edits) {
+    const QFileInfo info(m_path);
+    QDir().mkpath(info.path());
+    if (m_lock < 0)
+        m_lock = locked(lockPath());
+    if (m_lock < 0)
+        return Error(MessageCode::FileUnwritable, lockPath().toStdString(),
+                     {qt_error_string().toStdString()});
+    QJsonObject header;
+    header[QStringLiteral("format")] = kFormat;
+    header[QStringLiteral("version")] = 1;
+    header[QStringLiteral("pid")] = QCoreApplication::applicationPid();
+    header[QStringLiteral("path")] = edits.path;
+    header[QStringLiteral("name")] = edits.name;
+    const std::string text = experimentToJson(edits.experiment);
+    QSaveFile file(m_path);
+    const bool isWritten =
+        file.open(QIODevice::WriteOnly) &&
+        file.write(QJsonDocument(header).toJson(QJsonDocument::Compact) + '\n') > 0 &&
+        file.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
+        file.commit();
+    if (!isWritten)
+        return Error(MessageCode::FileUnwritable, m_path.toStdString(), {file.errorString().toStdString()});
+    return {};
+}
+
+Result<UnsavedEdits> UnsavedFile::read() const {
+    QFile file(m_path);
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes)
+        return unreadable(file);
+    const QJsonObject header = headerOf(file.readLine(kLongestLine));
+    const QByteArray text = file.readAll();
+    if (header.value(QStringLiteral("format")).toString() != kFormat)
+        return unreadable(file);
+    auto experiment = experimentFromJson(text.toStdString(), m_path.toStdString(), {});
+    if (!experiment)
+        return experiment.error();
+    return UnsavedEdits{std::move(*experiment), header.value(QStringLiteral("path")).toString(),
+                        header.value(QStringLiteral("name")).toString()};
+}
+
+/// The lock's file last: without the other it is nobody's.
+void UnsavedFile::remove() {
+    QFile::remove(m_path);
+    if (m_lock < 0)
+        return;
+    QFile::remove(lockPath());
+    ::close(m_lock);
+    m_lock = -1;
+}
+
+QString UnsavedFile::name() const {
+    const QString name = headerOf(firstLine(m_path)).value(QStringLiteral("name")).toString();
+    return name.isEmpty() ? QFileInfo(m_path).fileName() : name;
+}
+
+QDateTime UnsavedFile::time() const {
+    return QFileInfo(m_path).lastModified();
+}
+
+} // namespace bask
