@@ -59,7 +59,6 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
             [this](double factor) { emit commandIssued(SetSimulationSpeed{factor}); });
     connect(m_review, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
     connect(m_review, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
-    connect(m_review, &ReviewPage::exportAsRequested, &m_files, &SessionActions::exportAs);
     connect(m_review, &ReviewPage::useIdentifiedRequested, this, &PageHost::useIdentified);
     connect(&m_files, &SessionActions::sessionOpened, this,
             [this](std::shared_ptr<const SessionRecord> record) {

@@ -214,16 +214,17 @@ void SessionActions::saveSession() {
                });
 }
 
-void SessionActions::exportAs(SessionForm form) {
-    const bool isDrawn = form == SessionForm::Figures || form == SessionForm::Report;
-    if (m_openSession.isEmpty() || (isDrawn && refusedByRun()))
+void SessionActions::exportSession(SessionForm form) {
+    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedByRun()))
         return;
+    const QString from = m_openSession; // another may be opened meanwhile
     QString to;
-    if (form == SessionForm::Report) {
-        const QString name = QFileInfo(m_openSession).completeBaseName() + QStringLiteral(".pdf");
+    if (SessionExport::isReport(form)) {
+        const QString ending =
+            form == SessionForm::ReportPdf ? QStringLiteral("pdf") : QStringLiteral("html");
         to = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
-                  QDir(m_settings.lastFolder()).filePath(name), tr("PDF (*.pdf);;HTML (*.html)"),
-                  QStringLiteral("pdf")});
+                  QDir(m_settings.lastFolder()).filePath(QFileInfo(from).completeBaseName() + u'.' + ending),
+                  form == SessionForm::ReportPdf ? tr("PDF (*.pdf)") : tr("HTML (*.html)"), ending});
     } else {
         to = ask({FileQuestion::Kind::Folder,
                   tr("Folder for the exported files"),
@@ -232,7 +233,7 @@ void SessionActions::exportAs(SessionForm form) {
                   {}});
     }
     if (!to.isEmpty())
-        m_export.start(form, m_openSession, to, m_settings.temperatureUnit(), m_settings.language());
+        m_export.start(form, from, to, m_settings.temperatureUnit(), m_settings.language());
 }
 
 QString SessionActions::nextRecordingPath() {

@@ -53,10 +53,9 @@ public:
     bool save(); ///< false: cancelled or refused
     bool saveAs();
     void saveSession();
-    void exportSession() { exportAs(SessionForm::Csv); }
     /// The open session in another form, into a folder or file that is asked for. Figures and reports not
     /// during a run: drawing them takes the window's time.
-    void exportAs(SessionForm form);
+    void exportSession(SessionForm form);
     static bool isSession(const QString& path);
     /// The devices of a rig file; the open experiment's into one.
     void openRig();

@@ -32,14 +32,20 @@ Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& i
 
 } // namespace
 
+bool SessionExport::isReport(SessionForm form) {
+    return form == SessionForm::ReportPdf || form == SessionForm::ReportHtml;
+}
+
 void SessionExport::start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
                           const QString& language) {
     const std::string from = session.toStdString();
-    if (form != SessionForm::Figures && form != SessionForm::Report)
-        return m_files.run([form, from, folder = to.toStdString()](
-                               const std::stop_token& stop) { return written(form, from, folder, stop); },
-                           [this, to](const Files& files) { tell(files, to); });
-    m_input.run(
+    if (!isDrawn(form))
+        return m_files[form].run(
+            [form, from, folder = to.toStdString()](const std::stop_token& stop) {
+                return written(form, from, folder, stop);
+            },
+            [this, to](const Files& files) { tell(files, to); });
+    m_inputs[form].run(
         [from, unit]() -> Result<RunReportInput> {
             auto record = readSession(from);
             return record ? Result<RunReportInput>(reportInput(std::move(*record), unit)) : record.error();

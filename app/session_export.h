@@ -7,6 +7,8 @@
 
 #include <QObject>
 
+#include <map>
+
 namespace bask {
 
 /// Reads and computes off the GUI thread; figures and reports are drawn on it, some seconds of a long run.
@@ -16,7 +18,12 @@ class SessionExport : public QObject {
 public:
     using QObject::QObject;
 
+    static bool isReport(SessionForm form);
+    /// Drawn on the GUI thread.
+    static bool isDrawn(SessionForm form) { return form == SessionForm::Figures || isReport(form); }
+
     /// To a folder, or of a report to a file that ends in .html or .pdf. `language` is the window's.
+    /// Different forms may be on their way at the same time.
     void start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
                const QString& language);
 
@@ -28,8 +35,8 @@ private:
     using Files = Result<std::vector<std::string>>;
     void tell(const Files& files, const QString& to);
 
-    LatestJob<Files> m_files;
-    LatestJob<Result<RunReportInput>> m_input;
+    std::map<SessionForm, LatestJob<Files>> m_files;
+    std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
 };
 
 } // namespace bask

@@ -83,8 +83,8 @@ WIDGETS = {
     "review": {"common", "plots", "scene"},
 }
 # Figures of `bask study` and `bask reproduce`: QCustomPlot is at home in widgets/plots; sheets of `bask make-board`, which the
-# Calibrate page draws, too. These headers have no widget.
-COMMAND_HEADERS = {"widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
+# Calibrate page draws, too; the language of reports. These headers have no widget.
+COMMAND_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
 # app/commands sees the whole engine; the rest of app sees the widgets, the value headers and these engine folders.
 APP_ENGINE_FOLDERS = {"runtime", "session", "base"}
 

@@ -3919,14 +3919,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>&amp;Ouvrir une session…</translation>
         </message>
         <message>
-            <source>&amp;Export CSV…</source>
-            <translation>&amp;Exporter en CSV…</translation>
-        </message>
-        <message>
-            <source>Write one CSV file per table, units in the headers</source>
-            <translation>Écrire un fichier CSV par table, unités dans les en-têtes</translation>
-        </message>
-        <message>
             <source>Temperature</source>
             <translation>Température</translation>
         </message>
@@ -3995,28 +3987,36 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Ajustement du bilan thermique à l’enregistrement…</translation>
         </message>
         <message>
-            <source>E&amp;xport as</source>
-            <translation>E&amp;xporter en</translation>
+            <source>E&amp;xport</source>
+            <translation>E&amp;xporter</translation>
         </message>
         <message>
-            <source>Export the session in another form</source>
-            <translation>Exporter la session sous une autre forme</translation>
+            <source>Write this session as a report, as figures or for other programs</source>
+            <translation>Écrire cette session comme rapport, comme figures ou pour d’autres programmes</translation>
         </message>
         <message>
-            <source>Report (PDF, HTML)…</source>
-            <translation>Rapport (PDF, HTML)…</translation>
+            <source>Report (&amp;PDF)…</source>
+            <translation>Rapport (&amp;PDF)…</translation>
         </message>
         <message>
-            <source>Figures (PNG, SVG, PDF)…</source>
-            <translation>Figures (PNG, SVG, PDF)…</translation>
+            <source>Report (&amp;HTML)…</source>
+            <translation>Rapport (&amp;HTML)…</translation>
         </message>
         <message>
-            <source>NeXus (HDF5)…</source>
-            <translation>NeXus (HDF5)…</translation>
+            <source>&amp;Figures (PNG, SVG, PDF)…</source>
+            <translation>&amp;Figures (PNG, SVG, PDF)…</translation>
         </message>
         <message>
-            <source>VTK, for ParaView…</source>
-            <translation>VTK, pour ParaView…</translation>
+            <source>Tables (&amp;CSV)…</source>
+            <translation>Tableaux (&amp;CSV)…</translation>
+        </message>
+        <message>
+            <source>&amp;NeXus (HDF5)…</source>
+            <translation>&amp;NeXus (HDF5)…</translation>
+        </message>
+        <message>
+            <source>&amp;VTK, for ParaView…</source>
+            <translation>&amp;VTK, pour ParaView…</translation>
         </message>
     </context>
     <context>
@@ -4670,17 +4670,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Session enregistrée sous %1</translation>
         </message>
         <message>
-            <source>Folder for the CSV files</source>
-            <translation>Dossier des fichiers CSV</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) written to %1</source>
-            <translation>
-                <numerusform>%n fichier écrit dans %1</numerusform>
-                <numerusform>%n fichiers écrits dans %1</numerusform>
-            </translation>
-        </message>
-        <message>
             <source>the folder cannot be made</source>
             <translation>le dossier ne peut pas être créé</translation>
         </message>
@@ -4717,8 +4706,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Dossier des fichiers exportés</translation>
         </message>
         <message>
-            <source>PDF (*.pdf);;HTML (*.html)</source>
-            <translation>PDF (*.pdf);;HTML (*.html)</translation>
+            <source>PDF (*.pdf)</source>
+            <translation>PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>HTML (*.html)</source>
+            <translation>HTML (*.html)</translation>
         </message>
     </context>
     <context>
@@ -6451,6 +6444,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>%1 (s.d. %2)</source>
+            <comment>mean with its unit, standard deviation without</comment>
             <translation>%1 (é.-t. %2)</translation>
         </message>
         <message>

@@ -8,7 +8,6 @@
 #include "engine/export/session_vtk.h"
 
 #include <QCommandLineParser>
-#include <QTranslator>
 
 #include <array>
 #include <cstdio>
@@ -46,7 +45,7 @@ int exportCommand(const QStringList& arguments) {
          {"nexus", "One HDF5 file in NeXus layout, *.nxs.", "DIR"},
          {"vtk", "Trajectories, outlines over time and fields for ParaView: *.vtp, *.pvd, *.vti.", "DIR"},
          {"figures", "Traces and trajectories as PNG, SVG and PDF.", "DIR"},
-         {"language", "Of the figures: en, fr or another language of the window.", "CODE", "en"}});
+         {"language", "Of the figures: en, fr, zh_CN or zh_TW.", "CODE", "en"}});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
     if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;
@@ -56,8 +55,8 @@ int exportCommand(const QStringList& arguments) {
             wanted << kind;
     if (wanted.isEmpty())
         return refuse(kName, QStringLiteral("--csv, --nexus, --vtk or --figures DIR is needed"));
-    QTranslator translator;
-    if (const auto spoken = useLanguage(parser.value("language"), translator); !spoken)
+    Language language;
+    if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
         return refuse(kName, spoken.error());
     const auto session = readSession(parser.positionalArguments().front().toStdString());
     if (!session)

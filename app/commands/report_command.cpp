@@ -6,7 +6,6 @@
 #include "app/commands/study_output.h"
 
 #include <QCommandLineParser>
-#include <QTranslator>
 
 namespace bask {
 
@@ -21,23 +20,24 @@ int reportCommand(const QStringList& arguments) {
         "is in the one file. Exit code: 0 done, 2 bad input or unwritable output.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOptions({{{"o", "output"}, "The report, *.html or *.pdf. Required.", "FILE"},
-                       {"language", "en, fr or another language of the window.", "CODE", "en"}});
+                       {"language", "en, fr, zh_CN or zh_TW.", "CODE", "en"}});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
     if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;
     if (!parser.isSet("output"))
         return refuse(kName, QStringLiteral("-o FILE.html or -o FILE.pdf is needed"));
     const std::string path = parser.value("output").toStdString();
-    if (const auto place = checkReportFile(path); !place)
+    const std::string from = parser.positionalArguments().front().toStdString();
+    if (const auto place = checkReportFile(path, from); !place)
         return refuse(kName, place.error());
-    QTranslator translator;
-    if (const auto spoken = useLanguage(parser.value("language"), translator); !spoken)
+    Language language;
+    if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
         return refuse(kName, spoken.error());
-    auto session = readSession(parser.positionalArguments().front().toStdString());
+    auto session = readSession(from);
     if (!session)
         return refuse(kName, session.error());
     RunReportInput input = reportInput(std::move(*session), TemperatureUnit::Celsius);
-    input.language = parser.value("language");
+    input.language = language.current();
     if (const auto written = writeReport(input, path); !written)
         return refuse(kName, written.error());
     return kExitDone;

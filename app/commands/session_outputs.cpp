@@ -7,12 +7,9 @@
 #include "engine/export/staged_files.h"
 #include "engine/runtime/rig_setup.h"
 
-#include <QCoreApplication>
 #include <QCryptographicHash>
-#include <QDir>
 #include <QFile>
 #include <QFileInfo>
-#include <QTranslator>
 
 namespace bask {
 namespace {
@@ -74,33 +71,29 @@ RunReportInput reportInput(SessionRecord session, TemperatureUnit unit) {
     return input;
 }
 
-Result<void> checkReportFile(const std::string& path) {
+Result<void> checkReportFile(const std::string& path, const std::string& session) {
     const QString ending = endingOf(path);
     if (ending != QLatin1String("html") && ending != QLatin1String("pdf"))
         return Error(MessageCode::ValueUnknown, path, {ending.toStdString(), "html, pdf"});
-    if (auto place = checkOutputs({}, {{path}}); !place)
+    if (auto place = checkOutputs({session}, {{path}}); !place)
         return place;
     return checkOwn(path, QString::fromLatin1(kReportMark), "a report written by Bask");
 }
 
 Result<void> writeReport(const RunReportInput& input, const std::string& path) {
-    if (auto place = checkReportFile(path); !place)
+    if (auto place = checkReportFile(path, input.session.path); !place)
         return place;
     const QByteArray report =
         endingOf(path) == QLatin1String("pdf") ? runReportPdf(input) : runReportHtml(input);
     return writeOutput(path, report.toStdString());
 }
 
-Result<void> useLanguage(const QString& code, QTranslator& translator) {
-    QStringList known{QStringLiteral("en")};
-    for (const QString& file : QDir(QStringLiteral(":/i18n")).entryList({QStringLiteral("bask_*.qm")}))
-        if (const QString each = file.mid(5).chopped(3); !known.contains(each))
-            known << each;
+Result<void> setLanguage(Language& language, const QString& code) {
+    const QStringList known = Language::codes();
     if (!known.contains(code))
         return Error(MessageCode::ValueUnknown, "--language",
                      {code.toStdString(), known.join(QStringLiteral(", ")).toStdString()});
-    if (translator.load(QStringLiteral(":/i18n/bask_%1.qm").arg(code)))
-        QCoreApplication::installTranslator(&translator);
+    language.set(code);
     return {};
 }
 

@@ -2,12 +2,10 @@
 // What is written of a recorded session with letters and lines: its figures and its report.
 
 #include "app/report/run_report.h"
+#include "widgets/common/language.h"
 
 #include <string>
 #include <vector>
-
-class QCommandLineParser;
-class QTranslator;
 
 namespace bask {
 
@@ -20,12 +18,12 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
 /// thread.
 RunReportInput reportInput(SessionRecord session, TemperatureUnit unit);
 
-/// Whether a report may be written there: ".html" or ".pdf", no session, nobody else's file.
-Result<void> checkReportFile(const std::string& path);
+/// Whether a report may be written there: ".html" or ".pdf", not the session, nobody else's file.
+Result<void> checkReportFile(const std::string& path, const std::string& session);
 /// Whole or not at all. Needs the QApplication's thread. Errors: FileUnwritable, those of checkReportFile.
 Result<void> writeReport(const RunReportInput& input, const std::string& path);
 
-/// The subcommands' --language: English, or a language that Bask speaks, until `translator` ends.
-Result<void> useLanguage(const QString& code, QTranslator& translator);
+/// The subcommands' --language. Error: ValueUnknown.
+Result<void> setLanguage(Language& language, const QString& code);
 
 } // namespace bask

@@ -24,7 +24,7 @@ struct Words {
 
 constexpr const char* kBrowserStyle = R"(
 :root { color-scheme: light; }
-body { font: 15px/1.5 "DejaVu Sans", "Segoe UI", "Helvetica Neue", Arial, "Noto Sans CJK SC", sans-serif;
+body { font: 15px/1.5 "DejaVu Sans", "Segoe UI", "Helvetica Neue", Arial, sans-serif;
        color: #1c2024; background: #fff; max-width: 1100px; margin: 2.5rem auto; padding: 0 1.5rem; }
 h1 { font-size: 1.8rem; line-height: 1.2; margin: 0 0 .25rem; }
 h2 { font-size: 1.25rem; margin: 2.5rem 0 .5rem; padding-top: .9rem; border-top: 1px solid #d9dde1; }
@@ -170,7 +170,8 @@ QByteArray runReportHtml(const RunReportInput& input) {
                 "<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"
                 "<meta name=\"generator\" content=\"%2\">\n"
                 "<meta name=\"viewport\" content=\"width=device-width\">\n<title>%3</title>\n<style>")
-                .arg(input.language, QLatin1String(kReportMark), footerOf(input.session).toHtmlEscaped()) +
+                .arg(QString(input.language).replace(u'_', u'-'), QLatin1String(kReportMark),
+                     footerOf(input.session).toHtmlEscaped()) +
             QString::fromLatin1(kBrowserStyle) + QStringLiteral("</style>\n</head>\n<body>\n") + text +
             QStringLiteral("</body>\n</html>\n"))
         .toUtf8();

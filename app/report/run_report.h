@@ -21,7 +21,7 @@ struct RunReportInput {
     qint64 fileBytes = 0;
     QDateTime now; ///< when the report is made
     TemperatureUnit unit = TemperatureUnit::Celsius;
-    QString language = QStringLiteral("en"); ///< code of the language that it is in
+    QString language = QStringLiteral("en"); ///< Language's code of what it is in
 };
 
 /// Both need a QApplication and its thread, no display.

@@ -19,7 +19,6 @@
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
-#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -28,8 +27,9 @@
 namespace bask {
 namespace {
 
-constexpr std::array kMenuForms{SessionForm::Report, SessionForm::Figures, SessionForm::Nexus,
-                                SessionForm::Vtk};
+// In the order of the export button's menu.
+constexpr std::array kForms{SessionForm::ReportPdf, SessionForm::ReportHtml, SessionForm::Figures,
+                            SessionForm::Csv,       SessionForm::Nexus,      SessionForm::Vtk};
 
 bool isMarked(MessageCode code) {
     switch (code) {
@@ -54,7 +54,6 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_stack(new QStackedW
     layout->addWidget(m_stack);
     for (QPushButton* button : {m_open, m_openEmpty})
         connect(button, &QPushButton::clicked, this, &ReviewPage::openRequested);
-    connect(m_export, &QPushButton::clicked, this, &ReviewPage::exportRequested);
     connect(m_useIdentified, &QPushButton::clicked, this, &ReviewPage::useIdentifiedRequested);
     connect(m_temperature, &TracePlot::timeRangeChosen, m_error, &TracePlot::setTimeRange);
     connect(m_error, &TracePlot::timeRangeChosen, m_temperature, &TracePlot::setTimeRange);
@@ -116,13 +115,10 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     m_open->setObjectName("openSession");
     m_export = new QPushButton(header);
     m_export->setObjectName("exportSession");
-    m_exportAs = new QToolButton(header);
-    m_exportAs->setObjectName("exportAs");
-    m_exportAs->setPopupMode(QToolButton::InstantPopup);
-    auto* forms = new QMenu(m_exportAs);
-    for (const SessionForm form : kMenuForms)
-        forms->addAction(QString(), this, [this, form] { emit exportAsRequested(form); });
-    m_exportAs->setMenu(forms);
+    auto* forms = new QMenu(m_export);
+    for (const SessionForm form : kForms)
+        forms->addAction(QString(), this, [this, form] { emit exportRequested(form); });
+    m_export->setMenu(forms);
     auto* title = new QHBoxLayout;
     title->setSpacing(10);
     title->addWidget(m_file);
@@ -130,7 +126,6 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     title->addStretch(1);
     title->addWidget(m_open);
     title->addWidget(m_export);
-    title->addWidget(m_exportAs);
 
     auto* facts = new QWidget(header);
     auto* row = new QHBoxLayout(facts);
@@ -323,15 +318,13 @@ void ReviewPage::refreshTexts() {
     m_emptyText->setPalette(captionPalette(palette()));
     for (QPushButton* button : {m_open, m_openEmpty})
         button->setText(tr("&Open session\u2026"));
-    m_export->setText(tr("&Export CSV\u2026"));
-    m_export->setToolTip(tr("Write one CSV file per table, units in the headers"));
-    m_exportAs->setText(tr("E&xport as"));
-    m_exportAs->setAccessibleName(tr("Export the session in another form"));
-    const std::array<QString, kMenuForms.size()> forms{
-        tr("Report (PDF, HTML)\u2026"), tr("Figures (PNG, SVG, PDF)\u2026"), tr("NeXus (HDF5)\u2026"),
-        tr("VTK, for ParaView\u2026")};
+    m_export->setText(tr("E&xport"));
+    m_export->setToolTip(tr("Write this session as a report, as figures or for other programs"));
+    const std::array<QString, kForms.size()> forms{
+        tr("Report (&PDF)\u2026"), tr("Report (&HTML)\u2026"), tr("&Figures (PNG, SVG, PDF)\u2026"),
+        tr("Tables (&CSV)\u2026"), tr("&NeXus (HDF5)\u2026"),  tr("&VTK, for ParaView\u2026")};
     for (std::size_t k = 0; k < forms.size(); ++k)
-        m_exportAs->menu()->actions()[static_cast<qsizetype>(k)]->setText(forms[k]);
+        m_export->menu()->actions()[static_cast<qsizetype>(k)]->setText(forms[k]);
     m_temperatureTitle->setText(tr("Temperature"));
     m_errorTitle->setText(tr("Error"));
     m_finalTitle->setText(tr("Final values"));

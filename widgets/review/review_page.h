@@ -12,7 +12,6 @@
 class QLabel;
 class QPushButton;
 class QStackedWidget;
-class QToolButton;
 
 namespace bask {
 
@@ -23,7 +22,7 @@ struct IdentifiedRow;
 class TracePlot;
 
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
-/// "exportSession", "exportAs", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
+/// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
 /// "factOutcome", "factSoftware", "reviewTemperature", "reviewError", "finalValues", "identifiedRates",
 /// "identifiedNote", "useIdentified", "reviewEvents".
 class ReviewPage : public QWidget {
@@ -44,8 +43,7 @@ public:
 
 signals:
     void openRequested();
-    void exportRequested(); ///< as CSV
-    void exportAsRequested(bask::SessionForm form);
+    void exportRequested(bask::SessionForm form);
     /// The identified rates shall be start values of the open experiment.
     void useIdentifiedRequested();
 
@@ -78,7 +76,6 @@ private:
     QLabel* m_tag;
     QPushButton* m_open;
     QPushButton* m_export;
-    QToolButton* m_exportAs;
     Fact m_created, m_duration, m_controller, m_outcome, m_software;
     QLabel* m_temperatureTitle;
     QLabel* m_errorTitle;

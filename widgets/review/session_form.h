@@ -3,6 +3,6 @@
 
 namespace bask {
 
-enum class SessionForm { Csv, Nexus, Vtk, Figures, Report };
+enum class SessionForm { ReportPdf, ReportHtml, Figures, Csv, Nexus, Vtk };
 
 } // namespace bask
