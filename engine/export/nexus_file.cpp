@@ -221,7 +221,9 @@ private:
         m_file.group(group, "NXpid_controller");
         m_file.text(group + "/name", controllerKindName(settings.kind));
         m_file.link(object + "/temperature_env/sensor", group + "/pv_sensor");
-        m_file.link(object + "/temperature_target/value", group + "/setpoint");
+        const std::string target = object + "/temperature_target/value";
+        m_file.attribute(target, "target", target);
+        m_file.link(target, group + "/setpoint");
         m_file.text(group + "/control_action", "direct");
         switch (settings.kind) {
         case ControllerKind::LevelServo:

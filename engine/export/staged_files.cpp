@@ -89,12 +89,19 @@ Result<std::vector<std::string>> StagedFiles::commit() {
     for (const std::string& name : m_names) // before the first is moved
         if (const std::string reason = synced((fs::path(m_stage) / name).string()); !reason.empty())
             return unwritable(target(name), reason);
-    std::vector<std::string> files;
-    std::error_code failed;
+    std::error_code failed, ignored;
     for (const std::string& name : m_names) {
-        fs::create_directories(fs::path(target(name)).parent_path(), failed);
-        if (!failed)
-            fs::rename(fs::path(m_stage) / name, target(name), failed);
+        const fs::path parent = fs::path(target(name)).parent_path();
+        const bool isMade = fs::create_directories(parent, failed);
+        if (!failed && !fs::is_directory(target(name), ignored))
+            continue;
+        if (isMade)
+            fs::remove(parent, ignored);
+        return unwritable(target(name), failed ? failed.message() : "it is a folder");
+    }
+    std::vector<std::string> files;
+    for (const std::string& name : m_names) {
+        fs::rename(fs::path(m_stage) / name, target(name), failed);
         if (failed)
             return unwritable(target(name), failed.message());
         files.push_back(target(name));

@@ -58,8 +58,16 @@ TEST(StagedFiles, TellWhatCannotBeWritten) {
         EXPECT_EQ(files.error().code(), MessageCode::FileUnwritable) << place;
     }
     auto files = StagedFiles::into(folder.path().toStdString());
+    ASSERT_TRUE(files->write("first.txt", "x"));
     ASSERT_TRUE(files->write("file/below.txt", "x"));
     EXPECT_FALSE(files->commit()) << "a file is where a folder is wanted";
+    EXPECT_EQ(everythingIn(folder.path()).filter("first"), QStringList{});
+    ASSERT_TRUE(QDir(folder.path()).mkpath("second.txt"));
+    auto others = StagedFiles::into(folder.path().toStdString());
+    ASSERT_TRUE(others->write("first.txt", "x"));
+    ASSERT_TRUE(others->write("second.txt", "x"));
+    EXPECT_FALSE(others->commit()) << "a folder is where a file is wanted";
+    EXPECT_EQ(everythingIn(folder.path()).filter("first"), QStringList{});
 }
 
 TEST(PlainFileName, KeepsLettersAndHidesTheRest) {
