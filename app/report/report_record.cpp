@@ -44,6 +44,10 @@ QString time(double time_s) {
 
 std::vector<Line> linesOf(const SessionRecord& session) {
     std::vector<Line> lines;
+    for (const CommandRow& command : session.commands) // before what came of them in the same step
+        lines.push_back(
+            {command.time_s, 0, Words::tr("command"),
+             QString::fromStdString(command.name + (command.value.empty() ? "" : " " + command.value))});
     const std::vector<int> numbers = markedEvents(session.events);
     for (std::size_t k = 0; k < session.events.size(); ++k) {
         const TraceEvent& event = session.events[k];
@@ -51,10 +55,6 @@ std::vector<Line> linesOf(const SessionRecord& session) {
     }
     for (const TraceNote& note : session.notes)
         lines.push_back({note.time_s, 0, Words::tr("note"), QString::fromStdString(note.text)});
-    for (const CommandRow& command : session.commands)
-        lines.push_back(
-            {command.time_s, 0, Words::tr("command"),
-             QString::fromStdString(command.name + (command.value.empty() ? "" : " " + command.value))});
     std::ranges::stable_sort(lines, {}, &Line::time_s);
     return lines;
 }

@@ -39,7 +39,7 @@ td.name { color: #586069; width: 28%; }
 img { width: 100%; height: auto; display: block; margin-top: 1rem; }
 .quiet { color: #586069; }
 .warning { color: #a4260c; font-weight: 600; }
-.tag { display: inline-block; border: 2px solid #1c2024; padding: .1rem .6rem; font-weight: 700; letter-spacing: .05em; }
+.tag { display: inline-block; border: 2px solid #1c2024; padding: .1rem .6rem; margin-right: .4rem; font-weight: 700; letter-spacing: .05em; }
 .tag.simulated { border-color: #a4260c; color: #a4260c; border-style: dashed; }
 @media print {
   @page { size: A4; margin: 15mm; }
@@ -54,6 +54,7 @@ h1 { font-size: 20px; }
 h2 { font-size: 15px; margin-top: 18px; margin-bottom: 4px; }
 h3 { font-size: 12px; margin-top: 12px; margin-bottom: 2px; }
 p { margin-top: 4px; margin-bottom: 4px; }
+table { margin-top: 5px; margin-bottom: 5px; }
 th { border-bottom: 1px solid #586069; font-weight: 600; font-size: 9px; }
 td { border-bottom: 1px solid #d9dde1; font-size: 9.5px; }
 td.name { color: #586069; }
@@ -62,6 +63,10 @@ td.name { color: #586069; }
 .tag { font-weight: 700; font-size: 14px; }
 .simulated { color: #a4260c; }
 )";
+
+// A page is laid out in units of 1/96 inch.
+constexpr double kUnit = 96.0 / 25.4; // a millimetre
+constexpr double kWidth = 180.0 * kUnit, kHeight = 257.0 * kUnit, kFoot = 10.0 * kUnit;
 
 /// The report without its frame; figures are called "figure:stem".
 QString body(const RunReportInput& input, bool isPaper) {
@@ -83,9 +88,10 @@ QString body(const RunReportInput& input, bool isPaper) {
                          Words::tr("Traces and trajectories").toHtmlEscaped());
         for (const RunFigure figure : kRunFigures) {
             const QString caption = runFigureCaption(figure, session, input.unit).toHtmlEscaped();
-            text += QStringLiteral("<p><img src=\"figure:%1\" alt=\"%2\"%3></p>\n<p class=\"quiet\">%2</p>\n")
-                        .arg(QLatin1String(runFigureStem(figure)), caption,
-                             isPaper ? QStringLiteral(" width=\"@width@\"") : QString());
+            text +=
+                QStringLiteral("<div><img src=\"figure:%1\" alt=\"%2\"%3></div>\n<p class=\"quiet\">%2</p>\n")
+                    .arg(QLatin1String(runFigureStem(figure)), caption,
+                         isPaper ? QStringLiteral(" width=\"%1\"").arg(static_cast<int>(kWidth)) : QString());
         }
     }
     text += setupSection(session, input.unit) +
@@ -94,12 +100,8 @@ QString body(const RunReportInput& input, bool isPaper) {
     return text;
 }
 
-/// Everything is laid out in units of 1/96 inch.
 class Paper {
 public:
-    static constexpr double kUnit = 96.0 / 25.4; // a millimetre
-    static constexpr double kWidth = 180.0 * kUnit, kHeight = 257.0 * kUnit, kFoot = 10.0 * kUnit;
-
     explicit Paper(const RunReportInput& input) {
         QFont font;
         font.setPixelSize(11);
@@ -116,8 +118,7 @@ public:
                     QUrl(QStringLiteral("figure:%1").arg(QLatin1String(runFigureStem(figure)))),
                     QImage::fromData(figures.draw(figure, FigureFormat::Png)));
         }
-        m_document.setHtml(
-            body(input, true).replace(QStringLiteral("@width@"), QString::number(static_cast<int>(kWidth))));
+        m_document.setHtml(body(input, true));
     }
 
     void print(QPdfWriter& pdf, const QString& footer) {

@@ -69,6 +69,7 @@ struct Hdf5File::Impl {
     void dataSet(const std::string& path, hid_t type, hsize_t count, bool isScalar, const void* values) {
         const Handle space(isScalar ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr), H5Sclose);
         const Handle how(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
+        H5Pset_obj_track_times(how, false); // the same session, the same bytes
         if (count >= kWorthPacking && H5Zfilter_avail(H5Z_FILTER_DEFLATE) > 0) {
             const hsize_t chunk = std::min(count, kChunk);
             H5Pset_chunk(how, 1, &chunk);

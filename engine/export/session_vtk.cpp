@@ -59,11 +59,20 @@ public:
     }
 
 private:
+    /// Errors name the place that was asked for.
+    Result<void> write(const std::string& name, const auto& writer) {
+        const auto path = m_files.place(name);
+        if (!path)
+            return path.error();
+        const auto done = writer(*path);
+        return done ? Result<void>()
+                    : Error(done.error().code(), m_files.target(name), done.error().message.args);
+    }
+
     Result<void> put(const PolyLines& poly, const std::string& name) {
         if (auto place = checkPolyFile(m_files.target(name)); !place)
             return place;
-        const auto path = m_files.place(name);
-        return path ? writePolyFile(poly, *path) : path.error();
+        return write(name, [&](const std::string& path) { return writePolyFile(poly, path); });
     }
 
     Result<void> trajectories() {
@@ -141,8 +150,7 @@ private:
     Result<void> putOne(const Field& field, const std::string& name, const std::string& title) {
         if (auto place = checkFieldFile(m_files.target(name), field.axes); !place)
             return place;
-        const auto path = m_files.place(name);
-        return path ? writeField(field, *path, title) : path.error();
+        return write(name, [&](const std::string& path) { return writeField(field, path, title); });
     }
 
     const SessionRecord& m_session;

@@ -10,13 +10,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
+#include <filesystem>
 #include <memory>
 
 namespace bask {
 namespace {
 
-constexpr qsizetype kChunk = 1 << 20; // bytes held before they are written
+constexpr qsizetype kChunk = 1 << 20;      // bytes held before they are written
+constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
 
 /// RFC 4180: quoted when the text holds a comma, a quote or a line break.
 void appendField(QByteArray& out, const SqlValue& value) {
@@ -95,7 +99,12 @@ private:
         m_buffer.clear();
     }
     Result<void> unwritable() const {
-        return Error(MessageCode::FileUnwritable, m_path, {m_file.errorString().toStdString()});
+        std::error_code failed; // Qt has no words for a write that was cut short
+        const auto space =
+            std::filesystem::space(QFileInfo(m_file.fileName()).absolutePath().toStdString(), failed);
+        const bool isFull = !failed && space.available < kFull;
+        return Error(MessageCode::FileUnwritable, m_path,
+                     {isFull ? std::strerror(ENOSPC) : m_file.errorString().toStdString()});
     }
 
     std::string m_path;

@@ -55,8 +55,9 @@ protected:
             EXPECT_TRUE((*writer)->add(warming(experiment, k, simulated)));
         EXPECT_TRUE((*writer)->add(TraceEvent{30.0, {MessageCode::ReasonSensorInvalid, {"right"}}}));
         EXPECT_TRUE((*writer)->add(TraceNote{31.0, "<script>alert(1)</script> noted"}));
-        if (!outcome.empty())
+        if (!outcome.empty()) {
             EXPECT_TRUE((*writer)->finish(outcome));
+        }
         return file;
     }
 

@@ -125,12 +125,17 @@ private:
     /// Dashed, with its band; dashes of objects with one target take turns.
     void addTarget(std::size_t object) {
         const auto& steps = m_columns.targetSteps(object);
-        QCPGraph* low = addSteps(steps, -m_figure.band_K);
-        QCPGraph* high = addSteps(steps, m_figure.band_K);
-        for (QCPGraph* edge : {low, high})
-            edge->setPen(Qt::NoPen);
-        high->setBrush(QColor(0, 0, 0, 22));
-        high->setChannelFillGraph(low);
+        bool isShaded = false; // with an object of the same targets
+        for (std::size_t other = 0; other < object && !isShaded; ++other)
+            isShaded = m_columns.targetSteps(other) == steps;
+        if (!isShaded) {
+            QCPGraph* low = addSteps(steps, -m_figure.band_K);
+            QCPGraph* high = addSteps(steps, m_figure.band_K);
+            for (QCPGraph* edge : {low, high})
+                edge->setPen(Qt::NoPen);
+            high->setBrush(QColor(0, 0, 0, 22));
+            high->setChannelFillGraph(low);
+        }
         QPen line(seriesColor(static_cast<int>(object), false), 1.1);
         line.setCapStyle(Qt::FlatCap);
         line.setDashPattern({5.0, std::max(4.0, 5.0 * (static_cast<double>(m_columns.objects()) - 1.0))});

@@ -170,8 +170,12 @@ TEST_F(NexusFile, AnInterruptedOrEmptyRunIsSaid) {
 
 TEST_F(NexusFile, ReplacesItsOwnFileAndNobodyElses) {
     const SessionRecord session = record(3);
-    exported(session);
-    exported(session);
+    QFile first(QString::fromStdString(exported(session)));
+    ASSERT_TRUE(first.open(QIODevice::ReadOnly));
+    const QByteArray bytes = first.readAll();
+    QFile second(QString::fromStdString(exported(session)));
+    ASSERT_TRUE(second.open(QIODevice::ReadOnly));
+    EXPECT_EQ(second.readAll(), bytes);
     QFile mine(m_folder.filePath("run one.nxs"));
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("\x89HDF\r\n of another program") > 0);
     mine.close();
