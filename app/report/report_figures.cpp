@@ -109,7 +109,7 @@ struct RunFigures::Impl {
         figure.unit = unit;
         figure.limits = {session.experiment.robot.maxSpeed_m_s, session.experiment.robot.maxRotation_rad_s};
         figure.moments = moments;
-        figure.size_px = QSize(kFigureWidth_px, quantity == Quantity::Temperature ? 840 : 620);
+        figure.size_px = QSize(kFigureWidth_px, quantity == Quantity::Temperature ? 780 : 650);
         if (quantity == Quantity::Error) {
             const double most = displayDifference(kErrorsWithin_K, unit);
             figure.yRange = FigureRange{-most, most};

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -54,7 +55,9 @@ Result<StagedFiles> StagedFiles::into(const std::string& folder) {
     fs::create_directories(folder, failed);
     if (failed || !fs::is_directory(folder, failed))
         return unwritable(folder, failed ? failed.message() : "it is no folder");
-    const std::string stage = (fs::path(folder) / (".bask-export-" + std::to_string(::getpid()))).string();
+    static std::atomic_int count = 0; // several may be on their way into one folder
+    const std::string name = ".bask-export-" + std::to_string(::getpid()) + '-' + std::to_string(++count);
+    const std::string stage = (fs::path(folder) / name).string();
     fs::remove_all(stage, failed); // of a killed process with this number
     if (!fs::create_directory(stage, failed))
         return unwritable(folder, failed ? failed.message() : "it is write-protected");

@@ -37,6 +37,17 @@ TEST(StagedFiles, ComeTogetherOrNotAtAll) {
     EXPECT_EQ(two.readAll(), "2");
 }
 
+TEST(StagedFiles, TwoAtATimeInOneFolder) {
+    const QTemporaryDir folder;
+    auto one = StagedFiles::into(folder.path().toStdString());
+    ASSERT_TRUE(one->write("one.txt", "1"));
+    auto two = StagedFiles::into(folder.path().toStdString());
+    ASSERT_TRUE(two->write("two.txt", "2"));
+    ASSERT_TRUE(one->commit());
+    ASSERT_TRUE(two->commit());
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), (QStringList{"one.txt", "two.txt"}));
+}
+
 TEST(StagedFiles, LeaveNothingHiddenBehind) {
     const QTemporaryDir folder;
     {
