@@ -2,7 +2,7 @@
 
 #include "app/examples.h"
 #include "app/icons.h"
-#include "app/language.h"
+#include "widgets/common/language.h"
 
 #include <QActionGroup>
 #include <QFileInfo>

@@ -2,9 +2,11 @@
 
 #include "app/about.h"
 #include "app/commands/command_line.h"
+#include "app/resources.h"
 
 #include <QApplication>
 #include <QFileInfo>
+#include <QLocale>
 #include <QLoggingCategory>
 
 #include <array>
@@ -91,6 +93,8 @@ int runSubcommand(const Subcommand& subcommand, int& argc, char** argv) {
     if (subcommand.drawsFigures) {
         qputenv("QT_QPA_PLATFORM", "offscreen");
         application = std::make_unique<QApplication>(onlyProgram, argv);
+        initResources(); // a report's languages
+        QLocale::setDefault(QLocale::c());
     } else {
         application = std::make_unique<QCoreApplication>(argc, argv);
     }

@@ -6,10 +6,10 @@
 #include "app/autosave.h"
 #include "app/document.h"
 #include "app/engine_client.h"
-#include "app/language.h"
 #include "app/page_host.h"
 #include "app/session_actions.h"
 #include "app/settings_store.h"
+#include "widgets/common/language.h"
 
 #include <QMainWindow>
 

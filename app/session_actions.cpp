@@ -29,7 +29,10 @@ bool SessionActions::isSession(const QString& path) {
 }
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
-    : QObject(window), m_document(document), m_settings(settings), m_window(window) {}
+    : QObject(window), m_document(document), m_settings(settings), m_window(window) {
+    connect(&m_export, &SessionExport::problem, this, &SessionActions::problem);
+    connect(&m_export, &SessionExport::told, this, &SessionActions::told);
+}
 
 QString SessionActions::ask(const FileQuestion& question) {
     QString path;
@@ -223,24 +226,26 @@ void SessionActions::saveSession() {
                });
 }
 
-void SessionActions::exportSession() {
-    if (m_openSession.isEmpty())
+void SessionActions::exportSession(SessionForm form) {
+    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedByRun()))
         return;
-    const QString folder =
-        ask({FileQuestion::Kind::Folder, tr("Folder for the CSV files"), m_settings.lastFolder(), {}, {}});
-    if (folder.isEmpty())
-        return;
-    m_export.run(
-        [from = m_openSession.toStdString(), to = folder.toStdString()] {
-            return exportSessionCsv(from, to);
-        },
-        [this, folder](Result<std::vector<std::string>> files) {
-            if (!files)
-                emit problem(sentence(files.error()));
-            else
-                emit told(
-                    tr("%n file(s) written to %1", nullptr, static_cast<int>(files->size())).arg(folder));
-        });
+    const QString from = m_openSession; // another may be opened meanwhile
+    QString to;
+    if (SessionExport::isReport(form)) {
+        const QString ending =
+            form == SessionForm::ReportPdf ? QStringLiteral("pdf") : QStringLiteral("html");
+        to = ask({FileQuestion::Kind::SaveFile, tr("Save the report"),
+                  QDir(m_settings.lastFolder()).filePath(QFileInfo(from).completeBaseName() + u'.' + ending),
+                  form == SessionForm::ReportPdf ? tr("PDF (*.pdf)") : tr("HTML (*.html)"), ending});
+    } else {
+        to = ask({FileQuestion::Kind::Folder,
+                  tr("Folder for the exported files"),
+                  m_settings.lastFolder(),
+                  {},
+                  {}});
+    }
+    if (!to.isEmpty())
+        m_export.start(form, from, to, m_settings.temperatureUnit(), m_settings.language());
 }
 
 QString SessionActions::nextRecordingPath() {

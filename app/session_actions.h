@@ -3,6 +3,7 @@
 // (some 100 kB) runs off the GUI thread.
 
 #include "app/document.h"
+#include "app/session_export.h"
 #include "engine/session/session_file.h"
 #include "widgets/common/latest_job.h"
 
@@ -55,7 +56,9 @@ public:
     bool save(); ///< false: cancelled or refused
     bool saveAs();
     void saveSession();
-    void exportSession();
+    /// The open session in another form, into a folder or file that is asked for. Figures and reports not
+    /// during a run: drawing them takes the window's time.
+    void exportSession(SessionForm form);
     static bool isSession(const QString& path);
     /// The devices of a rig file; the open experiment's into one.
     void openRig();
@@ -102,7 +105,7 @@ private:
     LatestJob<Result<Experiment>> m_readExperiment;
     LatestJob<Result<SessionRecord>> m_readSession;
     LatestJob<Result<void>> m_copy;
-    LatestJob<Result<std::vector<std::string>>> m_export;
+    SessionExport m_export;
 };
 
 } // namespace bask

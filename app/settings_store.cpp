@@ -1,6 +1,6 @@
 #include "app/settings_store.h"
 
-#include "app/language.h"
+#include "widgets/common/language.h"
 
 #include <QDir>
 #include <QFileInfo>

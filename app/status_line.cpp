@@ -1,7 +1,7 @@
 #include "app/status_line.h"
 
-#include "app/language.h"
 #include "widgets/common/display.h"
+#include "widgets/common/language.h"
 #include "widgets/rig/device_words.h"
 
 #include <QEvent>

@@ -29,6 +29,7 @@ ENGINE = {
     "vision": {"devices", "calibration", "shape", "base"},
     "simulation": {"devices", "calibration", "radiation", "thermal", "shape", "base"},
     "session": {"calibration", "protocols", "control", "thermal", "shape", "base"},
+    "export": {"session", "exchange", "control", "radiation", "thermal", "shape", "base"},
     "runtime": {"exchange", "vision", "drivers", "protocols", "simulation", "calibration", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
 }
 
@@ -44,6 +45,9 @@ VALUE_HEADERS = {
     "engine/exchange/isosurface.h",
     "engine/exchange/reachable_file.h",
     "engine/exchange/target_surfaces.h",
+    "engine/exchange/vtk_version.h",
+    "engine/export/nexus_file.h",
+    "engine/export/session_vtk.h",
     "engine/control/robot_limits.h",
     "engine/session/alarm.h",
     "engine/session/experiment.h",
@@ -80,8 +84,8 @@ WIDGETS = {
     "review": {"common", "plots", "scene"},
 }
 # Figures of `bask study` and `bask reproduce`: QCustomPlot is at home in widgets/plots; sheets of `bask make-board`, which the
-# Calibrate page draws, too. These headers have no widget.
-COMMAND_HEADERS = {"widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
+# Calibrate page draws, too; the language of reports. These headers have no widget.
+COMMAND_HEADERS = {"widgets/common/language.h", "widgets/calibrate/board_sheet.h", "widgets/plots/figure_paths.h", "widgets/plots/figure_png.h", "widgets/plots/figure_surfaces.h"}
 # app/commands sees the whole engine; the rest of app sees the widgets, the value headers and these engine folders.
 APP_ENGINE_FOLDERS = {"runtime", "session", "base"}
 
@@ -129,6 +133,10 @@ def is_json_inside(path):
     """Headers between session's own readers and writers of JSON; nobody else includes them."""
     return path.as_posix() in {"engine/session/json_fields.h", "engine/session/json_quantities.h",
                                "engine/session/rig_json.h", "engine/session/safety_json.h", "engine/session/vision_json.h"}
+
+
+# Shared by exchange's own writers of VTK files; nobody else includes it.
+VTK_INSIDE = {"engine/exchange/vtk_inside.h"}
 
 
 def qt_in_engine(path):
@@ -239,6 +247,8 @@ class Checker:
         """Why `path` may not include `target`, or None."""
         if target in SVG_INSIDE and not is_svg_source(path):
             return "only the SVG reader's own sources include it"
+        if target in VTK_INSIDE and path.parts[:2] != ("engine", "exchange"):
+            return "only the writers of VTK files in engine/exchange include it"
         return {"engine": self.engine_refusal, "widgets": self.widgets_refusal,
                 "app": self.app_refusal}[path.parts[0]](path, target, parts)
 
@@ -299,6 +309,9 @@ class Checker:
         elif re.match(r"dl_[a-z]", target):
             if home != ("engine", "shape") or header:
                 self.report(path, line, "dxflib", f"{name}: dxflib only in the .cpp files of engine/shape")
+        elif target == "hdf5.h":
+            if home != ("engine", "export") or header:
+                self.report(path, line, "hdf5", f"{name}: HDF5 only in the .cpp files of engine/export")
         elif target == "qcustomplot.h":
             if home not in QCUSTOMPLOT_FOLDERS:
                 self.report(path, line, "qcustomplot", f"{name}: QCustomPlot only in widgets/plots")
@@ -340,7 +353,8 @@ class Checker:
             return
         for pattern, what in ENGINE_HEADER_TYPES:
             match = pattern.search(text)
-            if match and not (what.startswith("a JSON") and is_json_inside(path)):
+            known = is_json_inside(path) if what.startswith("a JSON") else path.as_posix() in VTK_INSIDE
+            if match and not known:
                 self.report(path, line, "type", f"{match.group(0)}: {what} in an engine header")
         if not qt_in_engine(path):
             match = QT_NAME.search(text)

@@ -3933,14 +3933,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>&amp;Ouvrir une session…</translation>
         </message>
         <message>
-            <source>&amp;Export CSV…</source>
-            <translation>&amp;Exporter en CSV…</translation>
-        </message>
-        <message>
-            <source>Write one CSV file per table, units in the headers</source>
-            <translation>Écrire un fichier CSV par table, unités dans les en-têtes</translation>
-        </message>
-        <message>
             <source>Final values</source>
             <translation>Valeurs finales</translation>
         </message>
@@ -4015,6 +4007,38 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Heat rates</source>
             <translation>Coefficients thermiques</translation>
+        </message>
+        <message>
+            <source>E&amp;xport</source>
+            <translation>E&amp;xporter</translation>
+        </message>
+        <message>
+            <source>Write this session as a report, as figures or for other programs</source>
+            <translation>Écrire cette session comme rapport, comme figures ou pour d’autres programmes</translation>
+        </message>
+        <message>
+            <source>Report (&amp;PDF)…</source>
+            <translation>Rapport (&amp;PDF)…</translation>
+        </message>
+        <message>
+            <source>Report (&amp;HTML)…</source>
+            <translation>Rapport (&amp;HTML)…</translation>
+        </message>
+        <message>
+            <source>&amp;Figures (PNG, SVG, PDF)…</source>
+            <translation>&amp;Figures (PNG, SVG, PDF)…</translation>
+        </message>
+        <message>
+            <source>Tables (&amp;CSV)…</source>
+            <translation>Tableaux (&amp;CSV)…</translation>
+        </message>
+        <message>
+            <source>&amp;NeXus (HDF5)…</source>
+            <translation>&amp;NeXus (HDF5)…</translation>
+        </message>
+        <message>
+            <source>&amp;VTK, for ParaView…</source>
+            <translation>&amp;VTK, pour ParaView…</translation>
         </message>
     </context>
     <context>
@@ -4668,17 +4692,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Session enregistrée sous %1</translation>
         </message>
         <message>
-            <source>Folder for the CSV files</source>
-            <translation>Dossier des fichiers CSV</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) written to %1</source>
-            <translation>
-                <numerusform>%n fichier écrit dans %1</numerusform>
-                <numerusform>%n fichiers écrits dans %1</numerusform>
-            </translation>
-        </message>
-        <message>
             <source>the folder cannot be made</source>
             <translation>le dossier ne peut pas être créé</translation>
         </message>
@@ -4713,6 +4726,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Folder of recorded runs</source>
             <translation>Dossier des essais enregistrés</translation>
+        </message>
+        <message>
+            <source>Folder for the exported files</source>
+            <translation>Dossier des fichiers exportés</translation>
+        </message>
+        <message>
+            <source>PDF (*.pdf)</source>
+            <translation>PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>HTML (*.html)</source>
+            <translation>HTML (*.html)</translation>
         </message>
     </context>
     <context>
@@ -5236,6 +5261,18 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>This controller does not estimate λ₁.</source>
             <translation>Ce régulateur n’estime pas λ₁.</translation>
+        </message>
+        <message>
+            <source>Time since Start (h)</source>
+            <translation>Temps depuis le démarrage (h)</translation>
+        </message>
+        <message>
+            <source>Time since Start (min)</source>
+            <translation>Temps depuis le démarrage (min)</translation>
+        </message>
+        <message>
+            <source>Time since Start (s)</source>
+            <translation>Temps depuis le démarrage (s)</translation>
         </message>
     </context>
     <context>
@@ -6878,6 +6915,549 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>What is shown here was recorded: nothing moves or heats by it.</source>
             <translation>Ce qui est affiché ici a été enregistré : rien ne bouge ni ne chauffe.</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RunReport</name>
+        <message>
+            <source>, changing by a profile during the run</source>
+            <translation>, variable selon un profil pendant l’essai</translation>
+        </message>
+        <message>
+            <source>, tracked during the run</source>
+            <translation>, suivie pendant l’essai</translation>
+        </message>
+        <message>
+            <source>Absorptance</source>
+            <translation>Absorptance</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>Alarmes</translation>
+        </message>
+        <message>
+            <source>Alarms, events, notes and commands</source>
+            <translation>Alarmes, événements, notes et commandes</translation>
+        </message>
+        <message>
+            <source>All objects settled.</source>
+            <translation>Tous les objets sont stabilisés.</translation>
+        </message>
+        <message>
+            <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
+            <translation>Toutes les consignes peuvent être tenues ensemble, d’après les matériaux donnés, à %1 ; marge de %2 jusqu’à la limite la plus proche.</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>Aire</translation>
+        </message>
+        <message>
+            <source>Areal heat capacity</source>
+            <translation>Capacité thermique surfacique</translation>
+        </message>
+        <message>
+            <source>By itself</source>
+            <translation>Seule</translation>
+        </message>
+        <message>
+            <source>Calibration</source>
+            <translation>Étalonnage</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>Caméra</translation>
+        </message>
+        <message>
+            <source>Clearance to the source's plane</source>
+            <translation>Garde au plan de la source</translation>
+        </message>
+        <message>
+            <source>Commanded speed</source>
+            <translation>Vitesse commandée</translation>
+        </message>
+        <message>
+            <source>Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 °/s.</source>
+            <translation>Vitesse commandée de l’effecteur, en part de ses limites : %1 mm/s et %2 °/s.</translation>
+        </message>
+        <message>
+            <source>Control from Start until Stop</source>
+            <translation>Asservissement, du démarrage à l’arrêt</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>Régulateur</translation>
+        </message>
+        <message>
+            <source>Definitions</source>
+            <translation>Définitions</translation>
+        </message>
+        <message>
+            <source>Emittance</source>
+            <translation>Émittance</translation>
+        </message>
+        <message>
+            <source>Emittance of the source</source>
+            <translation>Émittance de la source</translation>
+        </message>
+        <message>
+            <source>Ended by a fault.</source>
+            <translation>Terminé par un défaut.</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>Erreurs</translation>
+        </message>
+        <message>
+            <source>Experiment without a title</source>
+            <translation>Expérience sans titre</translation>
+        </message>
+        <message>
+            <source>Feasibility of the targets</source>
+            <translation>Faisabilité des consignes</translation>
+        </message>
+        <message>
+            <source>Fourier contour, radius %1 mm</source>
+            <translation>contour de Fourier, rayon %1 mm</translation>
+        </message>
+        <message>
+            <source>Free axes</source>
+            <translation>Axes libres</translation>
+        </message>
+        <message>
+            <source>Gains at the start</source>
+            <translation>Gains au départ</translation>
+        </message>
+        <message>
+            <source>Heat source</source>
+            <translation>Source de chaleur</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
+            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt. Ce qui avait été écrit est rapporté.</translation>
+        </message>
+        <message>
+            <source>It was not computed.</source>
+            <translation>Elle n’a pas été calculée.</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>Nature</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>RÉEL</translation>
+        </message>
+        <message>
+            <source>Markers</source>
+            <translation>Marqueurs</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>Matériau</translation>
+        </message>
+        <message>
+            <source>Measured temperature minus target, within %1; grey: the band.</source>
+            <translation>Température mesurée moins consigne, entre %1 ; en gris : la bande.</translation>
+        </message>
+        <message>
+            <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
+            <translation>Températures mesurées. En tirets : les consignes ; en gris : la bande de %1 autour d’elles. Interruptions : pas de mesure valable. Les numéros aux lignes pointillées sont ceux du tableau des événements.</translation>
+        </message>
+        <message>
+            <source>Metrics</source>
+            <translation>Indicateurs</translation>
+        </message>
+        <message>
+            <source>Model of the source</source>
+            <translation>Modèle de la source</translation>
+        </message>
+        <message>
+            <source>Nearest that can be held</source>
+            <translation>La plus proche tenable</translation>
+        </message>
+        <message>
+            <source>No pose keeps the workspace and the clearance.</source>
+            <translation>Aucune pose ne respecte l’espace de travail et la garde.</translation>
+        </message>
+        <message>
+            <source>No samples were recorded: there are no traces, trajectories and metrics.</source>
+            <translation>Aucun échantillon n’a été enregistré : il n’y a ni courbes, ni trajectoires, ni indicateurs.</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>N°</translation>
+        </message>
+        <message>
+            <source>None was recorded.</source>
+            <translation>Rien n’a été enregistré.</translation>
+        </message>
+        <message>
+            <source>Not all objects settled.</source>
+            <translation>Tous les objets ne sont pas stabilisés.</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Objects</source>
+            <translation>Objets</translation>
+        </message>
+        <message>
+            <source>Origin</source>
+            <translation>Origine</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>Issue</translation>
+        </message>
+        <message>
+            <source>Outline</source>
+            <translation>Contour</translation>
+        </message>
+        <message>
+            <source>Place on the end-effector</source>
+            <translation>Place sur l’effecteur</translation>
+        </message>
+        <message>
+            <source>Pose of the camera in the robot's base</source>
+            <translation>Pose de la caméra dans la base du robot</translation>
+        </message>
+        <message>
+            <source>Pose of the source</source>
+            <translation>Pose de la source</translation>
+        </message>
+        <message>
+            <source>Pose of the source in the robot's base</source>
+            <translation>Pose de la source dans la base du robot</translation>
+        </message>
+        <message>
+            <source>Range in the workspace</source>
+            <translation>Plage dans l’espace de travail</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>Enregistré</translation>
+        </message>
+        <message>
+            <source>Recorded by</source>
+            <translation>Enregistré par</translation>
+        </message>
+        <message>
+            <source>Recorded on a real rig.</source>
+            <translation>Enregistré sur un banc réel.</translation>
+        </message>
+        <message>
+            <source>Report made at</source>
+            <translation>Rapport établi le</translation>
+        </message>
+        <message>
+            <source>Report made by</source>
+            <translation>Rapport établi par</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>Banc</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>SIMULÉ</translation>
+        </message>
+        <message>
+            <source>Sampling</source>
+            <translation>Échantillonnage</translation>
+        </message>
+        <message>
+            <source>Session file</source>
+            <translation>Fichier de session</translation>
+        </message>
+        <message>
+            <source>Set temperature</source>
+            <translation>Température de consigne</translation>
+        </message>
+        <message>
+            <source>Set-up</source>
+            <translation>Configuration</translation>
+        </message>
+        <message>
+            <source>Size of the session file</source>
+            <translation>Taille du fichier de session</translation>
+        </message>
+        <message>
+            <source>Speed limits</source>
+            <translation>Limites de vitesse</translation>
+        </message>
+        <message>
+            <source>Start pose</source>
+            <translation>Pose de départ</translation>
+        </message>
+        <message>
+            <source>Steady, all together</source>
+            <translation>Permanente, toutes ensemble</translation>
+        </message>
+        <message>
+            <source>Stopped by the operator.</source>
+            <translation>Arrêté par l’opérateur.</translation>
+        </message>
+        <message>
+            <source>Surroundings</source>
+            <translation>Environnement</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>Consigne</translation>
+        </message>
+        <message>
+            <source>Target at the start</source>
+            <translation>Consigne au départ</translation>
+        </message>
+        <message>
+            <source>Temperature (%1)</source>
+            <translation>Température (%1)</translation>
+        </message>
+        <message>
+            <source>Temperatures</source>
+            <translation>Températures</translation>
+        </message>
+        <message>
+            <source>The checksum is of the file without the log beside it.</source>
+            <translation>La somme de contrôle est celle du fichier sans le journal à côté de lui.</translation>
+        </message>
+        <message>
+            <source>The experiment has none: the pose of the source is as typed.</source>
+            <translation>L’expérience n’en a pas : la pose de la source est celle saisie.</translation>
+        </message>
+        <message>
+            <source>The rig was simulated: these are not measurements of a real one.</source>
+            <translation>Le banc était simulé : ce ne sont pas des mesures d’un banc réel.</translation>
+        </message>
+        <message>
+            <source>The targets cannot be held together, by the materials as given: %1.</source>
+            <translation>Les consignes ne peuvent pas être tenues ensemble, d’après les matériaux donnés : %1.</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>Épaisseur</translation>
+        </message>
+        <message>
+            <source>Time (s)</source>
+            <translation>Temps (s)</translation>
+        </message>
+        <message>
+            <source>Traces and trajectories</source>
+            <translation>Courbes et trajectoires</translation>
+        </message>
+        <message>
+            <source>View factor needed</source>
+            <translation>Facteur de forme requis</translation>
+        </message>
+        <message>
+            <source>View factor of the source from each object.</source>
+            <translation>Facteur de forme de la source vue de chaque objet.</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>Facteurs de forme</translation>
+        </message>
+        <message>
+            <source>Warning, trip</source>
+            <translation>Avertissement, déclenchement</translation>
+        </message>
+        <message>
+            <source>Trajectories of the objects</source>
+            <translation>Trajectoires des objets</translation>
+        </message>
+        <message>
+            <source>Trajectories of the objects' centres over the source until Stop, from the ring to the dot, coloured by temperature; black: the source.</source>
+            <translation>Trajectoires des centres des objets au-dessus de la source jusqu’à l’arrêt, de l’anneau au point, colorées selon la température ; en noir : la source.</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>Quoi</translation>
+        </message>
+        <message>
+            <source>Workspace</source>
+            <translation>Espace de travail</translation>
+        </message>
+        <message>
+            <source>alarm, priority %1</source>
+            <translation>alarme, priorité %1</translation>
+        </message>
+        <message>
+            <source>as in the paper, without reflection</source>
+            <translation>comme dans l’article, sans réflexion</translation>
+        </message>
+        <message>
+            <source>as typed</source>
+            <translation>telle que saisie</translation>
+        </message>
+        <message>
+            <source>command</source>
+            <translation>commande</translation>
+        </message>
+        <message>
+            <source>date not known</source>
+            <translation>date inconnue</translation>
+        </message>
+        <message>
+            <source>disk, radius %1 mm</source>
+            <translation>disque, rayon %1 mm</translation>
+        </message>
+        <message>
+            <source>error not known</source>
+            <translation>erreur inconnue</translation>
+        </message>
+        <message>
+            <source>event</source>
+            <translation>événement</translation>
+        </message>
+        <message>
+            <source>every %1 s</source>
+            <translation>toutes les %1 s</translation>
+        </message>
+        <message>
+            <source>grey, with reflection</source>
+            <translation>grise, avec réflexion</translation>
+        </message>
+        <message>
+            <source>measured by the camera, %1</source>
+            <translation>mesurée par la caméra, %1</translation>
+        </message>
+        <message>
+            <source>no event was recorded</source>
+            <translation>aucun événement enregistré</translation>
+        </message>
+        <message>
+            <source>no samples were recorded</source>
+            <translation>aucun échantillon enregistré</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>aucun</translation>
+        </message>
+        <message>
+            <source>not calibrated</source>
+            <translation>non étalonnée</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>inconnu</translation>
+        </message>
+        <message>
+            <source>note</source>
+            <translation>note</translation>
+        </message>
+        <message>
+            <source>page %1 of %2</source>
+            <translation>page %1 sur %2</translation>
+        </message>
+        <message>
+            <source>polygon, radius %1 mm</source>
+            <translation>polygone, rayon %1 mm</translation>
+        </message>
+        <message>
+            <source>seen along x of the source</source>
+            <translation>vu le long de x de la source</translation>
+        </message>
+        <message>
+            <source>seen along −z of the source</source>
+            <translation>vu le long de −z de la source</translation>
+        </message>
+        <message>
+            <source>simulated, seed %1</source>
+            <translation>simulé, graine %1</translation>
+        </message>
+        <message>
+            <source>time constant %1 s, integral time %2 s</source>
+            <translation>constante de temps %1 s, temps intégral %2 s</translation>
+        </message>
+        <message>
+            <source>too cold</source>
+            <translation>trop froide</translation>
+        </message>
+        <message>
+            <source>too hot</source>
+            <translation>trop chaude</translation>
+        </message>
+        <message>
+            <source>within the range</source>
+            <translation>dans la plage</translation>
+        </message>
+        <message>
+            <source>without a name</source>
+            <translation>sans nom</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 (min:s), %n sample(s)</source>
+            <translation>
+                <numerusform>%1 (min:s), %n échantillon</numerusform>
+                <numerusform>%1 (min:s), %n échantillons</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
+            <translation>
+                <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n vue</numerusform>
+                <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n vues</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s)</source>
+            <translation>
+                <numerusform>%n alarme</numerusform>
+                <numerusform>%n alarmes</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n hole(s)</source>
+            <translation>
+                <numerusform>%n trou</numerusform>
+                <numerusform>%n trous</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n marker(s) of dictionary %1</source>
+            <translation>
+                <numerusform>%n marqueur du dictionnaire %1</numerusform>
+                <numerusform>%n marqueurs du dictionnaire %1</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
+            <translation>
+                <numerusform>%n autre ligne est dans le fichier de session ; bask export --csv la donne.</numerusform>
+                <numerusform>%n autres lignes sont dans le fichier de session ; bask export --csv les donne.</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 bytes</source>
+            <translation>%1 octets</translation>
+        </message>
+        <message>
+            <source>%1 mm/s and %2 °/s</source>
+            <translation>%1 mm/s et %2 °/s</translation>
+        </message>
+        <message>
+            <source>%1 px rms</source>
+            <translation>%1 px rms</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 à %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SessionExport</name>
+        <message>
+            <source>%1 written</source>
+            <translation>%1 écrit</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) written to %1</source>
+            <translation>
+                <numerusform>%n fichier écrit dans %1</numerusform>
+                <numerusform>%n fichiers écrits dans %1</numerusform>
+            </translation>
         </message>
     </context>
 </TS>

@@ -3928,14 +3928,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>打开会话(&amp;O)…</translation>
         </message>
         <message>
-            <source>&amp;Export CSV…</source>
-            <translation>导出 CSV(&amp;E)…</translation>
-        </message>
-        <message>
-            <source>Write one CSV file per table, units in the headers</source>
-            <translation>每个表写成一个 CSV 文件，表头含单位</translation>
-        </message>
-        <message>
             <source>Final values</source>
             <translation>最终值</translation>
         </message>
@@ -4010,6 +4002,38 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Heat rates</source>
             <translation>热变化率</translation>
+        </message>
+        <message>
+            <source>E&amp;xport</source>
+            <translation>导出(&amp;X)</translation>
+        </message>
+        <message>
+            <source>Write this session as a report, as figures or for other programs</source>
+            <translation>将此会话写成报告、图，或供其他程序使用的文件</translation>
+        </message>
+        <message>
+            <source>Report (&amp;PDF)…</source>
+            <translation>报告 (PDF)(&amp;P)…</translation>
+        </message>
+        <message>
+            <source>Report (&amp;HTML)…</source>
+            <translation>报告 (HTML)(&amp;H)…</translation>
+        </message>
+        <message>
+            <source>&amp;Figures (PNG, SVG, PDF)…</source>
+            <translation>图(PNG、SVG、PDF)(&amp;F)…</translation>
+        </message>
+        <message>
+            <source>Tables (&amp;CSV)…</source>
+            <translation>表格 (CSV)(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>&amp;NeXus (HDF5)…</source>
+            <translation>NeXus (HDF5)(&amp;N)…</translation>
+        </message>
+        <message>
+            <source>&amp;VTK, for ParaView…</source>
+            <translation>VTK（用于 ParaView）(&amp;V)…</translation>
         </message>
     </context>
     <context>
@@ -4663,16 +4687,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>会话已另存为 %1</translation>
         </message>
         <message>
-            <source>Folder for the CSV files</source>
-            <translation>存放 CSV 文件的文件夹</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) written to %1</source>
-            <translation>
-                <numerusform>已将 %n 个文件写入 %1</numerusform>
-            </translation>
-        </message>
-        <message>
             <source>the folder cannot be made</source>
             <translation>无法创建文件夹</translation>
         </message>
@@ -4707,6 +4721,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Folder of recorded runs</source>
             <translation>已记录运行的文件夹</translation>
+        </message>
+        <message>
+            <source>Folder for the exported files</source>
+            <translation>存放导出文件的文件夹</translation>
+        </message>
+        <message>
+            <source>PDF (*.pdf)</source>
+            <translation>PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>HTML (*.html)</source>
+            <translation>HTML (*.html)</translation>
         </message>
     </context>
     <context>
@@ -5230,6 +5256,18 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>This controller does not estimate λ₁.</source>
             <translation>此控制器不估计 λ₁。</translation>
+        </message>
+        <message>
+            <source>Time since Start (h)</source>
+            <translation>自开始以来的时间（h）</translation>
+        </message>
+        <message>
+            <source>Time since Start (min)</source>
+            <translation>自开始以来的时间（min）</translation>
+        </message>
+        <message>
+            <source>Time since Start (s)</source>
+            <translation>自开始以来的时间（s）</translation>
         </message>
     </context>
     <context>
@@ -6869,6 +6907,542 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>What is shown here was recorded: nothing moves or heats by it.</source>
             <translation>这里显示的是记录内容：不会使任何东西移动或加热。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RunReport</name>
+        <message>
+            <source>, changing by a profile during the run</source>
+            <translation>，运行期间按曲线变化</translation>
+        </message>
+        <message>
+            <source>, tracked during the run</source>
+            <translation>，运行期间被跟踪</translation>
+        </message>
+        <message>
+            <source>Absorptance</source>
+            <translation>吸收率</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>报警</translation>
+        </message>
+        <message>
+            <source>Alarms, events, notes and commands</source>
+            <translation>报警、事件、备注和指令</translation>
+        </message>
+        <message>
+            <source>All objects settled.</source>
+            <translation>所有物体均已稳定。</translation>
+        </message>
+        <message>
+            <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
+            <translation>按给定的材料，所有目标可在 %1 处同时保持；距最近的限值余量 %2。</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>面积</translation>
+        </message>
+        <message>
+            <source>Areal heat capacity</source>
+            <translation>面热容</translation>
+        </message>
+        <message>
+            <source>By itself</source>
+            <translation>单独</translation>
+        </message>
+        <message>
+            <source>Calibration</source>
+            <translation>标定</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>相机</translation>
+        </message>
+        <message>
+            <source>Clearance to the source's plane</source>
+            <translation>与热源平面的间距</translation>
+        </message>
+        <message>
+            <source>Commanded speed</source>
+            <translation>指令速度</translation>
+        </message>
+        <message>
+            <source>Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 °/s.</source>
+            <translation>末端执行器的指令速度占其限值的比例：%1 mm/s 和 %2 °/s。</translation>
+        </message>
+        <message>
+            <source>Control from Start until Stop</source>
+            <translation>从“开始”到“停止”的控制</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>控制器</translation>
+        </message>
+        <message>
+            <source>Definitions</source>
+            <translation>定义</translation>
+        </message>
+        <message>
+            <source>Emittance</source>
+            <translation>发射率</translation>
+        </message>
+        <message>
+            <source>Emittance of the source</source>
+            <translation>热源的发射率</translation>
+        </message>
+        <message>
+            <source>Ended by a fault.</source>
+            <translation>因故障结束。</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>误差</translation>
+        </message>
+        <message>
+            <source>Experiment without a title</source>
+            <translation>无标题的实验</translation>
+        </message>
+        <message>
+            <source>Feasibility of the targets</source>
+            <translation>目标的可行性</translation>
+        </message>
+        <message>
+            <source>Fourier contour, radius %1 mm</source>
+            <translation>傅里叶轮廓，半径 %1 mm</translation>
+        </message>
+        <message>
+            <source>Free axes</source>
+            <translation>自由轴</translation>
+        </message>
+        <message>
+            <source>Gains at the start</source>
+            <translation>开始时的增益</translation>
+        </message>
+        <message>
+            <source>Heat source</source>
+            <translation>热源</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
+            <translation>已中断：记录未经“停止”而结束。本报告为已写入的内容。</translation>
+        </message>
+        <message>
+            <source>It was not computed.</source>
+            <translation>未计算。</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>类型</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>实机</translation>
+        </message>
+        <message>
+            <source>Markers</source>
+            <translation>标记</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>材料</translation>
+        </message>
+        <message>
+            <source>Measured temperature minus target, within %1; grey: the band.</source>
+            <translation>测量温度减目标，在 %1 以内；灰色：容差带。</translation>
+        </message>
+        <message>
+            <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
+            <translation>测量温度。虚线：目标；灰色：其周围 %1 的容差带。间断处：没有有效读数。点线处的编号与事件表中的编号一致。</translation>
+        </message>
+        <message>
+            <source>Metrics</source>
+            <translation>指标</translation>
+        </message>
+        <message>
+            <source>Model of the source</source>
+            <translation>热源模型</translation>
+        </message>
+        <message>
+            <source>Nearest that can be held</source>
+            <translation>可保持的最近值</translation>
+        </message>
+        <message>
+            <source>No pose keeps the workspace and the clearance.</source>
+            <translation>没有位姿能同时满足工作空间和间距。</translation>
+        </message>
+        <message>
+            <source>No samples were recorded: there are no traces, trajectories and metrics.</source>
+            <translation>没有记录到采样：因此没有曲线、轨迹和指标。</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>编号</translation>
+        </message>
+        <message>
+            <source>None was recorded.</source>
+            <translation>没有记录。</translation>
+        </message>
+        <message>
+            <source>Not all objects settled.</source>
+            <translation>并非所有物体都已稳定。</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>物体</translation>
+        </message>
+        <message>
+            <source>Objects</source>
+            <translation>物体</translation>
+        </message>
+        <message>
+            <source>Origin</source>
+            <translation>来源</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>结果</translation>
+        </message>
+        <message>
+            <source>Outline</source>
+            <translation>轮廓</translation>
+        </message>
+        <message>
+            <source>Place on the end-effector</source>
+            <translation>在末端执行器上的位置</translation>
+        </message>
+        <message>
+            <source>Pose of the camera in the robot's base</source>
+            <translation>相机在机器人基座坐标系中的位姿</translation>
+        </message>
+        <message>
+            <source>Pose of the source</source>
+            <translation>热源位姿</translation>
+        </message>
+        <message>
+            <source>Pose of the source in the robot's base</source>
+            <translation>热源在机器人基座坐标系中的位姿</translation>
+        </message>
+        <message>
+            <source>Range in the workspace</source>
+            <translation>工作空间中的范围</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>记录时间</translation>
+        </message>
+        <message>
+            <source>Recorded by</source>
+            <translation>记录者</translation>
+        </message>
+        <message>
+            <source>Recorded on a real rig.</source>
+            <translation>在实际装置上记录。</translation>
+        </message>
+        <message>
+            <source>Report made at</source>
+            <translation>报告生成时间</translation>
+        </message>
+        <message>
+            <source>Report made by</source>
+            <translation>报告生成者</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>装置</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>仿真</translation>
+        </message>
+        <message>
+            <source>Sampling</source>
+            <translation>采样</translation>
+        </message>
+        <message>
+            <source>Session file</source>
+            <translation>会话文件</translation>
+        </message>
+        <message>
+            <source>Set temperature</source>
+            <translation>设定温度</translation>
+        </message>
+        <message>
+            <source>Set-up</source>
+            <translation>实验设置</translation>
+        </message>
+        <message>
+            <source>Size of the session file</source>
+            <translation>会话文件大小</translation>
+        </message>
+        <message>
+            <source>Speed limits</source>
+            <translation>速度限值</translation>
+        </message>
+        <message>
+            <source>Start pose</source>
+            <translation>起始位姿</translation>
+        </message>
+        <message>
+            <source>Steady, all together</source>
+            <translation>稳态，同时保持</translation>
+        </message>
+        <message>
+            <source>Stopped by the operator.</source>
+            <translation>由操作员停止。</translation>
+        </message>
+        <message>
+            <source>Surroundings</source>
+            <translation>周围环境</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>目标</translation>
+        </message>
+        <message>
+            <source>Target at the start</source>
+            <translation>开始时的目标</translation>
+        </message>
+        <message>
+            <source>Temperature (%1)</source>
+            <translation>温度（%1）</translation>
+        </message>
+        <message>
+            <source>Temperatures</source>
+            <translation>温度</translation>
+        </message>
+        <message>
+            <source>The checksum is of the file without the log beside it.</source>
+            <translation>校验和仅针对该文件，不含其旁的日志。</translation>
+        </message>
+        <message>
+            <source>The experiment has none: the pose of the source is as typed.</source>
+            <translation>实验中没有：热源位姿为手动输入。</translation>
+        </message>
+        <message>
+            <source>The rig was simulated: these are not measurements of a real one.</source>
+            <translation>装置为仿真：这些不是实际装置的测量结果。</translation>
+        </message>
+        <message>
+            <source>The targets cannot be held together, by the materials as given: %1.</source>
+            <translation>按给定的材料，各目标不能同时保持：%1。</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>厚度</translation>
+        </message>
+        <message>
+            <source>Time (s)</source>
+            <translation>时间（s）</translation>
+        </message>
+        <message>
+            <source>Traces and trajectories</source>
+            <translation>曲线与轨迹</translation>
+        </message>
+        <message>
+            <source>View factor needed</source>
+            <translation>所需的角系数</translation>
+        </message>
+        <message>
+            <source>View factor of the source from each object.</source>
+            <translation>各物体对热源的角系数。</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>角系数</translation>
+        </message>
+        <message>
+            <source>Warning, trip</source>
+            <translation>警告，跳闸</translation>
+        </message>
+        <message>
+            <source>Trajectories of the objects</source>
+            <translation>物体的轨迹</translation>
+        </message>
+        <message>
+            <source>Trajectories of the objects' centres over the source until Stop, from the ring to the dot, coloured by temperature; black: the source.</source>
+            <translation>到“停止”为止物体中心在热源上方的轨迹，从圆环到圆点，按温度着色；黑色：热源。</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>内容</translation>
+        </message>
+        <message>
+            <source>Workspace</source>
+            <translation>工作空间</translation>
+        </message>
+        <message>
+            <source>alarm, priority %1</source>
+            <translation>报警，优先级 %1</translation>
+        </message>
+        <message>
+            <source>as in the paper, without reflection</source>
+            <translation>如论文所示，不计反射</translation>
+        </message>
+        <message>
+            <source>as typed</source>
+            <translation>按输入值</translation>
+        </message>
+        <message>
+            <source>command</source>
+            <translation>指令</translation>
+        </message>
+        <message>
+            <source>date not known</source>
+            <translation>日期未知</translation>
+        </message>
+        <message>
+            <source>disk, radius %1 mm</source>
+            <translation>圆盘，半径 %1 mm</translation>
+        </message>
+        <message>
+            <source>error not known</source>
+            <translation>误差未知</translation>
+        </message>
+        <message>
+            <source>event</source>
+            <translation>事件</translation>
+        </message>
+        <message>
+            <source>every %1 s</source>
+            <translation>每 %1 s</translation>
+        </message>
+        <message>
+            <source>grey, with reflection</source>
+            <translation>灰体，计入反射</translation>
+        </message>
+        <message>
+            <source>measured by the camera, %1</source>
+            <translation>由相机测量，%1</translation>
+        </message>
+        <message>
+            <source>no event was recorded</source>
+            <translation>没有记录到事件</translation>
+        </message>
+        <message>
+            <source>no samples were recorded</source>
+            <translation>没有记录到采样</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>无</translation>
+        </message>
+        <message>
+            <source>not calibrated</source>
+            <translation>未标定</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>未知</translation>
+        </message>
+        <message>
+            <source>note</source>
+            <translation>备注</translation>
+        </message>
+        <message>
+            <source>page %1 of %2</source>
+            <translation>第 %1 页，共 %2 页</translation>
+        </message>
+        <message>
+            <source>polygon, radius %1 mm</source>
+            <translation>多边形，半径 %1 mm</translation>
+        </message>
+        <message>
+            <source>seen along x of the source</source>
+            <translation>沿热源 x 方向观察</translation>
+        </message>
+        <message>
+            <source>seen along −z of the source</source>
+            <translation>沿热源 −z 方向观察</translation>
+        </message>
+        <message>
+            <source>simulated, seed %1</source>
+            <translation>仿真，随机种子 %1</translation>
+        </message>
+        <message>
+            <source>time constant %1 s, integral time %2 s</source>
+            <translation>时间常数 %1 s，积分时间 %2 s</translation>
+        </message>
+        <message>
+            <source>too cold</source>
+            <translation>太冷</translation>
+        </message>
+        <message>
+            <source>too hot</source>
+            <translation>太热</translation>
+        </message>
+        <message>
+            <source>within the range</source>
+            <translation>在范围内</translation>
+        </message>
+        <message>
+            <source>without a name</source>
+            <translation>未命名</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 (min:s), %n sample(s)</source>
+            <translation>
+                <numerusform>%1（分:秒），%n 个采样</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
+            <translation>
+                <numerusform>%1 像素，fx = %2 px，fy = %3 px，%4，%n 个视图</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s)</source>
+            <translation>
+                <numerusform>%n 个报警</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n hole(s)</source>
+            <translation>
+                <numerusform>%n 个孔</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n marker(s) of dictionary %1</source>
+            <translation>
+                <numerusform>字典 %1 的 %n 个标记</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
+            <translation>
+                <numerusform>会话文件中还有 %n 行；可用 bask export --csv 列出。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 bytes</source>
+            <translation>%1 字节</translation>
+        </message>
+        <message>
+            <source>%1 mm/s and %2 °/s</source>
+            <translation>%1 mm/s 和 %2 °/s</translation>
+        </message>
+        <message>
+            <source>%1 px rms</source>
+            <translation>均方根 %1 px</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 至 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SessionExport</name>
+        <message>
+            <source>%1 written</source>
+            <translation>已写入 %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) written to %1</source>
+            <translation>
+                <numerusform>已将 %n 个文件写入 %1</numerusform>
+            </translation>
         </message>
     </context>
 </TS>

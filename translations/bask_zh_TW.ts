@@ -3928,14 +3928,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>開啟工作階段(&amp;O)…</translation>
         </message>
         <message>
-            <source>&amp;Export CSV…</source>
-            <translation>匯出 CSV(&amp;E)…</translation>
-        </message>
-        <message>
-            <source>Write one CSV file per table, units in the headers</source>
-            <translation>每個表寫成一個 CSV 檔案，表頭含單位</translation>
-        </message>
-        <message>
             <source>Final values</source>
             <translation>最終值</translation>
         </message>
@@ -4010,6 +4002,38 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Heat rates</source>
             <translation>熱變化率</translation>
+        </message>
+        <message>
+            <source>E&amp;xport</source>
+            <translation>匯出(&amp;X)</translation>
+        </message>
+        <message>
+            <source>Write this session as a report, as figures or for other programs</source>
+            <translation>將此工作階段寫成報告、圖，或供其他程式使用的檔案</translation>
+        </message>
+        <message>
+            <source>Report (&amp;PDF)…</source>
+            <translation>報告 (PDF)(&amp;P)…</translation>
+        </message>
+        <message>
+            <source>Report (&amp;HTML)…</source>
+            <translation>報告 (HTML)(&amp;H)…</translation>
+        </message>
+        <message>
+            <source>&amp;Figures (PNG, SVG, PDF)…</source>
+            <translation>圖(PNG、SVG、PDF)(&amp;F)…</translation>
+        </message>
+        <message>
+            <source>Tables (&amp;CSV)…</source>
+            <translation>表格 (CSV)(&amp;C)…</translation>
+        </message>
+        <message>
+            <source>&amp;NeXus (HDF5)…</source>
+            <translation>NeXus (HDF5)(&amp;N)…</translation>
+        </message>
+        <message>
+            <source>&amp;VTK, for ParaView…</source>
+            <translation>VTK（用於 ParaView）(&amp;V)…</translation>
         </message>
     </context>
     <context>
@@ -4663,16 +4687,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>工作階段已另存為 %1</translation>
         </message>
         <message>
-            <source>Folder for the CSV files</source>
-            <translation>存放 CSV 檔案的資料夾</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) written to %1</source>
-            <translation>
-                <numerusform>已將 %n 個檔案寫入 %1</numerusform>
-            </translation>
-        </message>
-        <message>
             <source>the folder cannot be made</source>
             <translation>無法建立資料夾</translation>
         </message>
@@ -4707,6 +4721,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Folder of recorded runs</source>
             <translation>已記錄運轉的資料夾</translation>
+        </message>
+        <message>
+            <source>Folder for the exported files</source>
+            <translation>存放匯出檔案的資料夾</translation>
+        </message>
+        <message>
+            <source>PDF (*.pdf)</source>
+            <translation>PDF (*.pdf)</translation>
+        </message>
+        <message>
+            <source>HTML (*.html)</source>
+            <translation>HTML (*.html)</translation>
         </message>
     </context>
     <context>
@@ -5230,6 +5256,18 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>This controller does not estimate λ₁.</source>
             <translation>此控制器不估計 λ₁。</translation>
+        </message>
+        <message>
+            <source>Time since Start (h)</source>
+            <translation>自開始以來的時間（h）</translation>
+        </message>
+        <message>
+            <source>Time since Start (min)</source>
+            <translation>自開始以來的時間（min）</translation>
+        </message>
+        <message>
+            <source>Time since Start (s)</source>
+            <translation>自開始以來的時間（s）</translation>
         </message>
     </context>
     <context>
@@ -6869,6 +6907,542 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>What is shown here was recorded: nothing moves or heats by it.</source>
             <translation>這裡顯示的是記錄內容：不會使任何東西移動或加熱。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RunReport</name>
+        <message>
+            <source>, changing by a profile during the run</source>
+            <translation>，運轉期間按曲線變化</translation>
+        </message>
+        <message>
+            <source>, tracked during the run</source>
+            <translation>，運轉期間被追蹤</translation>
+        </message>
+        <message>
+            <source>Absorptance</source>
+            <translation>吸收率</translation>
+        </message>
+        <message>
+            <source>Alarms</source>
+            <translation>警報</translation>
+        </message>
+        <message>
+            <source>Alarms, events, notes and commands</source>
+            <translation>警報、事件、備註和指令</translation>
+        </message>
+        <message>
+            <source>All objects settled.</source>
+            <translation>所有物體均已穩定。</translation>
+        </message>
+        <message>
+            <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
+            <translation>按給定的材料，所有目標可在 %1 處同時保持；距最近的限值餘量 %2。</translation>
+        </message>
+        <message>
+            <source>Area</source>
+            <translation>面積</translation>
+        </message>
+        <message>
+            <source>Areal heat capacity</source>
+            <translation>面熱容</translation>
+        </message>
+        <message>
+            <source>By itself</source>
+            <translation>單獨</translation>
+        </message>
+        <message>
+            <source>Calibration</source>
+            <translation>校正</translation>
+        </message>
+        <message>
+            <source>Camera</source>
+            <translation>相機</translation>
+        </message>
+        <message>
+            <source>Clearance to the source's plane</source>
+            <translation>與熱源平面的間距</translation>
+        </message>
+        <message>
+            <source>Commanded speed</source>
+            <translation>指令速度</translation>
+        </message>
+        <message>
+            <source>Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 °/s.</source>
+            <translation>末端執行器的指令速度佔其限值的比例：%1 mm/s 和 %2 °/s。</translation>
+        </message>
+        <message>
+            <source>Control from Start until Stop</source>
+            <translation>從「開始」到「停止」的控制</translation>
+        </message>
+        <message>
+            <source>Controller</source>
+            <translation>控制器</translation>
+        </message>
+        <message>
+            <source>Definitions</source>
+            <translation>定義</translation>
+        </message>
+        <message>
+            <source>Emittance</source>
+            <translation>發射率</translation>
+        </message>
+        <message>
+            <source>Emittance of the source</source>
+            <translation>熱源的發射率</translation>
+        </message>
+        <message>
+            <source>Ended by a fault.</source>
+            <translation>因故障結束。</translation>
+        </message>
+        <message>
+            <source>Errors</source>
+            <translation>誤差</translation>
+        </message>
+        <message>
+            <source>Experiment without a title</source>
+            <translation>無標題的實驗</translation>
+        </message>
+        <message>
+            <source>Feasibility of the targets</source>
+            <translation>目標的可行性</translation>
+        </message>
+        <message>
+            <source>Fourier contour, radius %1 mm</source>
+            <translation>傅立葉輪廓，半徑 %1 mm</translation>
+        </message>
+        <message>
+            <source>Free axes</source>
+            <translation>自由軸</translation>
+        </message>
+        <message>
+            <source>Gains at the start</source>
+            <translation>開始時的增益</translation>
+        </message>
+        <message>
+            <source>Heat source</source>
+            <translation>熱源</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
+            <translation>已中斷：記錄未經「停止」而結束。本報告為已寫入的內容。</translation>
+        </message>
+        <message>
+            <source>It was not computed.</source>
+            <translation>未計算。</translation>
+        </message>
+        <message>
+            <source>Kind</source>
+            <translation>類型</translation>
+        </message>
+        <message>
+            <source>LIVE</source>
+            <translation>實機</translation>
+        </message>
+        <message>
+            <source>Markers</source>
+            <translation>標記</translation>
+        </message>
+        <message>
+            <source>Material</source>
+            <translation>材料</translation>
+        </message>
+        <message>
+            <source>Measured temperature minus target, within %1; grey: the band.</source>
+            <translation>測量溫度減目標，在 %1 以內；灰色：容差帶。</translation>
+        </message>
+        <message>
+            <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
+            <translation>測量溫度。虛線：目標；灰色：其周圍 %1 的容差帶。間斷處：沒有有效讀數。點線處的編號與事件表中的編號一致。</translation>
+        </message>
+        <message>
+            <source>Metrics</source>
+            <translation>指標</translation>
+        </message>
+        <message>
+            <source>Model of the source</source>
+            <translation>熱源模型</translation>
+        </message>
+        <message>
+            <source>Nearest that can be held</source>
+            <translation>可保持的最近值</translation>
+        </message>
+        <message>
+            <source>No pose keeps the workspace and the clearance.</source>
+            <translation>沒有位姿能同時滿足工作空間和間距。</translation>
+        </message>
+        <message>
+            <source>No samples were recorded: there are no traces, trajectories and metrics.</source>
+            <translation>沒有記錄到取樣：因此沒有曲線、軌跡和指標。</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>編號</translation>
+        </message>
+        <message>
+            <source>None was recorded.</source>
+            <translation>沒有記錄。</translation>
+        </message>
+        <message>
+            <source>Not all objects settled.</source>
+            <translation>並非所有物體都已穩定。</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>物體</translation>
+        </message>
+        <message>
+            <source>Objects</source>
+            <translation>物體</translation>
+        </message>
+        <message>
+            <source>Origin</source>
+            <translation>來源</translation>
+        </message>
+        <message>
+            <source>Outcome</source>
+            <translation>結果</translation>
+        </message>
+        <message>
+            <source>Outline</source>
+            <translation>輪廓</translation>
+        </message>
+        <message>
+            <source>Place on the end-effector</source>
+            <translation>在末端執行器上的位置</translation>
+        </message>
+        <message>
+            <source>Pose of the camera in the robot's base</source>
+            <translation>相機在機器人基座座標系中的位姿</translation>
+        </message>
+        <message>
+            <source>Pose of the source</source>
+            <translation>熱源位姿</translation>
+        </message>
+        <message>
+            <source>Pose of the source in the robot's base</source>
+            <translation>熱源在機器人基座座標系中的位姿</translation>
+        </message>
+        <message>
+            <source>Range in the workspace</source>
+            <translation>工作空間中的範圍</translation>
+        </message>
+        <message>
+            <source>Recorded</source>
+            <translation>記錄時間</translation>
+        </message>
+        <message>
+            <source>Recorded by</source>
+            <translation>記錄者</translation>
+        </message>
+        <message>
+            <source>Recorded on a real rig.</source>
+            <translation>在實際實驗台上記錄。</translation>
+        </message>
+        <message>
+            <source>Report made at</source>
+            <translation>報告生成時間</translation>
+        </message>
+        <message>
+            <source>Report made by</source>
+            <translation>報告生成者</translation>
+        </message>
+        <message>
+            <source>Rig</source>
+            <translation>實驗台</translation>
+        </message>
+        <message>
+            <source>SIMULATED</source>
+            <translation>模擬</translation>
+        </message>
+        <message>
+            <source>Sampling</source>
+            <translation>取樣</translation>
+        </message>
+        <message>
+            <source>Session file</source>
+            <translation>工作階段檔案</translation>
+        </message>
+        <message>
+            <source>Set temperature</source>
+            <translation>設定溫度</translation>
+        </message>
+        <message>
+            <source>Set-up</source>
+            <translation>實驗設定</translation>
+        </message>
+        <message>
+            <source>Size of the session file</source>
+            <translation>工作階段檔案大小</translation>
+        </message>
+        <message>
+            <source>Speed limits</source>
+            <translation>速度限值</translation>
+        </message>
+        <message>
+            <source>Start pose</source>
+            <translation>起始位姿</translation>
+        </message>
+        <message>
+            <source>Steady, all together</source>
+            <translation>穩態，同時保持</translation>
+        </message>
+        <message>
+            <source>Stopped by the operator.</source>
+            <translation>由操作員停止。</translation>
+        </message>
+        <message>
+            <source>Surroundings</source>
+            <translation>周圍環境</translation>
+        </message>
+        <message>
+            <source>Target</source>
+            <translation>目標</translation>
+        </message>
+        <message>
+            <source>Target at the start</source>
+            <translation>開始時的目標</translation>
+        </message>
+        <message>
+            <source>Temperature (%1)</source>
+            <translation>溫度（%1）</translation>
+        </message>
+        <message>
+            <source>Temperatures</source>
+            <translation>溫度</translation>
+        </message>
+        <message>
+            <source>The checksum is of the file without the log beside it.</source>
+            <translation>總和檢查碼僅針對該檔案，不含其旁的日誌。</translation>
+        </message>
+        <message>
+            <source>The experiment has none: the pose of the source is as typed.</source>
+            <translation>實驗中沒有：熱源位姿為手動輸入。</translation>
+        </message>
+        <message>
+            <source>The rig was simulated: these are not measurements of a real one.</source>
+            <translation>實驗台為模擬：這些不是實際實驗台的測量結果。</translation>
+        </message>
+        <message>
+            <source>The targets cannot be held together, by the materials as given: %1.</source>
+            <translation>按給定的材料，各目標不能同時保持：%1。</translation>
+        </message>
+        <message>
+            <source>Thickness</source>
+            <translation>厚度</translation>
+        </message>
+        <message>
+            <source>Time (s)</source>
+            <translation>時間（s）</translation>
+        </message>
+        <message>
+            <source>Traces and trajectories</source>
+            <translation>曲線與軌跡</translation>
+        </message>
+        <message>
+            <source>View factor needed</source>
+            <translation>所需的角係數</translation>
+        </message>
+        <message>
+            <source>View factor of the source from each object.</source>
+            <translation>各物體對熱源的角係數。</translation>
+        </message>
+        <message>
+            <source>View factors</source>
+            <translation>角係數</translation>
+        </message>
+        <message>
+            <source>Warning, trip</source>
+            <translation>警告，跳脫</translation>
+        </message>
+        <message>
+            <source>Trajectories of the objects</source>
+            <translation>物體的軌跡</translation>
+        </message>
+        <message>
+            <source>Trajectories of the objects' centres over the source until Stop, from the ring to the dot, coloured by temperature; black: the source.</source>
+            <translation>到「停止」為止物體中心在熱源上方的軌跡，從圓環到圓點，按溫度著色；黑色：熱源。</translation>
+        </message>
+        <message>
+            <source>What</source>
+            <translation>內容</translation>
+        </message>
+        <message>
+            <source>Workspace</source>
+            <translation>工作空間</translation>
+        </message>
+        <message>
+            <source>alarm, priority %1</source>
+            <translation>警報，優先順序 %1</translation>
+        </message>
+        <message>
+            <source>as in the paper, without reflection</source>
+            <translation>如論文所示，不計反射</translation>
+        </message>
+        <message>
+            <source>as typed</source>
+            <translation>按輸入值</translation>
+        </message>
+        <message>
+            <source>command</source>
+            <translation>指令</translation>
+        </message>
+        <message>
+            <source>date not known</source>
+            <translation>日期未知</translation>
+        </message>
+        <message>
+            <source>disk, radius %1 mm</source>
+            <translation>圓盤，半徑 %1 mm</translation>
+        </message>
+        <message>
+            <source>error not known</source>
+            <translation>誤差未知</translation>
+        </message>
+        <message>
+            <source>event</source>
+            <translation>事件</translation>
+        </message>
+        <message>
+            <source>every %1 s</source>
+            <translation>每 %1 s</translation>
+        </message>
+        <message>
+            <source>grey, with reflection</source>
+            <translation>灰體，計入反射</translation>
+        </message>
+        <message>
+            <source>measured by the camera, %1</source>
+            <translation>由相機測量，%1</translation>
+        </message>
+        <message>
+            <source>no event was recorded</source>
+            <translation>沒有記錄到事件</translation>
+        </message>
+        <message>
+            <source>no samples were recorded</source>
+            <translation>沒有記錄到取樣</translation>
+        </message>
+        <message>
+            <source>none</source>
+            <translation>無</translation>
+        </message>
+        <message>
+            <source>not calibrated</source>
+            <translation>未校正</translation>
+        </message>
+        <message>
+            <source>not known</source>
+            <translation>未知</translation>
+        </message>
+        <message>
+            <source>note</source>
+            <translation>備註</translation>
+        </message>
+        <message>
+            <source>page %1 of %2</source>
+            <translation>第 %1 頁，共 %2 頁</translation>
+        </message>
+        <message>
+            <source>polygon, radius %1 mm</source>
+            <translation>多邊形，半徑 %1 mm</translation>
+        </message>
+        <message>
+            <source>seen along x of the source</source>
+            <translation>沿熱源 x 方向觀察</translation>
+        </message>
+        <message>
+            <source>seen along −z of the source</source>
+            <translation>沿熱源 −z 方向觀察</translation>
+        </message>
+        <message>
+            <source>simulated, seed %1</source>
+            <translation>模擬，隨機種子 %1</translation>
+        </message>
+        <message>
+            <source>time constant %1 s, integral time %2 s</source>
+            <translation>時間常數 %1 s，積分時間 %2 s</translation>
+        </message>
+        <message>
+            <source>too cold</source>
+            <translation>太冷</translation>
+        </message>
+        <message>
+            <source>too hot</source>
+            <translation>太熱</translation>
+        </message>
+        <message>
+            <source>within the range</source>
+            <translation>在範圍內</translation>
+        </message>
+        <message>
+            <source>without a name</source>
+            <translation>未命名</translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 (min:s), %n sample(s)</source>
+            <translation>
+                <numerusform>%1（分:秒），%n 個取樣</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
+            <translation>
+                <numerusform>%1 像素，fx = %2 px，fy = %3 px，%4，%n 個視圖</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n alarm(s)</source>
+            <translation>
+                <numerusform>%n 個警報</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n hole(s)</source>
+            <translation>
+                <numerusform>%n 個孔</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n marker(s) of dictionary %1</source>
+            <translation>
+                <numerusform>字典 %1 的 %n 個標記</numerusform>
+            </translation>
+        </message>
+        <message numerus="yes">
+            <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
+            <translation>
+                <numerusform>工作階段檔案中還有 %n 行；可用 bask export --csv 列出。</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>%1 bytes</source>
+            <translation>%1 位元組</translation>
+        </message>
+        <message>
+            <source>%1 mm/s and %2 °/s</source>
+            <translation>%1 mm/s 和 %2 °/s</translation>
+        </message>
+        <message>
+            <source>%1 px rms</source>
+            <translation>均方根 %1 px</translation>
+        </message>
+        <message>
+            <source>%1 to %2</source>
+            <translation>%1 至 %2</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::SessionExport</name>
+        <message>
+            <source>%1 written</source>
+            <translation>已寫入 %1</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n file(s) written to %1</source>
+            <translation>
+                <numerusform>已將 %n 個檔案寫入 %1</numerusform>
+            </translation>
         </message>
     </context>
 </TS>

@@ -1,40 +1,73 @@
-// bask export: a recorded session as CSV, one file a table.
+// bask export: a recorded session as files for other programs.
 
 #include "app/commands/command_line.h"
 #include "app/commands/parse_command.h"
-
-#include "engine/session/session_file.h"
+#include "app/commands/session_outputs.h"
+#include "app/commands/study_output.h"
+#include "engine/export/nexus_file.h"
+#include "engine/export/session_vtk.h"
 
 #include <QCommandLineParser>
 
+#include <array>
 #include <cstdio>
 
 namespace bask {
+namespace {
+
+constexpr const char* kName = "export";
+constexpr std::array kKinds{"csv", "nexus", "vtk", "figures"};
+
+using Files = Result<std::vector<std::string>>;
+
+Files exported(const QString& kind, const SessionRecord& session, const std::string& folder) {
+    if (kind == QLatin1String("csv"))
+        return exportSessionCsv(session.path, folder);
+    if (kind == QLatin1String("vtk"))
+        return exportVtk(session, folder);
+    if (kind == QLatin1String("figures"))
+        return exportFigures(session, folder, TemperatureUnit::Celsius);
+    const auto file = exportNexus(session, folder);
+    return file ? Files(std::vector{*file}) : file.error();
+}
+
+} // namespace
 
 int exportCommand(const QStringList& arguments) {
     QCommandLineParser parser;
     parser.setApplicationDescription(
-        "Writes each table of a recorded session as a CSV file with its units in the header: sample.csv,\n"
-        "pose.csv, event.csv ... Numbers have all their digits; an empty field is a value that was not "
-        "known.\n"
-        "Prints the names of the files written.");
+        "Writes a recorded session for other programs, in one or more forms, each into its folder, whole or\n"
+        "not at all. Folders are made if they are not there. Prints the names of the files written.\n"
+        "Exit code: 0 done, 2 bad input or unwritable output.");
     parser.addOption({{"h", "help"}, "Displays this help."});
-    parser.addOption({"csv", "Folder for the files; made if it is not there. Required.", "DIR"});
+    parser.addOptions(
+        {{"csv", "Tables with units in their headers, all digits; an empty field is not known.", "DIR"},
+         {"nexus", "One HDF5 file in NeXus layout, *.nxs.", "DIR"},
+         {"vtk", "Trajectories, outlines over time and fields for ParaView: *.vtp, *.pvd, *.vti.", "DIR"},
+         {"figures", "Traces and trajectories as PNG, SVG and PDF.", "DIR"},
+         {"language", "Of the figures: en, fr, zh_CN or zh_TW.", "CODE", "en"}});
     parser.addPositionalArgument("SESSION.bask", "The session; one that is being recorded will do.");
-    if (const auto code = parseCommand(parser, "export", arguments, 1))
+    if (const auto code = parseCommand(parser, kName, arguments, 1))
         return *code;
-    if (parser.value("csv").isEmpty()) {
-        std::fprintf(stderr, "bask export: --csv DIR is needed (see bask export --help)\n");
-        return kExitBadInput;
+    QStringList wanted;
+    for (const char* kind : kKinds)
+        if (!parser.value(kind).isEmpty())
+            wanted << kind;
+    if (wanted.isEmpty())
+        return refuse(kName, QStringLiteral("--csv, --nexus, --vtk or --figures DIR is needed"));
+    Language language;
+    if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
+        return refuse(kName, spoken.error());
+    const auto session = readSession(parser.positionalArguments().front().toStdString());
+    if (!session)
+        return refuse(kName, session.error());
+    for (const QString& kind : wanted) {
+        const auto files = exported(kind, *session, parser.value(kind).toStdString());
+        if (!files)
+            return refuse(kName, files.error());
+        for (const std::string& file : *files)
+            std::printf("%s\n", file.c_str());
     }
-    const auto files = exportSessionCsv(parser.positionalArguments().front().toStdString(),
-                                        parser.value("csv").toStdString());
-    if (!files) {
-        std::fprintf(stderr, "bask export: %s\n", describe(files.error()).c_str());
-        return kExitBadInput;
-    }
-    for (const std::string& file : *files)
-        std::printf("%s\n", file.c_str());
     return kExitDone;
 }
 

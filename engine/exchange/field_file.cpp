@@ -1,53 +1,24 @@
 #include "engine/exchange/field_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/exchange/vtk_inside.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkErrorCode.h>
-#include <vtkExecutive.h>
-#include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkXMLImageDataWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-
-#include <unistd.h>
 
 namespace bask {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr const char* kMark = "Name=\"made_by\"";
-constexpr std::size_t kMarkWithin = 4096; // bytes from the start
-
-void addWords(vtkDataSet* data, const char* name, const std::vector<std::string>& words) {
-    vtkNew<vtkStringArray> array;
-    array->SetName(name);
-    for (const std::string& word : words)
-        array->InsertNextValue(word);
-    data->GetFieldData()->AddArray(array);
-}
-
-void addNumbers(vtkDataSet* data, const char* name, const std::vector<double>& numbers) {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    for (const double number : numbers)
-        array->InsertNextValue(number);
-    data->GetFieldData()->AddArray(array);
-}
 
 void describeAxes(vtkDataSet* data, const Field& field) {
     std::vector<std::string> names;
@@ -62,11 +33,11 @@ void describeAxes(vtkDataSet* data, const Field& field) {
         step.push_back(axis.step);
         count.push_back(axis.count);
     }
-    addWords(data, "axis_names", names);
-    addWords(data, "axis_units", units);
-    addNumbers(data, "axis_first", first);
-    addNumbers(data, "axis_step", step);
-    addNumbers(data, "axis_count", count);
+    vtkfile::addWords(data, "axis_names", names);
+    vtkfile::addWords(data, "axis_units", units);
+    vtkfile::addNumbers(data, "axis_first", first);
+    vtkfile::addNumbers(data, "axis_step", step);
+    vtkfile::addNumbers(data, "axis_count", count);
 }
 
 void describeHeld(vtkDataSet* data, const Field& field) {
@@ -81,21 +52,20 @@ void describeHeld(vtkDataSet* data, const Field& field) {
         units.emplace_back(coordinateUnit(coordinate));
         values.push_back(field.held[i]);
     }
-    addWords(data, "held_names", names);
-    addWords(data, "held_units", units);
-    addNumbers(data, "held_values", values);
+    vtkfile::addWords(data, "held_names", names);
+    vtkfile::addWords(data, "held_units", units);
+    vtkfile::addNumbers(data, "held_values", values);
 }
 
 /// What the numbers are and how they came about.
 void explain(vtkDataSet* data, const Field& field, const std::string& title) {
-    addWords(data, "made_by", {"Bask " BASK_VERSION});
-    addWords(data, "title", {title});
+    vtkfile::addOrigin(data, title);
     describeAxes(data, field);
     describeHeld(data, field);
-    addNumbers(data, "tolerance", {field.tolerance});
-    addNumbers(data, "undefined_samples", {static_cast<double>(field.undefinedSamples)});
-    addNumbers(data, "samples_above_tolerance", {static_cast<double>(field.unreachedSamples)});
-    addNumbers(data, "largest_error_estimate", {field.largestErrorEstimate});
+    vtkfile::addNumbers(data, "tolerance", {field.tolerance});
+    vtkfile::addNumbers(data, "undefined_samples", {static_cast<double>(field.undefinedSamples)});
+    vtkfile::addNumbers(data, "samples_above_tolerance", {static_cast<double>(field.unreachedSamples)});
+    vtkfile::addNumbers(data, "largest_error_estimate", {field.largestErrorEstimate});
 }
 
 /// Image without point data: the first three axes.
@@ -159,54 +129,6 @@ void putSamples(vtkImageData* image, const Field& field) {
     }
 }
 
-/// Nothing, or why it could not be written.
-std::string writeData(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path) {
-    vtkNew<vtkCallbackCommand> silent; // with an observer VTK prints nothing of its own
-    silent->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
-    writer->AddObserver(vtkCommand::ErrorEvent, silent);
-    writer->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silent);
-    writer->SetFileName(path.c_str());
-    writer->SetInputData(data);
-    writer->SetHeaderTypeToUInt64();
-    writer->SetDataModeToAppended();
-    writer->EncodeAppendedDataOff();
-    writer->SetCompressorTypeToNone(); // it would take longer than the sampling
-    const bool done = writer->Write() == 1;
-    if (writer->GetErrorCode() != vtkErrorCode::NoError)
-        return vtkErrorCode::GetStringFromErrorCode(writer->GetErrorCode());
-    return done ? "" : "VTK does not say why";
-}
-
-/// Through a temporary beside it, where a link leads.
-Result<void> writeWhole(vtkXMLWriter* writer, vtkDataSet* data, const std::string& path) {
-    std::error_code failed;
-    const fs::path target = fs::exists(path, failed) ? fs::canonical(path, failed) : fs::path(path);
-    const std::string temporary = target.string() + '.' + std::to_string(::getpid()) + ".part";
-    std::string reason = writeData(writer, data, temporary);
-    if (reason.empty()) {
-        fs::rename(temporary, target, failed);
-        if (failed)
-            reason = failed.message();
-    }
-    if (reason.empty())
-        return {};
-    fs::remove(temporary, failed);
-    return Error(MessageCode::FileUnwritable, path, {reason});
-}
-
-/// Refuses a file that is there, not empty and not of Bask's own of VTK's type; `kind` is that in words.
-Result<void> checkOwn(const std::string& path, const std::string& type, const char* kind) {
-    std::error_code failed;
-    if (!fs::exists(path, failed) || (fs::file_size(path, failed) == 0 && !failed))
-        return {};
-    std::ifstream file(path, std::ios::binary);
-    std::string start(kMarkWithin, '\0');
-    file.read(start.data(), static_cast<std::streamsize>(start.size()));
-    if (!start.starts_with("<VTKFile type=\"" + type + '"') || start.find(kMark) == std::string::npos)
-        return Error(MessageCode::OutputForeign, path, {kind});
-    return {};
-}
-
 vtkNew<vtkDoubleArray> emptyArray(const char* name, int components) {
     vtkNew<vtkDoubleArray> array;
     array->SetName(name);
@@ -250,7 +172,7 @@ Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis
         return Error(MessageCode::FieldTooLarge,
                      std::string("fourth axis, ") + kCoordinateNames[axes[3].coordinate],
                      {std::to_string(axes[3].count), std::to_string(kMostFourthAxisSamples)});
-    return checkOwn(path, "ImageData", "a field written by Bask");
+    return vtkfile::checkOwn(path, "ImageData", "a field written by Bask");
 }
 
 Result<void> writeField(const Field& field, const std::string& path, const std::string& title) {
@@ -260,11 +182,11 @@ Result<void> writeField(const Field& field, const std::string& path, const std::
     layOut(image, field, title);
     putSamples(image, field);
     vtkNew<vtkXMLImageDataWriter> writer;
-    return writeWhole(writer, image, path);
+    return vtkfile::writeWhole(writer, image, path);
 }
 
 Result<void> checkSurfaceFile(const std::string& path) {
-    return checkOwn(path, "PolyData", "a surface file written by Bask");
+    return vtkfile::checkOwn(path, "PolyData", "a surface file written by Bask");
 }
 
 Result<void> writeSurfaces(const Field& field, const SurfaceSet& set, const std::string& path) {
@@ -275,10 +197,10 @@ Result<void> writeSurfaces(const Field& field, const SurfaceSet& set, const std:
     std::vector<double> values;
     for (const Isosurface& surface : set.surfaces)
         values.push_back(surface.value);
-    addNumbers(data, "values", values);
+    vtkfile::addNumbers(data, "values", values);
     putSurfaces(data, set);
     vtkNew<vtkXMLPolyDataWriter> writer;
-    return writeWhole(writer, data, path);
+    return vtkfile::writeWhole(writer, data, path);
 }
 
 } // namespace bask

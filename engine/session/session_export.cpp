@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 #include "engine/session/session_file.h"
 #include "engine/session/session_store.h"
 
@@ -9,12 +10,17 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
+#include <filesystem>
+#include <memory>
 
 namespace bask {
 namespace {
 
-constexpr qsizetype kChunk = 1 << 20; // bytes held before they are written
+constexpr qsizetype kChunk = 1 << 20;      // bytes held before they are written
+constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
 
 /// RFC 4180: quoted when the text holds a comma, a quote or a line break.
 void appendField(QByteArray& out, const SqlValue& value) {
@@ -48,82 +54,164 @@ bool isPlainName(const std::string& name) {
     return std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) != 0 || c == '_'; });
 }
 
-/// Refuses to write over what is no earlier export of the same table.
-Result<void> checkOldExport(const SessionStore& store, const std::string& table, const std::string& file) {
-    const QFileInfo info(QString::fromStdString(file));
-    if (!info.exists())
-        return {};
-    if (!info.isFile())
-        return Error(MessageCode::OutputNotAFile, file);
-    if (info.size() == 0)
-        return {};
-    const auto columns = store.columns(table);
-    if (!columns)
-        return columns.error();
-    QByteArray header;
-    appendRow(header, std::vector<SqlValue>(columns->begin(), columns->end()));
-    QFile old(info.filePath());
-    if (!old.open(QIODevice::ReadOnly) || old.read(header.size()) != header)
-        return Error(MessageCode::ExportForeign, file);
+/// What every wide table begins with.
+constexpr const char* kTracesHeader = "time (s),source (degC)";
+
+QByteArray rowText(SessionStore::Row row) {
+    QByteArray text;
+    appendRow(text, row);
+    return text;
+}
+
+/// One CSV: under a temporary name until all are written.
+class CsvFile {
+public:
+    explicit CsvFile(std::string path) : m_path(std::move(path)), m_file(QString::fromStdString(m_path)) {}
+
+    /// Refuses to write over what does not begin as an earlier export of the same table.
+    Result<void> open(const QByteArray& begin) {
+        const QFileInfo info(m_file.fileName());
+        if (info.exists() && !info.isFile())
+            return Error(MessageCode::OutputNotAFile, m_path);
+        QFile old(info.filePath());
+        if (info.size() > 0 && (!old.open(QIODevice::ReadOnly) || old.read(begin.size()) != begin))
+            return Error(MessageCode::ExportForeign, m_path);
+        m_isWritten = m_file.open(QIODevice::WriteOnly);
+        return m_isWritten ? Result<void>() : unwritable();
+    }
+    void add(SessionStore::Row row) {
+        appendRow(m_buffer, row);
+        if (m_buffer.size() >= kChunk)
+            drain();
+    }
+    /// All is on the disk but for the name.
+    Result<void> end() {
+        drain();
+        m_isWritten = m_isWritten && m_file.flush();
+        return m_isWritten ? Result<void>() : unwritable();
+    }
+    Result<void> commit() { return m_file.commit() ? Result<void>() : unwritable(); }
+    const std::string& path() const { return m_path; }
+
+private:
+    void drain() {
+        m_isWritten = m_isWritten && m_file.write(m_buffer) == m_buffer.size();
+        m_buffer.clear();
+    }
+    Result<void> unwritable() const {
+        std::error_code failed; // Qt has no words for a write that was cut short
+        const auto space =
+            std::filesystem::space(QFileInfo(m_file.fileName()).absolutePath().toStdString(), failed);
+        const bool isFull = !failed && space.available < kFull;
+        return Error(MessageCode::FileUnwritable, m_path,
+                     {isFull ? std::strerror(ENOSPC) : m_file.errorString().toStdString()});
+    }
+
+    std::string m_path;
+    QSaveFile m_file;
+    QByteArray m_buffer;
+    bool m_isWritten = false;
+};
+
+using CsvFiles = std::vector<std::unique_ptr<CsvFile>>;
+
+Result<void> openTables(const SessionStore& store, const std::vector<std::string>& tables, const QDir& folder,
+                        CsvFiles& files) {
+    for (const std::string& table : tables) {
+        const auto columns = store.columns(table);
+        if (!columns)
+            return columns.error();
+        const std::vector<SqlValue> header(columns->begin(), columns->end());
+        files.push_back(
+            std::make_unique<CsvFile>(folder.filePath(QString::fromStdString(table + ".csv")).toStdString()));
+        if (auto opened = files.back()->open(rowText(header)); !opened)
+            return opened;
+        files.back()->add(header);
+    }
     return {};
 }
 
-Result<void> exportTable(const SessionStore& store, const std::string& table, const std::string& file) {
-    const auto columns = store.columns(table);
-    if (!columns)
-        return columns.error();
-    QSaveFile csv(QString::fromStdString(file));
-    QByteArray buffer;
-    bool written = csv.open(QIODevice::WriteOnly);
-    const auto drain = [&] {
-        written = written && csv.write(buffer) == buffer.size();
-        buffer.clear();
-    };
-    const std::vector<SqlValue> header(columns->begin(), columns->end());
-    appendRow(buffer, header);
-    const auto done = store.select("SELECT * FROM \"" + table + '"', [&](SessionStore::Row row) {
-        appendRow(buffer, row);
-        if (buffer.size() >= kChunk)
-            drain();
-    });
-    if (!done)
-        return done;
-    drain();
-    if (!written || !csv.commit())
-        return Error(MessageCode::FileUnwritable, file, {csv.errorString().toStdString()});
+Result<void> writeTables(const SessionStore& store, const std::vector<std::string>& tables, CsvFiles& files) {
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        auto done = store.select("SELECT * FROM \"" + tables[i] + '"',
+                                 [&](SessionStore::Row row) { files[i]->add(row); });
+        if (done)
+            done = files[i]->end();
+        if (!done)
+            return done;
+    }
     return {};
+}
+
+/// The traces of all objects side by side, a row a sample.
+Result<void> writeTraces(const SessionRecord& record, CsvFile& file) {
+    std::vector<SqlValue> row;
+    for (const char* name : {"time (s)", "source (degC)", "x (m)", "y (m)", "z (m)", "theta_x (rad)",
+                             "theta_y (rad)", "theta_z (rad)"})
+        row.emplace_back(std::string(name));
+    for (const ObjectSpec& object : record.experiment.objects) {
+        for (const char* name : {" measured (degC)", " estimate (degC)", " target (degC)", " error (K)",
+                                 " rate (K/s)", " view factor (1)", " reading valid (1)"})
+            row.emplace_back(object.name + name);
+        if (record.simulated)
+            row.emplace_back(object.name + " true (degC)");
+    }
+    file.add(row);
+    for (const TraceSample& sample : record.samples) {
+        row = {sqlNumber(sample.time_s), sqlNumber(celsiusFromKelvin(sample.source_K))};
+        for (int k = 0; k < 6; ++k)
+            row.push_back(sqlNumber(sample.coordinates[k]));
+        for (const ObjectSample& o : sample.objects) {
+            for (const double value :
+                 {celsiusFromKelvin(o.measured_K), celsiusFromKelvin(o.estimated_K),
+                  celsiusFromKelvin(o.target_K), o.measured_K - o.target_K, o.rate_K_s, o.viewFactor})
+                row.push_back(sqlNumber(value));
+            row.emplace_back(std::int64_t{o.valid});
+            if (record.simulated)
+                row.push_back(sqlNumber(celsiusFromKelvin(o.true_K)));
+        }
+        file.add(row);
+    }
+    return file.end();
 }
 
 } // namespace
 
 Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder) {
     // A whole look at the file first: nothing is written from one that is damaged.
-    if (const auto record = readSession(path); !record)
+    const auto record = readSession(path);
+    if (!record)
         return record.error();
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
-    const auto tables = (*store)->tables();
+    auto tables = (*store)->tables();
     if (!tables)
         return tables.error();
+    std::erase_if(*tables, [](const std::string& table) { return !isPlainName(table); });
     const QDir target(QString::fromStdString(folder));
     if (!target.mkpath(QStringLiteral(".")))
         return Error(MessageCode::FileUnwritable, folder, {"the folder cannot be made"});
     if (auto begun = (*store)->execute("BEGIN"); !begun)
         return begun.error();
-    std::vector<std::string> names, files;
-    for (const std::string& table : *tables) {
-        if (!isPlainName(table))
-            continue;
-        names.push_back(table);
-        files.push_back(target.filePath(QString::fromStdString(table + ".csv")).toStdString());
-        if (auto place = checkOldExport(**store, table, files.back()); !place)
-            return place.error();
+    CsvFiles files;
+    auto done = openTables(**store, *tables, target, files);
+    CsvFile traces(target.filePath(QStringLiteral("traces.csv")).toStdString());
+    if (done)
+        done = traces.open(kTracesHeader);
+    if (done)
+        done = writeTables(**store, *tables, files);
+    if (done)
+        done = writeTraces(*record, traces);
+    if (done)
+        done = traces.commit();
+    std::vector<std::string> names{traces.path()};
+    for (const auto& file : files) {
+        if (done)
+            done = file->commit();
+        names.push_back(file->path());
     }
-    for (std::size_t i = 0; i < files.size(); ++i)
-        if (auto done = exportTable(**store, names[i], files[i]); !done)
-            return done.error();
-    return files;
+    return done ? Result<std::vector<std::string>>(names) : done.error();
 }
 
 } // namespace bask

@@ -36,7 +36,7 @@ TEST(CommandLine, HelpAndVersion) {
     EXPECT_EQ(help.exitCode, 0);
     for (const char* name :
          {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce", "identify",
-          "export", "detect-markers", "calibrate-camera", "make-board", "simulate-device"})
+          "export", "report", "detect-markers", "calibrate-camera", "make-board", "simulate-device"})
         EXPECT_TRUE(help.out.contains(QLatin1String(name))) << name;
     const Answer version = bask({QStringLiteral("--version")});
     EXPECT_EQ(version.exitCode, 0);
@@ -47,7 +47,7 @@ TEST(CommandLine, HelpAndVersion) {
 TEST(CommandLine, EverySubcommandHasHelp) {
     for (const char* name :
          {"run", "fit-contour", "view-factor", "field", "isosurface", "study", "reproduce", "identify",
-          "export", "detect-markers", "calibrate-camera", "make-board", "simulate-device"}) {
+          "export", "report", "detect-markers", "calibrate-camera", "make-board", "simulate-device"}) {
         const Answer help = bask({QLatin1String(name), QStringLiteral("--help")});
         EXPECT_EQ(help.exitCode, 0) << name;
         EXPECT_TRUE(help.out.contains(QStringLiteral("bask %1").arg(QLatin1String(name))))

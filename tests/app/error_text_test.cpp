@@ -1,8 +1,8 @@
 #include "app/error_text.h"
-#include "app/language.h"
 #include "app/resources.h"
 #include "engine/base/message_code.h"
 #include "widgets/common/alarm_words.h"
+#include "widgets/common/language.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // Switches the language while the program runs and reads everything that is on the screen.
 
-#include "app/language.h"
 #include "tests/app/translation_file.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/common/language.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/plots/trace_plot.h"
 

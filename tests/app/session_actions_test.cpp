@@ -5,9 +5,12 @@
 #include "tests/support/wait_for.h"
 
 #include <QFile>
+#include <QFileInfo>
 #include <QTemporaryDir>
 
 #include <gtest/gtest.h>
+
+#include <array>
 
 namespace bask::test {
 namespace {
@@ -128,6 +131,71 @@ TEST_F(SessionActionsTest, ARigGoesThroughItsFile) {
     EXPECT_EQ(read.size(), 1U);
     ASSERT_EQ(problems.size(), 1);
     EXPECT_TRUE(problems[0].contains(QStringLiteral("bench.json"))) << problems[0].toStdString();
+}
+
+/// A short run of an example, recorded and closed.
+QString recorded(const QTemporaryDir& folder) {
+    const QString path = folder.filePath(QStringLiteral("my \"run\" <b>.bask"));
+    const Experiment experiment = readExample(QStringLiteral("two-circles")).value();
+    const auto writer = SessionWriter::create(path.toStdString(), experiment, true);
+    for (int k = 0; k < 5; ++k) {
+        TraceSample sample;
+        sample.time_s = k;
+        sample.coordinates = experiment.start;
+        sample.source = experiment.source.pose;
+        for (const ObjectSpec& object : experiment.objects) {
+            ObjectSample row;
+            row.measured_K = row.estimated_K = row.true_K = row.target_K = object.target_K;
+            sample.objects.push_back(row);
+        }
+        EXPECT_TRUE((*writer)->add(sample));
+    }
+    EXPECT_TRUE((*writer)->finish("settled"));
+    return path;
+}
+
+// Catches: an export that does nothing, asks for the wrong thing or fails without a word.
+TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
+    const QTemporaryDir folder;
+    int opened = 0;
+    QStringList told;
+    QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
+    QObject::connect(&files, &SessionActions::told, [&](const QString& text) { told << text; });
+    QStringList asked;
+    QString folderOfAnswers = folder.path();
+    files.setFileChooser([&](const FileQuestion& question) {
+        asked << QFileInfo(question.folder).fileName();
+        return question.kind == FileQuestion::Kind::Folder
+                   ? folderOfAnswers
+                   : folderOfAnswers + u'/' + asked.last().section(u'.', 0, -2); // suffix left out
+    });
+    files.exportSession(SessionForm::Csv);
+    EXPECT_TRUE(asked.isEmpty()) << "no session is open";
+    files.open(recorded(folder));
+    ASSERT_TRUE(waitFor([&] { return opened == 1; }));
+    constexpr std::array kForms{SessionForm::Csv,     SessionForm::Nexus,     SessionForm::Vtk,
+                                SessionForm::Figures, SessionForm::ReportPdf, SessionForm::ReportHtml};
+    for (const SessionForm form : kForms) // all at the same time
+        files.exportSession(form);
+    ASSERT_TRUE(waitFor([&] { return told.size() == 6 || !problems.isEmpty(); }, 60000));
+    EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
+    for (const char* name : {"traces.csv", "my \"run\" <b>.nxs", "outlines.pvd", "errors.svg",
+                             "my \"run\" <b>.pdf", "my \"run\" <b>.html"})
+        EXPECT_TRUE(QFile::exists(folder.filePath(QString::fromUtf8(name)))) << name;
+
+    folderOfAnswers = QStringLiteral("/proc/no-such-place");
+    for (const SessionForm form : kForms)
+        files.exportSession(form);
+    ASSERT_TRUE(waitFor([&] { return problems.size() == 6; }, 60000)) << problems.join('\n').toStdString();
+    for (const QString& problem : problems)
+        EXPECT_TRUE(problem.contains(QStringLiteral("/proc/no-such-place"))) << problem.toStdString();
+
+    problems.clear();
+    asked.clear();
+    files.setRunGuard([] { return true; });
+    files.exportSession(SessionForm::ReportPdf);
+    EXPECT_EQ(problems.size(), 1) << "drawing takes the window's time";
+    EXPECT_TRUE(asked.isEmpty());
 }
 
 } // namespace

@@ -1,6 +1,6 @@
-#include "app/language.h"
 #include "app/resources.h"
 #include "tests/app/translation_file.h"
+#include "widgets/common/language.h"
 
 #include <QApplication>
 #include <QFile>

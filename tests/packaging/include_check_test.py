@@ -116,6 +116,7 @@ class IncludeCheck(unittest.TestCase):
             ("widgets/run/bad.cpp", "<vtkActor.h>", "vtk"),
             ("engine/shape/bad.cpp", "<vtkActor.h>", "vtk"),
             ("engine/exchange/bad.h", "<vtkImageData.h>", "vtk"),
+            ("engine/exchange/bad.cpp", "<hdf5.h>", "hdf5"),
             ("widgets/run/bad.cpp", "<qcustomplot.h>", "qcustomplot"),
             ("engine/session/bad.h", "<nlohmann/json.hpp>", "json"),
             ("engine/base/bad.cpp", "<boost/optional.hpp>", "library"),

@@ -182,7 +182,7 @@ void addColours(QCustomPlot& plot, QCPLayoutGrid& views, const PathsFigure& figu
     scale->setDataRange({figure.coldest_degC, figure.hottest_degC});
     scale->setType(QCPAxis::atRight);
     scale->setBarWidth(14);
-    styleAxis(scale->axis(), QString::fromUtf8("Temperature (°C)"));
+    styleAxis(scale->axis(), figure.temperature);
     scale->axis()->grid()->setVisible(false);
     // As high as the views.
     auto* group = new QCPMarginGroup(&plot);
@@ -195,17 +195,21 @@ void addColours(QCustomPlot& plot, QCPLayoutGrid& views, const PathsFigure& figu
 } // namespace
 
 QByteArray pathsPng(const PathsFigure& figure, const QString& comment) {
+    return pathsPicture(figure, FigureFormat::Png, comment);
+}
+
+QByteArray pathsPicture(const PathsFigure& figure, FigureFormat format, const QString& comment) {
     QCustomPlot plot;
     plot.setBackground(Qt::white);
     plot.plotLayout()->clear();
     auto* views = new QCPLayoutGrid;
     plot.plotLayout()->addElement(0, 0, views);
-    const View above{[](const PathPoint& p) { return QPointF(p.x_cm, p.y_cm); },
-                     addRect(plot, *views, 0, QStringLiteral("seen along -z of the source"),
-                             QStringLiteral("x (cm)"), QStringLiteral("y (cm)"))};
-    const View aside{[](const PathPoint& p) { return QPointF(p.y_cm, p.z_cm); },
-                     addRect(plot, *views, 1, QStringLiteral("seen along x of the source"),
-                             QStringLiteral("y (cm)"), QStringLiteral("z (cm)"))};
+    const View above{
+        [](const PathPoint& p) { return QPointF(p.x_cm, p.y_cm); },
+        addRect(plot, *views, 0, figure.above, QStringLiteral("x (cm)"), QStringLiteral("y (cm)"))};
+    const View aside{
+        [](const PathPoint& p) { return QPointF(p.y_cm, p.z_cm); },
+        addRect(plot, *views, 1, figure.aside, QStringLiteral("y (cm)"), QStringLiteral("z (cm)"))};
     aside.rect->axis(QCPAxis::atBottom)->setRangeReversed(true);
     views->setRowStretchFactor(0, 0.001);
     Drawing drawing(plot, figure);
@@ -219,7 +223,7 @@ QByteArray pathsPng(const PathsFigure& figure, const QString& comment) {
     const Extents most = extentsOf(figure);
     setEqualScales(above.rect, {-most.side, most.side}, {-most.side, most.side});
     setEqualScales(aside.rect, {-most.side, most.side}, {-0.08 * most.top, most.top});
-    return pngOf(plot.toPixmap(width, height, kFigureScale).toImage(), comment);
+    return pictureOf(plot, figure.size_px, format, comment);
 }
 
 } // namespace bask

@@ -2,6 +2,8 @@
 // A figure for a report: paths over a source seen from above and from the side, coloured by temperature.
 // Needs a QApplication, no display.
 
+#include "widgets/plots/figure_format.h"
+
 #include <QByteArray>
 #include <QList>
 #include <QPointF>
@@ -29,8 +31,13 @@ struct PathsFigure {
     QList<QPointF> source_cm;                        ///< its outline
     double coldest_degC = 0.0, hottest_degC = 100.0; ///< ends of the colours, blue and red
     QSize size_px{1800, 900};
+    // Words, in English unless given
+    QString above = QStringLiteral("seen along -z of the source");
+    QString aside = QStringLiteral("seen along x of the source");
+    QString temperature = QStringLiteral("Temperature (\u00b0C)");
 };
 
 QByteArray pathsPng(const PathsFigure& figure, const QString& comment);
+QByteArray pathsPicture(const PathsFigure& figure, FigureFormat format, const QString& comment);
 
 } // namespace bask

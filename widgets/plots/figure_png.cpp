@@ -3,8 +3,6 @@
 #include "widgets/common/theme.h"
 #include "widgets/plots/figure_style.h"
 
-#include <QImage>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,8 +11,6 @@
 
 namespace bask {
 namespace {
-
-constexpr double kScale = kFigureScale;
 
 /// Colour, dashes and marker: any one of them is enough to tell the series apart.
 QPen penOf(int index) {
@@ -41,24 +37,6 @@ void makeLogarithmic(QCPAxis* axis, int base) {
         axis->setNumberFormat(QStringLiteral("eb"));
         axis->setNumberPrecision(0);
     }
-}
-
-/// Below the axes, in rows of three.
-void addLegend(QCustomPlot& plot) {
-    auto* legend = plot.legend;
-    legend->setVisible(true);
-    legend->setFont(figureFont(14));
-    legend->setBorderPen(Qt::NoPen);
-    legend->setIconSize(38, 16);
-    legend->setWrap(3);
-    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
-    legend->setColumnSpacing(24);
-    auto* below = new QCPLayoutGrid;
-    below->setMargins({12, 0, 12, 8});
-    const int row = plot.plotLayout()->rowCount();
-    plot.plotLayout()->addElement(row, 0, below);
-    below->addElement(0, 0, legend);
-    plot.plotLayout()->setRowStretchFactor(row, 0.001);
 }
 
 void addSeries(QCustomPlot& plot, const Figure& figure) {
@@ -106,22 +84,6 @@ void setRanges(QCustomPlot& plot, const Figure& figure) {
         plot.xAxis->setRange(withMargin(x, 0.03));
 }
 
-/// Below the grid, over the whole width.
-void addBand(QCustomPlot& plot, double band) {
-    if (band <= 0.0)
-        return;
-    auto* rectangle = new QCPItemRect(&plot);
-    rectangle->setLayer(QStringLiteral("background"));
-    for (QCPItemPosition* corner : {rectangle->topLeft, rectangle->bottomRight}) {
-        corner->setTypeX(QCPItemPosition::ptAxisRectRatio);
-        corner->setTypeY(QCPItemPosition::ptPlotCoords);
-    }
-    rectangle->topLeft->setCoords(0.0, band);
-    rectangle->bottomRight->setCoords(1.0, -band);
-    rectangle->setPen(Qt::NoPen);
-    rectangle->setBrush(QColor(0, 0, 0, 22));
-}
-
 } // namespace
 
 QByteArray figurePng(const Figure& figure, const QString& comment) {
@@ -136,13 +98,10 @@ QByteArray figurePng(const Figure& figure, const QString& comment) {
     plot.axisRect()->setMinimumMargins({12, 4, 20, 0});
     addSeries(plot, figure);
     setRanges(plot, figure);
-    addBand(plot, figure.band);
+    shadeAboutZero(plot, figure.band);
     addLegend(plot);
     addHead(plot, figure.title, figure.note);
-    QImage image = plot.toPixmap(static_cast<int>(figure.size_px.width() / kScale),
-                                 static_cast<int>(figure.size_px.height() / kScale), kScale)
-                       .toImage();
-    return pngOf(image, comment);
+    return pictureOf(plot, figure.size_px, FigureFormat::Png, comment);
 }
 
 } // namespace bask

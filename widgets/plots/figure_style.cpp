@@ -4,6 +4,8 @@
 #include "widgets/common/theme.h"
 
 #include <QBuffer>
+#include <QPdfWriter>
+#include <QSvgGenerator>
 
 namespace bask {
 
@@ -45,6 +47,38 @@ void addHead(QCustomPlot& plot, const QString& title, const QString& note) {
         line(note, figureFont(13), secondaryText(false), 8);
 }
 
+void addLegend(QCustomPlot& plot) {
+    auto* legend = plot.legend;
+    legend->setVisible(true);
+    legend->setFont(figureFont(14));
+    legend->setBorderPen(Qt::NoPen);
+    legend->setIconSize(38, 16);
+    legend->setWrap(3);
+    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    legend->setColumnSpacing(24);
+    auto* below = new QCPLayoutGrid;
+    below->setMargins({12, 0, 12, 8});
+    const int row = plot.plotLayout()->rowCount();
+    plot.plotLayout()->addElement(row, 0, below);
+    below->addElement(0, 0, legend);
+    plot.plotLayout()->setRowStretchFactor(row, 0.001);
+}
+
+void shadeAboutZero(QCustomPlot& plot, double band) {
+    if (band <= 0.0)
+        return;
+    auto* rectangle = new QCPItemRect(&plot);
+    rectangle->setLayer(QStringLiteral("background"));
+    for (QCPItemPosition* corner : {rectangle->topLeft, rectangle->bottomRight}) {
+        corner->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        corner->setTypeY(QCPItemPosition::ptPlotCoords);
+    }
+    rectangle->topLeft->setCoords(0.0, band);
+    rectangle->bottomRight->setCoords(1.0, -band);
+    rectangle->setPen(Qt::NoPen);
+    rectangle->setBrush(QColor(0, 0, 0, 22));
+}
+
 QByteArray pngOf(QImage image, const QString& comment) {
     image.setDevicePixelRatio(1.0);
     markPicture(image, comment);
@@ -52,6 +86,45 @@ QByteArray pngOf(QImage image, const QString& comment) {
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);
     image.save(&buffer, "PNG");
+    return bytes;
+}
+
+QByteArray pictureOf(QCustomPlot& plot, QSize size_px, FigureFormat format, const QString& comment) {
+    const int width = static_cast<int>(size_px.width() / kFigureScale);
+    const int height = static_cast<int>(size_px.height() / kFigureScale);
+    if (format == FigureFormat::Png)
+        return pngOf(plot.toPixmap(width, height, kFigureScale).toImage(), comment);
+    constexpr int kUnits = 96, kPoints = 72; // an inch
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    QCPPainter painter;
+    const auto draw = [&] {
+        painter.setMode(QCPPainter::pmVectorized);
+        plot.toPainter(&painter, width, height);
+        painter.end();
+    };
+    if (format == FigureFormat::Svg) {
+        QSvgGenerator svg;
+        svg.setOutputDevice(&buffer);
+        svg.setResolution(kUnits);
+        svg.setSize({width, height});
+        svg.setViewBox(QRect(0, 0, width, height));
+        svg.setDescription(comment);
+        painter.begin(&svg);
+        draw();
+    } else {
+        constexpr int kDotsPerUnit = 12;
+        QPdfWriter pdf(&buffer);
+        pdf.setCreator(comment);
+        pdf.setResolution(kUnits * kDotsPerUnit);
+        pdf.setPageSize(
+            QPageSize(QSizeF(width, height) * kPoints / kUnits, QPageSize::Point, {}, QPageSize::ExactMatch));
+        pdf.setPageMargins(QMarginsF());
+        painter.begin(&pdf);
+        painter.scale(kDotsPerUnit, kDotsPerUnit);
+        draw();
+    }
     return bytes;
 }
 

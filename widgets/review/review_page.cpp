@@ -23,6 +23,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
+#include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -30,6 +31,7 @@
 #include <QtConcurrentRun>
 
 #include <algorithm>
+#include <array>
 
 namespace bask {
 
@@ -40,6 +42,10 @@ struct Numbers {
     std::vector<FinalValue> finals;
     RunMetrics metrics;
 };
+
+// In the order of the export button's menu.
+constexpr std::array kForms{SessionForm::ReportPdf, SessionForm::ReportHtml, SessionForm::Figures,
+                            SessionForm::Csv,       SessionForm::Nexus,      SessionForm::Vtk};
 
 } // namespace
 
@@ -66,7 +72,6 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     layout->addWidget(m_splitter);
     for (QPushButton* button : {m_open, m_openEmpty})
         connect(button, &QPushButton::clicked, this, &ReviewPage::openRequested);
-    connect(m_export, &QPushButton::clicked, this, &ReviewPage::exportRequested);
     connect(m_useIdentified, &QPushButton::clicked, this, &ReviewPage::useIdentifiedRequested);
     connect(m_metrics, &MetricsPanel::detailsRequested, this, &ReviewPage::definitionsRequested);
     connect(m_events, &EventList::timeChosen, m_replay, &ReplayView::seek);
@@ -111,6 +116,10 @@ QWidget* ReviewPage::buildHeader(QWidget* parent) {
     m_open->setObjectName("openSession");
     m_export = new QPushButton(header);
     m_export->setObjectName("exportSession");
+    auto* forms = new QMenu(m_export);
+    for (const SessionForm form : kForms)
+        forms->addAction(QString(), this, [this, form] { emit exportRequested(form); });
+    m_export->setMenu(forms);
     auto* title = new QHBoxLayout;
     title->setSpacing(10);
     title->addWidget(m_file);
@@ -345,8 +354,13 @@ void ReviewPage::refreshTexts() {
     m_emptyText->setPalette(captionPalette(palette()));
     for (QPushButton* button : {m_open, m_openEmpty})
         button->setText(tr("&Open session\u2026"));
-    m_export->setText(tr("&Export CSV\u2026"));
-    m_export->setToolTip(tr("Write one CSV file per table, units in the headers"));
+    m_export->setText(tr("E&xport"));
+    m_export->setToolTip(tr("Write this session as a report, as figures or for other programs"));
+    const std::array<QString, kForms.size()> forms{
+        tr("Report (&PDF)\u2026"), tr("Report (&HTML)\u2026"), tr("&Figures (PNG, SVG, PDF)\u2026"),
+        tr("Tables (&CSV)\u2026"), tr("&NeXus (HDF5)\u2026"),  tr("&VTK, for ParaView\u2026")};
+    for (std::size_t k = 0; k < forms.size(); ++k)
+        m_export->menu()->actions()[static_cast<qsizetype>(k)]->setText(forms[k]);
     const QString details[] = {tr("Events and notes"), tr("Metrics"), tr("Final values"), tr("Heat rates"),
                                tr("About the recording")};
     for (int i = 0; i < m_detail->count(); ++i)

@@ -4,6 +4,7 @@
 
 #include "engine/base/units.h"
 #include "engine/session/session_file.h"
+#include "widgets/review/session_form.h"
 
 #include <QWidget>
 
@@ -52,7 +53,7 @@ public:
 
 signals:
     void openRequested();
-    void exportRequested();
+    void exportRequested(bask::SessionForm form);
     /// The identified rates shall be start values of the open experiment.
     void useIdentifiedRequested();
     /// The metrics' definitions are wanted.

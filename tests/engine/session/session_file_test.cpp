@@ -141,7 +141,7 @@ TEST_F(SessionFile, OneWithoutTheSourcesPoseHasItAsInTheExperiment) {
     ASSERT_EQ(record->samples.size(), 3u);
     for (const TraceSample& sample : record->samples)
         EXPECT_LT((sample.source - experiment.source.pose).cwiseAbs().maxCoeff(), 1e-15);
-    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 11u);
+    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 12u);
 }
 
 // The columns are a promise to scripts.
@@ -352,6 +352,34 @@ TEST_F(SessionFile, IsReadThroughALinkAndWithOddNames) {
     EXPECT_EQ(readSession(file("link.bask"))->samples.size(), 4u);
 }
 
+// Catches: a column under another's header, a number that lost digits.
+TEST_F(SessionFile, ExportsTheTracesSideBySideWithUnits) {
+    const std::string path = recorded("run.bask", 12);
+    ASSERT_TRUE(exportSessionCsv(path, file("csv")));
+    std::istringstream traces(contents(qfile("csv/traces.csv")));
+    std::string header, line;
+    std::getline(traces, header);
+    EXPECT_EQ(header.substr(0, 30), "time (s),source (degC),x (m),y");
+    EXPECT_NE(header.find("\"left, the measured (degC)\""), std::string::npos) << header;
+    EXPECT_TRUE(header.ends_with(",right true (degC)")) << header;
+    for (int k = 0; k < 12; ++k)
+        ASSERT_TRUE(std::getline(traces, line)) << k;
+    const TraceSample expected = madeUpSample(twoDisks(), 11);
+    std::vector<std::string> fields;
+    std::istringstream row(line);
+    for (std::string field; std::getline(row, field, ',');)
+        fields.push_back(field);
+    ASSERT_EQ(fields.size(), 8u + 2u * 8u);
+    EXPECT_EQ(std::stod(fields[0]), expected.time_s);
+    EXPECT_DOUBLE_EQ(std::stod(fields[1]), expected.source_K - 273.15);
+    EXPECT_NEAR(std::stod(fields[7]), expected.coordinates[kThetaZ], 1e-12);
+    EXPECT_DOUBLE_EQ(std::stod(fields[16]), expected.objects[1].measured_K - 273.15);
+    EXPECT_DOUBLE_EQ(std::stod(fields[19]), expected.objects[1].measured_K - expected.objects[1].target_K);
+    EXPECT_EQ(std::stod(fields[21]), expected.objects[1].viewFactor);
+    EXPECT_EQ(fields[22], expected.objects[1].valid ? "1" : "0");
+    EXPECT_DOUBLE_EQ(std::stod(fields[23]), expected.objects[1].true_K - 273.15);
+}
+
 TEST_F(SessionFile, ExportsOneCsvPerTable) {
     const std::string path = file("run.bask");
     {
@@ -363,7 +391,7 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     const std::string folder = file("deep/csv");
     const auto files = exportSessionCsv(path, folder);
     ASSERT_TRUE(files) << describe(files.error());
-    EXPECT_EQ(files->size(), 12u);
+    EXPECT_EQ(files->size(), 13u);
     ASSERT_TRUE(exportSessionCsv(path, folder)) << "existing files are replaced";
 
     std::istringstream sample(contents(qfile("deep/csv/sample.csv")));

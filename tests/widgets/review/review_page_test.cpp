@@ -16,6 +16,7 @@
 #include <QComboBox>
 #include <QElapsedTimer>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QSlider>
@@ -243,9 +244,17 @@ TEST_F(ReviewPageTest, EmptyRunAndButtons) {
     QSignalSpy open(&page, &ReviewPage::openRequested);
     QSignalSpy save(&page, &ReviewPage::exportRequested);
     QTest::mouseClick(child<QPushButton>("openSession"), Qt::LeftButton);
-    QTest::mouseClick(child<QPushButton>("exportSession"), Qt::LeftButton);
+    const QList<QAction*> forms = child<QPushButton>("exportSession")->menu()->actions();
+    ASSERT_EQ(forms.size(), 6);
+    for (QAction* form : forms)
+        form->trigger();
     EXPECT_EQ(open.count(), 1);
-    EXPECT_EQ(save.count(), 1);
+    QList<SessionForm> asked;
+    for (const QList<QVariant>& call : save)
+        asked << call.first().value<SessionForm>();
+    EXPECT_EQ(asked,
+              (QList<SessionForm>{SessionForm::ReportPdf, SessionForm::ReportHtml, SessionForm::Figures,
+                                  SessionForm::Csv, SessionForm::Nexus, SessionForm::Vtk}));
     page.clear();
     EXPECT_TRUE(child<QPushButton>("openSessionEmpty")->isVisible());
 }

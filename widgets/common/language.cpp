@@ -1,4 +1,4 @@
-#include "app/language.h"
+#include "widgets/common/language.h"
 
 #include <QApplication>
 #include <QFont>

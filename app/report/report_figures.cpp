@@ -1,0 +1,203 @@
+#include "app/report/report_figures.h"
+
+#include "engine/base/message_code.h"
+#include "widgets/common/display.h"
+#include "widgets/plots/figure_paths.h"
+#include "widgets/plots/figure_traces.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <algorithm>
+#include <cmath>
+
+namespace bask {
+namespace {
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
+};
+
+constexpr double kErrorsWithin_K = 5.0;       // the errors' axis; the way there is in the temperatures
+constexpr double kLabelRoom = 0.022;          // of the time axis
+constexpr std::size_t kMostPathPoints = 4000; // of an object in the figure of trajectories
+
+bool isMarked(MessageCode code) {
+    switch (code) {
+    case MessageCode::EventHeld:
+    case MessageCode::EventResumed:
+    case MessageCode::EventSettled:
+    case MessageCode::EventStopped:
+    case MessageCode::EventEmergencyStop:
+    case MessageCode::EventTargetsChanged:
+    case MessageCode::EventGainsChanged:
+        return true;
+    default:
+        return alarmPriority(code) > 0;
+    }
+}
+
+double temperature_K(const ObjectSample& object) {
+    return std::isfinite(object.estimated_K) ? object.estimated_K : object.measured_K;
+}
+
+} // namespace
+
+std::vector<int> markedEvents(const std::vector<TraceEvent>& events) {
+    std::vector<int> numbers;
+    int count = 0;
+    for (const TraceEvent& event : events)
+        numbers.push_back(count < kMostMarked && isMarked(event.message.code) ? ++count : 0);
+    return numbers;
+}
+
+const char* runFigureStem(RunFigure figure) {
+    switch (figure) {
+    case RunFigure::Temperatures:
+        return "temperatures";
+    case RunFigure::Errors:
+        return "errors";
+    case RunFigure::Speed:
+        return "speed";
+    case RunFigure::ViewFactors:
+        return "view_factors";
+    case RunFigure::Trajectories:
+        return "trajectory";
+    }
+    return "";
+}
+
+QString runFigureCaption(RunFigure figure, const SessionRecord& session, TemperatureUnit unit) {
+    switch (figure) {
+    case RunFigure::Temperatures:
+        return Words::tr(
+                   "Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid "
+                   "reading. The numbers at dotted lines are those of the table of events.")
+            .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, unit).mid(1));
+    case RunFigure::Errors:
+        return Words::tr("Measured temperature minus target, within %1; grey: the band.")
+            .arg(QStringLiteral("\u00b1") + formatDifference(kErrorsWithin_K, unit, 0).mid(1));
+    case RunFigure::Speed:
+        return Words::tr(
+                   "Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 \u00b0/s.")
+            .arg(QLocale().toString(1e3 * session.experiment.robot.maxSpeed_m_s, 'g', 3),
+                 QLocale().toString(degFromRad(session.experiment.robot.maxRotation_rad_s), 'g', 3));
+    case RunFigure::ViewFactors:
+        return Words::tr("View factor of the source from each object.");
+    case RunFigure::Trajectories:
+        return Words::tr(
+            "Trajectories of the objects' centres over the source until Stop, from the ring to the dot, "
+            "coloured by temperature; black: the source.");
+    }
+    return {};
+}
+
+struct RunFigures::Impl {
+    const SessionRecord& session;
+    TemperatureUnit unit;
+    TraceColumns columns;
+    QStringList names;
+    QList<FigureMoment> moments;
+    QString note;
+
+    QByteArray traces(const QString& title, Quantity quantity, FigureFormat format) const {
+        TraceFigure figure;
+        figure.title = title;
+        figure.note = note;
+        figure.quantity = quantity;
+        figure.names = names;
+        figure.unit = unit;
+        figure.limits = {session.experiment.robot.maxSpeed_m_s, session.experiment.robot.maxRotation_rad_s};
+        figure.moments = moments;
+        figure.size_px = QSize(kFigureWidth_px, quantity == Quantity::Temperature ? 780 : 650);
+        if (quantity == Quantity::Error) {
+            const double most = displayDifference(kErrorsWithin_K, unit);
+            figure.yRange = FigureRange{-most, most};
+        }
+        return traceFigure(figure, columns, format, kRunFigureMark);
+    }
+
+    FigurePath path(const std::vector<TraceSample>& samples, std::size_t i) const {
+        const Pose X_EO = poseFromCoordinates(session.experiment.objects[i].mounting);
+        FigurePath path{names.value(static_cast<qsizetype>(i)), {}};
+        const std::size_t step = std::max<std::size_t>(1, samples.size() / kMostPathPoints);
+        for (std::size_t k = 0; k < samples.size(); k += step) {
+            const TraceSample& s = samples[k];
+            const Pose X_SO =
+                poseFromCoordinates(s.source).inverse() * poseFromCoordinates(s.coordinates) * X_EO;
+            const Eigen::Vector3d p_cm = 100.0 * X_SO.translation();
+            const double T_K = temperature_K(s.objects[i]);
+            if (p_cm.allFinite() && std::isfinite(T_K))
+                path.points << PathPoint{p_cm.x(), p_cm.y(), p_cm.z(), displayTemperature(T_K, unit)};
+        }
+        return path;
+    }
+
+    QByteArray trajectories(FigureFormat format) const {
+        PathsFigure figure;
+        figure.title = Words::tr("Trajectories of the objects");
+        figure.note = note;
+        figure.above = Words::tr("seen along \u2212z of the source");
+        figure.aside = Words::tr("seen along x of the source");
+        figure.temperature = Words::tr("Temperature (%1)").arg(temperatureUnitSymbol(unit));
+        double coldest = 1e300, hottest = -1e300;
+        const std::vector<TraceSample> samples = session.controlledSamples();
+        for (std::size_t i = 0; i < session.experiment.objects.size(); ++i) {
+            figure.paths << path(samples, i);
+            for (const PathPoint& point : figure.paths.back().points) {
+                coldest = std::min(coldest, point.temperature_degC);
+                hottest = std::max(hottest, point.temperature_degC);
+            }
+        }
+        if (coldest <= hottest) {
+            figure.coldest_degC = std::floor(coldest);
+            figure.hottest_degC = std::max(std::ceil(hottest), std::floor(coldest) + 1.0);
+        }
+        for (const Eigen::Vector2d& point : shapeOutline(session.experiment.source.shape, 120))
+            figure.source_cm << QPointF(100.0 * point.x(), 100.0 * point.y());
+        return pathsPicture(figure, format, kRunFigureMark);
+    }
+};
+
+RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
+    : m_impl(new Impl{session, unit, {}, {}, {}, {}}) {
+    for (const ObjectSpec& object : session.experiment.objects)
+        m_impl->names << QString::fromStdString(object.name);
+    m_impl->columns.reset(session.experiment.objects.size());
+    m_impl->columns.append(session.samples);
+    const std::vector<int> numbers = markedEvents(session.events);
+    double labelled_s = -1e300; // numbers that would overlap are left out, lines are not
+    for (std::size_t k = 0; k < numbers.size(); ++k) {
+        if (numbers[k] == 0)
+            continue;
+        const double time_s = session.events[k].time_s;
+        const bool hasRoom = time_s - labelled_s > kLabelRoom * m_impl->columns.lastTime_s();
+        m_impl->moments << FigureMoment{time_s, hasRoom ? QString::number(numbers[k]) : QString()};
+        labelled_s = hasRoom ? time_s : labelled_s;
+    }
+    m_impl->note = QString::fromStdString(session.experiment.title);
+    if (session.simulated)
+        m_impl->note = (QStringList(Words::tr("SIMULATED")) << m_impl->note).join(QStringLiteral(" \u00b7 "));
+    if (session.samples.empty())
+        m_impl->note += QStringLiteral(" \u00b7 ") + Words::tr("no samples were recorded");
+}
+
+RunFigures::~RunFigures() = default;
+
+QByteArray RunFigures::draw(RunFigure figure, FigureFormat format) const {
+    switch (figure) {
+    case RunFigure::Temperatures:
+        return m_impl->traces(Words::tr("Temperatures"), Quantity::Temperature, format);
+    case RunFigure::Errors:
+        return m_impl->traces(Words::tr("Errors"), Quantity::Error, format);
+    case RunFigure::Speed:
+        return m_impl->traces(Words::tr("Commanded speed"), Quantity::Speed, format);
+    case RunFigure::ViewFactors:
+        return m_impl->traces(Words::tr("View factors"), Quantity::ViewFactor, format);
+    case RunFigure::Trajectories:
+        return m_impl->trajectories(format);
+    }
+    return {};
+}
+
+} // namespace bask

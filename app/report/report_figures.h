@@ -1,0 +1,52 @@
+#pragma once
+// The figures of a recorded run: temperatures, errors, speed, view factors, trajectories.
+
+#include "engine/base/units.h"
+#include "engine/session/session_file.h"
+#include "widgets/plots/figure_format.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace bask {
+
+enum class RunFigure { Temperatures, Errors, Speed, ViewFactors, Trajectories };
+inline constexpr std::array kRunFigures{RunFigure::Temperatures, RunFigure::Errors, RunFigure::Speed,
+                                        RunFigure::ViewFactors, RunFigure::Trajectories};
+
+/// "temperatures": a file's name without its ending, the same in every language.
+const char* runFigureStem(RunFigure figure);
+/// What is to be seen, in a sentence or two.
+QString runFigureCaption(RunFigure figure, const SessionRecord& session, TemperatureUnit unit);
+
+/// What every figure file holds as its description, so that an export replaces its own files and no others.
+inline const QString kRunFigureMark = QStringLiteral("Bask figure of a run");
+
+/// Draws figures of one record in the window's language; numbers at dotted lines are those of the record's
+/// events that are marked. Needs a QApplication and its thread, no display.
+class RunFigures {
+public:
+    RunFigures(const SessionRecord& session, TemperatureUnit unit);
+    ~RunFigures();
+
+    /// Without samples: empty axes.
+    QByteArray draw(RunFigure figure, FigureFormat format) const;
+
+    RunFigures(const RunFigures&) = delete;
+    RunFigures& operator=(const RunFigures&) = delete;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+/// Number of an event in figures and tables, from 1; 0: it is not marked. All alarms, holds, changes and the
+/// end, the first kMostMarked of them.
+std::vector<int> markedEvents(const std::vector<TraceEvent>& events);
+inline constexpr int kMostMarked = 30;
+
+} // namespace bask

@@ -1,0 +1,173 @@
+#include "app/report/report_record.h"
+
+#include "app/report/html_text.h"
+#include "app/report/report_figures.h"
+#include "engine/base/message_code.h"
+#include "engine/exchange/vtk_version.h"
+#include "widgets/common/display.h"
+#include "widgets/common/metric_words.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QLocale>
+#include <QSysInfo>
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+using html::facts;
+using html::heading;
+using html::paragraph;
+using html::subheading;
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
+};
+
+/// A line of the table of events.
+struct Line {
+    double time_s = 0.0;
+    int number = 0; ///< in the figures
+    QString kind, text;
+};
+
+QString kindOf(MessageCode code) {
+    const int priority = alarmPriority(code);
+    return priority == 0 ? Words::tr("event") : Words::tr("alarm, priority %1").arg(priority);
+}
+
+QString time(double time_s) {
+    return QLocale().toString(time_s, 'f', 1);
+}
+
+std::vector<Line> linesOf(const SessionRecord& session) {
+    std::vector<Line> lines;
+    for (const CommandRow& command : session.commands) // before what came of them in the same step
+        lines.push_back(
+            {command.time_s, 0, Words::tr("command"),
+             QString::fromStdString(command.name + (command.value.empty() ? "" : " " + command.value))});
+    const std::vector<int> numbers = markedEvents(session.events);
+    for (std::size_t k = 0; k < session.events.size(); ++k) {
+        const TraceEvent& event = session.events[k];
+        lines.push_back({event.time_s, numbers[k], kindOf(event.message.code), sentenceText(event.message)});
+    }
+    for (const TraceNote& note : session.notes)
+        lines.push_back({note.time_s, 0, Words::tr("note"), QString::fromStdString(note.text)});
+    std::ranges::stable_sort(lines, {}, &Line::time_s);
+    return lines;
+}
+
+int alarmCount(const SessionRecord& session) {
+    return static_cast<int>(std::ranges::count_if(
+        session.events, [](const TraceEvent& event) { return alarmPriority(event.message.code) > 0; }));
+}
+
+} // namespace
+
+QString outcomeWords(const SessionRecord& session) {
+    if (session.interrupted())
+        return Words::tr(
+            "Interrupted: the recording ended without a Stop. What had been written is reported.");
+    if (session.outcome == "settled")
+        return Words::tr("All objects settled.");
+    if (session.outcome == "not-settled")
+        return Words::tr("Not all objects settled.");
+    if (session.outcome == "stopped")
+        return Words::tr("Stopped by the operator.");
+    if (session.outcome == "fault")
+        return Words::tr("Ended by a fault.");
+    return QString::fromStdString(session.outcome);
+}
+
+QString summarySection(const RunReportInput& input) {
+    const SessionRecord& session = input.session;
+    const QDateTime created = QDateTime::fromString(QString::fromStdString(session.created), Qt::ISODate);
+    const RunMetrics metrics = runMetrics(session);
+    const QString alarms = Words::tr("%n alarm(s)", nullptr, alarmCount(session));
+    QString text = facts(
+        {{Words::tr("Outcome"), outcomeWords(session)},
+         {Words::tr("Recorded"),
+          created.isValid() ? QLocale().toString(created.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
+                                  QStringLiteral(" UTC")
+                            : Words::tr("date not known")},
+         {Words::tr("Control from Start until Stop"),
+          Words::tr("%1 (min:s), %n sample(s)", nullptr, static_cast<int>(metrics.samples))
+              .arg(formatDuration(metrics.duration_s))},
+         {Words::tr("Controller"), controllerWord(session.experiment.controller.kind)},
+         {Words::tr("Alarms"), session.events.empty() ? Words::tr("no event was recorded") : alarms},
+         {Words::tr("Session file"), QFileInfo(QString::fromStdString(session.path)).fileName()}});
+    if (session.samples.empty())
+        text += paragraph(
+            Words::tr("No samples were recorded: there are no traces, trajectories and metrics."), "warning");
+    return text;
+}
+
+QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
+    const RunMetrics metrics = runMetrics(session);
+    QString text = heading(Words::tr("Metrics"));
+    QStringList header{Words::tr("Object")};
+    QList<int> numbers;
+    QList<std::pair<QString, QString>> definitions;
+    for (const ObjectMetric metric : kObjectMetrics) {
+        header << metricName(metric);
+        numbers << static_cast<int>(header.size()) - 1;
+        definitions << std::pair(metricName(metric), metricDefinition(metric, metrics.band_K, unit));
+    }
+    html::Table table(header, numbers);
+    for (std::size_t i = 0; i < metrics.objects.size(); ++i) {
+        QStringList cells{QString::fromStdString(session.experiment.objects[i].name)};
+        for (const ObjectMetric metric : kObjectMetrics)
+            cells << metricText(metric, metrics, i, unit);
+        table.add(cells);
+    }
+    QList<std::pair<QString, QString>> run;
+    for (const RunMetric metric : kRunMetrics) {
+        run << std::pair(metricName(metric), metricText(metric, metrics));
+        definitions << std::pair(metricName(metric), metricDefinition(metric));
+    }
+    return text + table.text() + facts(run) + subheading(Words::tr("Definitions")) + facts(definitions);
+}
+
+QString eventsSection(const SessionRecord& session) {
+    QString text = heading(Words::tr("Alarms, events, notes and commands"));
+    const std::vector<Line> lines = linesOf(session);
+    if (lines.empty())
+        return text + paragraph(Words::tr("None was recorded."));
+    html::Table table({Words::tr("No."), Words::tr("Time (s)"), Words::tr("Kind"), Words::tr("What")},
+                      {0, 1});
+    for (std::size_t k = 0; k < lines.size() && k < kMostReportRows; ++k)
+        table.add({lines[k].number > 0 ? QString::number(lines[k].number) : QString(), time(lines[k].time_s),
+                   lines[k].kind, lines[k].text});
+    text += table.text();
+    if (const auto more = static_cast<int>(lines.size()) - kMostReportRows; more > 0)
+        text += paragraph(Words::tr("%n more row(s) are in the session file; bask export --csv lists them.",
+                                    nullptr, more));
+    return text;
+}
+
+QString originSection(const RunReportInput& input) {
+    const SessionRecord& session = input.session;
+    return heading(Words::tr("Origin")) +
+           facts({{Words::tr("Recorded by"), session.software.empty()
+                                                 ? Words::tr("not known")
+                                                 : QString::fromStdString(session.software)},
+                  {Words::tr("Report made by"),
+                   QStringLiteral("Bask %1, Qt %2, VTK %3, %4")
+                       .arg(QStringLiteral(BASK_VERSION), QString::fromLatin1(qVersion()),
+                            QString::fromStdString(versionOfVtk()), QSysInfo::prettyProductName())},
+                  {Words::tr("Report made at"),
+                   QLocale().toString(input.now.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
+                       QStringLiteral(" UTC")},
+                  {Words::tr("Session file"), QString::fromStdString(session.path)},
+                  {Words::tr("Size of the session file"),
+                   Words::tr("%1 bytes").arg(QLocale().toString(input.fileBytes))},
+                  {QStringLiteral("SHA-256"),
+                   input.sha256.isEmpty() ? Words::tr("not known") : input.sha256}}) +
+           (session.interrupted()
+                ? paragraph(Words::tr("The checksum is of the file without the log beside it."), "quiet")
+                : QString());
+}
+
+} // namespace bask

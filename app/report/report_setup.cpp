@@ -1,0 +1,268 @@
+#include "app/report/report_setup.h"
+
+#include "app/report/html_text.h"
+#include "engine/base/message_code.h"
+#include "widgets/common/display.h"
+#include "widgets/rig/device_words.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QLocale>
+
+#include <cmath>
+
+namespace bask {
+namespace {
+
+using html::facts;
+using html::heading;
+using html::paragraph;
+using html::subheading;
+using Facts = QList<std::pair<QString, QString>>;
+
+struct Words {
+    Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
+};
+
+QString number(double value, int digits = 4) {
+    return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : Words::tr("not known");
+}
+
+QString axis(int coordinate) {
+    static const QStringList kNames{"x", "y", "z", "\u03b8x", "\u03b8y", "\u03b8z"};
+    return kNames[coordinate];
+}
+
+QString coordinate(int k, double value) {
+    return k < kThetaX ? QStringLiteral("%1\u00a0%2\u00a0cm").arg(axis(k), formatSigned(100.0 * value, 2))
+                       : QStringLiteral("%1\u00a0%2\u00b0").arg(axis(k), formatSigned(degFromRad(value), 2));
+}
+
+QString poseWords(const Vector6d& pose) {
+    QStringList parts;
+    for (int k = 0; k < 6; ++k)
+        if (k < 3 || std::abs(pose[k]) > 1e-6)
+            parts << coordinate(k, pose[k]);
+    return parts.join(QStringLiteral(", "));
+}
+
+QString shapeWords(const Shape& shape) {
+    QString words;
+    if (const auto* disk = outlineAs<Disk>(shape))
+        words = Words::tr("disk, radius %1 mm").arg(number(1e3 * disk->radius_m));
+    else if (outlineAs<FourierContour>(shape) != nullptr)
+        words = Words::tr("Fourier contour, radius %1 mm").arg(number(1e3 * shapeRadius(shape)));
+    else
+        words = Words::tr("polygon, radius %1 mm").arg(number(1e3 * shapeRadius(shape)));
+    if (const auto holes = static_cast<int>(holesOf(shape).size()); holes > 0)
+        words += QStringLiteral(", ") + Words::tr("%n hole(s)", nullptr, holes);
+    return words;
+}
+
+QString area(const Shape& shape) {
+    return number(1e4 * shapeArea(shape), 4) + QStringLiteral("\u00a0cm\u00b2");
+}
+
+QString date(const std::string& iso) {
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(iso), Qt::ISODate);
+    return time.isValid()
+               ? QLocale().toString(time.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm")) + QStringLiteral(" UTC")
+               : Words::tr("date not known");
+}
+
+Facts rigFacts(const SessionRecord& session) {
+    const Experiment& e = session.experiment;
+    if (session.simulated || !e.rig)
+        return {{Words::tr("Rig"), session.simulated ? Words::tr("simulated, seed %1").arg(e.simulation.seed)
+                                                     : Words::tr("not known")}};
+    Facts rows{{Words::tr("Rig"),
+                e.rig->name.empty() ? Words::tr("without a name") : QString::fromStdString(e.rig->name)}};
+    for (const DeviceRole role : kDeviceRoles)
+        rows << std::pair(
+            roleWord(role),
+            hasDevice(*e.rig, role)
+                ? (QStringList(driverText(*e.rig, role)) << portText(*e.rig, role)).join(QStringLiteral("  "))
+                : Words::tr("none"));
+    return rows;
+}
+
+Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
+    const SourceSpec& source = session.experiment.source;
+    return {{Words::tr("Heat source"), shapeWords(source.shape) + QStringLiteral(", ") + area(source.shape)},
+            {Words::tr("Set temperature"),
+             formatTemperature(source.temperature_K, unit) +
+                 (source.temperatureProfile.empty() ? QString()
+                                                    : Words::tr(", changing by a profile during the run"))},
+            {Words::tr("Emittance of the source"), number(source.emittance)},
+            {Words::tr("Model of the source"), source.model == SourceModel::Gray
+                                                   ? Words::tr("grey, with reflection")
+                                                   : Words::tr("as in the paper, without reflection")},
+            {Words::tr("Pose of the source in the robot's base"),
+             poseWords(source.pose) + (source.tracked ? Words::tr(", tracked during the run") : QString())},
+            {Words::tr("Surroundings"), formatTemperature(session.experiment.environment_K, unit)}};
+}
+
+Facts robotFacts(const Experiment& e) {
+    QStringList free, bounds;
+    for (int k = 0; k < 6; ++k) {
+        if (!e.robot.free[static_cast<std::size_t>(k)])
+            continue;
+        free << axis(k);
+        bounds << Words::tr("%1 to %2")
+                      .arg(coordinate(k, e.robot.lower[k]),
+                           coordinate(k, e.robot.upper[k]).section(u'\u00a0', 1));
+    }
+    QString speed =
+        Words::tr("%1 mm/s and %2 \u00b0/s")
+            .arg(number(1e3 * e.robot.maxSpeed_m_s), number(degFromRad(e.robot.maxRotation_rad_s)));
+    return {{Words::tr("Free axes"), free.join(QStringLiteral(", "))},
+            {Words::tr("Workspace"), bounds.join(QStringLiteral("; "))},
+            {Words::tr("Speed limits"), speed},
+            {Words::tr("Clearance to the source's plane"), formatLength_mm(e.robot.clearance_m)},
+            {Words::tr("Start pose"), poseWords(e.start)}};
+}
+
+Facts controllerFacts(const Experiment& e) {
+    const ControllerSettings& c = e.controller;
+    QString gains;
+    switch (c.kind) {
+    case ControllerKind::LevelServo:
+        gains = Words::tr("time constant %1 s, integral time %2 s")
+                    .arg(number(c.levelServo.timeConstant_s), number(c.levelServo.integralTime_s));
+        break;
+    case ControllerKind::ModelBased:
+        gains = QStringLiteral("D = %1 1/s, K = %2 1/s\u00b2")
+                    .arg(number(c.modelBased.D), number(c.modelBased.K));
+        break;
+    case ControllerKind::Adaptive:
+        gains = QStringLiteral("\u03bc = %1 1/s, K = %2 1/s, \u03b3\u2081 = %3, \u03b3\u2082 = %4")
+                    .arg(number(c.adaptive.mu), number(c.adaptive.K), number(c.adaptive.gamma1),
+                         number(c.adaptive.gamma2));
+        break;
+    }
+    return {{Words::tr("Controller"), controllerWord(c.kind)},
+            {Words::tr("Gains at the start"), gains},
+            {Words::tr("Sampling"), Words::tr("every %1 s").arg(number(e.sampling.period_s))}};
+}
+
+QString objectTables(const Experiment& e, TemperatureUnit unit) {
+    html::Table bodies({Words::tr("Object"), Words::tr("Outline"), Words::tr("Area"),
+                        Words::tr("Place on the end-effector"), Words::tr("Target at the start"),
+                        Words::tr("Warning, trip")},
+                       {2, 4, 5});
+    html::Table materials({Words::tr("Object"), Words::tr("Material"), Words::tr("Emittance"),
+                           Words::tr("Absorptance"), Words::tr("Thickness"),
+                           Words::tr("Areal heat capacity")},
+                          {2, 3, 4, 5});
+    for (const ObjectSpec& object : e.objects) {
+        const QString name = QString::fromStdString(object.name);
+        bodies.add({name, shapeWords(object.shape), area(object.shape), poseWords(object.mounting),
+                    formatTemperature(object.target_K, unit),
+                    formatTemperatureNumber(warningLimit_K(e, object), unit, 0) + QStringLiteral(", ") +
+                        formatTemperature(tripLimit_K(e, object), unit, 0)});
+        materials.add(
+            {name,
+             object.material.name.empty() ? Words::tr("without a name")
+                                          : QString::fromStdString(object.material.name),
+             number(object.material.emittance), number(object.material.absorptance),
+             formatLength_mm(object.material.thickness_m, 2),
+             number(object.material.arealHeatCapacity_J_m2K()) + QStringLiteral("\u00a0J/(m\u00b2\u00a0K)")});
+    }
+    return bodies.text() + materials.text();
+}
+
+QString verdictWords(const TargetVerdict& verdict) {
+    if (verdict.verdict == FeasibilityVerdict::TooHot)
+        return Words::tr("too hot");
+    if (verdict.verdict == FeasibilityVerdict::TooCold)
+        return Words::tr("too cold");
+    return Words::tr("within the range");
+}
+
+QString cameraFact(const CameraModel& camera) {
+    const QString size = QString::fromStdString(pixelsText(camera.width, camera.height));
+    const QString rms =
+        camera.rms_px ? Words::tr("%1 px rms").arg(number(*camera.rms_px, 2)) : Words::tr("error not known");
+    return Words::tr("%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)", nullptr,
+                     static_cast<int>(camera.views.size()))
+        .arg(size, number(camera.fx, 5), number(camera.fy, 5), rms);
+}
+
+} // namespace
+
+QString setupSection(const SessionRecord& session, TemperatureUnit unit) {
+    return heading(Words::tr("Set-up")) +
+           facts(rigFacts(session) + sourceFacts(session, unit) + robotFacts(session.experiment) +
+                 controllerFacts(session.experiment)) +
+           subheading(Words::tr("Objects")) + objectTables(session.experiment, unit);
+}
+
+std::vector<double> lastTargets_K(const SessionRecord& session) {
+    std::vector<double> targets_K;
+    for (const ObjectSpec& object : session.experiment.objects)
+        targets_K.push_back(object.target_K);
+    if (const auto samples = session.controlledSamples(); !samples.empty())
+        for (std::size_t i = 0; i < targets_K.size(); ++i)
+            if (std::isfinite(samples.back().objects[i].target_K))
+                targets_K[i] = samples.back().objects[i].target_K;
+    return targets_K;
+}
+
+QString feasibilitySection(const SessionRecord& session, const std::vector<double>& targets_K,
+                           const std::optional<JointVerdict>& verdict, TemperatureUnit unit) {
+    QString text = heading(Words::tr("Feasibility of the targets"));
+    if (!verdict)
+        return text + paragraph(Words::tr("It was not computed."));
+    if (!verdict->anyPose)
+        return text + paragraph(Words::tr("No pose keeps the workspace and the clearance."));
+    if (verdict->feasible)
+        text += paragraph(
+            Words::tr("All targets can be held together, by the materials as given, at %1; margin %2 to the "
+                      "nearest limit.")
+                .arg(poseWords(verdict->pose), formatLength_mm(verdict->margin.distance_m)));
+    else
+        text += paragraph(Words::tr("The targets cannot be held together, by the materials as given: %1.")
+                              .arg(messageText(verdict->reason)),
+                          "warning");
+    html::Table table({Words::tr("Object"), Words::tr("Target"), Words::tr("By itself"),
+                       Words::tr("Range in the workspace"), Words::tr("View factor needed"),
+                       Words::tr("Steady, all together"), Words::tr("Nearest that can be held")},
+                      {1, 3, 4, 5, 6});
+    for (std::size_t i = 0; i < targets_K.size() && i < verdict->conditions1.size(); ++i) {
+        const TargetVerdict& own = verdict->conditions1[i];
+        table.add({QString::fromStdString(session.experiment.objects[i].name),
+                   formatTemperature(targets_K[i], unit), verdictWords(own),
+                   Words::tr("%1 to %2")
+                       .arg(formatTemperatureNumber(own.reachableMin_K, unit),
+                            formatTemperature(own.reachableMax_K, unit)),
+                   number(own.neededViewFactor, 3), formatTemperature(verdict->steady_K.at(i), unit),
+                   formatTemperature(verdict->nearest_K.at(i), unit)});
+    }
+    return text + table.text();
+}
+
+QString calibrationSection(const SessionRecord& session) {
+    const VisionSpec& vision = session.experiment.vision;
+    const bool isPoseMeasured = !vision.sourcePoseDate.empty();
+    QString text = heading(Words::tr("Calibration"));
+    if (!vision.camera && !vision.cameraPose && !isPoseMeasured)
+        return text + paragraph(Words::tr("The experiment has none: the pose of the source is as typed."));
+    Facts rows;
+    rows << std::pair(Words::tr("Camera"), vision.camera ? cameraFact(*vision.camera) + QStringLiteral(", ") +
+                                                               date(vision.cameraDate)
+                                                         : Words::tr("not calibrated"));
+    rows << std::pair(Words::tr("Pose of the camera in the robot's base"),
+                      vision.cameraPose
+                          ? poseWords(*vision.cameraPose) + QStringLiteral(", ") + date(vision.cameraPoseDate)
+                          : Words::tr("not calibrated"));
+    rows << std::pair(Words::tr("Pose of the source"),
+                      isPoseMeasured
+                          ? Words::tr("measured by the camera, %1").arg(date(vision.sourcePoseDate))
+                          : Words::tr("as typed"));
+    rows << std::pair(Words::tr("Markers"), Words::tr("%n marker(s) of dictionary %1", nullptr,
+                                                      static_cast<int>(vision.markers.size()))
+                                                .arg(QString::fromStdString(vision.dictionary)));
+    return text + facts(rows);
+}
+
+} // namespace bask

@@ -1,0 +1,73 @@
+#include "app/session_export.h"
+
+#include "app/error_text.h"
+#include "engine/export/nexus_file.h"
+#include "engine/export/session_vtk.h"
+
+#include <QFileInfo>
+#include <QGuiApplication>
+
+namespace bask {
+namespace {
+
+Result<std::vector<std::string>> written(SessionForm form, const std::string& session,
+                                         const std::string& folder, const std::stop_token& stop) {
+    if (form == SessionForm::Csv)
+        return exportSessionCsv(session, folder);
+    const auto record = readSession(session);
+    if (!record)
+        return record.error();
+    if (form == SessionForm::Vtk)
+        return exportVtk(*record, folder, stop);
+    const auto file = exportNexus(*record, folder);
+    return file ? Result<std::vector<std::string>>(std::vector{*file}) : file.error();
+}
+
+Result<std::vector<std::string>> drawn(SessionForm form, const RunReportInput& input, const std::string& to) {
+    if (form == SessionForm::Figures)
+        return exportFigures(input.session, to, input.unit);
+    const auto done = writeReport(input, to);
+    return done ? Result<std::vector<std::string>>(std::vector{to}) : done.error();
+}
+
+} // namespace
+
+bool SessionExport::isReport(SessionForm form) {
+    return form == SessionForm::ReportPdf || form == SessionForm::ReportHtml;
+}
+
+void SessionExport::start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
+                          const QString& language) {
+    const std::string from = session.toStdString();
+    if (!isDrawn(form))
+        return m_files[form].run(
+            [form, from, folder = to.toStdString()](const std::stop_token& stop) {
+                return written(form, from, folder, stop);
+            },
+            [this, to](const Files& files) { tell(files, to); });
+    m_inputs[form].run(
+        [from, unit]() -> Result<RunReportInput> {
+            auto record = readSession(from);
+            return record ? Result<RunReportInput>(reportInput(std::move(*record), unit)) : record.error();
+        },
+        [this, form, to, language](Result<RunReportInput> input) {
+            if (!input)
+                return tell(input.error(), to);
+            input->language = language;
+            QGuiApplication::setOverrideCursor(Qt::WaitCursor);
+            const Files files = drawn(form, *input, to.toStdString());
+            QGuiApplication::restoreOverrideCursor();
+            tell(files, to);
+        });
+}
+
+void SessionExport::tell(const Files& files, const QString& to) {
+    if (!files)
+        emit problem(sentence(files.error()));
+    else if (files->size() == 1)
+        emit told(tr("%1 written").arg(QFileInfo(QString::fromStdString(files->front())).fileName()));
+    else
+        emit told(tr("%n file(s) written to %1", nullptr, static_cast<int>(files->size())).arg(to));
+}
+
+} // namespace bask

@@ -1,0 +1,42 @@
+#pragma once
+// A recorded session written in another form from the window.
+
+#include "app/commands/session_outputs.h"
+#include "widgets/common/latest_job.h"
+#include "widgets/review/session_form.h"
+
+#include <QObject>
+
+#include <map>
+
+namespace bask {
+
+/// Reads and computes off the GUI thread; figures and reports are drawn on it, some seconds of a long run.
+class SessionExport : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    static bool isReport(SessionForm form);
+    /// Drawn on the GUI thread.
+    static bool isDrawn(SessionForm form) { return form == SessionForm::Figures || isReport(form); }
+
+    /// To a folder, or of a report to a file that ends in .html or .pdf. `language` is the window's.
+    /// Different forms may be on their way at the same time.
+    void start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
+               const QString& language);
+
+signals:
+    void problem(const QString& sentence);
+    void told(const QString& sentence);
+
+private:
+    using Files = Result<std::vector<std::string>>;
+    void tell(const Files& files, const QString& to);
+
+    std::map<SessionForm, LatestJob<Files>> m_files;
+    std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
+};
+
+} // namespace bask

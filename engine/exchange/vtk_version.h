@@ -1,0 +1,10 @@
+#pragma once
+// Which VTK writes the files.
+
+#include <string>
+
+namespace bask {
+
+std::string versionOfVtk(); ///< "9.1.0"
+
+} // namespace bask

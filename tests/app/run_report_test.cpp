@@ -1,0 +1,226 @@
+// Reports and figures of sessions, by the subcommands.
+
+#include "app/commands/command_line.h"
+#include "app/commands/session_outputs.h"
+#include "engine/base/message_code.h"
+#include "tests/engine/session/recording.h"
+#include "tests/support/captured_command.h"
+
+#include <gtest/gtest.h>
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFile>
+#include <QImage>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTextDocument>
+
+#include <cmath>
+#include <limits>
+
+namespace bask {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A warming to the targets in two minutes, on a simulated or a real rig.
+TraceSample warming(const Experiment& experiment, int k, bool simulated) {
+    TraceSample sample = testing::madeUpSample(experiment, k);
+    sample.time_s = 0.5 * k;
+    sample.coordinates << 0.03 * std::cos(0.02 * k), 0.03 * std::sin(0.02 * k), 0.1, 0.0, 0.0, 0.0;
+    sample.source.setZero();
+    for (ObjectSample& object : sample.objects) {
+        object.measured_K = object.target_K - 15.0 * std::exp(-sample.time_s / 20.0);
+        object.estimated_K = object.measured_K;
+        object.true_K = simulated ? object.measured_K + 0.01 : kNaN;
+        object.valid = k < 50 || k > 60;
+    }
+    return sample;
+}
+
+class RunReport : public ::testing::Test {
+protected:
+    QString path(const char* name) const { return m_folder.filePath(name); }
+
+    /// Records a session; without an outcome it is an interrupted one.
+    QString recorded(const Experiment& experiment, int samples, const std::string& outcome,
+                     bool simulated = true) const {
+        const QString file = path("run.bask");
+        QFile::remove(file);
+        auto writer = SessionWriter::create(file.toStdString(), experiment, simulated);
+        EXPECT_TRUE(writer);
+        EXPECT_TRUE((*writer)->add(TraceEvent{0.0, {MessageCode::EventStarted, {}}}));
+        for (int k = 0; k < samples; ++k)
+            EXPECT_TRUE((*writer)->add(warming(experiment, k, simulated)));
+        EXPECT_TRUE((*writer)->add(TraceEvent{30.0, {MessageCode::ReasonSensorInvalid, {"right"}}}));
+        EXPECT_TRUE((*writer)->add(TraceNote{31.0, "<script>alert(1)</script> noted"}));
+        if (!outcome.empty()) {
+            EXPECT_TRUE((*writer)->finish(outcome));
+        }
+        return file;
+    }
+
+    /// The report's text as it was written.
+    QByteArray report(const QString& session, const char* name = "report.html") const {
+        const auto done = test::captured(reportCommand, {session, "-o", path(name)});
+        EXPECT_EQ(done.code, kExitDone) << done.err;
+        QFile file(path(name));
+        EXPECT_TRUE(file.open(QIODevice::ReadOnly));
+        return file.readAll();
+    }
+
+    /// What a person reads of it.
+    static QString readable(const QByteArray& html) {
+        QTextDocument document;
+        document.setHtml(QString::fromUtf8(html));
+        return document.toPlainText().replace(QChar(0x00a0), u' ');
+    }
+
+    QTemporaryDir m_folder;
+};
+
+TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
+    const QString session = recorded(testing::twoDisks(), 240, "settled");
+    const QByteArray html = report(session);
+    const QString text = readable(html);
+    for (const char* section : {"two disks, \"quoted\", with a comma", "Metrics", "Definitions",
+                                "Traces and trajectories", "Set-up", "Feasibility of the targets",
+                                "Calibration", "Alarms, events, notes and commands", "Origin"})
+        EXPECT_TRUE(text.contains(section)) << section;
+    EXPECT_TRUE(text.contains("SIMULATED"));
+    EXPECT_TRUE(text.contains("All objects settled."));
+    EXPECT_TRUE(text.contains("The sensor of \"right\"")) << text.toStdString();
+    EXPECT_TRUE(text.contains("alarm, priority 1"));
+    EXPECT_TRUE(text.contains("40.0 °C"));
+    const double step_K = 15.0 - 0.01; // of the true temperature
+    const double rise_s = 20.0 * std::log((0.9 * step_K + 0.01) / (0.1 * step_K + 0.01));
+    EXPECT_TRUE(text.contains(QString::number(rise_s, 'f', 1) + " s")) << text.toStdString();
+    QFile file(session);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    const QByteArray sha = QCryptographicHash::hash(file.readAll(), QCryptographicHash::Sha256).toHex();
+    EXPECT_TRUE(text.contains(sha)) << "of the file as it lies there";
+    EXPECT_TRUE(text.contains(QString("Qt ") + qVersion()));
+}
+
+// Catches: a report that needs other files or the network, or that runs what somebody noted.
+TEST_F(RunReport, IsSelfContainedAndEscapesWhatWasTyped) {
+    const QByteArray html = report(recorded(testing::twoDisks(), 240, "settled"));
+    EXPECT_FALSE(html.contains("<script"));
+    EXPECT_TRUE(html.contains("&lt;script&gt;"));
+    int figures = 0;
+    auto sources = QRegularExpression("src=\"([^\"]*)\"").globalMatch(QString::fromUtf8(html));
+    while (sources.hasNext()) {
+        const QString source = sources.next().captured(1);
+        ASSERT_TRUE(source.startsWith("data:image/png;base64,")) << source.left(60).toStdString();
+        const QImage image = QImage::fromData(QByteArray::fromBase64(source.mid(22).toLatin1()));
+        EXPECT_GT(image.width(), 1000);
+        ++figures;
+    }
+    EXPECT_EQ(figures, 5);
+    EXPECT_FALSE(html.contains("href=") || html.contains("url("));
+}
+
+TEST_F(RunReport, APdfHasPages) {
+    const QByteArray pdf = report(recorded(testing::twoDisks(), 240, "settled"), "report.pdf");
+    EXPECT_TRUE(pdf.startsWith("%PDF"));
+    EXPECT_TRUE(pdf.trimmed().endsWith("%%EOF"));
+    const auto pages = QString::fromLatin1(pdf).count(QRegularExpression("/Type /Page\\b"));
+    EXPECT_GE(pages, 4);
+    EXPECT_LE(pages, 12);
+}
+
+TEST_F(RunReport, ARealRigIsNotCalledSimulated) {
+    const QString text = readable(report(recorded(testing::twoDisks(), 240, "stopped", false)));
+    EXPECT_FALSE(text.contains("SIMULATED"));
+    EXPECT_TRUE(text.contains("LIVE"));
+    EXPECT_TRUE(text.contains("Stopped by the operator."));
+}
+
+TEST_F(RunReport, SaysWhatAnInterruptedOrEmptyRunLacks) {
+    const QString interrupted = readable(report(recorded(testing::twoDisks(), 20, "")));
+    EXPECT_TRUE(interrupted.contains("Interrupted: the recording ended without a Stop."));
+    EXPECT_TRUE(interrupted.contains("not settled"));
+    const QString empty = readable(report(recorded(testing::twoDisks(), 0, "fault")));
+    EXPECT_TRUE(empty.contains("No samples were recorded"));
+    EXPECT_TRUE(empty.contains("Ended by a fault."));
+    EXPECT_FALSE(empty.contains("Traces and trajectories"));
+    EXPECT_TRUE(report(recorded(testing::twoDisks(), 1, "fault"), "one.pdf").startsWith("%PDF"));
+    EXPECT_TRUE(report(recorded(testing::twoDisks(), 0, ""), "none.pdf").startsWith("%PDF"));
+}
+
+TEST_F(RunReport, TellsTargetsThatCannotBeHeld) {
+    Experiment experiment = testing::twoDisks();
+    experiment.objects[0].target_K = 380.0;
+    const QString text = readable(report(recorded(experiment, 240, "not-settled")));
+    EXPECT_TRUE(text.contains("The targets cannot be held together")) << text.toStdString();
+    EXPECT_TRUE(text.contains("Not all objects settled."));
+}
+
+TEST_F(RunReport, CountsTheEventsThatItLeavesOut) {
+    SessionRecord session;
+    session.path = "run.bask";
+    session.experiment = testing::twoDisks();
+    for (int k = 0; k < 5000; ++k)
+        session.events.push_back({0.1 * k, {MessageCode::EventHeld, {}}});
+    const QString text = readable(runReportHtml(reportInput(session, TemperatureUnit::Celsius)));
+    EXPECT_TRUE(text.contains("4600 more row")) << text.toStdString();
+}
+
+TEST_F(RunReport, RefusesInWordsAndLeavesNothingBehind) {
+    const QString session = recorded(testing::twoDisks(), 5, "settled");
+    QFile mine(path("mine.html"));
+    ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("<html>my own</html>") > 0);
+    mine.close();
+    const auto before =
+        QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
+    for (const QStringList& arguments :
+         {QStringList{session}, QStringList{session, "-o", path("report.txt")},
+          QStringList{session, "-o", path("none/report.html")}, QStringList{session, "-o", path("mine.html")},
+          QStringList{path("none.bask"), "-o", path("report.html")},
+          QStringList{path("mine.html"), "-o", path("report.html")},
+          QStringList{session, "-o", path("report.html"), "--language", "xx"}}) {
+        const auto done = test::captured(reportCommand, arguments);
+        EXPECT_EQ(done.code, kExitBadInput) << arguments.join(' ').toStdString();
+        EXPECT_NE(done.err, "") << arguments.join(' ').toStdString();
+    }
+    EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+              before);
+    report(session);
+    report(session); // its own is replaced
+}
+
+TEST_F(RunReport, FiguresAreDrawnInThreeFormatsWithChineseLetters) {
+    Experiment experiment = testing::twoDisks();
+    experiment.objects[0].name = "\xE9\x93\x9D\xE7\x89\x87";
+    const QString session = recorded(experiment, 240, "settled");
+    const auto done = test::captured(exportCommand, {session, "--figures", path("figures")});
+    ASSERT_EQ(done.code, kExitDone) << done.err;
+    EXPECT_EQ(QDir(path("figures")).entryList(QDir::Files).size(), 15);
+    QFile svg(path("figures/temperatures.svg")), pdf(path("figures/temperatures.pdf"));
+    ASSERT_TRUE(svg.open(QIODevice::ReadOnly) && pdf.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(svg.readAll().contains("\xE9\x93\x9D\xE7\x89\x87")) << "letters, not outlines";
+    EXPECT_TRUE(pdf.readAll().startsWith("%PDF"));
+    const QImage png(path("figures/temperatures.png"));
+    EXPECT_EQ(png.width(), 1800);
+    EXPECT_EQ(test::captured(exportCommand, {session, "--figures", path("figures")}).code, kExitDone)
+        << "its own are replaced";
+    QFile mine(path("figures/errors.png"));
+    ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("mine") > 0);
+    mine.close();
+    EXPECT_EQ(test::captured(exportCommand, {session, "--figures", path("figures")}).code, kExitBadInput);
+}
+
+TEST_F(RunReport, EveryFormOfExportAtOnce) {
+    const QString session = recorded(testing::twoDisks(), 12, "settled");
+    const auto done = test::captured(exportCommand, {session, "--csv", path("out"), "--nexus", path("out"),
+                                                     "--vtk", path("out"), "--figures", path("out")});
+    ASSERT_EQ(done.code, kExitDone) << done.err;
+    for (const QString& file : QString::fromStdString(done.out).split('\n', Qt::SkipEmptyParts))
+        EXPECT_TRUE(QFile::exists(file)) << file.toStdString();
+    for (const char* name : {"traces.csv", "run.nxs", "outlines.pvd", "errors.svg"})
+        EXPECT_TRUE(QFile::exists(path("out") + '/' + name)) << name;
+}
+
+} // namespace
+} // namespace bask

@@ -1,0 +1,37 @@
+#pragma once
+// A figure for a report: a quantity of all objects of a run against time, with targets, band and moments.
+// Needs a QApplication, no display.
+
+#include "engine/base/units.h"
+#include "widgets/plots/figure_format.h"
+#include "widgets/plots/figure_png.h"
+#include "widgets/plots/trace_columns.h"
+
+#include <QStringList>
+
+namespace bask {
+
+/// A vertical line with a few letters at its top.
+struct FigureMoment {
+    double time_s = 0.0;
+    QString label;
+};
+
+struct TraceFigure {
+    QString title, note;
+    Quantity quantity = Quantity::Temperature;
+    QStringList names; ///< of the objects
+    TemperatureUnit unit = TemperatureUnit::Celsius;
+    SpeedLimits limits{};
+    double band_K = kSettledBand_K;      ///< about the targets, of temperatures and errors
+    std::optional<FigureRange> yRange{}; ///< in the unit shown; empty: what the numbers need
+    QList<FigureMoment> moments{};
+    QSize size_px{kFigureWidth_px, 900};
+};
+
+/// Names and units of the axes are in the window's language. Readings that were not valid leave gaps.
+/// `comment` is stored in the file as its description. Long runs keep their extremes.
+QByteArray traceFigure(const TraceFigure& figure, const TraceColumns& columns, FigureFormat format,
+                       const QString& comment);
+
+} // namespace bask

@@ -1,0 +1,8 @@
+#pragma once
+// The forms that a recorded session is exported in.
+
+namespace bask {
+
+enum class SessionForm { ReportPdf, ReportHtml, Figures, Csv, Nexus, Vtk };
+
+} // namespace bask
