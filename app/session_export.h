@@ -11,7 +11,8 @@
 
 namespace bask {
 
-/// Reads and computes off the GUI thread; figures and reports are drawn on it, some seconds of a long run.
+/// Reads and computes off the GUI thread; figures and reports are drawn on it, up to a minute of a run of 24
+/// h.
 class SessionExport : public QObject {
     Q_OBJECT
 
