@@ -129,7 +129,7 @@ void TracePlot::Canvas::retranslate() {
 void TracePlot::Canvas::fitPensToDensity() {
     const QCPRange time = xAxis->range();
     const std::size_t visible = columns.samplesBetween(time.lower, time.upper);
-    const bool dense = static_cast<double>(visible) > 2.0 * std::max(1, axisRect()->width());
+    const bool dense = std::cmp_greater(visible, std::max(1, axisRect()->width()));
     for (int i = 0; i < m_series.size(); ++i) {
         QPen pen = penOfSeries(i);
         if (dense)
