@@ -164,6 +164,7 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
     for (const ObjectSpec& object : session.experiment.objects)
         m_impl->names << QString::fromStdString(object.name);
     m_impl->columns.reset(session.experiment.objects.size());
+    m_impl->columns.keepAll();
     m_impl->columns.append(session.samples);
     const std::vector<int> numbers = markedEvents(session.events);
     double labelled_s = -1e300; // numbers that would overlap are left out, lines are not

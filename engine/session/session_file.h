@@ -12,7 +12,7 @@
 namespace bask {
 
 inline constexpr int kSessionApplicationId = 0x4261736b; ///< "Bask"
-inline constexpr int kSessionVersion = 1;                ///< PRAGMA user_version
+inline constexpr int kSessionVersion = 2;                ///< PRAGMA user_version
 
 /// Which commands were sent, as text: one row a command ("targets", "gains", "hold" ...), value as JSON.
 struct CommandRow {

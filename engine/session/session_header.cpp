@@ -59,10 +59,13 @@ Result<void> readInto(SessionHeader& header) {
         done = (*store)->select("SELECT json FROM experiment",
                                 [&](Row row) { takeExperiment(header, textOf(row[0])); });
     if (done)
-        done = (*store)->select("SELECT rowid, time_s FROM pose ORDER BY rowid DESC LIMIT 1", [&](Row row) {
-            header.samples = static_cast<std::uint64_t>(numberOf(row[0]));
-            header.end_s = numberOf(row[1]);
-        });
+        done = (*store)->select((*store)->version() < 2
+                                    ? "SELECT rowid, time_s FROM pose ORDER BY rowid DESC LIMIT 1"
+                                    : "SELECT number, time_s FROM step ORDER BY number DESC LIMIT 1",
+                                [&](Row row) {
+                                    header.samples = static_cast<std::uint64_t>(numberOf(row[0]));
+                                    header.end_s = numberOf(row[1]);
+                                });
     if (done)
         done = (*store)->select("SELECT text FROM note ORDER BY rowid",
                                 [&](Row row) { header.notes.push_back(textOf(row[0])); });

@@ -58,6 +58,8 @@ QVariant toVariant(const SqlValue& value) {
         return static_cast<qlonglong>(*whole);
     if (const auto* text = std::get_if<std::string>(&value))
         return QString::fromStdString(*text);
+    if (const auto* blob = std::get_if<SqlBlob>(&value))
+        return QByteArray::fromStdString(blob->bytes);
     return {};
 }
 
@@ -68,6 +70,8 @@ SqlValue fromVariant(const QVariant& value) {
         return value.toDouble();
     if (value.typeId() == QMetaType::LongLong || value.typeId() == QMetaType::Int)
         return std::int64_t{value.toLongLong()};
+    if (value.typeId() == QMetaType::QByteArray)
+        return SqlBlob{value.toByteArray().toStdString()};
     return value.toString().toStdString();
 }
 
@@ -90,9 +94,17 @@ std::string textOf(const SqlValue& value) {
     return text == nullptr ? std::string{} : *text;
 }
 
+std::string sqlText(const std::string& text) {
+    std::string out = "'";
+    for (const char c : text)
+        out += c == '\'' ? std::string("''") : std::string(1, c);
+    return out + "'";
+}
+
 struct SessionStore::Impl {
     std::string path;
     bool writes = false;
+    int version = kSessionVersion;
     QString connection;
     QSqlDatabase database;
     std::deque<QSqlQuery> statements;
@@ -239,6 +251,7 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
     if (*version > kSessionVersion)
         return Error(MessageCode::VersionTooNew, path,
                      {std::to_string(*version), std::to_string(kSessionVersion)});
+    impl->version = static_cast<int>(*version);
     return std::unique_ptr<SessionStore>(new SessionStore(std::move(impl)));
 }
 
@@ -291,12 +304,16 @@ Result<std::vector<std::string>> SessionStore::columns(const std::string& table)
     return names;
 }
 
+int SessionStore::version() const {
+    return m_impl->version;
+}
+
 Result<std::vector<std::string>> SessionStore::tables() const {
     std::vector<std::string> names;
-    const auto done =
-        select("SELECT name FROM sqlite_master WHERE type = 'table' AND name NOT LIKE 'sqlite\\_%' "
-               "ESCAPE '\\' ORDER BY rowid",
-               [&](Row row) { names.push_back(textOf(row[0])); });
+    const auto done = select(
+        "SELECT name FROM sqlite_master WHERE type IN ('table', 'view') AND name NOT LIKE 'sqlite\\_%' "
+        "ESCAPE '\\' AND name NOT IN ('step', 'object', 'target_step', 'overview') ORDER BY rowid",
+        [&](Row row) { names.push_back(textOf(row[0])); });
     if (!done)
         return done.error();
     return names;

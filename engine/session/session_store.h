@@ -13,8 +13,12 @@
 
 namespace bask {
 
-/// NULL, number, whole number or text.
-using SqlValue = std::variant<std::monostate, double, std::int64_t, std::string>;
+/// Bytes as they are.
+struct SqlBlob {
+    std::string bytes;
+};
+/// NULL, number, whole number, text or bytes.
+using SqlValue = std::variant<std::monostate, double, std::int64_t, std::string, SqlBlob>;
 
 /// A number as stored: NaN is NULL.
 SqlValue sqlNumber(double value);
@@ -22,6 +26,9 @@ SqlValue sqlNumber(double value);
 double numberOf(const SqlValue& value);
 /// The text of a column; empty when it is not text.
 std::string textOf(const SqlValue& value);
+
+/// A text as SQL writes it.
+std::string sqlText(const std::string& text);
 
 /// Belongs to the thread that opened it.
 class SessionStore {
@@ -44,7 +51,9 @@ public:
     Result<void> select(const std::string& sql, const std::function<void(Row)>& row) const;
     /// Names of the columns of a table.
     Result<std::vector<std::string>> columns(const std::string& table) const;
-    /// Names of the tables, in the order in which they were made.
+    /// The file's own version.
+    int version() const;
+    /// Names of the tables and views that are for people and scripts, in the order in which they were made.
     Result<std::vector<std::string>> tables() const;
 
     SessionStore(const SessionStore&) = delete;

@@ -1,6 +1,8 @@
 #include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
 #include "engine/session/session_store.h"
+#include "engine/session/session_tables.h"
+#include "engine/session/trace_overview.h"
 
 #include <QAbstractEventDispatcher>
 #include <QDateTime>
@@ -10,61 +12,31 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+#include <iterator>
+#include <optional>
 #include <stdexcept>
 
 namespace bask {
 namespace {
 
 enum Statement : std::size_t {
-    kInsertSample,
-    kInsertObjectState,
-    kInsertTruth,
-    kInsertPose,
-    kInsertMotion,
-    kInsertSource,
-    kInsertSourcePose,
+    kInsertStep,
+    kInsertTargetStep,
+    kInsertOverview,
     kInsertCommand,
     kInsertEvent,
     kInsertNote,
     kPutMeta,
 };
 
-constexpr std::array kTables{
-    "CREATE TABLE meta(key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID",
-    "CREATE TABLE experiment(json TEXT NOT NULL)",
-    "CREATE TABLE sample(time_s REAL NOT NULL, object TEXT NOT NULL, measured_K REAL, estimated_K REAL, "
-    "rate_K_s REAL, target_K REAL, view_factor REAL)",
-    "CREATE TABLE object_state(time_s REAL NOT NULL, object TEXT NOT NULL, lambda1_K_s REAL, lambda2_1_K3s "
-    "REAL, "
-    "reading_valid INTEGER NOT NULL)",
-    "CREATE TABLE truth(time_s REAL NOT NULL, object TEXT NOT NULL, temperature_K REAL)",
-    "CREATE TABLE pose(time_s REAL NOT NULL, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, qz "
-    "REAL)",
-    "CREATE TABLE motion(time_s REAL NOT NULL, vx_m_s REAL, vy_m_s REAL, vz_m_s REAL, wx_rad_s REAL, "
-    "wy_rad_s REAL, "
-    "wz_rad_s REAL, smallest_singular_value REAL, limited INTEGER NOT NULL)",
-    "CREATE TABLE source(time_s REAL NOT NULL, temperature_K REAL)",
-    "CREATE TABLE source_pose(time_s REAL NOT NULL, x_m REAL, y_m REAL, z_m REAL, qw REAL, qx REAL, qy REAL, "
-    "qz REAL)",
-    "CREATE TABLE command(time_s REAL NOT NULL, name TEXT NOT NULL, value TEXT NOT NULL)",
-    "CREATE TABLE event(time_s REAL NOT NULL, code TEXT NOT NULL, args TEXT NOT NULL, text TEXT NOT NULL)",
-    "CREATE TABLE note(time_s REAL NOT NULL, text TEXT NOT NULL)",
-};
-
-/// In the order of Statement.
+/// In the order of Statement, after kInsertStep.
 constexpr std::array kStatements{
-    "INSERT INTO sample VALUES(?, ?, ?, ?, ?, ?, ?)",
-    "INSERT INTO object_state VALUES(?, ?, ?, ?, ?)",
-    "INSERT INTO truth VALUES(?, ?, ?)",
-    "INSERT INTO pose VALUES(?, ?, ?, ?, ?, ?, ?, ?)",
-    "INSERT INTO motion VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)",
-    "INSERT INTO source VALUES(?, ?)",
-    "INSERT INTO source_pose VALUES(?, ?, ?, ?, ?, ?, ?, ?)",
-    "INSERT INTO command VALUES(?, ?, ?)",
-    "INSERT INTO event VALUES(?, ?, ?, ?)",
-    "INSERT INTO note VALUES(?, ?)",
-    "INSERT OR REPLACE INTO meta VALUES(?, ?)",
+    "INSERT INTO target_step VALUES(?, ?, ?)", "INSERT INTO overview VALUES(?, ?)",
+    "INSERT INTO command VALUES(?, ?, ?)",     "INSERT INTO event VALUES(?, ?, ?, ?)",
+    "INSERT INTO note VALUES(?, ?)",           "INSERT OR REPLACE INTO meta VALUES(?, ?)",
 };
 
 std::string nowUtc() {
@@ -77,22 +49,24 @@ std::string argsJson(const std::vector<std::string>& args) {
 
 /// Tables, header and experiment come into being in one transaction, before the file is switched to its log:
 /// what is found under the name is a whole session or none.
-Result<void> makeTables(SessionStore& store) {
+Result<void> makeTables(SessionStore& store, const SessionTables& tables) {
     std::vector<std::string> statements{
+        "PRAGMA page_size = 16384", // a row takes 400 bytes: little is left over at a page's end
         "PRAGMA synchronous = FULL",
         "PRAGMA cache_size = -512", // it only appends: the usual 2 MB fill for minutes
         "BEGIN IMMEDIATE"};
-    for (const char* table : kTables)
-        statements.emplace_back(table);
+    std::ranges::move(tables.create(), std::back_inserter(statements));
     statements.emplace_back("PRAGMA application_id = ").append(std::to_string(kSessionApplicationId));
     statements.emplace_back("PRAGMA user_version = ").append(std::to_string(kSessionVersion));
     for (const std::string& sql : statements) {
         if (auto done = store.execute(sql); !done)
             return done;
     }
-    for (const char* sql : kStatements) {
-        if (auto prepared = store.prepare(sql); !prepared)
-            return prepared.error();
+    std::vector<std::string> prepared{tables.insertStep()};
+    prepared.insert(prepared.end(), kStatements.begin(), kStatements.end());
+    for (const std::string& sql : prepared) {
+        if (auto done = store.prepare(sql); !done)
+            return done.error();
     }
     return {};
 }
@@ -109,13 +83,18 @@ Result<void> clearPlace(const std::string& path) {
 } // namespace
 
 struct SessionWriter::Impl {
+    Impl(const Experiment& experiment, bool simulated)
+        : tables(experiment, simulated), targets_K(experiment.objects.size()),
+          overview(experiment.objects.size()) {}
+
     std::string path;
     std::unique_ptr<SessionStore> store;
-    std::vector<std::string> names;
-    bool simulated = false;
+    SessionTables tables;
     double commitInterval_s = 0.5;
     std::size_t samples = 0;
-    bool pending = false; ///< a transaction is open
+    std::vector<std::optional<double>> targets_K; ///< as recorded last
+    TraceOverview overview;                       ///< of the samples since the last row of its table
+    bool pending = false;                         ///< a transaction is open
     QElapsedTimer sinceCommit;
     QTimer timer; ///< commits what was added last when nothing follows it
     std::optional<Error> failed;
@@ -165,43 +144,28 @@ struct SessionWriter::Impl {
         return check(store->execute("COMMIT"));
     }
 
-    Result<void> addObjects(const TraceSample& s) {
-        for (std::size_t i = 0; i < names.size(); ++i) {
-            const ObjectSample& o = s.objects[i];
-            auto done =
-                put(kInsertSample, s.time_s, names[i], sqlNumber(o.measured_K), sqlNumber(o.estimated_K),
-                    sqlNumber(o.rate_K_s), sqlNumber(o.target_K), sqlNumber(o.viewFactor));
-            if (done)
-                done = put(kInsertObjectState, s.time_s, names[i], sqlNumber(o.lambda1), sqlNumber(o.lambda2),
-                           std::int64_t{o.valid});
-            if (done && simulated)
-                done = put(kInsertTruth, s.time_s, names[i], sqlNumber(o.true_K));
-            if (!done)
-                return done;
-        }
-        return {};
-    }
-
-    Result<void> putPose(Statement statement, double time_s, const Vector6d& x) {
-        Eigen::Quaterniond q(poseFromCoordinates(x).linear());
-        if (q.w() < 0.0)
-            q.coeffs() = -q.coeffs();
-        return put(statement, time_s, sqlNumber(x[0]), sqlNumber(x[1]), sqlNumber(x[2]), sqlNumber(q.w()),
-                   sqlNumber(q.x()), sqlNumber(q.y()), sqlNumber(q.z()));
-    }
-
-    Result<void> addRig(const TraceSample& s) {
-        auto done = putPose(kInsertPose, s.time_s, s.coordinates);
-        const auto& u = s.twist;
-        if (done)
-            done = put(kInsertMotion, s.time_s, sqlNumber(u[0]), sqlNumber(u[1]), sqlNumber(u[2]),
-                       sqlNumber(u[3]), sqlNumber(u[4]), sqlNumber(u[5]), sqlNumber(s.smallestSingularValue),
-                       std::int64_t{s.limits.bits});
-        if (done)
-            done = put(kInsertSource, s.time_s, sqlNumber(s.source_K));
-        if (done)
-            done = putPose(kInsertSourcePose, s.time_s, s.source);
+    Result<void> addSample(const TraceSample& sample) {
+        const auto number = static_cast<std::int64_t>(samples) + 1;
+        auto done = store->run(kInsertStep, tables.stepRow(number, sample));
+        for (std::size_t i = 0; done && i < targets_K.size(); ++i)
+            done = addTarget(i, sample);
+        if (!done)
+            return done;
+        ++samples;
+        overview.add(sample);
+        if (overview.samples() < kSamplesPerOverviewRow)
+            return {};
+        done = put(kInsertOverview, number, SqlBlob{overview.bytes()});
+        overview = TraceOverview(targets_K.size());
         return done;
+    }
+
+    Result<void> addTarget(std::size_t object, const TraceSample& sample) {
+        const double target_K = sample.objects[object].target_K;
+        if (std::isnan(target_K) || targets_K[object] == target_K)
+            return {};
+        targets_K[object] = target_K;
+        return put(kInsertTargetStep, sample.time_s, static_cast<std::int64_t>(object) + 1, target_K);
     }
 };
 
@@ -222,14 +186,11 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
     if (!store)
         return store.error();
 
-    auto impl = std::make_unique<Impl>();
+    auto impl = std::make_unique<Impl>(experiment, simulated);
     impl->path = path;
     impl->store = std::move(*store);
-    impl->simulated = simulated;
     impl->commitInterval_s = commitInterval_s;
-    for (const ObjectSpec& object : experiment.objects)
-        impl->names.push_back(object.name);
-    auto made = makeTables(*impl->store);
+    auto made = makeTables(*impl->store, impl->tables);
     const std::array<std::pair<const char*, std::string>, 3> facts{
         {{"software", "Bask " BASK_VERSION},
          {"created", nowUtc()},
@@ -243,7 +204,8 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
         const std::array<SqlValue, 1> row{experimentToJson(experiment)};
         made = insert ? impl->store->run(*insert, row) : Result<void>(insert.error());
     }
-    for (const char* sql : {"COMMIT", "PRAGMA journal_mode = WAL"}) {
+    for (const char* sql : {"COMMIT", "PRAGMA journal_mode = WAL",
+                            "PRAGMA wal_autocheckpoint = 256"}) { // pages: the log stays at 4 MB
         if (made)
             made = impl->store->execute(sql);
     }
@@ -258,15 +220,9 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
 }
 
 Result<void> SessionWriter::add(const TraceSample& sample) {
-    if (sample.objects.size() != m_impl->names.size())
+    if (sample.objects.size() != m_impl->targets_K.size())
         throw std::invalid_argument("SessionWriter: a sample needs one entry an object");
-    return m_impl->add([&] {
-        auto done = m_impl->addObjects(sample);
-        if (done)
-            done = m_impl->addRig(sample);
-        m_impl->samples += done.ok() ? 1 : 0;
-        return done;
-    });
+    return m_impl->add([&] { return m_impl->addSample(sample); });
 }
 
 Result<void> SessionWriter::add(const TraceEvent& event) {

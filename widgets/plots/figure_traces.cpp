@@ -7,9 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace bask {
 namespace {
+
+constexpr std::size_t kLinePixels = 2000; // a line shows least and greatest values within each
 
 struct TimeUnit {
     double length_s;
@@ -55,7 +58,7 @@ public:
         if (m_figure.quantity == Quantity::Temperature)
             for (std::size_t i = 0; i < m_columns.objects(); ++i)
                 addTarget(i);
-        for (std::size_t i = 0; i < TraceColumns::seriesCount(m_figure.quantity, m_columns.objects()); ++i)
+        for (std::size_t i = 0; i < seriesCount(m_figure.quantity, m_columns.objects()); ++i)
             addSeries(i);
         setRanges();
         if (m_figure.quantity == Quantity::Error)
@@ -93,11 +96,15 @@ private:
     }
 
     void addSeries(std::size_t series) {
+        int reads = std::numeric_limits<int>::max();
+        const double from_s = m_columns.rows() > 0 ? m_columns.time_s(0) : 0.0;
+        const TraceColumns::Line line =
+            m_columns.line(m_figure.quantity, series, from_s, m_columns.lastTime_s(), kLinePixels, reads);
         QVector<QCPGraphData> data;
-        data.reserve(static_cast<qsizetype>(m_columns.rows()));
-        for (std::size_t row = 0; row < m_columns.rows(); ++row) {
-            const double value = displayed(m_columns.value(m_figure.quantity, series, row), series);
-            data << QCPGraphData(m_columns.time_s(row) / m_time.length_s, value);
+        data.reserve(static_cast<qsizetype>(line.values.size()));
+        for (std::size_t k = 0; k < line.values.size(); ++k) {
+            const double value = displayed(line.values[k], series);
+            data << QCPGraphData(line.times_s[k] / m_time.length_s, value);
             take(value);
         }
         QCPGraph* graph = m_plot.addGraph();

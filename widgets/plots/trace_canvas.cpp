@@ -5,12 +5,19 @@
 
 #include <QLabel>
 #include <QLocale>
+#include <QScopedValueRollback>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace bask {
+namespace {
+
+constexpr int kMostPoints =
+    1600; ///< stretches in a picture; more would want more blocks than a recorded run keeps
+
+} // namespace
 
 TracePlot::Canvas::Canvas(TracePlot* plot) : QCustomPlot(plot), owner(plot) {
     setObjectName(QStringLiteral("tracePlotCanvas"));
@@ -91,8 +98,15 @@ void TracePlot::Canvas::clearData() {
     m_valueAuto = true;
     for (QCPGraph* graph : m_series)
         graph->data()->clear();
+    m_pointsAreOld = true;
     setFollow(true);
     schedule();
+}
+
+void TracePlot::Canvas::setRun(std::shared_ptr<RecordedSession> run) {
+    clearData();
+    columns.show(std::move(run));
+    rebuild();
 }
 
 QString TracePlot::Canvas::seriesName(int series) const {
@@ -124,7 +138,7 @@ void TracePlot::Canvas::rebuild() {
         removeItem(label);
     m_labels.clear();
 
-    const auto count = static_cast<int>(TraceColumns::seriesCount(quantity, columns.objects()));
+    const auto count = static_cast<int>(bask::seriesCount(quantity, columns.objects()));
     if (quantity == Quantity::Temperature) {
         for (int i = 0; i < count; ++i) {
             m_bandLow << addGraph();
@@ -148,34 +162,49 @@ void TracePlot::Canvas::rebuild() {
         label->position->setType(QCPItemPosition::ptAbsolute);
         m_labels << label;
     }
-    addPoints(0);
+    m_pointsAreOld = true;
     retranslate();
     restyle(dark);
 }
 
-void TracePlot::Canvas::addPoints(std::size_t firstRow) {
-    const std::size_t added = columns.rows() - firstRow;
-    if (added == 0)
+double TracePlot::Canvas::factor(int series) const {
+    if (quantity != Quantity::Speed)
+        return 1.0;
+    return 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
+}
+
+/// Gives the lines the points of the visible time.
+void TracePlot::Canvas::updatePoints() {
+    const QCPRange range = xAxis->range();
+    const int width = std::clamp(axisRect()->width(), 1, kMostPoints);
+    if (!m_pointsAreOld && range == m_pointsRange && width == m_pointsWidth)
         return;
-    QVector<double> keys(static_cast<qsizetype>(added)), values(static_cast<qsizetype>(added));
-    for (std::size_t row = 0; row < added; ++row)
-        keys[static_cast<qsizetype>(row)] = columns.time_s(firstRow + row);
-    for (qsizetype series = 0; series < m_series.size(); ++series) {
-        double scale = 1.0;
-        if (quantity == Quantity::Speed)
-            scale = 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
-        for (std::size_t row = 0; row < added; ++row)
-            values[static_cast<qsizetype>(row)] =
-                displayed(columns.value(quantity, static_cast<std::size_t>(series), firstRow + row)) * scale;
-        m_series[series]->addData(keys, values, true);
+    m_pointsRange = range;
+    m_pointsWidth = width;
+    int reads = m_readsPerFrame;
+    for (int i = 0; i < m_series.size(); ++i) {
+        const auto line = columns.line(quantity, static_cast<std::size_t>(i), range.lower, range.upper,
+                                       static_cast<std::size_t>(width), reads);
+        QVector<QCPGraphData> points(static_cast<qsizetype>(line.values.size()));
+        const double scale = factor(i);
+        for (std::size_t k = 0; k < line.values.size(); ++k)
+            points[static_cast<qsizetype>(k)] = {line.times_s[k], displayed(line.values[k]) * scale};
+        m_series[i]->data()->set(points, true);
     }
+    m_pointsAreOld = reads < 0; // the rest with the next picture
+    if (m_pointsAreOld)
+        schedule();
+}
+
+void TracePlot::Canvas::readAll() {
+    const QScopedValueRollback<int> guard(m_readsPerFrame, std::numeric_limits<int>::max());
+    updatePoints();
 }
 
 void TracePlot::Canvas::append(const std::vector<TraceSample>& samples) {
-    const std::size_t first = columns.append(samples);
-    if (columns.rows() == first)
+    if (columns.append(samples) == columns.rows())
         return;
-    addPoints(first);
+    m_pointsAreOld = true;
     schedule();
 }
 

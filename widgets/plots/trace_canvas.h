@@ -23,6 +23,7 @@ public:
     void setObjects(const QStringList& names);
     void setQuantity(Quantity quantity);
     void append(const std::vector<TraceSample>& samples);
+    void setRun(std::shared_ptr<RecordedSession> run);
     void clearData();
     void setUnit(TemperatureUnit unit);
     void setLimits(const SpeedLimits& limits);
@@ -31,6 +32,8 @@ public:
     QString valueText(double si) const;
     QString seriesName(int series) const;
     QString readout(double time_s, std::optional<double> reference_s) const;
+    double factor(int series) const; ///< of displayed() values
+    void readAll();                  ///< everything that is in the picture, also where reading takes a while
 
     // Looks (trace_canvas_look.cpp)
     void restyle(bool dark);
@@ -100,7 +103,7 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    void addPoints(std::size_t firstRow);
+    void updatePoints();
     void removeOverlayItems();
     void fillOverlay(QCPGraph* graph, const Overlay& overlay, int series) const;
     void updateTargets();
@@ -123,6 +126,10 @@ private:
 
     QTimer m_timer;
     QElapsedTimer m_sinceReplot;
+    int m_readsPerFrame = 6; ///< blocks of a recorded run, 2 ms each
+    bool m_pointsAreOld = true;
+    QCPRange m_pointsRange;
+    int m_pointsWidth = 0;
     bool m_isDrawn = false; ///< for the first time
     bool m_programRange = false;
     bool m_valueAuto = true;

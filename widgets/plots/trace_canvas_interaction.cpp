@@ -15,7 +15,7 @@
 namespace bask {
 namespace {
 
-constexpr int kReplotInterval_ms = 50;
+constexpr int kReplotInterval_ms = 30;
 constexpr double kShortestFollow_s = 60.0;
 constexpr double kShortestZoom_s = 2.0;
 constexpr int kRoomForTimeLabel = 190; // px
@@ -27,6 +27,7 @@ void TracePlot::Canvas::connectInteraction() {
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] { redrawNow(); });
     connect(this, &QCustomPlot::afterReplot, this, [this] { m_isDrawn = true; });
+    connect(this, &QCustomPlot::beforeReplot, this, [this] { updatePoints(); }); // dragging draws by itself
     connect(this, &QCustomPlot::afterLayout, this, [this] {
         placeLabels();
         placeMarkerTexts();
@@ -107,6 +108,7 @@ void TracePlot::Canvas::updateRanges() {
         else
             xAxis->setRange(0.0, std::max(last, kShortestFollow_s));
     }
+    updatePoints();
     auto ticker = xAxis->ticker().staticCast<QCPAxisTickerTime>();
     const bool hours = xAxis->range().upper >= 3600.0;
     ticker->setTimeFormat(hours ? QStringLiteral("%h:%m:%s") : QStringLiteral("%m:%s"));

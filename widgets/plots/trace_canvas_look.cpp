@@ -130,8 +130,8 @@ void TracePlot::Canvas::retranslate() {
 /// there.
 void TracePlot::Canvas::fitPensToDensity() {
     const QCPRange time = xAxis->range();
-    const std::size_t visible = columns.lowerRow(time.upper) - columns.lowerRow(time.lower);
-    const bool dense = static_cast<double>(visible) > 2.0 * std::max(1, axisRect()->width());
+    const std::size_t visible = columns.samplesBetween(time.lower, time.upper);
+    const bool dense = std::cmp_greater(visible, std::max(1, axisRect()->width()));
     for (int i = 0; i < m_series.size(); ++i) {
         QPen pen = penOfSeries(i);
         if (dense)
@@ -166,13 +166,8 @@ void TracePlot::Canvas::updateEmptyText() {
     QString text;
     if (columns.rows() == 0) {
         text = TracePlot::tr("No samples yet. Traces begin with Start.");
-    } else if (quantity == Quantity::Strength) {
-        const bool any = std::ranges::any_of(m_series, [](const QCPGraph* graph) {
-            return std::any_of(graph->data()->constBegin(), graph->data()->constEnd(),
-                               [](const QCPGraphData& point) { return std::isfinite(point.value); });
-        });
-        if (!any)
-            text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
+    } else if (quantity == Quantity::Strength && !columns.hasValues(quantity)) {
+        text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
     }
     m_empty->setText(text);
     m_empty->setVisible(!text.isEmpty());

@@ -1,5 +1,7 @@
 #include "widgets/plots/trace_columns.h"
 
+#include "engine/session/recorded_session.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,8 +11,9 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-double finiteOrNaN(double value) {
-    return std::isfinite(value) ? value : kNaN;
+void add(TraceColumns::Line& line, double time_s, double value) {
+    line.times_s.push_back(time_s);
+    line.values.push_back(value);
 }
 
 } // namespace
@@ -20,66 +23,193 @@ void TraceColumns::reset(std::size_t objects) {
     m_objects = objects;
     m_columns.resize(objects);
     m_targets.resize(objects);
+    m_overview = TraceOverview(objects, kMostStretches);
+}
+
+void TraceColumns::show(std::shared_ptr<RecordedSession> run) {
+    reset(run->overview().objects());
+    m_run = std::move(run);
+}
+
+const TraceOverview& TraceColumns::overview() const {
+    return m_run ? m_run->overview() : m_overview;
+}
+
+template <class Each> void TraceColumns::eachColumn(Each each) {
+    for (auto* column : {&m_time_s, &m_translation_m_s, &m_rotation_rad_s})
+        each(*column);
+    for (ObjectColumns& object : m_columns)
+        for (auto* column :
+             {&object.measured_K, &object.error_K, &object.viewFactor, &object.rate_K_s, &object.lambda1})
+            each(*column);
+}
+
+void TraceColumns::dropOldRows() {
+    constexpr std::size_t kAtOnce = kMostRows / 4;
+    if (m_keepsAll || m_time_s.size() < kMostRows + kAtOnce)
+        return;
+    eachColumn([](std::vector<double>& column) {
+        column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(kAtOnce));
+    });
 }
 
 std::size_t TraceColumns::append(const std::vector<TraceSample>& samples) {
+    dropOldRows();
     const std::size_t first = rows();
     for (const TraceSample& sample : samples) {
         if (!std::isfinite(sample.time_s) || (!m_time_s.empty() && sample.time_s <= m_time_s.back()))
             continue;
+        m_overview.add(sample);
         m_time_s.push_back(sample.time_s);
-        m_translation_m_s.push_back(finiteOrNaN(sample.twist.head<3>().norm()));
-        m_rotation_rad_s.push_back(finiteOrNaN(sample.twist.tail<3>().norm()));
+        m_translation_m_s.push_back(plottedValue(sample, Quantity::Speed, 0));
+        m_rotation_rad_s.push_back(plottedValue(sample, Quantity::Speed, 1));
         for (std::size_t i = 0; i < m_objects; ++i) {
-            const bool known = i < sample.objects.size();
-            const ObjectSample object = known ? sample.objects[i] : ObjectSample{};
-            const double measured_K = known && object.valid ? finiteOrNaN(object.measured_K) : kNaN;
             ObjectColumns& columns = m_columns[i];
-            columns.measured_K.push_back(measured_K);
-            columns.error_K.push_back(finiteOrNaN(measured_K - object.target_K));
-            columns.viewFactor.push_back(known ? finiteOrNaN(object.viewFactor) : kNaN);
-            columns.rate_K_s.push_back(known && object.valid ? finiteOrNaN(object.rate_K_s) : kNaN);
-            columns.lambda1.push_back(known ? finiteOrNaN(object.lambda1) : kNaN);
+            columns.measured_K.push_back(plottedValue(sample, Quantity::Temperature, i));
+            columns.error_K.push_back(plottedValue(sample, Quantity::Error, i));
+            columns.viewFactor.push_back(plottedValue(sample, Quantity::ViewFactor, i));
+            columns.rate_K_s.push_back(plottedValue(sample, Quantity::Rate, i));
+            columns.lambda1.push_back(plottedValue(sample, Quantity::Strength, i));
+            const double target_K = i < sample.objects.size() ? sample.objects[i].target_K : kNaN;
             auto& steps = m_targets[i];
-            if (known && std::isfinite(object.target_K) &&
-                (steps.empty() || steps.back().second != object.target_K))
-                steps.emplace_back(sample.time_s, object.target_K);
+            if (std::isfinite(target_K) && (steps.empty() || steps.back().second != target_K))
+                steps.emplace_back(sample.time_s, target_K);
         }
     }
     return first;
 }
 
-std::size_t TraceColumns::seriesCount(Quantity quantity, std::size_t objects) {
-    return quantity == Quantity::Speed ? 2 : objects;
+std::size_t TraceColumns::rows() const {
+    return m_run ? m_run->size() : m_time_s.size();
 }
 
-double TraceColumns::value(Quantity quantity, std::size_t series, std::size_t row) const {
+double TraceColumns::lastTime_s() const {
+    return overview().lastTime_s();
+}
+
+double TraceColumns::time_s(std::size_t row) const {
+    if (!m_run)
+        return m_time_s[row];
+    const auto* block = m_run->block(row / RecordedSession::kBlock);
+    return block == nullptr ? kNaN : (*block)[row % RecordedSession::kBlock].time_s;
+}
+
+const std::vector<double>& TraceColumns::column(Quantity quantity, std::size_t series) const {
     if (quantity == Quantity::Speed)
-        return series == 0 ? m_translation_m_s[row] : m_rotation_rad_s[row];
+        return series == 0 ? m_translation_m_s : m_rotation_rad_s;
     const ObjectColumns& columns = m_columns[series];
     switch (quantity) {
     case Quantity::Error:
-        return columns.error_K[row];
+        return columns.error_K;
     case Quantity::ViewFactor:
-        return columns.viewFactor[row];
+        return columns.viewFactor;
     case Quantity::Rate:
-        return columns.rate_K_s[row];
+        return columns.rate_K_s;
     case Quantity::Strength:
-        return columns.lambda1[row];
+        return columns.lambda1;
     default:
-        return columns.measured_K[row];
+        return columns.measured_K;
     }
 }
 
-std::size_t TraceColumns::lowerRow(double time_s) const {
-    return static_cast<std::size_t>(std::ranges::lower_bound(m_time_s, time_s) - m_time_s.begin());
+double TraceColumns::value(Quantity quantity, std::size_t series, std::size_t row) const {
+    if (!m_run)
+        return column(quantity, series)[row];
+    const auto* block = m_run->block(row / RecordedSession::kBlock);
+    return block == nullptr ? kNaN : plottedValue((*block)[row % RecordedSession::kBlock], quantity, series);
 }
 
-std::size_t TraceColumns::nearestRow(double time_s) const {
-    if (m_time_s.empty())
+const std::vector<std::pair<double, double>>& TraceColumns::targetSteps(std::size_t object) const {
+    return m_run ? m_run->targetSteps(object) : m_targets[object];
+}
+
+/// First row not before the time.
+std::size_t TraceColumns::lowerRow(double time_s) const {
+    if (!m_run)
+        return static_cast<std::size_t>(std::ranges::lower_bound(m_time_s, time_s) - m_time_s.begin());
+    const auto found = m_run->lowerIndex(time_s);
+    return found ? *found : rows();
+}
+
+std::size_t TraceColumns::nearestRow(double at_s) const {
+    if (rows() == 0)
         return 0;
-    const std::size_t after = std::min(lowerRow(time_s), rows() - 1);
-    return after > 0 && time_s - m_time_s[after - 1] < m_time_s[after] - time_s ? after - 1 : after;
+    const std::size_t after = std::min(lowerRow(at_s), rows() - 1);
+    return after > 0 && at_s - time_s(after - 1) < time_s(after) - at_s ? after - 1 : after;
+}
+
+std::size_t TraceColumns::samplesBetween(double from_s, double to_s) const {
+    const TraceOverview& all = overview();
+    return (all.stretchAt(to_s) - std::min(all.stretchAt(from_s), all.stretchAt(to_s))) *
+           all.samplesPerStretch();
+}
+
+TraceColumns::Line TraceColumns::line(Quantity quantity, std::size_t series, double from_s, double to_s,
+                                      std::size_t pixels, int& reads) const {
+    const TraceOverview& all = overview();
+    Line line;
+    if (all.stretches() == 0 || pixels == 0)
+        return line;
+    // One stretch more on either side, so that the line runs out of the picture.
+    const std::size_t first = all.stretchAt(from_s) - std::min<std::size_t>(all.stretchAt(from_s), 1);
+    const std::size_t last = std::min(all.stretchAt(to_s) + 2, all.stretches());
+    const std::size_t group = 1 + (last - first - 1) / pixels; // at most a pixel wide
+    if (group > 1) {
+        addStretches(line, quantity, series, first - first % group, last, group);
+    } else if (m_run) {
+        const std::size_t each = all.samplesPerStretch();
+        addBlocks(line, quantity, series, first * each, std::min(last * each, rows()), reads);
+    } else {
+        const std::size_t kept = all.stretchAt(m_time_s.front());
+        addStretches(line, quantity, series, first, std::clamp(kept, first, last), 1);
+        addRows(line, quantity, series, all.from_s(first), all.to_s(last - 1));
+    }
+    return line;
+}
+
+void TraceColumns::addRows(Line& line, Quantity quantity, std::size_t series, double from_s,
+                           double to_s) const {
+    const std::vector<double>& values = column(quantity, series);
+    for (std::size_t row = lowerRow(from_s); row < m_time_s.size() && m_time_s[row] <= to_s; ++row)
+        add(line, m_time_s[row], values[row]);
+}
+
+/// Samples [first, last) of the recorded run.
+void TraceColumns::addBlocks(Line& line, Quantity quantity, std::size_t series, std::size_t first,
+                             std::size_t last, int& reads) const {
+    constexpr std::size_t kBlock = RecordedSession::kBlock;
+    const std::size_t each = overview().samplesPerStretch();
+    while (first < last) {
+        const std::size_t k = first / kBlock, end = std::min(last, (k + 1) * kBlock);
+        const bool isHeld = m_run->holds(k);
+        reads -= isHeld ? 0 : 1;
+        const auto* block = isHeld || reads >= 0 ? m_run->block(k) : nullptr;
+        if (block == nullptr)
+            addStretches(line, quantity, series, first / each, (end + each - 1) / each, 1);
+        else
+            for (std::size_t i = first; i < end; ++i)
+                add(line, (*block)[i % kBlock].time_s, plottedValue((*block)[i % kBlock], quantity, series));
+        first = end;
+    }
+}
+
+/// Stretches [first, last), so many at once.
+void TraceColumns::addStretches(Line& line, Quantity quantity, std::size_t series, std::size_t first,
+                                std::size_t last, std::size_t group) const {
+    const TraceOverview& all = overview();
+    for (std::size_t k = first; k < last; k += group) {
+        const std::size_t end = std::min(k + group, last);
+        Extremes extremes;
+        for (std::size_t j = k; j < end; ++j)
+            extremes.include(all.extremes(quantity, series, j));
+        double least = extremes.least, greatest = extremes.greatest;
+        // Goes on with the nearer one: a falling line falls.
+        if (!line.values.empty() &&
+            std::abs(line.values.back() - greatest) < std::abs(line.values.back() - least))
+            std::swap(least, greatest);
+        add(line, all.from_s(k), least);
+        add(line, all.to_s(end - 1), greatest);
+    }
 }
 
 } // namespace bask

@@ -1,22 +1,17 @@
 #pragma once
-// The numbers behind a trace plot, column by column in SI, and what each plotted quantity takes from them.
+// The numbers behind a trace plot in SI, and the lines they make: samples where they can be told apart, least
+// and greatest values where they are denser than pixels.
 
 #include "engine/session/trace.h"
+#include "engine/session/trace_overview.h"
 
+#include <memory>
 #include <utility>
 #include <vector>
 
 namespace bask {
 
-/// What a trace plot shows against time.
-enum class Quantity {
-    Temperature, ///< measured, with target and tolerance band
-    Error,       ///< measured minus target
-    ViewFactor,
-    Rate,     ///< dT/dt
-    Speed,    ///< commanded, in percent of the limit; two series: translation and rotation
-    Strength, ///< the controller's estimate of lambda1, K/s
-};
+class RecordedSession;
 
 /// Limits that make 100 % of the command speed.
 struct SpeedLimits {
@@ -24,43 +19,73 @@ struct SpeedLimits {
     double rotation_rad_s = 0.1;
 };
 
-/// Samples of one run in the order of time.
+/// Samples of one run in the order of time. Of a run that goes on, the newest kMostRows are kept, older ones
+/// as an overview of at most kMostStretches: a plot takes no more than about 12 MB however long it runs. A
+/// recorded run is read as it is looked at.
 class TraceColumns {
 public:
+    static constexpr std::size_t kMostRows = 32768; ///< an hour at 9 Hz
+    static constexpr std::size_t kMostStretches = 16384;
+
     /// Starts again with this number of objects; more in a sample are left out, missing ones are NaN.
     void reset(std::size_t objects);
+    /// Of a run that is over and whole in memory: drops nothing.
+    void keepAll() { m_keepsAll = true; }
+    /// Shows a recorded run instead.
+    void show(std::shared_ptr<RecordedSession> run);
 
     /// Adds samples that are later than the last one. Returns the index of the first row added.
     std::size_t append(const std::vector<TraceSample>& samples);
 
-    std::size_t rows() const { return m_time_s.size(); }
+    std::size_t rows() const; ///< that are kept, or in the file
     std::size_t objects() const { return m_objects; }
-    double time_s(std::size_t row) const { return m_time_s[row]; }
-    double lastTime_s() const { return m_time_s.empty() ? 0.0 : m_time_s.back(); }
+    double time_s(std::size_t row) const;
+    double lastTime_s() const;
 
-    static std::size_t seriesCount(Quantity quantity, std::size_t objects);
     /// Value in SI (K, K/s, 1); NaN where it is unknown or the reading was invalid. Speed in m/s and rad/s.
     double value(Quantity quantity, std::size_t series, std::size_t row) const;
+    bool hasValues(Quantity quantity) const { return overview().hasValues(quantity); }
 
     /// Row nearest in time; rows() when there is none.
     std::size_t nearestRow(double time_s) const;
-    /// First row not before the time.
-    std::size_t lowerRow(double time_s) const;
+
+    /// Samples in a stretch of time, roughly.
+    std::size_t samplesBetween(double from_s, double to_s) const;
 
     /// Times at which an object's target changed, with the new target (K).
-    const std::vector<std::pair<double, double>>& targetSteps(std::size_t object) const {
-        return m_targets[object];
-    }
+    const std::vector<std::pair<double, double>>& targetSteps(std::size_t object) const;
+
+    struct Line {
+        std::vector<double> times_s, values; ///< NaN in a gap
+    };
+    /// A line from just before one time to just after another, as it can be seen on so many pixels. Reads at
+    /// most `reads` blocks of a recorded run, takes off what it has read, and shows the overview where that
+    /// was not enough.
+    Line line(Quantity quantity, std::size_t series, double from_s, double to_s, std::size_t pixels,
+              int& reads) const;
 
 private:
     struct ObjectColumns {
         std::vector<double> measured_K, error_K, viewFactor, rate_K_s, lambda1;
     };
+    template <class Each> void eachColumn(Each each);
+    const std::vector<double>& column(Quantity quantity, std::size_t series) const;
+    const TraceOverview& overview() const;
+    std::size_t lowerRow(double time_s) const;
+    void dropOldRows();
+    void addRows(Line& line, Quantity quantity, std::size_t series, double from_s, double to_s) const;
+    void addBlocks(Line& line, Quantity quantity, std::size_t series, std::size_t first, std::size_t last,
+                   int& reads) const;
+    void addStretches(Line& line, Quantity quantity, std::size_t series, std::size_t first, std::size_t last,
+                      std::size_t group) const;
 
     std::size_t m_objects = 0;
+    bool m_keepsAll = false;
     std::vector<double> m_time_s, m_translation_m_s, m_rotation_rad_s;
     std::vector<ObjectColumns> m_columns;
     std::vector<std::vector<std::pair<double, double>>> m_targets;
+    TraceOverview m_overview;
+    std::shared_ptr<RecordedSession> m_run;
 };
 
 } // namespace bask

@@ -1,5 +1,6 @@
 #include "widgets/plots/trace_plot.h"
 
+#include "engine/session/recorded_session.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_canvas.h"
 
@@ -8,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <limits>
 
 namespace bask {
 
@@ -43,7 +45,15 @@ void TracePlot::append(const std::vector<TraceSample>& samples) {
 
 void TracePlot::setSamples(const std::vector<TraceSample>& samples) {
     m_canvas->clearData();
+    m_canvas->columns.keepAll();
     m_canvas->append(samples);
+}
+
+void TracePlot::setRun(std::shared_ptr<RecordedSession> run) {
+    m_canvas->names.clear();
+    for (const ObjectSpec& object : run->facts().experiment.objects)
+        m_canvas->names << QString::fromStdString(object.name);
+    m_canvas->setRun(std::move(run));
 }
 
 void TracePlot::clear() {
@@ -122,7 +132,7 @@ double TracePlot::visibleHighest() const {
 }
 
 int TracePlot::seriesCount() const {
-    return static_cast<int>(TraceColumns::seriesCount(m_canvas->quantity, m_canvas->columns.objects()));
+    return static_cast<int>(bask::seriesCount(m_canvas->quantity, m_canvas->columns.objects()));
 }
 
 QString TracePlot::seriesName(int series) const {
@@ -130,10 +140,13 @@ QString TracePlot::seriesName(int series) const {
 }
 
 QList<QPointF> TracePlot::seriesPoints(int series) const {
+    constexpr double kEver = std::numeric_limits<double>::infinity();
+    int reads = std::numeric_limits<int>::max();
+    const auto line = m_canvas->columns.line(m_canvas->quantity, static_cast<std::size_t>(series), -kEver,
+                                             kEver, std::numeric_limits<std::size_t>::max(), reads);
     QList<QPointF> points;
-    const auto recorded = m_canvas->graph(m_canvas->graphCount() - seriesCount() + series)->data();
-    for (auto it = recorded->constBegin(); it != recorded->constEnd(); ++it)
-        points.append({it->key, it->value});
+    for (std::size_t k = 0; k < line.values.size(); ++k)
+        points.append({line.times_s[k], m_canvas->displayed(line.values[k]) * m_canvas->factor(series)});
     return points;
 }
 
@@ -171,6 +184,7 @@ void TracePlot::redraw() {
 
 bool TracePlot::saveImage(const QString& path) const {
     m_canvas->redrawNow();
+    m_canvas->readAll();
     if (path.endsWith(QLatin1String(".pdf"), Qt::CaseInsensitive))
         return m_canvas->savePdf(path, width(), height());
     return m_canvas->savePng(path, width(), height(), 2.0);

@@ -15,12 +15,15 @@
 
 namespace bask {
 
+class RecordedSession;
+
 /// Follows the newest sample until a person zooms or drags; data is never lost by that. Wheel: zoom time;
 /// Ctrl+wheel or the wheel over the value axis: zoom values; drag: move; double click: whole picture, live
 /// again. Pointing reads the values at a moment, a click pins the first of two cursors. Keys: arrows, +, -,
-/// Home (whole run), End (live), Esc. Invalid samples leave a gap. Redraws at most 20 times a second, and
-/// only while visible. Object name "tracePlot" unless given another; the drawing area inside is
-/// "tracePlotCanvas".
+/// Home (whole run), End (live), Esc. Invalid samples leave a gap. Where samples are denser than pixels their
+/// extremes are drawn. Memory stays bounded however long a run goes on (TraceColumns). Redraws at most 33
+/// times a second, and only while visible. Object name "tracePlot" unless given another; the drawing area
+/// inside is "tracePlotCanvas".
 class TracePlot : public QWidget {
     Q_OBJECT
 public:
@@ -36,7 +39,10 @@ public:
 
     void append(const std::vector<TraceSample>& samples); ///< samples not later than the last are left out
     void setSamples(const std::vector<TraceSample>& samples); ///< a whole run, shown whole
-    void clear();                                             ///< samples and markers
+    /// A recorded run of any length, shown whole; its samples are read when they are looked at. Its objects
+    /// name the lines.
+    void setRun(std::shared_ptr<RecordedSession> run);
+    void clear(); ///< samples and markers
 
     /// Vertical line with a few words at its top.
     void addMarker(double time_s, const QString& text);

@@ -74,7 +74,7 @@ TEST_F(SessionRecorderTest, whatIsToldAsRecordedIsInTheFile) {
 TEST_F(SessionRecorderTest, aFailureIsToldByTheNextCall) {
     const auto recording = recorder();
     const auto other = SessionStore::create(m_path);
-    ASSERT_TRUE(other && (*other)->execute("DROP TABLE sample"));
+    ASSERT_TRUE(other && (*other)->execute("DROP TABLE step"));
     ASSERT_TRUE(recording->add(sampleAt(0.0)));
     ASSERT_TRUE(test::waitFor([&] { return !recording->add({}).ok(); }));
     EXPECT_FALSE(recording->finish("settled"));

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <random>
 
 namespace bask::testing {
 namespace {
@@ -97,6 +98,28 @@ int recordUntilKilled(const std::string& path) {
     });
     timer.start(10);
     return QCoreApplication::exec();
+}
+
+int recordAndAcknowledge(const std::string& path, unsigned seed) {
+    constexpr double kNever_s = 1e6;
+    const Experiment experiment = twoDisks();
+    auto writer = SessionWriter::create(path, experiment, true, kNever_s); // by flush() alone
+    if (!writer)
+        return 1;
+    std::mt19937 random(seed);
+    std::uniform_int_distribution<int> atOnce(1, 40);
+    for (int k = 0;;) {
+        std::printf("%d\n", k);
+        std::fflush(stdout);
+        const int end = k + atOnce(random);
+        while (k < end)
+            if (!(*writer)->add(madeUpSample(experiment, k++)))
+                return 1;
+        if (k % 5 == 0 && !(*writer)->add(TraceNote{1.0 * k, "note"}))
+            return 1;
+        if (!(*writer)->flush())
+            return 1;
+    }
 }
 
 } // namespace bask::testing

@@ -21,4 +21,8 @@ bool sameSample(const TraceSample& a, const TraceSample& b);
 /// it is in. The body of the process that the tests kill.
 int recordUntilKilled(const std::string& path);
 
+/// Records without end as fast as it can, some samples at once and now and then a note, and prints how many
+/// samples are safe after each commit.
+int recordAndAcknowledge(const std::string& path, unsigned seed);
+
 } // namespace bask::testing

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
 #include "tests/engine/session/recording.h"
+#include "tests/support/first_version.h"
 
 #include <gtest/gtest.h>
 
@@ -96,10 +97,24 @@ TEST_F(DamagedSession, OtherFilesAreNoSession) {
 TEST_F(DamagedSession, ANewerVersionIsNamed) {
     const auto record = readSession(altered("PRAGMA user_version = 9"));
     ASSERT_FALSE(record);
-    EXPECT_EQ(record.error().message, (Message{MessageCode::VersionTooNew, {"9", "1"}}));
+    EXPECT_EQ(record.error().message, (Message{MessageCode::VersionTooNew, {"9", "2"}}));
 }
 
 TEST_F(DamagedSession, MissingAndInconsistentTables) {
+    for (const char* sql :
+         {"DROP TABLE step", "DROP TABLE meta", "DROP TABLE event", "DELETE FROM step WHERE number = 7",
+          "UPDATE step SET number = 1000 WHERE number = 500",
+          "ALTER TABLE step RENAME COLUMN view_factor_1 TO other"}) {
+        EXPECT_EQ(readSession(altered(sql)).error().code(), MessageCode::SessionDamaged) << sql;
+    }
+    const auto experiment = readSession(altered("UPDATE experiment SET json = '{'"));
+    ASSERT_FALSE(experiment);
+    EXPECT_EQ(experiment.error().where, file("altered.bask") + ": experiment");
+    EXPECT_FALSE(readSession(altered("DELETE FROM experiment")));
+}
+
+TEST_F(DamagedSession, MissingAndInconsistentTablesOfVersionOne) {
+    ASSERT_TRUE(test::makeFirstVersion(file("whole.bask")));
     for (const char* sql :
          {"DROP TABLE pose", "DROP TABLE sample", "DROP TABLE meta", "DROP TABLE truth",
           "DELETE FROM pose WHERE rowid = 7", "DELETE FROM sample WHERE rowid = 7",
@@ -107,17 +122,12 @@ TEST_F(DamagedSession, MissingAndInconsistentTables) {
           "UPDATE sample SET object = 'x' WHERE rowid = 3", "UPDATE source SET time_s = 0.5 WHERE rowid = 3",
           "ALTER TABLE sample DROP COLUMN view_factor"})
         EXPECT_EQ(readSession(altered(sql)).error().code(), MessageCode::SessionDamaged) << sql;
-    const auto experiment = readSession(altered("UPDATE experiment SET json = '{'"));
-    ASSERT_FALSE(experiment);
-    EXPECT_EQ(experiment.error().where, file("altered.bask") + ": experiment");
-    EXPECT_FALSE(readSession(altered("DELETE FROM experiment")));
 }
 
 // Catches limits read from a number that is no set of limits, of which the conversion is undefined.
 TEST_F(DamagedSession, LimitsThatAreNoneAreNoLimits) {
     for (const char* value : {"-1", "1e300", "4096", "'x'", "0.0 - 9e999"}) {
-        const auto record =
-            readSession(altered((std::string("UPDATE motion SET limited = ") + value).c_str()));
+        const auto record = readSession(altered((std::string("UPDATE step SET limited = ") + value).c_str()));
         ASSERT_TRUE(record) << describe(record.error());
         EXPECT_EQ(record->samples[7].limits, ActiveLimits{}) << value;
     }
@@ -131,12 +141,12 @@ TEST_F(DamagedSession, AHostileTableNameIsNotExported) {
 }
 
 TEST_F(DamagedSession, ADamagedOneIsNotExported) {
-    const std::string path = altered("DROP TABLE pose");
+    const std::string path = altered("DROP TABLE step");
     EXPECT_FALSE(exportSessionCsv(path, file("csv")));
     EXPECT_FALSE(QDir(m_folder.filePath("csv")).exists());
 }
 
-// Catches crashes and hangs; a flipped bit in a number may go unseen, one in the structure may not.
+// Catches crashes and hangs; damage in the empty end of a page may go unseen, in the structure it may not.
 TEST_F(DamagedSession, RandomDamageNeverCrashes) {
     std::mt19937 random(11);
     const auto below = [&](qsizetype n) {
@@ -151,7 +161,7 @@ TEST_F(DamagedSession, RandomDamageNeverCrashes) {
             bytes[i] = static_cast<char>(below(256));
         refused += readBytes(bytes) ? 0 : 1;
     }
-    EXPECT_GT(refused, 40);
+    EXPECT_GT(refused, 30);
 }
 
 TEST_F(DamagedSession, ADamagedLogIsIgnoredFromTheDamageOn) {

@@ -1,6 +1,8 @@
 #include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
+#include "engine/session/session_store.h"
 #include "tests/engine/session/recording.h"
+#include "tests/support/first_version.h"
 
 #include <gtest/gtest.h>
 
@@ -97,6 +99,50 @@ TEST_F(SessionFile, GivesBackWhatWasRecorded) {
         << "nothing is left beside it";
 }
 
+// Catches files of version 1 refused, or read as something else.
+TEST_F(SessionFile, VersionOneReadsTheSame) {
+    const std::string path = recorded("first.bask", 40);
+    ASSERT_TRUE(test::makeFirstVersion(path));
+    const auto record = readSession(path);
+    ASSERT_TRUE(record) << describe(record.error());
+    EXPECT_EQ(record->outcome, "settled");
+    ASSERT_EQ(record->samples.size(), 40u);
+    for (int k = 0; k < 40; ++k)
+        EXPECT_TRUE(sameSample(record->samples[static_cast<std::size_t>(k)], madeUpSample(twoDisks(), k)))
+            << k;
+    EXPECT_EQ(exportSessionCsv(path, file("csv"))->size(), 12u);
+}
+
+// Catches a source that lies still stored again and again, or not found again.
+TEST_F(SessionFile, ASourceAsInTheExperimentIsStoredOnce) {
+    const std::string path = file("still.bask");
+    Experiment experiment = twoDisks();
+    experiment.source.pose << 0.03, -0.01, 0.002, 0.1, 0.2, 0.3;
+    {
+        auto writer = SessionWriter::create(path, experiment, true);
+        ASSERT_TRUE(writer) << describe(writer.error());
+        for (int k = 0; k < 6; ++k) {
+            TraceSample sample = madeUpSample(experiment, k);
+            if (k % 2 == 0)
+                sample.source = experiment.source.pose;
+            ASSERT_TRUE((*writer)->add(sample));
+        }
+    }
+    const auto record = readSession(path);
+    ASSERT_TRUE(record) << describe(record.error());
+    EXPECT_EQ(record->samples[4].source, experiment.source.pose);
+    EXPECT_TRUE(sameSample(record->samples[3], madeUpSample(experiment, 3)));
+    const auto store = SessionStore::open(path);
+    std::vector<double> x_m;
+    int stored = 0;
+    ASSERT_TRUE((*store)->select("SELECT x_m FROM source_pose",
+                                 [&](SessionStore::Row row) { x_m.push_back(numberOf(row[0])); }));
+    ASSERT_TRUE((*store)->select("SELECT 1 FROM step WHERE source_x_m IS NOT NULL",
+                                 [&](SessionStore::Row) { ++stored; }));
+    EXPECT_EQ(x_m[2], 0.03);
+    EXPECT_EQ(stored, 3);
+}
+
 TEST_F(SessionFile, ARealRigHasNoTruth) {
     const std::string path = file("real.bask");
     {
@@ -128,6 +174,7 @@ TEST_F(SessionFile, OneWithoutTheSourcesPoseHasItAsInTheExperiment) {
             ASSERT_TRUE((*writer)->add(madeUpSample(experiment, k)));
         ASSERT_TRUE((*writer)->finish("settled"));
     }
+    ASSERT_TRUE(test::makeFirstVersion(path));
     {
         auto db = QSqlDatabase::addDatabase("QSQLITE", "older");
         db.setDatabaseName(QString::fromStdString(path));
@@ -161,12 +208,21 @@ TEST_F(SessionFile, HasThePromisedHeaderAndColumns) {
                            .c_str());
         };
         EXPECT_EQ(one("PRAGMA application_id"), std::to_string(0x4261736b));
-        EXPECT_EQ(one("PRAGMA user_version"), "1");
+        EXPECT_EQ(one("PRAGMA user_version"), "2");
         EXPECT_EQ(one("PRAGMA journal_mode"), "wal");
         EXPECT_EQ(columns("sample"), "time_s,object,measured_K,estimated_K,rate_K_s,target_K,view_factor");
+        EXPECT_EQ(columns("object_state"), "time_s,object,lambda1_K_s,lambda2_1_K3s,reading_valid");
+        EXPECT_EQ(columns("truth"), "time_s,object,temperature_K");
+        EXPECT_EQ(columns("motion"), "time_s,vx_m_s,vy_m_s,vz_m_s,wx_rad_s,wy_rad_s,wz_rad_s,"
+                                     "smallest_singular_value,limited");
+        EXPECT_EQ(columns("source"), "time_s,temperature_K");
         EXPECT_EQ(columns("pose"), "time_s,x_m,y_m,z_m,qw,qx,qy,qz");
         EXPECT_EQ(columns("source_pose"), "time_s,x_m,y_m,z_m,qw,qx,qy,qz");
         EXPECT_EQ(one("SELECT count(*) FROM sample"), "6");
+        EXPECT_EQ(one("SELECT group_concat(object, ';') FROM sample"),
+                  "left, the;right;left, the;right;left, the;right")
+            << "samples in order, objects in the experiment's";
+        EXPECT_EQ(one("SELECT count(*) FROM source_pose WHERE qw IS NOT NULL"), "3");
         EXPECT_EQ(one("SELECT count(*) FROM sample WHERE rate_K_s IS NULL"), "6") << "not known is NULL";
         EXPECT_EQ(one("SELECT max(abs(qw*qw + qx*qx + qy*qy + qz*qz - 1)) < 1e-14 FROM pose"), "1");
         query.clear();

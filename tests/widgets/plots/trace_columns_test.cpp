@@ -60,3 +60,70 @@ TEST(TraceColumns, NearestRow) {
     EXPECT_EQ(columns.nearestRow(3.1), 2u);
     EXPECT_EQ(columns.nearestRow(99.0), 2u);
 }
+
+namespace {
+
+/// A day at 10 Hz would take a while: the same at a few hundred thousand samples, with one spike near the
+/// start.
+constexpr int kMany = 300'000;
+constexpr int kSpike = 12'345;
+
+TraceSample manyAt(int k) {
+    return sampleAt(0.1 * k, k == kSpike ? 400.0 : 300.0 + 5.0 * std::sin(1e-4 * k), 313.0);
+}
+
+double greatest(const TraceColumns::Line& line) {
+    double out = -1.0;
+    for (const double value : line.values)
+        out = std::fmax(out, value);
+    return out;
+}
+
+} // namespace
+
+// Catches memory that grows with a run that goes on, extremes that are not drawn, and lines with more points
+// than pixels can show.
+TEST(TraceColumns, ARunThatGoesOnStaysSmallAndKeepsItsExtremes) {
+    TraceColumns columns;
+    columns.reset(1);
+    for (int k = 0; k < kMany; ++k)
+        columns.append({manyAt(k)});
+    EXPECT_LE(columns.rows(), TraceColumns::kMostRows * 5 / 4);
+    EXPECT_EQ(columns.lastTime_s(), 0.1 * (kMany - 1));
+    EXPECT_EQ(columns.value(Quantity::Temperature, 0, columns.rows() - 1),
+              manyAt(kMany - 1).objects[0].measured_K);
+    int reads = 0;
+    const auto whole = columns.line(Quantity::Temperature, 0, 0.0, columns.lastTime_s(), 700, reads);
+    EXPECT_NEAR(greatest(whole), 400.0, 1e-4);
+    EXPECT_LE(whole.values.size(), 1400u);
+    EXPECT_NEAR(whole.times_s.front(), 0.0, 1e-9);
+    EXPECT_NEAR(whole.times_s.back(), columns.lastTime_s(), 1e-9);
+    const auto around =
+        columns.line(Quantity::Temperature, 0, 0.1 * kSpike - 60.0, 0.1 * kSpike + 60.0, 700, reads);
+    EXPECT_NEAR(greatest(around), 400.0, 1e-4) << "older than the rows that are kept";
+    const auto newest =
+        columns.line(Quantity::Temperature, 0, columns.lastTime_s() - 60.0, columns.lastTime_s(), 700, reads);
+    EXPECT_GE(newest.values.size(), 600u) << "sample by sample";
+    for (std::size_t k = 1; k < newest.times_s.size(); ++k)
+        ASSERT_GT(newest.times_s[k], newest.times_s[k - 1]);
+    // Over the border between what is kept and what is not.
+    const double border_s = columns.time_s(0);
+    const auto both = columns.line(Quantity::Temperature, 0, border_s - 20.0, border_s + 20.0, 700, reads);
+    EXPECT_LT(both.times_s.front(), border_s - 20.0);
+    EXPECT_GT(both.times_s.back(), border_s + 20.0);
+    for (std::size_t k = 1; k < both.times_s.size(); ++k)
+        ASSERT_GE(both.times_s[k], both.times_s[k - 1]);
+}
+
+// Catches a falling line drawn as a saw.
+TEST(TraceColumns, AFallingLineFalls) {
+    TraceColumns columns;
+    columns.reset(1);
+    for (int k = 0; k < 16'000; ++k)
+        columns.append({sampleAt(k, 400.0 - 0.001 * k, 313.0)});
+    int reads = 0;
+    const auto line = columns.line(Quantity::Temperature, 0, 0.0, 16'000.0, 200, reads);
+    ASSERT_GT(line.values.size(), 100u);
+    for (std::size_t k = 3; k < line.values.size(); ++k)
+        EXPECT_LE(line.values[k], line.values[k - 1]) << k;
+}

@@ -1,5 +1,7 @@
 #include "widgets/plots/trace_plot.h"
 
+#include "engine/session/recorded_session.h"
+
 #include "tests/support/thread_time.h"
 
 #include "widgets/common/theme.h"
@@ -236,4 +238,47 @@ TEST(TracePlot, EightHoursAreDrawnQuickly) {
     for (int i = 0; i < kFrames; ++i)
         shown.plot.append(warmUp(1, 1.0, 31000.0 + i));
     EXPECT_LT(test::threadTime_s() - drawn_s, 0.2) << "appending does not draw";
+}
+
+// Catches a recorded run that is drawn without its extremes, not read where one looks closely, or named
+// wrongly.
+TEST(TracePlot, ARecordedRunIsReadWhereItIsLookedAt) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("run.bask")).toStdString();
+    Experiment experiment;
+    for (const QString& name : kNames) {
+        ObjectSpec object;
+        object.name = name.toStdString();
+        object.shape = Disk{0.01};
+        object.mounting[kX] = 0.05 * static_cast<double>(experiment.objects.size());
+        experiment.objects.push_back(object);
+    }
+    auto samples = warmUp(30'000, 0.1);
+    samples[20'000].objects[1].measured_K = 350.0; // one sample in fifty minutes
+    {
+        auto writer = SessionWriter::create(path, experiment, true);
+        ASSERT_TRUE(writer) << describe(writer.error());
+        for (const TraceSample& sample : samples)
+            ASSERT_TRUE((*writer)->add(sample));
+    }
+    const auto run = RecordedSession::open(path);
+    ASSERT_TRUE(run) << describe(run.error());
+    ShownPlot shown;
+    shown.plot.setRun(*run);
+    shown.plot.redraw();
+    EXPECT_EQ(shown.plot.seriesName(2), kNames[2]);
+    EXPECT_NEAR(shown.plot.visibleTo_s(), 3000.0, 1e-6);
+    EXPECT_GT(shown.plot.visibleHighest(), 350.0 - 273.15);
+    EXPECT_FALSE((*run)->holds(20'000 / RecordedSession::kBlock)) << "the whole is drawn from the overview";
+
+    shown.plot.setTimeRange(1990.0, 2010.0);
+    shown.plot.redraw();
+    EXPECT_TRUE((*run)->holds(20'000 / RecordedSession::kBlock));
+    EXPECT_GT(shown.plot.visibleHighest(), 350.0 - 273.15);
+    EXPECT_TRUE(shown.plot.readout(2000.1).contains(QStringLiteral("76.9")))
+        << shown.plot.readout(2000.1).toStdString();
+    EXPECT_EQ(shown.plot.seriesPoints(1).size(), 30'000);
+    shown.plot.setTimeRange(100.0, 110.0);
+    shown.plot.redraw();
+    EXPECT_LT(shown.plot.visibleHighest(), 60.0);
 }

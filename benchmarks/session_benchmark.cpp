@@ -1,0 +1,313 @@
+// A session of a day at 10 Hz with three objects: recording it, its file, opening it, going to a moment of
+// it, and the frames of its plot. Wanted: 2 % of a core, 400 MB, 1 s, 100 ms, 30 frames a second. Beside it,
+// as before version 2: every sample read when the file is opened.
+
+#include "engine/base/message_code.h"
+#include "engine/session/recorded_session.h"
+#include "tests/support/first_version.h"
+#include "widgets/plots/trace_plot.h"
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <fstream>
+#include <numeric>
+#include <random>
+
+#include <malloc.h>
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+constexpr int kHour = 36'000; // samples
+constexpr int kDay = 24 * kHour;
+constexpr double kPeriod_s = 0.1;
+constexpr int kSpike = 500'123;
+constexpr double kSpike_K = 360.0;
+
+Experiment threeDisks() {
+    Experiment experiment;
+    for (const char* name : {"circle", "bunny", "hand"}) {
+        ObjectSpec object;
+        object.name = name;
+        object.shape = Disk{0.015};
+        object.mounting[kX] = 0.06 * static_cast<double>(experiment.objects.size());
+        experiment.objects.push_back(object);
+    }
+    return experiment;
+}
+
+/// Every number has all its digits; a source that is followed never lies quite still.
+TraceSample sampleOf(const Experiment& experiment, int k, bool isFollowed, std::mt19937& random) {
+    std::normal_distribution<double> noise(0.0, 0.02);
+    TraceSample sample;
+    sample.time_s = kPeriod_s * (k + 1) + 1e-4 * noise(random);
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const double x = 2e-4 * k + static_cast<double>(i);
+        ObjectSample object;
+        object.true_K = 313.15 + 8.0 * std::sin(x);
+        object.measured_K = k == kSpike && i == 1 ? kSpike_K : object.true_K + noise(random);
+        object.estimated_K = object.true_K + 0.1 * noise(random);
+        object.rate_K_s = 0.01 * noise(random);
+        object.target_K = k < kDay / 2 ? 313.15 : 318.15;
+        object.viewFactor = 0.3 + 0.1 * std::cos(x);
+        object.lambda1 = 0.2 + noise(random);
+        object.lambda2 = 1e-11 * (1.0 + noise(random));
+        object.valid = true;
+        sample.objects.push_back(object);
+    }
+    sample.coordinates << 0.1 * std::sin(1e-3 * k), 0.05, 0.3 + 0.01 * noise(random), 0.1,
+        0.2 * std::sin(2e-3 * k), 0.3;
+    for (int j = 0; j < 6; ++j)
+        sample.twist[j] = 0.1 * noise(random);
+    sample.source_K = 473.15 + noise(random);
+    sample.source = experiment.source.pose;
+    if (isFollowed)
+        for (int j = 0; j < 6; ++j)
+            sample.source[j] += 1e-3 * noise(random);
+    sample.smallestSingularValue = 0.1 + 0.01 * noise(random);
+    return sample;
+}
+
+/// `commit`: after so many samples.
+bool record(const std::string& path, int samples, int commit, bool isFollowed) {
+    const Experiment experiment = threeDisks();
+    std::mt19937 random(1);
+    auto writer = SessionWriter::create(path, experiment, true, 1e6);
+    for (int k = 0; writer && k < samples; ++k)
+        if (!(*writer)->add(sampleOf(experiment, k, isFollowed, random)) ||
+            (k % commit == 0 && !(*writer)->flush()))
+            return false;
+    return writer && (*writer)->finish("settled");
+}
+
+/// The day, recorded once.
+struct DayFile {
+    QTemporaryDir folder;
+    std::string path = folder.filePath(QStringLiteral("day.bask")).toStdString();
+    bool isThere = record(path, kDay, 1000, false);
+};
+
+const DayFile& day() {
+    static const DayFile file;
+    return file;
+}
+
+/// The same as a file of version 1.
+struct FirstVersionFile {
+    std::string path = day().folder.filePath(QStringLiteral("first.bask")).toStdString();
+    bool isThere = day().isThere &&
+                   QFile::copy(QString::fromStdString(day().path), QString::fromStdString(path)) &&
+                   test::makeFirstVersion(path);
+};
+
+const FirstVersionFile& firstVersion() {
+    static const FirstVersionFile file;
+    return file;
+}
+
+double megabytes(const std::string& path) {
+    return 1e-6 * static_cast<double>(QFileInfo(QString::fromStdString(path)).size());
+}
+
+double resident_MB() {
+    malloc_trim(0);
+    std::ifstream in("/proc/self/statm");
+    double all = 0.0, resident = 0.0;
+    in >> all >> resident;
+    return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) * 1e-6;
+}
+
+std::unique_ptr<TracePlot> shownPlot() {
+    auto plot = std::make_unique<TracePlot>(Quantity::Temperature);
+    plot->resize(1100, 420);
+    plot->show();
+    QCoreApplication::processEvents();
+    return plot;
+}
+
+/// An hour, committed each half second.
+void recordHour(benchmark::State& state) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath(QStringLiteral("hour.bask")).toStdString();
+    const std::clock_t start = std::clock();
+    for (auto _ : state)
+        if (!record(path, kHour, 5, state.range(0) != 0))
+            return state.SkipWithError("cannot record");
+    const double spent_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+    state.counters["percent_of_a_core"] =
+        100.0 * spent_s / (3600.0 * static_cast<double>(state.iterations()));
+    state.counters["day_MB"] = 24.0 * megabytes(path);
+}
+BENCHMARK(recordHour)->ArgName("followed")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond)->Iterations(2);
+
+/// Until the plot of the whole day is drawn.
+void openDay(benchmark::State& state) {
+    if (!day().isThere)
+        return state.SkipWithError("no session");
+    for (auto _ : state) {
+        state.PauseTiming();
+        const double before_MB = resident_MB();
+        state.ResumeTiming();
+        const auto session = RecordedSession::open(day().path);
+        if (!session)
+            return state.SkipWithError(describe(session.error()).c_str());
+        const auto plot = shownPlot();
+        plot->setRun(*session);
+        plot->redraw();
+        state.PauseTiming();
+        state.counters["session_and_plot_MB"] = resident_MB() - before_MB;
+        if (plot->visibleHighest() < kSpike_K - 273.15)
+            return state.SkipWithError("a spike is not in the picture");
+        state.ResumeTiming();
+    }
+    state.counters["file_MB"] = megabytes(day().path);
+}
+BENCHMARK(openDay)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(5);
+
+/// As before: every sample into memory, version 1 (0) or 2 (1).
+void openDayWhole(benchmark::State& state) {
+    const bool isThere = state.range(0) == 0 ? firstVersion().isThere : day().isThere;
+    const std::string& path = state.range(0) == 0 ? firstVersion().path : day().path;
+    if (!isThere)
+        return state.SkipWithError("no session");
+    for (auto _ : state) {
+        const double before_MB = resident_MB();
+        auto session = readSession(path);
+        if (!session)
+            return state.SkipWithError(describe(session.error()).c_str());
+        const auto plot = shownPlot();
+        plot->setObjects({QStringLiteral("circle"), QStringLiteral("bunny"), QStringLiteral("hand")});
+        plot->setSamples(session->samples);
+        plot->redraw();
+        state.counters["session_and_plot_MB"] = resident_MB() - before_MB;
+    }
+    state.counters["file_MB"] = megabytes(path);
+}
+BENCHMARK(openDayWhole)
+    ->ArgName("newer")
+    ->Arg(0)
+    ->Arg(1)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Iterations(1);
+
+/// Of wall and of processor: the machine may have other work.
+class Stopwatch {
+public:
+    Stopwatch() { m_wall.start(); }
+    double wall_ms() const { return 1e-6 * static_cast<double>(m_wall.nsecsElapsed()); }
+    double cpu_ms() const { return 1e3 * static_cast<double>(std::clock() - m_cpu) / CLOCKS_PER_SEC; }
+
+private:
+    QElapsedTimer m_wall;
+    std::clock_t m_cpu = std::clock();
+};
+
+struct Times {
+    std::vector<double> wall_ms, cpu_ms;
+
+    void add(const Stopwatch& watch) {
+        cpu_ms.push_back(watch.cpu_ms());
+        wall_ms.push_back(watch.wall_ms());
+    }
+    void tell(benchmark::State& state) {
+        for (auto* times : {&wall_ms, &cpu_ms}) {
+            std::ranges::sort(*times);
+            const std::string which = times == &wall_ms ? "wall" : "cpu";
+            const auto at = [&](double p) {
+                return (*times)[static_cast<std::size_t>(p * static_cast<double>(times->size() - 1))];
+            };
+            state.counters[which + "_median_ms"] = at(0.5);
+            state.counters[which + "_p99_ms"] = at(0.99);
+            state.counters[which + "_worst_ms"] = times->back();
+            state.counters[which + "_per_s"] =
+                1e3 * static_cast<double>(times->size()) / std::accumulate(times->begin(), times->end(), 0.0);
+        }
+    }
+};
+
+/// The sample at random moments, as replay wants it.
+void seekDay(benchmark::State& state) {
+    const auto session =
+        day().isThere ? RecordedSession::open(day().path) : Error(MessageCode::FileNotFound, {});
+    if (!session)
+        return state.SkipWithError("no session");
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> moment_s(0.0, (*session)->lastTime_s());
+    Times times;
+    for (auto _ : state) {
+        const double time_s = moment_s(random);
+        const Stopwatch watch;
+        const auto sample = (*session)->sampleAt(time_s);
+        times.add(watch);
+        if (!sample || std::abs(sample->time_s - time_s) > 2.0 * kPeriod_s)
+            return state.SkipWithError("not the sample of that moment");
+    }
+    times.tell(state);
+}
+BENCHMARK(seekDay)->Unit(benchmark::kMillisecond)->UseRealTime()->Iterations(500);
+
+/// Frames of a plot: moved over the day at a width of so many seconds, or zoomed in and out about a moment
+/// (0).
+void frames(benchmark::State& state, TracePlot& plot) {
+    Times times;
+    const double day_s = kDay * kPeriod_s, width_s = static_cast<double>(state.range(0));
+    int frame = 0;
+    for (auto _ : state) {
+        const Stopwatch watch;
+        const double share = 0.5 - 0.5 * std::cos(0.05 * frame++);
+        if (width_s > 0.0) {
+            const double from_s = share * (day_s - width_s) * std::min(1.0, 20.0 * width_s / day_s);
+            plot.setTimeRange(from_s, from_s + width_s);
+        } else {
+            const double half_s = 0.5 * day_s * std::pow(10.0 / day_s, share);
+            plot.setTimeRange(0.6 * day_s - half_s, 0.6 * day_s + half_s);
+        }
+        plot.redraw();
+        times.add(watch);
+    }
+    times.tell(state);
+}
+
+void panAndZoomDay(benchmark::State& state) {
+    const auto session =
+        day().isThere ? RecordedSession::open(day().path) : Error(MessageCode::FileNotFound, {});
+    if (!session)
+        return state.SkipWithError("no session");
+    const auto plot = shownPlot();
+    plot->setRun(*session);
+    frames(state, *plot);
+}
+BENCHMARK(panAndZoomDay)
+    ->ArgName("width_s")
+    ->Arg(0)
+    ->Arg(60)
+    ->Arg(600)
+    ->Arg(1600)
+    ->Arg(7200)
+    ->Arg(43200)
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime()
+    ->Iterations(300);
+
+} // namespace
+} // namespace bask
+
+int main(int argc, char** argv) {
+    if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    benchmark::Initialize(&argc, argv);
+    const QApplication application(argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}

@@ -1,0 +1,142 @@
+// Samples of files of version 1.
+
+#include "engine/base/message_code.h"
+#include "engine/session/session_facts.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace bask {
+namespace {
+
+using Row = SessionStore::Row;
+
+constexpr const char* kPoseColumns = "x_m, y_m, z_m, qw, qx, qy, qz";
+
+/// Reads the tables of one session into a record; the first failure ends it.
+class Reader {
+public:
+    Reader(const SessionStore& store, SessionRecord& record) : m_store(store), m_record(record) {}
+
+    Result<void> all() {
+        for (const auto part : {&Reader::poses, &Reader::objects, &Reader::rig}) {
+            if (auto done = (this->*part)(); !done)
+                return done;
+        }
+        return {};
+    }
+
+private:
+    Error damaged(const std::string& words) const {
+        return Error(MessageCode::SessionDamaged, m_record.path, {words});
+    }
+
+    /// One pose a sample: they make the samples that the other tables fill.
+    Result<void> poses() {
+        return m_store.select(std::string("SELECT time_s, ") + kPoseColumns + " FROM pose ORDER BY rowid",
+                              [&](Row row) {
+                                  TraceSample sample;
+                                  sample.time_s = numberOf(row[0]);
+                                  sample.coordinates = coordinatesOfColumns(row.subspan(1));
+                                  sample.source = m_record.experiment.source.pose;
+                                  sample.objects.resize(m_record.experiment.objects.size());
+                                  for (ObjectSample& object : sample.objects)
+                                      object.true_K = std::numeric_limits<double>::quiet_NaN();
+                                  m_record.samples.push_back(std::move(sample));
+                              });
+    }
+
+    /// Calls fill(sample, object, row) for each row of a table with one row a sample and object, in order.
+    template <class Fill>
+    Result<void> eachObject(const std::string& table, const std::string& columns, Fill fill) {
+        const auto& objects = m_record.experiment.objects;
+        std::size_t count = 0;
+        bool matches = true;
+        const std::string sql = "SELECT time_s, object, " + columns + " FROM " + table + " ORDER BY rowid";
+        const auto done = m_store.select(sql, [&](Row row) {
+            const std::size_t k = count / objects.size();
+            const std::size_t i = count++ % objects.size();
+            matches = matches && k < m_record.samples.size() &&
+                      numberOf(row[0]) == m_record.samples[k].time_s && textOf(row[1]) == objects[i].name;
+            if (matches)
+                fill(m_record.samples[k].objects[i], row.subspan(2));
+        });
+        if (done && (!matches || count != m_record.samples.size() * objects.size()))
+            return damaged("the rows of table " + table + " do not go with the poses");
+        return done;
+    }
+
+    /// Same for a table with one row a sample.
+    template <class Fill>
+    Result<void> eachSample(const std::string& table, const std::string& columns, Fill fill) {
+        std::size_t count = 0;
+        bool matches = true;
+        const std::string sql = "SELECT time_s, " + columns + " FROM " + table + " ORDER BY rowid";
+        const auto done = m_store.select(sql, [&](Row row) {
+            const std::size_t k = count++;
+            matches =
+                matches && k < m_record.samples.size() && numberOf(row[0]) == m_record.samples[k].time_s;
+            if (matches)
+                fill(m_record.samples[k], row.subspan(1));
+        });
+        if (done && (!matches || count != m_record.samples.size()))
+            return damaged("the rows of table " + table + " do not go with the poses");
+        return done;
+    }
+
+    Result<void> objects() {
+        auto done = eachObject("sample", "measured_K, estimated_K, rate_K_s, target_K, view_factor",
+                               [](ObjectSample& object, Row row) {
+                                   object.measured_K = numberOf(row[0]);
+                                   object.estimated_K = numberOf(row[1]);
+                                   object.rate_K_s = numberOf(row[2]);
+                                   object.target_K = numberOf(row[3]);
+                                   object.viewFactor = numberOf(row[4]);
+                               });
+        if (done)
+            done = eachObject("object_state", "lambda1_K_s, lambda2_1_K3s, reading_valid",
+                              [](ObjectSample& object, Row row) {
+                                  object.lambda1 = numberOf(row[0]);
+                                  object.lambda2 = numberOf(row[1]);
+                                  object.valid = numberOf(row[2]) == 1.0;
+                              });
+        if (done && m_record.simulated)
+            done = eachObject("truth", "temperature_K",
+                              [](ObjectSample& object, Row row) { object.true_K = numberOf(row[0]); });
+        return done;
+    }
+
+    Result<void> rig() {
+        auto done = eachSample(
+            "motion",
+            "vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, smallest_singular_value, limited",
+            [](TraceSample& sample, Row row) {
+                for (int k = 0; k < 6; ++k)
+                    sample.twist[k] = numberOf(row[static_cast<std::size_t>(k)]);
+                sample.smallestSingularValue = numberOf(row[6]);
+                sample.limits = limitsOf(row[7]);
+            });
+        if (done)
+            done = eachSample("source", "temperature_K",
+                              [](TraceSample& sample, Row row) { sample.source_K = numberOf(row[0]); });
+        const auto tables = m_store.tables();
+        if (!tables)
+            return tables.error();
+        if (done && std::ranges::find(*tables, "source_pose") != tables->end()) // later than the first files
+            done = eachSample("source_pose", kPoseColumns, [](TraceSample& sample, Row row) {
+                sample.source = coordinatesOfColumns(row);
+            });
+        return done;
+    }
+
+    const SessionStore& m_store;
+    SessionRecord& m_record;
+};
+
+} // namespace
+
+Result<void> readFirstVersion(const SessionStore& store, SessionRecord& record) {
+    return Reader(store, record).all();
+}
+
+} // namespace bask
