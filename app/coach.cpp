@@ -26,7 +26,7 @@ constexpr std::array<Place, Coach::kSteps> kPlaces{{{Page::Objects, "harmonicsSl
                                                     {Page::Run, ""},
                                                     {Page::Run, "resumeButton"},
                                                     {Page::Run, "stopRunButton"},
-                                                    {Page::Review, "openSession"}}};
+                                                    {Page::Review, "sessionTree"}}};
 
 bool isRunOn(RunState state) {
     return state == RunState::Running || state == RunState::Settled || state == RunState::Holding;

@@ -4,14 +4,17 @@
 #include "engine/base/message_code.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/review/review_page.h"
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
+#include <QFileInfo>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QPushButton>
 #include <QSlider>
+#include <QTreeWidget>
 
 #include <algorithm>
 
@@ -147,17 +150,30 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
                      [&](const std::shared_ptr<const SessionRecord>& opened) { record = opened; });
     step(Step::Review, [&] {
-        window->files().setFileChooser([&](const FileQuestion&) { return recording; });
-        click(find<QWidget>("openSession")->isVisible() ? "openSession" : "openSessionEmpty");
+        auto* runs = find<QTreeWidget>("sessionTree");
+        ASSERT_TRUE(waitFor([&] { return runs->topLevelItemCount() > 0; }));
+        runs->setFocus();
+        QTest::keyClick(runs, Qt::Key_Home); // the newest
+        QTest::keyClick(runs, Qt::Key_Return);
     });
     ASSERT_TRUE(waitFor([&] { return record != nullptr; }));
+    EXPECT_EQ(record->path, recording.toStdString());
     EXPECT_EQ(record->outcome, "settled");
     ASSERT_EQ(record->notes.size(), 1U);
     EXPECT_EQ(record->notes[0].text, "door was open");
     EXPECT_TRUE(std::ranges::any_of(record->events, [](const TraceEvent& event) {
         return event.message.code == MessageCode::ReasonSensorStale;
     }));
+    auto* position = find<QSlider>("replaySlider");
+    position->setFocus();
+    QTest::keyClick(position, Qt::Key_Home);
+    click("replayPlay");
+    EXPECT_TRUE(waitFor([&] { return position->value() > position->minimum(); }));
     keepPicture(QStringLiteral("five-minutes-14"));
+    const QTemporaryDir folder;
+    window->files().setFileChooser([&](const FileQuestion&) { return folder.path(); });
+    emit window->pages().review()->exportRequested(SessionForm::Csv);
+    EXPECT_TRUE(waitFor([&] { return QFileInfo::exists(folder.filePath(QStringLiteral("pose.csv"))); }));
 }
 
 // Catches an offer that comes again, and one that takes a person's answer for another.
