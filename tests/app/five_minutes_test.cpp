@@ -141,11 +141,11 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
             [this] { return std::ranges::none_of(window->lastSnapshot().alarms, &Alarm::isActive); }));
         press(Qt::Key_F7, Qt::ShiftModifier);
     });
+    const std::string recording = window->lastSnapshot().recordingPath;
     step(Step::Stop, [this] { press(Qt::Key_F8); });
     if (HasFatalFailure())
         return;
     EXPECT_FALSE(window->lastSnapshot().heatOn);
-    const QString recording = QString::fromStdString(window->lastSnapshot().recordingPath);
     std::shared_ptr<const SessionRecord> record;
     QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
                      [&](const std::shared_ptr<const SessionRecord>& opened) { record = opened; });
@@ -157,12 +157,12 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
         QTest::keyClick(runs, Qt::Key_Return);
     });
     ASSERT_TRUE(waitFor([&] { return record != nullptr; }));
-    EXPECT_EQ(record->path, recording.toStdString());
-    EXPECT_EQ(record->outcome, "settled");
+    EXPECT_EQ(record->path, recording);
+    EXPECT_EQ(record->outcome, "stopped"); // not settled again after the hold
     ASSERT_EQ(record->notes.size(), 1U);
     EXPECT_EQ(record->notes[0].text, "door was open");
     EXPECT_TRUE(std::ranges::any_of(record->events, [](const TraceEvent& event) {
-        return event.message.code == MessageCode::ReasonSensorStale;
+        return event.message.code == MessageCode::ReasonSensorInvalid;
     }));
     auto* position = find<QSlider>("replaySlider");
     position->setFocus();

@@ -170,6 +170,7 @@ TEST_F(UndoTest, StartValuesOfASessionComeBack) {
     ASSERT_TRUE(runSimulated(wrong, options).ok());
     window->files().open(QString::fromStdString(path));
     ASSERT_TRUE(waitFor([this] { return find<QAbstractButton>("useIdentified")->isEnabled(); }));
+    find<QComboBox>("reviewDetails")->setCurrentIndex(3); // heat rates
     const Experiment before = experiment();
     click("useIdentified");
     const Experiment after = experiment();

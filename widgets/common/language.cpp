@@ -62,6 +62,8 @@ void Language::set(const QString& code) {
 }
 
 void Language::chooseFonts() {
+    if (qobject_cast<QApplication*>(QCoreApplication::instance()) == nullptr) // there is nothing to draw with
+        return;
     QFont font = QApplication::font();
     QStringList families = font.families();
     families.removeIf([](const QString& family) { return kHanFamilies.contains(family); });
