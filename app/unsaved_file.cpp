@@ -10,7 +10,9 @@
 #include <QJsonObject>
 #include <QSaveFile>
 
+#include <atomic>
 #include <fcntl.h>
+
 #include <sys/file.h>
 #include <unistd.h>
 
@@ -40,6 +42,12 @@ QByteArray firstLine(const QString& path) {
     return file.open(QIODevice::ReadOnly) ? file.readLine(kLongestLine) : QByteArray();
 }
 
+/// Two may be made within a millisecond.
+int nextNumber() {
+    static std::atomic<int> last{0};
+    return ++last;
+}
+
 Error unreadable(const QFile& file) {
     return {MessageCode::FileUnreadable, file.fileName().toStdString(), {file.errorString().toStdString()}};
 }
@@ -47,9 +55,10 @@ Error unreadable(const QFile& file) {
 } // namespace
 
 UnsavedFile::UnsavedFile(const QString& folder)
-    : m_path(QDir(folder).filePath(QStringLiteral("%1-%2.json")
+    : m_path(QDir(folder).filePath(QStringLiteral("%1-%2-%3.json")
                                        .arg(QCoreApplication::applicationPid())
-                                       .arg(QDateTime::currentMSecsSinceEpoch()))) {}
+                                       .arg(QDateTime::currentMSecsSinceEpoch())
+                                       .arg(nextNumber()))) {}
 
 UnsavedFile::~UnsavedFile() {
     if (m_lock >= 0)
