@@ -2,6 +2,7 @@
 
 #include "widgets/common/theme.h"
 
+#include <QEvent>
 #include <QPainter>
 #include <QTimer>
 #include <QWidget>
@@ -16,13 +17,22 @@ constexpr int kMargin = 5;
 
 class Frame : public QWidget {
 public:
-    Frame(QWidget* window, const QRect& around) : QWidget(window) {
+    explicit Frame(QWidget* control) : QWidget(control->window()) {
+        const QRect around(control->mapTo(window(), QPoint(0, 0)), control->size());
         setObjectName(QStringLiteral("pointedAt"));
         setAttribute(Qt::WA_TransparentForMouseEvents);
         setGeometry(around.adjusted(-kMargin, -kMargin, kMargin, kMargin));
         show();
         raise();
         QTimer::singleShot(kShown, this, &QObject::deleteLater);
+        control->installEventFilter(this);
+    }
+
+    /// It would be around nothing.
+    bool eventFilter(QObject* control, QEvent* event) override {
+        if (event->type() == QEvent::Resize || event->type() == QEvent::Move || event->type() == QEvent::Hide)
+            deleteLater();
+        return QWidget::eventFilter(control, event);
     }
 
 protected:
@@ -37,9 +47,8 @@ protected:
 } // namespace
 
 void pointAt(QWidget* control) {
-    QWidget* window = control->window();
-    delete window->findChild<QWidget*>(QStringLiteral("pointedAt"));
-    new Frame(window, {control->mapTo(window, QPoint(0, 0)), control->size()});
+    delete control->window()->findChild<QWidget*>(QStringLiteral("pointedAt"));
+    new Frame(control);
 }
 
 } // namespace bask
