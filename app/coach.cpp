@@ -105,25 +105,25 @@ void Coach::seeVerdict(bool isFeasible) {
 }
 
 void Coach::see(const Snapshot& snapshot) {
-    m_state = snapshot.state;
+    const RunState state = snapshot.state;
     if (m_isSimulated != snapshot.simulated) {
         m_isSimulated = snapshot.simulated;
         if (!m_isSimulated && (m_step || m_isOffer))
             end();
     }
-    if (m_state == RunState::Armed || isRunOn(m_state))
+    if (state == RunState::Armed || isRunOn(state))
         done(Step::Arm);
-    if (isRunOn(m_state))
+    if (isRunOn(state))
         done(Step::Start);
     if (!snapshot.newNotes.empty())
         done(Step::Note);
-    if (m_state == RunState::Holding && !snapshot.alarms.empty())
+    if (state == RunState::Holding && !snapshot.alarms.empty())
         done(Step::Fault);
     if (std::ranges::all_of(snapshot.alarms, &Alarm::isAcknowledged))
         done(Step::Acknowledge);
-    if (m_state == RunState::Running || m_state == RunState::Settled)
+    if (state == RunState::Running || state == RunState::Settled)
         done(Step::Resume);
-    if (m_state == RunState::Stopped)
+    if (state == RunState::Stopped)
         done(Step::Stop);
 }
 

@@ -71,7 +71,6 @@ private:
     MessageBar& m_bar;
     bool m_isOffer = false;
     std::optional<Step> m_step;
-    RunState m_state = RunState::Idle;
     bool m_isSimulated = true;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };

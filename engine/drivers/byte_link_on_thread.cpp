@@ -35,6 +35,11 @@ void ByteLinkOnThread::open() {
 
 void ByteLinkOnThread::close() {
     const std::lock_guard lock(m_mutex);
+    shut();
+}
+
+/// Under the mutex.
+void ByteLinkOnThread::shut() {
     drop();
     m_thread.post([this, wanted = m_wanted] {
         m_done = wanted;
@@ -91,13 +96,8 @@ void ByteLinkOnThread::write(std::string_view bytes) {
     if (!m_isOpen)
         return;
     if (m_unwritten + bytes.size() > kMostQueued) {
-        drop();
+        shut();
         m_problem = {MessageCode::LinkStuck, {m_name}};
-        m_thread.post([this, wanted = m_wanted] {
-            m_done = wanted;
-            m_thread.stop();
-            m_link->close();
-        });
         return;
     }
     m_unwritten += bytes.size();

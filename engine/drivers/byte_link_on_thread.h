@@ -30,6 +30,7 @@ private:
 
     void turn();
     void drop();
+    void shut();
 
     const std::string m_name;
     mutable std::mutex m_mutex;

@@ -5,35 +5,11 @@
 #include "widgets/plots/trace_canvas.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace bask {
 namespace {
 
 constexpr int kLongestName = 100; // px, in front of the run's mark
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// In SI, as TraceColumns has it of the run underneath.
-double plotted(const TraceSample& sample, Quantity quantity, int series) {
-    if (quantity == Quantity::Speed)
-        return series == 0 ? sample.twist.head<3>().norm() : sample.twist.tail<3>().norm();
-    const auto i = static_cast<std::size_t>(series);
-    if (i >= sample.objects.size())
-        return kNaN;
-    const ObjectSample& object = sample.objects[i];
-    switch (quantity) {
-    case Quantity::Temperature:
-        return object.valid ? object.measured_K : kNaN;
-    case Quantity::Error:
-        return object.valid ? object.measured_K - object.target_K : kNaN;
-    case Quantity::Rate:
-        return object.valid ? object.rate_K_s : kNaN;
-    case Quantity::ViewFactor:
-        return object.viewFactor;
-    default:
-        return object.lambda1;
-    }
-}
 
 } // namespace
 
@@ -72,7 +48,8 @@ void TracePlot::Canvas::removeOverlayItems() {
 void TracePlot::Canvas::rebuildOverlays() {
     removeOverlayItems();
     for (Overlay& overlay : overlays) {
-        const auto count = quantity == Quantity::Speed ? 2 : static_cast<int>(overlay.objects.size());
+        const auto count =
+            static_cast<int>(bask::seriesCount(quantity, static_cast<std::size_t>(overlay.objects.size())));
         for (int i = 0; i < count; ++i) {
             overlay.graphs << addGraph();
             overlay.graphs.back()->setAdaptiveSampling(true);
@@ -91,13 +68,11 @@ void TracePlot::Canvas::rebuildOverlays() {
 void TracePlot::Canvas::fillOverlay(QCPGraph* graph, const Overlay& overlay, int series) const {
     const auto count = static_cast<qsizetype>(overlay.samples->size());
     QVector<double> keys(count), values(count);
-    double scale = 1.0;
-    if (quantity == Quantity::Speed)
-        scale = 100.0 / (series == 0 ? limits.translation_m_s : limits.rotation_rad_s);
+    const double scale = factor(series);
     for (qsizetype k = 0; k < count; ++k) {
         const TraceSample& sample = (*overlay.samples)[static_cast<std::size_t>(k)];
         keys[k] = sample.time_s;
-        values[k] = displayed(plotted(sample, quantity, series)) * scale;
+        values[k] = displayed(plottedValue(sample, quantity, static_cast<std::size_t>(series))) * scale;
     }
     graph->setData(keys, values, true);
 }
