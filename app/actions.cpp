@@ -2,6 +2,7 @@
 
 #include "app/examples.h"
 #include "app/icons.h"
+#include "app/settings_store.h"
 #include "widgets/common/language.h"
 
 #include <QActionGroup>
@@ -79,8 +80,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
 
-    for (QMenu** menu : {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu,
-                         &m_unitMenu, &m_themeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_helpMenu})
+    for (QMenu** menu :
+         {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu, &m_unitMenu,
+          &m_themeMenu, &m_textSizeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_helpMenu})
         *menu = new QMenu(window);
     m_fileMenu->setToolTipsVisible(true);
     m_editMenu->setToolTipsVisible(true);
@@ -135,6 +137,7 @@ void Actions::makeView() {
     m_pageGroup = group();
     m_unitGroup = group();
     m_themeGroup = group();
+    m_textSizeGroup = group();
     m_languageGroup = group();
     for (std::size_t i = 0; i < kPageNames.size(); ++i) {
         m_pages[i] =
@@ -146,6 +149,13 @@ void Actions::makeView() {
         connect(m_units[i], &QAction::triggered, this, [this, i] { emit unitChosen(kUnits[i]); });
         m_themes[i] = checkable(m_themeGroup, kThemeNames[i]);
         connect(m_themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(kThemes[i]); });
+    }
+    for (const int percent : SettingsStore::kTextSizes_percent) {
+        QAction* action = checkable(m_textSizeGroup, "textSize");
+        action->setText(QStringLiteral("%1 %").arg(percent));
+        action->setData(percent);
+        m_textSizes << action;
+        connect(action, &QAction::triggered, this, [this, percent] { emit textSizeChosen(percent); });
     }
     for (const QString& code : Language::codes()) {
         QAction* action = checkable(m_languageGroup, "language");
@@ -234,11 +244,13 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_viewMenu->addSeparator();
     m_viewMenu->addMenu(m_unitMenu);
     m_viewMenu->addMenu(m_themeMenu);
+    m_viewMenu->addMenu(m_textSizeMenu);
     m_viewMenu->addMenu(m_languageMenu);
     for (QAction* action : m_units)
         m_unitMenu->addAction(action);
     for (QAction* action : m_themes)
         m_themeMenu->addAction(action);
+    m_textSizeMenu->addActions(m_textSizes);
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
     fillFaults();
@@ -325,6 +337,7 @@ void Actions::retranslateView() {
     m_themes[0]->setText(tr("As the desktop"));
     m_themes[1]->setText(tr("Light"));
     m_themes[2]->setText(tr("Dark"));
+    m_textSizeMenu->setTitle(tr("Te&xt size"));
     m_languageMenu->setTitle(tr("&Language"));
     m_toolsMenu->setTitle(tr("&Tools"));
     retranslateFaults();
@@ -389,6 +402,11 @@ void Actions::showTemperatureUnit(TemperatureUnit unit) {
 void Actions::showTheme(Theme theme) {
     for (std::size_t i = 0; i < kThemes.size(); ++i)
         m_themes[i]->setChecked(kThemes[i] == theme);
+}
+
+void Actions::showTextSize(int percent) {
+    for (QAction* action : m_textSizes)
+        action->setChecked(action->data().toInt() == percent);
 }
 
 void Actions::showLanguage(const QString& code) {

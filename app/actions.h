@@ -45,6 +45,7 @@ public:
     void setRecent(const QStringList& files);
     void showTemperatureUnit(TemperatureUnit unit);
     void showTheme(Theme theme);
+    void showTextSize(int percent);
     void showLanguage(const QString& code);
     void showPage(int page);
 
@@ -63,6 +64,7 @@ signals:
     void pageChosen(int page);
     void unitChosen(bask::TemperatureUnit unit);
     void themeChosen(bask::Theme theme);
+    void textSizeChosen(int percent);
     void languageChosen(const QString& code);
     void exampleChosen(const QString& name);
     void recentChosen(const QString& path);
@@ -84,13 +86,13 @@ private:
     QAction* m_clearRecent;
     std::array<QAction*, kVerbs> m_verbs{};
     std::array<QAction*, kPages> m_pages{};
-    QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_languageGroup;
+    QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_textSizeGroup, *m_languageGroup;
     std::array<QAction*, 3> m_units{}, m_themes{};
-    QList<QAction*> m_languages;
+    QList<QAction*> m_textSizes, m_languages;
     std::array<QAction*, kSimulatedFaults> m_rigFaults{}; ///< by SimulatedFault; null: of objects
     std::array<QMenu*, kSimulatedFaults> m_objectFaults{};
     QMenu *m_fileMenu, *m_exampleMenu, *m_recentMenu, *m_editMenu, *m_runMenu, *m_viewMenu, *m_unitMenu,
-        *m_themeMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_helpMenu;
+        *m_themeMenu, *m_textSizeMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_helpMenu;
 };
 
 } // namespace bask

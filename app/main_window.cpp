@@ -24,6 +24,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScreen>
 #include <QToolBar>
 #include <QUrl>
 
@@ -40,13 +41,14 @@ MainWindow::MainWindow()
 
     m_actions.setRecent(m_settings.recentFiles());
     m_actions.showTheme(m_settings.theme());
+    m_actions.showTextSize(m_textSize_percent);
     m_actions.showLanguage(m_language.current());
     m_statusLine->showLanguage(m_language.current());
     setTemperatureUnit(m_settings.temperatureUnit());
     retranslate();
     restyle();
 
-    resize(1280, 800);
+    resize(QSize(1280, 800).boundedTo(screen()->availableSize()));
     restoreGeometry(m_settings.windowGeometry());
     restoreState(m_settings.windowState());
     m_pages->show(Page::Run);
@@ -214,6 +216,18 @@ void MainWindow::setTheme(Theme theme) {
     m_settings.setTheme(theme);
     m_actions.showTheme(theme);
     applyTheme(*qApp, theme);
+}
+
+void MainWindow::setTextSize(int percent) {
+    m_settings.setTextSize_percent(percent);
+    m_actions.showTextSize(percent);
+    QString note =
+        tr("From the next start of Bask on, text and all that is drawn with it has %1 % of its size.")
+            .arg(percent);
+    const QSize needed = minimumSizeHint() * percent / m_textSize_percent, room = screen()->availableSize();
+    if (needed.width() > room.width() || needed.height() > room.height())
+        note += u' ' + tr("The window will then be larger than this screen.");
+    m_pages->showNote(note);
 }
 
 void MainWindow::setTemperatureUnit(TemperatureUnit unit) {

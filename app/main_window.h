@@ -46,6 +46,7 @@ public:
 
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
+    void setTextSize(int percent); ///< of the next start
     void setTemperatureUnit(TemperatureUnit unit);
 
 signals:
@@ -83,6 +84,7 @@ private:
     bool mayEndRun();
 
     SettingsStore m_settings;
+    const int m_textSize_percent = m_settings.textSize_percent(); ///< as it was at the start
     Language m_language;
     Document m_document;
     Autosave m_autosave;

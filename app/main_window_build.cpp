@@ -92,6 +92,7 @@ void MainWindow::connectActions() {
             [this](int page) { m_pages->show(static_cast<Page>(page)); });
     connect(&m_actions, &Actions::unitChosen, this, &MainWindow::setTemperatureUnit);
     connect(&m_actions, &Actions::themeChosen, this, &MainWindow::setTheme);
+    connect(&m_actions, &Actions::textSizeChosen, this, &MainWindow::setTextSize);
     connect(&m_actions, &Actions::languageChosen, this, &MainWindow::setLanguage);
     connect(&m_actions, &Actions::exampleChosen, this,
             [this](const QString& name) { m_files.openExample(name); });

@@ -6,6 +6,8 @@
 #include <QFileInfo>
 #include <QStandardPaths>
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
@@ -72,6 +74,15 @@ void SettingsStore::setTheme(Theme theme) {
     m_settings.setValue(QStringLiteral("theme"), theme == Theme::Light  ? QStringLiteral("light")
                                                  : theme == Theme::Dark ? QStringLiteral("dark")
                                                                         : QStringLiteral("system"));
+}
+
+int SettingsStore::textSize_percent() const {
+    const int value = m_settings.value(QStringLiteral("textSize")).toInt();
+    return std::ranges::count(kTextSizes_percent, value) > 0 ? value : 100;
+}
+
+void SettingsStore::setTextSize_percent(int percent) {
+    m_settings.setValue(QStringLiteral("textSize"), percent);
 }
 
 QString SettingsStore::language() const {

@@ -8,6 +8,8 @@
 #include <QSettings>
 #include <QStringList>
 
+#include <array>
+
 namespace bask {
 
 /// An INI file in the user's configuration folder, or in the folder that BASK_SETTINGS_DIR names. Unknown
@@ -15,6 +17,7 @@ namespace bask {
 class SettingsStore {
 public:
     static constexpr int kMaxRecent = 8;
+    static constexpr std::array kTextSizes_percent{100, 125, 150, 200};
 
     SettingsStore();
 
@@ -23,6 +26,10 @@ public:
 
     Theme theme() const;
     void setTheme(Theme theme);
+
+    /// Of text and all that is drawn with it, one of kTextSizes_percent; from the program's start on.
+    int textSize_percent() const;
+    void setTextSize_percent(int percent);
 
     /// One of Language::codes(); the desktop's language when it was never chosen.
     QString language() const;

@@ -2,6 +2,7 @@
 
 #include "app/end_signals.h"
 #include "app/main_window.h"
+#include "app/settings_store.h"
 #include "widgets/common/theme.h"
 
 #include <QApplication>
@@ -45,6 +46,16 @@ void refuseDisplay(QtMsgType type, const QMessageLogContext&, const QString& tex
     std::_Exit(1);
 }
 
+/// Before the QApplication is made: Qt draws everything larger by the factor, which the user's own
+/// environment may have set for all programs.
+void setTextSize(int percent) {
+    if (percent == 100)
+        return;
+    bool isNumber = false;
+    const double factor = qEnvironmentVariable("QT_SCALE_FACTOR").toDouble(&isNumber);
+    qputenv("QT_SCALE_FACTOR", QByteArray::number((isNumber ? factor : 1.0) * percent / 100.0));
+}
+
 } // namespace
 
 int runWindow(int& argc, char** argv, const QString& file) {
@@ -53,6 +64,7 @@ int runWindow(int& argc, char** argv, const QString& file) {
     QCoreApplication::setApplicationName(QStringLiteral("bask"));
     QCoreApplication::setApplicationVersion(QStringLiteral(BASK_VERSION));
     QGuiApplication::setDesktopFileName(QStringLiteral("bask"));
+    setTextSize(SettingsStore().textSize_percent());
     const QtMessageHandler usual = qInstallMessageHandler(refuseDisplay);
     QApplication application(argc, argv);
     qInstallMessageHandler(usual);

@@ -1527,6 +1527,10 @@
             <source>The &amp;first five minutes</source>
             <translation>Les cinq &amp;premières minutes</translation>
         </message>
+        <message>
+            <source>Te&amp;xt size</source>
+            <translation>Taille du te&amp;xte</translation>
+        </message>
     </context>
     <context>
         <name>bask::AxisTable</name>
@@ -3059,6 +3063,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Unsaved edits cannot be kept for a crash: %1</source>
             <translation>Les modifications non enregistrées ne peuvent pas être gardées en cas de panne : %1</translation>
+        </message>
+        <message>
+            <source>From the next start of Bask on, text and all that is drawn with it has %1 % of its size.</source>
+            <translation>À partir du prochain démarrage de Bask, le texte et tout ce qui est dessiné avec lui auront %1 % de leur taille.</translation>
+        </message>
+        <message>
+            <source>The window will then be larger than this screen.</source>
+            <translation>La fenêtre sera alors plus grande que cet écran.</translation>
         </message>
     </context>
     <context>

@@ -1527,6 +1527,10 @@
             <source>The &amp;first five minutes</source>
             <translation>最初五分鐘(&amp;F)</translation>
         </message>
+        <message>
+            <source>Te&amp;xt size</source>
+            <translation>文字大小(&amp;X)</translation>
+        </message>
     </context>
     <context>
         <name>bask::AxisTable</name>
@@ -3055,6 +3059,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Unsaved edits cannot be kept for a crash: %1</source>
             <translation>無法為防備當機而保留未儲存的變更：%1</translation>
+        </message>
+        <message>
+            <source>From the next start of Bask on, text and all that is drawn with it has %1 % of its size.</source>
+            <translation>從 Bask 下次啟動起，文字及隨之繪製的一切將為原大小的 %1 %。</translation>
+        </message>
+        <message>
+            <source>The window will then be larger than this screen.</source>
+            <translation>屆時視窗將大於此螢幕。</translation>
         </message>
     </context>
     <context>

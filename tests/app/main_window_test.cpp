@@ -13,6 +13,7 @@
 #include "widgets/targets/targets_page.h"
 
 #include <QAbstractButton>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
@@ -25,6 +26,8 @@
 #include <QSplitter>
 #include <QTabWidget>
 #include <QTemporaryDir>
+
+#include <algorithm>
 
 namespace bask::test {
 namespace {
@@ -123,6 +126,21 @@ TEST_F(MainWindowTest, TheSurfacesControlsFitASmallWindow) {
     }
     window->setTheme(Theme::Dark);
     look(QStringLiteral("dark"));
+}
+
+// Catches: a text size that is chosen and forgotten, or changes half of the window at once.
+TEST_F(MainWindowTest, TextSizeIsKeptForTheNextStart) {
+    openWindow();
+    const QFont before = window->font();
+    for (QAction* action : window->findChildren<QAction*>(QStringLiteral("textSize")))
+        if (action->data().toInt() == 200)
+            action->trigger();
+    EXPECT_EQ(SettingsStore().textSize_percent(), 200);
+    EXPECT_EQ(window->font(), before);
+    const auto notes = window->findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(notes, [](const QLabel* label) {
+        return label->isVisible() && label->text().contains(QStringLiteral("next start"));
+    }));
 }
 
 // Catches: another experiment slipped in under a run.
