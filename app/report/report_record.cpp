@@ -9,6 +9,9 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLocale>
 #include <QSysInfo>
 
@@ -42,12 +45,35 @@ QString time(double time_s) {
     return QLocale().toString(time_s, 'f', 1);
 }
 
+/// A recorded value in words: "environment_K 297.9733; offsets_K 0.0733, -0.1266".
+QString plainValue(const QJsonValue& value) {
+    QStringList parts;
+    if (value.isObject()) {
+        const QJsonObject object = value.toObject();
+        for (auto field = object.begin(); field != object.end(); ++field)
+            parts << field.key() + u' ' + plainValue(*field);
+        return parts.join(QStringLiteral("; "));
+    }
+    if (value.isArray()) {
+        for (const QJsonValue& item : value.toArray())
+            parts << plainValue(item);
+        return parts.join(QStringLiteral(", "));
+    }
+    if (value.isDouble())
+        return QString::number(value.toDouble(), 'g', 10);
+    return value.toVariant().toString();
+}
+
+QString commandText(const CommandRow& command) {
+    const QString name = QString::fromStdString(command.name), value = QString::fromStdString(command.value);
+    const QJsonDocument read = QJsonDocument::fromJson(value.toUtf8());
+    return (name + u' ' + (read.isObject() ? plainValue(read.object()) : value)).trimmed();
+}
+
 std::vector<Line> linesOf(const SessionRecord& session) {
     std::vector<Line> lines;
     for (const CommandRow& command : session.commands) // before what came of them in the same step
-        lines.push_back(
-            {command.time_s, 0, Words::tr("command"),
-             QString::fromStdString(command.name + (command.value.empty() ? "" : " " + command.value))});
+        lines.push_back({command.time_s, 0, Words::tr("command"), commandText(command)});
     const std::vector<int> numbers = markedEvents(session.events);
     for (std::size_t k = 0; k < session.events.size(); ++k) {
         const TraceEvent& event = session.events[k];

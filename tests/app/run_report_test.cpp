@@ -50,6 +50,8 @@ protected:
         QFile::remove(file);
         auto writer = SessionWriter::create(file.toStdString(), experiment, simulated);
         EXPECT_TRUE(writer);
+        EXPECT_TRUE((*writer)->add(CommandRow{0.0, "start", R"({"a_K":[1.5,-2],"b":true})"}));
+        EXPECT_TRUE((*writer)->add(CommandRow{0.0, "stop", ""}));
         EXPECT_TRUE((*writer)->add(TraceEvent{0.0, {MessageCode::EventStarted, {}}}));
         for (int k = 0; k < samples; ++k)
             EXPECT_TRUE((*writer)->add(warming(experiment, k, simulated)));
@@ -92,6 +94,7 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     EXPECT_TRUE(text.contains("All objects settled."));
     EXPECT_TRUE(text.contains("The sensor of \"right\"")) << text.toStdString();
     EXPECT_TRUE(text.contains("alarm, priority 1"));
+    EXPECT_TRUE(text.contains("start a_K 1.5, -2; b true")) << text.toStdString();
     EXPECT_TRUE(text.contains("40.0 °C"));
     const double step_K = 15.0 - 0.01; // of the true temperature
     const double rise_s = 20.0 * std::log((0.9 * step_K + 0.01) / (0.1 * step_K + 0.01));
