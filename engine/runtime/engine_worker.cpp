@@ -482,11 +482,17 @@ void EngineWorker::tick() {
     updateAlarms();
 }
 
+/// A hold waits for a person, for a time that they can keep.
+double EngineWorker::simulationSpeed() const {
+    return m_session && m_session->loop.state() == RunState::Holding ? 1.0 : m_speed;
+}
+
 void EngineWorker::advanceSimulated(double wall_s) {
     const double period_s = m_session->loop.experiment().sampling.period_s;
-    if (wall_s * m_speed > m_untilTick_s + 0.5 * period_s && wall_s > 3e-3 * kTimer_ms)
+    const double speed = simulationSpeed();
+    if (wall_s * speed > m_untilTick_s + 0.5 * period_s && wall_s > 3e-3 * kTimer_ms)
         ++m_lateSteps;
-    double dt_s = std::min(wall_s * m_speed, std::max(wall_s, m_session->vision->lead_s()));
+    double dt_s = std::min(wall_s * speed, std::max(wall_s, m_session->vision->lead_s()));
     QElapsedTimer spent;
     spent.start();
     // What does not fit is dropped: simulated time then runs slower than asked, and commands are never kept
@@ -561,7 +567,7 @@ void EngineWorker::publish() {
     Snapshot snapshot = std::exchange(m_pending, Snapshot());
     snapshot.sequence = ++m_sequence;
     snapshot.runId = m_runId;
-    snapshot.simulationSpeed = m_speed;
+    snapshot.simulationSpeed = simulationSpeed();
     snapshot.loopRate_Hz = m_loopRate_Hz;
     snapshot.lateSteps = m_lateSteps;
     snapshot.alarms = m_alarms.alarms();

@@ -52,6 +52,7 @@ private:
     struct Session;
 
     void onTimer();
+    double simulationSpeed() const;
     void advanceSimulated(double wall_s);
     void workReal();
     void tick();

@@ -150,8 +150,10 @@ TEST(EngineWorker, AnUnwritableRecordingIsRefusedBeforeTheRun) {
 
 TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     Rig rig;
+    Experiment experiment = oneDisk();
+    experiment.safety.heldLimit_s = 1.0;
     rig.send(SetSimulationSpeed{20.0});
-    rig.send(LoadExperiment{oneDisk()});
+    rig.send(LoadExperiment{experiment});
     ASSERT_TRUE(rig.reaches(RunState::Ready));
     rig.send(Arm{});
     rig.send(Start{});
@@ -163,6 +165,28 @@ TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     rig.send(SimulateFault{SimulatedFault::None});
     rig.send(Reset{});
     EXPECT_TRUE(rig.reaches(RunState::Ready));
+}
+
+// Catches a hold that is over before a person can do anything: its limit of 15 s was 0.75 s of theirs.
+TEST(EngineWorker, AHoldIsNotFastForwarded) {
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{oneDisk()});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    rig.send(SimulateFault{SimulatedFault::SensorLost});
+    ASSERT_TRUE(rig.reaches(RunState::Holding));
+    EXPECT_EQ(rig.last.simulationSpeed, 1.0);
+    const double held_s = rig.last.latest.time_s;
+    EXPECT_FALSE(rig.waitFor([&] { return rig.last.state != RunState::Holding; }, 2000));
+    EXPECT_LT(rig.last.latest.time_s - held_s, 6.0);
+    rig.send(SimulateFault{SimulatedFault::None});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.latest.objects[0].valid; }));
+    rig.send(Resume{});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    EXPECT_EQ(rig.last.simulationSpeed, 20.0);
 }
 
 // Catches alarms that are not published, cannot be acknowledged, are not in the record, or are forgotten by a
