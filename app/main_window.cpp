@@ -135,7 +135,7 @@ void MainWindow::refuse(const Message& refusal) {
     if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed)
         askInfeasible();
     else
-        m_pages->showProblem(sentence(refusal));
+        m_pages->showRefusal(sentence(refusal));
 }
 
 void MainWindow::askInfeasible() {

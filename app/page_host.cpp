@@ -74,6 +74,10 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
                 showSession();
                 show(Page::Review);
             });
+    connect(&m_document, &Document::changed, this, [this] {
+        if (m_bar->sentence() == m_refusal)
+            m_bar->clear();
+    });
     connect(&m_files, &SessionActions::problem, this, &PageHost::showProblem);
     connect(&m_files, &SessionActions::told, this, &PageHost::showNote);
 }
@@ -424,6 +428,10 @@ void PageHost::takeFile(const QString& path) {
 
 void PageHost::showProblem(const QString& text) {
     m_bar->say(MessageBar::Kind::Problem, text);
+}
+void PageHost::showRefusal(const QString& text) {
+    m_refusal = text;
+    showProblem(text);
 }
 void PageHost::showNote(const QString& text) {
     m_bar->say(MessageBar::Kind::Note, text);

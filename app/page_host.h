@@ -52,6 +52,7 @@ public:
 
     /// A sentence over the pages, until it is closed.
     void showProblem(const QString& sentence);
+    void showRefusal(const QString& sentence); ///< the engine's; gone with the next edit
     void showNote(const QString& sentence);
 
     /// Over all, for what waits for an answer.
@@ -99,6 +100,7 @@ private:
     RunPage* m_run;
     ReviewPage* m_review;
     SessionLibrary m_library;
+    QString m_refusal;   ///< shown last
     QString m_recording; ///< the file that is being recorded into
     std::shared_ptr<const SessionRecord> m_record;
     std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way

@@ -219,6 +219,17 @@ TEST_F(UndoTest, DuringARunTargetsComeBackAndObjectsStay) {
     EXPECT_EQ(state(), RunState::Running);
 }
 
+// Catches a refusal that goes on standing there when what it was about is undone.
+TEST_F(UndoTest, ARefusalGoesWithTheEditThatItWasAbout) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    ASSERT_TRUE(window->document().setTargets({473.15, 313.15, 313.15}).ok());
+    ASSERT_TRUE(waitFor([&] { return said("messageBar").contains(QStringLiteral("circle")); }));
+    undoByKey();
+    EXPECT_FALSE(said("messageBar").contains(QStringLiteral("200"))) << qPrintable(said("messageBar"));
+    EXPECT_TRUE(waitForState(RunState::Ready));
+}
+
 // Catches a menu that speaks the language of the edit, and buttons of the Objects page that do not follow.
 TEST_F(UndoTest, TheMenuSaysWhatIsUndone) {
     openWindow();
