@@ -43,7 +43,7 @@ struct AddNote {
 };
 struct SetSimulationSpeed {
     double factor = 1.0;
-}; ///< simulated seconds a second, 1..20; fewer where the camera that follows the source is behind; 1 in a hold
+}; ///< simulated s/s, 1..20; 1 in a hold, fewer where the camera that follows the source is behind
 /// Instead of the one before; None ends it.
 struct SimulateFault {
     SimulatedFault fault = SimulatedFault::None;
