@@ -1,6 +1,7 @@
 #include "app/manual_window.h"
 
 #include "widgets/common/language.h"
+#include "widgets/common/theme.h"
 
 #include <QDesktopServices>
 #include <QDir>
@@ -18,6 +19,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -28,7 +30,6 @@ const QString kContents = QStringLiteral("manual.md");
 /// Markdown leaves tables without lines and code without a ground.
 void dress(QTextDocument& document, const QPalette& palette) {
     QTextCursor cursor(&document);
-    cursor.beginEditBlock(); // or each change is laid out by itself
     for (QTextFrame* frame : document.rootFrame()->childFrames()) {
         auto* table = qobject_cast<QTextTable*>(frame);
         if (!table)
@@ -37,7 +38,7 @@ void dress(QTextDocument& document, const QPalette& palette) {
         format.setBorderCollapse(true);
         format.setBorder(1);
         format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
-        format.setBorderBrush(palette.mid());
+        format.setBorderBrush(hairline(isDark(palette)));
         format.setCellPadding(5);
         format.setMargin(8);
         table->setFormat(format);
@@ -51,7 +52,6 @@ void dress(QTextDocument& document, const QPalette& palette) {
         cursor.setPosition(block.position());
         cursor.setBlockFormat(format);
     }
-    cursor.endEditBlock();
 }
 
 QString textOf(const QString& path) {
@@ -87,7 +87,6 @@ ManualWindow::ManualWindow(const Language& language, QWidget* parent)
     m_find->setObjectName(QStringLiteral("manualFind"));
     m_find->setClearButtonEnabled(true);
     m_text->setOpenLinks(false);
-    m_text->document()->setDocumentMargin(16);
 
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_back);
@@ -149,8 +148,13 @@ QString ManualWindow::shownText(const QString& page) const {
 
 void ManualWindow::show(const QString& page, const QString& anchor) {
     m_page = page;
-    m_text->setMarkdown(shownText(page));
-    dress(*m_text->document(), palette());
+    auto* document = new QTextDocument(m_text);
+    document->setDefaultFont(m_text->font());
+    document->setDocumentMargin(16);
+    document->setMarkdown(shownText(page));
+    dress(*document, palette());
+    m_text->setDocument(document); // once it is whole, or each piece is laid out by itself
+    delete std::exchange(m_document, document);
     m_text->moveCursor(QTextCursor::Start);
     m_back->setEnabled(!m_before.isEmpty());
     if (!anchor.isEmpty())

@@ -7,6 +7,7 @@
 class QLineEdit;
 class QPushButton;
 class QTextBrowser;
+class QTextDocument;
 
 namespace bask {
 
@@ -48,6 +49,7 @@ private:
 
     const Language& m_language;
     QTextBrowser* m_text;
+    QTextDocument* m_document = nullptr; ///< the page, once there is one
     QPushButton *m_back, *m_contents;
     QLineEdit* m_find;
     QString m_page;
