@@ -194,7 +194,7 @@ void MainWindow::showControl(Page page, const QString& name) {
 
 void MainWindow::showManual(const QString& page) {
     if (!m_manual)
-        m_manual = new ManualWindow(this);
+        m_manual = new ManualWindow(m_language, this);
     m_manual->open(page);
 }
 

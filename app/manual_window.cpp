@@ -1,5 +1,8 @@
 #include "app/manual_window.h"
 
+#include "widgets/common/language.h"
+#include "widgets/common/theme.h"
+
 #include <QDesktopServices>
 #include <QDir>
 #include <QFile>
@@ -15,6 +18,9 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <utility>
+
 namespace bask {
 namespace {
 
@@ -24,7 +30,6 @@ const QString kContents = QStringLiteral("manual.md");
 /// Markdown leaves tables without lines and code without a ground.
 void dress(QTextDocument& document, const QPalette& palette) {
     QTextCursor cursor(&document);
-    cursor.beginEditBlock(); // or each change is laid out by itself
     for (QTextFrame* frame : document.rootFrame()->childFrames()) {
         auto* table = qobject_cast<QTextTable*>(frame);
         if (!table)
@@ -33,7 +38,7 @@ void dress(QTextDocument& document, const QPalette& palette) {
         format.setBorderCollapse(true);
         format.setBorder(1);
         format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
-        format.setBorderBrush(palette.mid());
+        format.setBorderBrush(hairline(isDark(palette)));
         format.setCellPadding(5);
         format.setMargin(8);
         table->setFormat(format);
@@ -47,13 +52,33 @@ void dress(QTextDocument& document, const QPalette& palette) {
         cursor.setPosition(block.position());
         cursor.setBlockFormat(format);
     }
-    cursor.endEditBlock();
+}
+
+QString textOf(const QString& path) {
+    QFile file(kFolder + path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
+QList<QTextBlock> headingsOf(const QTextDocument& document) {
+    QList<QTextBlock> out;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next())
+        if (block.blockFormat().headingLevel() > 0)
+            out << block;
+    return out;
+}
+
+/// -1 where none is called so.
+qsizetype headingNumber(const QTextDocument& document, const QString& anchor) {
+    const QList<QTextBlock> headings = headingsOf(document);
+    const auto found = std::ranges::find(
+        headings, anchor, [](const QTextBlock& heading) { return ManualWindow::anchorOf(heading.text()); });
+    return found == headings.end() ? -1 : found - headings.begin();
 }
 
 } // namespace
 
-ManualWindow::ManualWindow(QWidget* parent)
-    : QWidget(parent, Qt::Window), m_text(new QTextBrowser), m_back(new QPushButton),
+ManualWindow::ManualWindow(const Language& language, QWidget* parent)
+    : QWidget(parent, Qt::Window), m_language(language), m_text(new QTextBrowser), m_back(new QPushButton),
       m_contents(new QPushButton), m_find(new QLineEdit) {
     setObjectName(QStringLiteral("manual"));
     m_text->setObjectName(QStringLiteral("manualText"));
@@ -62,7 +87,6 @@ ManualWindow::ManualWindow(QWidget* parent)
     m_find->setObjectName(QStringLiteral("manualFind"));
     m_find->setClearButtonEnabled(true);
     m_text->setOpenLinks(false);
-    m_text->document()->setDocumentMargin(16);
 
     auto* bar = new QHBoxLayout;
     bar->addWidget(m_back);
@@ -91,12 +115,13 @@ QStringList ManualWindow::pages() {
 }
 
 QString ManualWindow::anchorOf(const QString& heading) {
-    static const QRegularExpression kDropped(QStringLiteral("[^\\w\\- ]"));
+    static const QRegularExpression kDropped(QStringLiteral("[^\\w\\- ]"),
+                                             QRegularExpression::UseUnicodePropertiesOption);
     return heading.toLower().remove(kDropped).replace(u' ', u'-');
 }
 
 void ManualWindow::open(const QString& page) {
-    const QString name = page.section(u'#', 0, 0);
+    const QString name = page.section(u'#', 0, 0).section(u'/', -1); // "../" leads out of a language's folder
     if (isVisible())
         m_before.append(m_page);
     show(pages().contains(name) ? name : kContents, page.section(u'#', 1));
@@ -113,29 +138,51 @@ void ManualWindow::follow(const QString& link) {
     open(link.startsWith(u'#') ? m_page + link : link);
 }
 
+QString ManualWindow::shownText(const QString& page) const {
+    if (const QString own = textOf(m_language.current() + u'/' + page); !own.isEmpty())
+        return own;
+    if (m_language.current() == QLatin1String("en"))
+        return textOf(page);
+    return u'*' + tr("This page is in English only.") + QStringLiteral("*\n\n") + textOf(page);
+}
+
 void ManualWindow::show(const QString& page, const QString& anchor) {
-    QFile file(kFolder + page);
-    if (!file.open(QIODevice::ReadOnly))
-        return;
     m_page = page;
-    m_text->setMarkdown(QString::fromUtf8(file.readAll()));
-    dress(*m_text->document(), palette());
+    auto* document = new QTextDocument(m_text);
+    document->setDefaultFont(m_text->font());
+    document->setDocumentMargin(16);
+    document->setMarkdown(shownText(page));
+    dress(*document, palette());
+    m_text->setDocument(document); // once it is whole, or each piece is laid out by itself
+    delete std::exchange(m_document, document);
     m_text->moveCursor(QTextCursor::Start);
     m_back->setEnabled(!m_before.isEmpty());
     if (!anchor.isEmpty())
         toHeading(anchor);
 }
 
+/// In other colours or another language, at about the same place.
+void ManualWindow::showAgain() {
+    QScrollBar& bar = *m_text->verticalScrollBar();
+    const double part = double(bar.value()) / qMax(1, bar.maximum());
+    show(m_page, {});
+    bar.setValue(qRound(part * bar.maximum()));
+}
+
+/// A translated page has the headings of the English one in the same order.
 void ManualWindow::toHeading(const QString& anchor) {
-    for (QTextBlock block = m_text->document()->begin(); block.isValid(); block = block.next()) {
-        if (block.blockFormat().headingLevel() == 0 || anchorOf(block.text()) != anchor)
-            continue;
-        m_text->moveCursor(QTextCursor::End); // so that the heading comes to the top
-        m_text->setTextCursor(QTextCursor(block));
-        m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->value() +
-                                              m_text->cursorRect().top());
-        return;
+    qsizetype number = headingNumber(*m_text->document(), anchor);
+    if (number < 0) {
+        QTextDocument english;
+        english.setMarkdown(textOf(m_page));
+        number = headingNumber(english, anchor);
     }
+    const QList<QTextBlock> headings = headingsOf(*m_text->document());
+    if (number < 0 || number >= headings.size())
+        return;
+    m_text->moveCursor(QTextCursor::End); // so that the heading comes to the top
+    m_text->setTextCursor(QTextCursor(headings[number]));
+    m_text->verticalScrollBar()->setValue(m_text->verticalScrollBar()->value() + m_text->cursorRect().top());
 }
 
 void ManualWindow::back() {
@@ -150,15 +197,17 @@ void ManualWindow::find() {
         return;
     const QStringList names = pages();
     const auto at = names.indexOf(m_page);
-    const QString from = m_page;
     for (qsizetype i = 1; i <= names.size(); ++i) {
-        show(names[(at + i) % names.size()], {});
-        if (m_text->find(wanted)) {
-            if (m_page != from)
-                m_before.append(from);
-            m_back->setEnabled(!m_before.isEmpty());
-            return;
-        }
+        const QString& name = names[(at + i) % names.size()];
+        QTextDocument document; // a page is only drawn when it is the one
+        document.setMarkdown(shownText(name));
+        if (document.find(wanted).isNull())
+            continue;
+        if (name != m_page)
+            m_before.append(m_page);
+        show(name, {});
+        m_text->find(wanted);
+        return;
     }
 }
 
@@ -173,10 +222,11 @@ void ManualWindow::retranslate() {
 
 void ManualWindow::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
+    const bool isNewLanguage = event->type() == QEvent::LanguageChange;
+    if (isNewLanguage)
         retranslate();
-    else if (event->type() == QEvent::PaletteChange && !m_page.isEmpty())
-        show(m_page, {});
+    if ((isNewLanguage || event->type() == QEvent::PaletteChange) && !m_page.isEmpty())
+        showAgain();
 }
 
 } // namespace bask

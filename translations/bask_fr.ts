@@ -6422,6 +6422,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Text of the manual</source>
             <translation>Texte du manuel</translation>
         </message>
+        <message>
+            <source>This page is in English only.</source>
+            <translation>Cette page n’existe qu’en anglais.</translation>
+        </message>
     </context>
     <context>
         <name>bask::ProblemDialog</name>

@@ -6417,6 +6417,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>Text of the manual</source>
             <translation>手册正文</translation>
         </message>
+        <message>
+            <source>This page is in English only.</source>
+            <translation>本页只有英文版。</translation>
+        </message>
     </context>
     <context>
         <name>bask::ProblemDialog</name>
