@@ -232,6 +232,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     if (m_isEnding)
         return {};
     m_session = std::make_unique<Session>(experiment);
+    ++m_loadId;
     if (zeroing)
         m_session->loop.useZeroing(*zeroing);
     m_untilTick_s = experiment.sampling.period_s;
@@ -561,6 +562,7 @@ void EngineWorker::publish() {
     Snapshot snapshot = std::exchange(m_pending, Snapshot());
     snapshot.sequence = ++m_sequence;
     snapshot.runId = m_runId;
+    snapshot.loadId = m_loadId;
     snapshot.simulationSpeed = m_speed;
     snapshot.loopRate_Hz = m_loopRate_Hz;
     snapshot.lateSteps = m_lateSteps;
@@ -570,6 +572,7 @@ void EngineWorker::publish() {
         snapshot.state = loop.state();
         snapshot.reasons = loop.reasons();
         snapshot.runTime_s = loop.runTime_s();
+        snapshot.clock_s = m_session->clock().now_s();
         snapshot.latest = loop.latest();
         snapshot.simulated = m_session->simulated != nullptr;
         if (m_session->simulated)
