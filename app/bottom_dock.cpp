@@ -4,6 +4,7 @@
 #include "widgets/common/alarm_list.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/theme.h"
+#include "widgets/recipe/recipe_panel.h"
 
 #include <QApplication>
 #include <QEvent>
@@ -16,12 +17,13 @@ namespace bask {
 namespace {
 
 constexpr int kLeastUrgentInFront = 2;
+constexpr int kRecipeHeight = 230;
 
 } // namespace
 
 BottomDock::BottomDock(QWidget* parent)
     : QDockWidget(parent), m_tabs(new QTabWidget(this)), m_alarmList(new AlarmList),
-      m_eventList(new EventList) {
+      m_eventList(new EventList), m_recipe(new RecipePanel) {
     setObjectName(QStringLiteral("eventDock"));
     setFeatures(NoDockWidgetFeatures);
     setTitleBarWidget(new QWidget(this)); // none: the tabs say what is here
@@ -32,6 +34,7 @@ BottomDock::BottomDock(QWidget* parent)
         list->setContentsMargins(8, 2, 8, 4);
         m_tabs->addTab(list, QString());
     }
+    m_tabs->addTab(m_recipe, QString());
     m_tabs->setCurrentWidget(m_eventList);
     setWidget(m_tabs);
 
@@ -40,7 +43,23 @@ BottomDock::BottomDock(QWidget* parent)
     connect(m_alarmList, &AlarmList::acknowledgeAllRequested, this,
             [this] { emit commandIssued(AcknowledgeAll{}); });
     connect(m_eventList, &EventList::timeChosen, this, &BottomDock::timeChosen);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &BottomDock::fit);
+    fit();
     retranslate();
+}
+
+/// The recipe, when it is not in front, does not keep the dock from being low.
+void BottomDock::fit() {
+    const bool isRecipe = m_tabs->currentWidget() == m_recipe;
+    const auto policy = isRecipe ? QSizePolicy::Preferred : QSizePolicy::Ignored;
+    m_recipe->setSizePolicy(policy, policy);
+    if (isRecipe)
+        emit heightWanted(kRecipeHeight);
+}
+
+void BottomDock::showRecipe() {
+    setReviewing(false);
+    m_tabs->setCurrentWidget(m_recipe);
 }
 
 void BottomDock::apply(const Snapshot& snapshot) {
@@ -114,6 +133,7 @@ void BottomDock::setAnswering(bool answering) {
 
 void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
     m_alarmList->setTemperatureUnit(unit);
+    m_recipe->setTemperatureUnit(unit);
 }
 
 void BottomDock::setReviewing(bool isReviewing) {
@@ -143,6 +163,7 @@ void BottomDock::showParts() {
 
 void BottomDock::retranslate() {
     setWindowTitle(tr("Alarms and events"));
+    m_tabs->setTabText(m_tabs->indexOf(m_recipe), tr("Recipe"));
     m_tabs->setTabText(m_tabs->indexOf(m_eventList), tr("Events"));
     showParts();
     showEvents();

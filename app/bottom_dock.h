@@ -1,5 +1,5 @@
 #pragma once
-// The dock under the pages: alarms and events.
+// The dock under the pages: alarms, events and the recipe.
 
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
@@ -12,6 +12,7 @@ namespace bask {
 
 class AlarmList;
 class EventList;
+class RecipePanel;
 
 /// Object names: "eventDock", its tabs "dockTabs". A new alarm of priority 1 or 2 brings its tab to the
 /// front; the keyboard stays where it is.
@@ -27,6 +28,8 @@ public:
     /// A recorded run is looked at: its own events are on the page, and only alarms are here, if any.
     void setReviewing(bool isReviewing);
     void showAlarm(std::uint64_t id);
+    RecipePanel& recipe() { return *m_recipe; }
+    void showRecipe();
     /// Of the present or last run.
     const std::vector<TraceEvent>& events() const { return m_events; }
 
@@ -34,6 +37,8 @@ signals:
     void commandIssued(const bask::Command& command);
     /// Of an event or a note, since Start.
     void timeChosen(double time_s);
+    /// What is in front now needs this height.
+    void heightWanted(int height);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -46,11 +51,13 @@ private:
     void showEvents();
     void showParts();
     void bringAlarmsToFront();
+    void fit();
     void retranslate();
 
     QTabWidget* m_tabs;
     AlarmList* m_alarmList;
     EventList* m_eventList;
+    RecipePanel* m_recipe;
     std::vector<Alarm> m_alarms;
     std::uint64_t m_runId = 0;
     std::vector<TraceEvent> m_events;

@@ -61,7 +61,8 @@ std::string notUtf8(int argc, char** argv) {
 
 int printHelp() {
     std::printf(
-        "Usage: bask [FILE]                open the window, with an experiment or rig (*.json) or a session "
+        "Usage: bask [FILE]                open the window, with an experiment, recipe or rig (*.json) or a "
+        "session "
         "(*.bask)\n"
         "       bask SUBCOMMAND [options]  work without a display\n\n"
         "%s\nOptions:\n  -h, --help     this text\n  -v, --version  the exact version\n\n"

@@ -6,10 +6,16 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+// Q_INIT_RESOURCE declares a function and must stand outside any namespace.
+static void init() {
+    Q_INIT_RESOURCE(examples);
+}
+
 namespace bask {
 namespace {
 
 const QString kFolder = QStringLiteral(":/examples");
+const QString kRecipes = QStringLiteral(":/examples/recipes");
 const QString kFirst = QStringLiteral("three-objects");
 
 bool unpack(const QDir& to) {
@@ -23,23 +29,45 @@ bool unpack(const QDir& to) {
     return true;
 }
 
+QStringList namesIn(const QString& folder) {
+    init();
+    QStringList names;
+    for (const QString& file : QDir(folder).entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
+        names << file.chopped(5);
+    return names;
+}
+
 } // namespace
 
 QStringList exampleNames() {
-    QStringList names;
-    for (const QString& file : QDir(kFolder).entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
-        names << file.chopped(5);
+    QStringList names = namesIn(kFolder);
     if (names.removeOne(kFirst))
         names.prepend(kFirst);
     return names;
 }
 
 Result<Experiment> readExample(const QString& name) {
+    if (const QStringList known = exampleNames(); !known.contains(name))
+        return Error(MessageCode::ValueUnknown, {},
+                     {name.toStdString(), known.join(QStringLiteral(", ")).toStdString()});
     const QTemporaryDir folder;
     if (!folder.isValid() || !unpack(QDir(folder.path())))
         return Error(MessageCode::FileUnwritable, folder.path().toStdString(),
                      {folder.errorString().toStdString()});
     return readExperiment(folder.filePath(name + QStringLiteral(".json")).toStdString());
+}
+
+QStringList exampleRecipeNames() {
+    return namesIn(kRecipes);
+}
+
+Result<Recipe> readExampleRecipe(const QString& name) {
+    init();
+    QFile file(kRecipes + u'/' + name + QStringLiteral(".json"));
+    if (!file.open(QIODevice::ReadOnly))
+        return Error(MessageCode::ValueUnknown, {},
+                     {name.toStdString(), exampleRecipeNames().join(QStringLiteral(", ")).toStdString()});
+    return recipeFromJson(file.readAll().toStdString(), {});
 }
 
 } // namespace bask

@@ -1,7 +1,7 @@
 #pragma once
 // The examples that come with Bask, inside the binary, so that the first start works from any folder.
 
-#include "engine/session/experiment.h"
+#include "engine/recipe/recipe.h"
 
 #include <QString>
 #include <QStringList>
@@ -13,5 +13,9 @@ QStringList exampleNames();
 
 /// Reads an example with the contours it refers to. Unpacks them to a temporary folder: run it as a job.
 Result<Experiment> readExample(const QString& name);
+
+/// Recipes of such experiments.
+QStringList exampleRecipeNames();
+Result<Recipe> readExampleRecipe(const QString& name);
 
 } // namespace bask

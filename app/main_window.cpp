@@ -6,12 +6,14 @@
 #include "app/infeasible_dialog.h"
 #include "app/manual_window.h"
 #include "app/problem_report.h"
+#include "app/recipe_control.h"
 #include "app/recovery_offer.h"
 #include "app/resources.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "app/undo_actions.h"
 #include "engine/base/message_code.h"
+#include "engine/recipe/recipe.h"
 #include "engine/session/rig_file.h"
 #include "widgets/calibrate/calibration_age.h"
 #include "widgets/common/display.h"
@@ -68,7 +70,7 @@ void MainWindow::begin(const QString& path) {
             Qt::SingleShotConnection);
     else if (!path.isEmpty())
         m_files.open(path);
-    if (path.isEmpty() || isRig || SessionActions::isSession(path))
+    if (path.isEmpty() || isRig || SessionActions::isSession(path) || isRecipeFile(path.toStdString()))
         m_files.openExample(QStringLiteral("three-objects"), false);
 }
 
@@ -80,6 +82,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_pages->apply(snapshot);
     m_dock->apply(snapshot);
     m_files.setRecording(QString::fromStdString(snapshot.recordingPath));
+    m_recipe->apply(snapshot);
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
     m_undo->setState(snapshot.state);
@@ -132,7 +135,8 @@ void MainWindow::arm() {
 }
 
 void MainWindow::refuse(const Message& refusal) {
-    if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed)
+    if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed &&
+        !m_recipe->isOn())
         askInfeasible();
     else
         m_pages->showRefusal(sentence(refusal));
@@ -299,7 +303,8 @@ bool MainWindow::mayEndRun() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if ((runIsOn() && !mayEndRun()) || !m_files.mayDiscard()) {
+    if (((runIsOn() || m_recipe->isOn()) && !mayEndRun()) || !m_files.mayDiscard() ||
+        !m_recipe->mayDiscard()) {
         event->ignore();
         return;
     }

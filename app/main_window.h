@@ -20,6 +20,7 @@ namespace bask {
 class BottomDock;
 class Coach;
 class ManualWindow;
+class RecipeControl;
 class RecoveryOffer;
 class StateBar;
 class StatusLine;
@@ -41,6 +42,7 @@ public:
     EngineClient& engine() { return m_engine; }
     Actions& actions() { return m_actions; }
     const Snapshot& lastSnapshot() const { return m_last; }
+    RecipeControl& recipe() { return *m_recipe; }
     /// Asks the person, unless a test answers: may a run that is on be ended by closing?
     void setCloseQuestion(std::function<bool()> question) { m_closeQuestion = std::move(question); }
 
@@ -65,6 +67,7 @@ private:
     void connectActions();
     void connectParts();
     void connectCoach();
+    void connectRecipe();
 
     void apply(const Snapshot& snapshot);
     void perform(Verb verb);
@@ -96,6 +99,7 @@ private:
     UndoActions* m_undo = nullptr;
     RecoveryOffer* m_recovery = nullptr;
     Coach* m_coach = nullptr;
+    RecipeControl* m_recipe = nullptr;
     QToolBar* m_navigation = nullptr;
     BottomDock* m_dock = nullptr;
     StatusLine* m_statusLine = nullptr;

@@ -5,6 +5,7 @@
 #include "app/coach.h"
 #include "app/error_text.h"
 #include "app/main_window.h"
+#include "app/recipe_control.h"
 #include "app/recovery_offer.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
@@ -145,7 +146,20 @@ void MainWindow::connectParts() {
     connect(&m_autosave, &Autosave::failed, this, [this](const Error& error) {
         m_pages->showProblem(tr("Unsaved edits cannot be kept for a crash: %1").arg(sentence(error)));
     });
+    connectRecipe();
     connectCoach();
+}
+
+void MainWindow::connectRecipe() {
+    m_recipe = new RecipeControl(m_document, m_files, m_dock->recipe(), this);
+    connect(m_recipe, &RecipeControl::commandIssued, &m_engine, &EngineClient::send);
+    connect(m_recipe, &RecipeControl::problem, m_pages, &PageHost::showProblem);
+    connect(m_recipe, &RecipeControl::told, m_pages, &PageHost::showNote);
+    connect(m_recipe, &RecipeControl::showWanted, m_dock, &BottomDock::showRecipe);
+    connect(&m_files, &SessionActions::recipeChosen, m_recipe, &RecipeControl::open);
+    connect(m_dock, &BottomDock::heightWanted, this, [this](int height) {
+        resizeDocks({m_dock}, {std::max(height, m_dock->height())}, Qt::Vertical);
+    });
 }
 
 void MainWindow::connectCoach() {

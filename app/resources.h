@@ -3,7 +3,7 @@
 
 namespace bask {
 
-/// Makes ":/icons", ":/examples" and ":/i18n" known. Needed once, since a static library's resources are not
+/// Makes ":/icons" and ":/i18n" known. Needed once, since a static library's resources are not
 /// found by themselves.
 void initResources();
 

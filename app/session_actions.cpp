@@ -4,6 +4,7 @@
 #include "app/examples.h"
 #include "app/settings_store.h"
 #include "engine/base/message_code.h"
+#include "engine/recipe/recipe.h"
 #include "engine/session/rig_file.h"
 
 #include <QDateTime>
@@ -49,6 +50,19 @@ QString SessionActions::ask(const FileQuestion& question) {
     if (!path.isEmpty())
         m_settings.setLastFolder(QFileInfo(path).absolutePath());
     return path;
+}
+
+QString SessionActions::lastFolder() const {
+    return m_settings.lastFolder();
+}
+
+TemperatureUnit SessionActions::temperatureUnit() const {
+    return m_settings.temperatureUnit();
+}
+
+void SessionActions::remember(const QString& path) {
+    m_settings.addRecentFile(path);
+    emit recentChanged();
 }
 
 bool SessionActions::refusedByRun() {
@@ -124,6 +138,8 @@ QString SessionActions::askSessionFolder() {
 void SessionActions::open(const QString& path) {
     if (isSession(path))
         return openSession(path);
+    if (isRecipeFile(path.toStdString()))
+        return emit recipeChosen(path);
     if (refusedByRun())
         return;
     if (isRigFile(path.toStdString()))

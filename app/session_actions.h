@@ -4,6 +4,7 @@
 
 #include "app/document.h"
 #include "app/session_export.h"
+#include "engine/base/units.h"
 #include "engine/session/session_file.h"
 #include "widgets/common/latest_job.h"
 
@@ -43,6 +44,12 @@ public:
     /// Whether a run forbids another experiment, asked before it is put in.
     void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
     void setRecording(const QString& path);
+    /// Empty: cancelled.
+    QString ask(const FileQuestion& question);
+    QString lastFolder() const;
+    TemperatureUnit temperatureUnit() const;
+    /// Among the recent files.
+    void remember(const QString& path);
 
     void newExperiment();
     void openExample(const QString& name, bool remember = true);
@@ -51,7 +58,7 @@ public:
     /// The folder whose runs are listed; another one is asked for. Empty: it stays.
     QString sessionFolder() const;
     QString askSessionFolder();
-    /// *.bask is a session; a .json says whether it is a rig or an experiment.
+    /// *.bask is a session; a .json says whether it is a recipe, a rig or an experiment.
     void open(const QString& path);
     bool save(); ///< false: cancelled or refused
     bool saveAs();
@@ -83,11 +90,12 @@ signals:
     void told(const QString& sentence);
     void sessionOpened(std::shared_ptr<const bask::SessionRecord> record);
     void rigRead(const bask::RigSpec& rig);
+    /// A recipe file is to be opened.
+    void recipeChosen(const QString& path);
     void recentChanged();
     void recordingChanged();
 
 private:
-    QString ask(const FileQuestion& question);
     void adopt(const Result<Experiment>& read, const QString& path);
     void openExperiment(const QString& path);
     void openSession(const QString& path);

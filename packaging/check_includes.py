@@ -30,6 +30,7 @@ ENGINE = {
     "simulation": {"devices", "calibration", "radiation", "thermal", "shape", "base"},
     "session": {"calibration", "protocols", "control", "thermal", "shape", "base"},
     "export": {"session", "exchange", "control", "radiation", "thermal", "shape", "base"},
+    "recipe": {"runtime", "session", "simulation", "control", "base"},
     "runtime": {"exchange", "vision", "drivers", "protocols", "simulation", "calibration", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
 }
 
@@ -70,6 +71,8 @@ VALUE_HEADERS = {
     "engine/session/rig_spec.h",
     "engine/session/safety_spec.h",
     "engine/vision/vision_view.h",
+    "engine/recipe/recipe.h",
+    "engine/recipe/recipe_runner.h",
     "engine/runtime/command.h",
     "engine/runtime/snapshot.h",
 }
@@ -79,6 +82,7 @@ WIDGETS = {
     "plots": {"common"},
     "scene": {"common"},
     "rig": {"common"},
+    "recipe": {"common"},
     "objects": {"common", "plots", "scene"},
     "calibrate": {"common", "plots"},
     "targets": {"common", "plots", "scene"},
@@ -148,6 +152,8 @@ def qt_in_engine(path):
         return True
     if path.parts[:2] == ("engine", "session"):
         return path.suffix not in HEADER_SUFFIXES
+    if path.parts[:2] == ("engine", "recipe"):
+        return name == "recipe_file.cpp"
     if path.parts[:2] == ("engine", "drivers"):  # serial ports, sockets, QtSerialBus
         return path.suffix not in HEADER_SUFFIXES
     if path.parts[:2] == ("engine", "runtime"):

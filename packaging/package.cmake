@@ -10,7 +10,7 @@ install(FILES ${linux}/org.bask.Bask.metainfo.xml DESTINATION ${CMAKE_INSTALL_DA
 install(FILES ${linux}/60-bask.rules DESTINATION lib/udev/rules.d)
 install(FILES ${CMAKE_SOURCE_DIR}/resources/icons/bask.svg DESTINATION ${icons}/apps)
 install(FILES ${linux}/application-x-bask-session.svg ${linux}/application-x-bask-experiment.svg
-              ${linux}/application-x-bask-rig.svg DESTINATION ${icons}/mimetypes)
+              ${linux}/application-x-bask-rig.svg ${linux}/application-x-bask-recipe.svg DESTINATION ${icons}/mimetypes)
 install(FILES ${linux}/copyright DESTINATION ${doc})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/examples DESTINATION ${doc})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${doc} FILES_MATCHING PATTERN "*.md" PATTERN images EXCLUDE)

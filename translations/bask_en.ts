@@ -124,4 +124,24 @@
             </translation>
         </message>
     </context>
+    <context>
+        <name>bask::RecipePanel</name>
+        <message numerus="yes">
+            <source>%n step(s), at most %1</source>
+            <translation>
+                <numerusform>%n step, at most %1</numerusform>
+                <numerusform>%n steps, at most %1</numerusform>
+            </translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecipeControl</name>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>and %n more</numerusform>
+                <numerusform>and %n more</numerusform>
+            </translation>
+        </message>
+    </context>
 </TS>

@@ -6002,6 +6002,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Alarms and events</source>
             <translation>Alarmes et événements</translation>
         </message>
+        <message>
+            <source>Recipe</source>
+            <translation>Recette</translation>
+        </message>
     </context>
     <context>
         <name>bask::Question</name>
@@ -7474,6 +7478,454 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
                 <numerusform>%n fichier écrit dans %1</numerusform>
                 <numerusform>%n fichiers écrits dans %1</numerusform>
             </translation>
+        </message>
+    </context>
+<context>
+    <name>bask::Recipe</name>
+        <message>
+            <source>Wait</source>
+            <translation>Attente</translation>
+        </message>
+        <message>
+            <source>all have been settled for %1</source>
+            <translation>tous sont stabilisés depuis %1</translation>
+        </message>
+        <message>
+            <source>%1 have passed</source>
+            <translation>%1 se sont écoulées</translation>
+        </message>
+        <message>
+            <source>%1 is at %2 or above</source>
+            <translation>%1 est à %2 ou plus</translation>
+        </message>
+        <message>
+            <source>%1 is at %2 or below</source>
+            <translation>%1 est à %2 ou moins</translation>
+        </message>
+        <message>
+            <source>To come</source>
+            <translation>À venir</translation>
+        </message>
+        <message>
+            <source>Under way</source>
+            <translation>En cours</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>Terminée</translation>
+        </message>
+        <message>
+            <source>Not reached</source>
+            <translation>Non atteinte</translation>
+        </message>
+        <message>
+            <source>Failed</source>
+            <translation>Échouée</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>Arrêtée</translation>
+        </message>
+        <message>
+            <source>The recipe is done.</source>
+            <translation>La recette est terminée.</translation>
+        </message>
+        <message>
+            <source>The recipe has ended: not every step was done.</source>
+            <translation>La recette a pris fin : toutes les étapes n’ont pas abouti.</translation>
+        </message>
+        <message>
+            <source>The recipe was stopped.</source>
+            <translation>La recette a été arrêtée.</translation>
+        </message>
+        <message>
+            <source>The recipe has ended, since the rig or the experiment was taken in hand.</source>
+            <translation>La recette a pris fin : quelqu’un a repris le banc ou l’expérience en main.</translation>
+        </message>
+        <message>
+            <source>The recipe was ended by an alarm.</source>
+            <translation>Une alarme a mis fin à la recette.</translation>
+        </message>
+        <message>
+            <source>The recipe was ended by a fault.</source>
+            <translation>Un défaut a mis fin à la recette.</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::RecipeStepDialog</name>
+        <message>
+            <source>Run %1</source>
+            <translation>Essai %1</translation>
+        </message>
+        <message>
+            <source>Wait</source>
+            <translation>Attente</translation>
+        </message>
+        <message>
+            <source>All objects have settled</source>
+            <translation>Tous les objets sont stabilisés</translation>
+        </message>
+        <message>
+            <source>A time has passed</source>
+            <translation>Un temps s’est écoulé</translation>
+        </message>
+        <message>
+            <source>An object is so hot or hotter</source>
+            <translation>Un objet est aussi chaud ou plus chaud</translation>
+        </message>
+        <message>
+            <source>An object is so cold or colder</source>
+            <translation>Un objet est aussi froid ou plus froid</translation>
+        </message>
+        <message>
+            <source>End the recipe</source>
+            <translation>Mettre fin à la recette</translation>
+        </message>
+        <message>
+            <source>Go on with the next step</source>
+            <translation>Passer à l’étape suivante</translation>
+        </message>
+        <message>
+            <source>Until</source>
+            <translation>Jusqu’à</translation>
+        </message>
+        <message>
+            <source>For</source>
+            <translation>Pendant</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>Objet</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>Température</translation>
+        </message>
+        <message>
+            <source>At most</source>
+            <translation>Au plus</translation>
+        </message>
+        <message>
+            <source>Otherwise</source>
+            <translation>Sinon</translation>
+        </message>
+        <message>
+            <source>Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a person's stop always ends the recipe.</source>
+            <translation>Si la condition n’est pas atteinte à temps ou si l’essai ne peut pas commencer. Une alarme, un défaut ou l’arrêt par une personne met toujours fin à la recette.</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>OK</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::RecipePanel</name>
+        <message>
+            <source>Run %1</source>
+            <translation>Essai %1</translation>
+        </message>
+        <message>
+            <source>%1; otherwise on with the next</source>
+            <translation>%1 ; sinon, passer à la suivante</translation>
+        </message>
+        <message>
+            <source>Step %1 of %2</source>
+            <translation>Étape %1 sur %2</translation>
+        </message>
+        <message>
+            <source>%1 of at most %2</source>
+            <translation>%1 sur %2 au plus</translation>
+        </message>
+        <message>
+            <source>running, %1</source>
+            <translation>essai en cours, %1</translation>
+        </message>
+        <message>
+            <source>waiting, %1</source>
+            <translation>attente, %1</translation>
+        </message>
+        <message>
+            <source>heat off, retreat</source>
+            <translation>chauffage coupé, retrait</translation>
+        </message>
+        <message>
+            <source>getting ready</source>
+            <translation>préparation</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1 : %2</translation>
+        </message>
+        <message>
+            <source>Experiments that are run one after another, with waits. Add a step or open a recipe.</source>
+            <translation>Des expériences l’une après l’autre, avec des attentes. Ajoutez une étape ou ouvrez une recette.</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n step(s), at most %1</source>
+            <translation><numerusform>%n étape, %1 au plus</numerusform><numerusform>%n étapes, %1 au plus</numerusform></translation>
+        </message>
+        <message>
+            <source>not saved yet</source>
+            <translation>pas encore enregistrée</translation>
+        </message>
+        <message>
+            <source>%1, changed</source>
+            <translation>%1, modifiée</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>Fichier</translation>
+        </message>
+        <message>
+            <source>New recipe</source>
+            <translation>Nouvelle recette</translation>
+        </message>
+        <message>
+            <source>Open a recipe…</source>
+            <translation>Ouvrir une recette…</translation>
+        </message>
+        <message>
+            <source>Examples</source>
+            <translation>Exemples</translation>
+        </message>
+        <message>
+            <source>Save the recipe as…</source>
+            <translation>Enregistrer la recette sous…</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Enregistrer</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>Ajouter</translation>
+        </message>
+        <message>
+            <source>A run of the open experiment</source>
+            <translation>Un essai de l’expérience ouverte</translation>
+        </message>
+        <message>
+            <source>A run of an experiment from a file…</source>
+            <translation>Un essai d’une expérience d’un fichier…</translation>
+        </message>
+        <message>
+            <source>A wait</source>
+            <translation>Une attente</translation>
+        </message>
+        <message>
+            <source>A wait until an object has cooled</source>
+            <translation>Une attente jusqu’à ce qu’un objet ait refroidi</translation>
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation>Modifier…</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>Supprimer</translation>
+        </message>
+        <message>
+            <source>Start the recipe</source>
+            <translation>Démarrer la recette</translation>
+        </message>
+        <message>
+            <source>Stop after this step</source>
+            <translation>Arrêter après cette étape</translation>
+        </message>
+        <message>
+            <source>Stop the recipe</source>
+            <translation>Arrêter la recette</translation>
+        </message>
+        <message>
+            <source>Look at the run</source>
+            <translation>Voir l’essai</translation>
+        </message>
+        <message>
+            <source>Recipe file</source>
+            <translation>Fichier de la recette</translation>
+        </message>
+        <message>
+            <source>A new recipe, another one, or this one under another name</source>
+            <translation>Une nouvelle recette, une autre, ou celle-ci sous un autre nom</translation>
+        </message>
+        <message>
+            <source>Save the recipe</source>
+            <translation>Enregistrer la recette</translation>
+        </message>
+        <message>
+            <source>Add a step</source>
+            <translation>Ajouter une étape</translation>
+        </message>
+        <message>
+            <source>Add a step after the chosen one</source>
+            <translation>Ajouter une étape après celle qui est choisie</translation>
+        </message>
+        <message>
+            <source>Edit the step</source>
+            <translation>Modifier l’étape</translation>
+        </message>
+        <message>
+            <source>Its condition, its longest time, and what comes if that passes (Enter)</source>
+            <translation>Sa condition, sa durée maximale et ce qui suit si elle est dépassée (Entrée)</translation>
+        </message>
+        <message>
+            <source>Remove the step</source>
+            <translation>Supprimer l’étape</translation>
+        </message>
+        <message>
+            <source>Move the step up</source>
+            <translation>Monter l’étape</translation>
+        </message>
+        <message>
+            <source>Move the step down</source>
+            <translation>Descendre l’étape</translation>
+        </message>
+        <message>
+            <source>Says what it will do, and asks</source>
+            <translation>Dit ce qu’elle va faire, et demande</translation>
+        </message>
+        <message>
+            <source>The step under way is the last one</source>
+            <translation>L’étape en cours est la dernière</translation>
+        </message>
+        <message>
+            <source>Heat off, retreat, and nothing more is begun</source>
+            <translation>Chauffage coupé, retrait, et plus rien ne commence</translation>
+        </message>
+        <message>
+            <source>The recording of the chosen step, on the Review page</source>
+            <translation>L’enregistrement de l’étape choisie, sur la page Relecture</translation>
+        </message>
+        <message>
+            <source>Steps of the recipe</source>
+            <translation>Étapes de la recette</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>N°</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>Étape</translation>
+        </message>
+        <message>
+            <source>Until</source>
+            <translation>Jusqu’à</translation>
+        </message>
+        <message>
+            <source>At most</source>
+            <translation>Au plus</translation>
+        </message>
+        <message>
+            <source>Elapsed</source>
+            <translation>Écoulé</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>État</translation>
+        </message>
+    </context>
+<context>
+    <name>bask::RecipeControl</name>
+        <message>
+            <source>Open a recipe</source>
+            <translation>Ouvrir une recette</translation>
+        </message>
+        <message>
+            <source>Recipes (*.json);;All files (*)</source>
+            <translation>Recettes (*.json);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>Recipes (*.json)</source>
+            <translation>Recettes (*.json)</translation>
+        </message>
+        <message>
+            <source>A recipe is on. Stop it before another one is opened.</source>
+            <translation>Une recette est en cours. Arrêtez-la avant d’en ouvrir une autre.</translation>
+        </message>
+        <message>
+            <source>Unsaved recipe</source>
+            <translation>Recette non enregistrée</translation>
+        </message>
+        <message>
+            <source>The recipe was changed and not saved.</source>
+            <translation>La recette a été modifiée et n’est pas enregistrée.</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>Enregistrer</translation>
+        </message>
+        <message>
+            <source>Discard changes</source>
+            <translation>Abandonner les modifications</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>Annuler</translation>
+        </message>
+        <message>
+            <source>Save the recipe</source>
+            <translation>Enregistrer la recette</translation>
+        </message>
+        <message>
+            <source>Saved %1</source>
+            <translation>%1 enregistré</translation>
+        </message>
+        <message>
+            <source>Add a run of an experiment</source>
+            <translation>Ajouter un essai d’une expérience</translation>
+        </message>
+        <message>
+            <source>Experiments (*.json);;All files (*)</source>
+            <translation>Expériences (*.json);;Tous les fichiers (*)</translation>
+        </message>
+        <message>
+            <source>Step %1 is for another rig than the present one: a recipe runs on one rig, which has been looked at.</source>
+            <translation>L’étape %1 est pour un autre banc que celui-ci : une recette s’exécute sur un seul banc, qui a été vérifié.</translation>
+        </message>
+        <message>
+            <source>%1. %2 until %3</source>
+            <translation>%1. %2 jusqu’à : %3</translation>
+        </message>
+        <message>
+            <source>%1. %2 until %3, at most %4</source>
+            <translation>%1. %2 jusqu’à : %3, au plus %4</translation>
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation><numerusform>et %n autre</numerusform><numerusform>et %n autres</numerusform></translation>
+        </message>
+        <message>
+            <source>Start the recipe</source>
+            <translation>Démarrer la recette</translation>
+        </message>
+        <message>
+            <source>It takes at most %1 and its retreats:</source>
+            <translation>Elle dure au plus %1, retraits en sus :</translation>
+        </message>
+        <message>
+            <source>This rig is real: the robot moves and the source heats, again and again and by itself. Is everybody and everything out of the way for so long? An alarm, a hold or a stop ends the recipe.</source>
+            <translation>Ce banc est réel : le robot bouge et la source chauffe, encore et encore et sans personne. Tout le monde et tout est-il à l’écart pour aussi longtemps ? Une alarme, une pause ou un arrêt met fin à la recette.</translation>
+        </message>
+        <message>
+            <source>An alarm, a hold or a stop ends the recipe.</source>
+            <translation>Une alarme, une pause ou un arrêt met fin à la recette.</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>Démarrer</translation>
+        </message>
+        <message>
+            <source>Something was changed meanwhile: start the recipe once more.</source>
+            <translation>Quelque chose a changé entre-temps : démarrez la recette à nouveau.</translation>
+        </message>
+        <message>
+            <source>The experiment has unsaved edits.</source>
+            <translation>L’expérience a des modifications non enregistrées.</translation>
         </message>
     </context>
 </TS>

@@ -5997,6 +5997,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>Alarms and events</source>
             <translation>报警与事件</translation>
         </message>
+        <message>
+            <source>Recipe</source>
+            <translation>配方</translation>
+        </message>
     </context>
     <context>
         <name>bask::Question</name>
@@ -7459,6 +7463,458 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>
                 <numerusform>已将 %n 个文件写入 %1</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Recipe</name>
+        <message>
+            <source>Wait</source>
+            <translation>等待</translation>
+        </message>
+        <message>
+            <source>all have been settled for %1</source>
+            <translation>全部已稳定 %1</translation>
+        </message>
+        <message>
+            <source>%1 have passed</source>
+            <translation>已过 %1</translation>
+        </message>
+        <message>
+            <source>%1 is at %2 or above</source>
+            <translation>%1 达到或高于 %2</translation>
+        </message>
+        <message>
+            <source>%1 is at %2 or below</source>
+            <translation>%1 达到或低于 %2</translation>
+        </message>
+        <message>
+            <source>To come</source>
+            <translation>未开始</translation>
+        </message>
+        <message>
+            <source>Under way</source>
+            <translation>进行中</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>已完成</translation>
+        </message>
+        <message>
+            <source>Not reached</source>
+            <translation>未达到</translation>
+        </message>
+        <message>
+            <source>Failed</source>
+            <translation>失败</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>已停止</translation>
+        </message>
+        <message>
+            <source>The recipe is done.</source>
+            <translation>配方已完成。</translation>
+        </message>
+        <message>
+            <source>The recipe has ended: not every step was done.</source>
+            <translation>配方已结束：并非每个步骤都已完成。</translation>
+        </message>
+        <message>
+            <source>The recipe was stopped.</source>
+            <translation>配方已停止。</translation>
+        </message>
+        <message>
+            <source>The recipe has ended, since the rig or the experiment was taken in hand.</source>
+            <translation>配方已结束，因为有人接管了装置或实验。</translation>
+        </message>
+        <message>
+            <source>The recipe was ended by an alarm.</source>
+            <translation>配方因报警而结束。</translation>
+        </message>
+        <message>
+            <source>The recipe was ended by a fault.</source>
+            <translation>配方因故障而结束。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecipeStepDialog</name>
+        <message>
+            <source>Run %1</source>
+            <translation>运行 %1</translation>
+        </message>
+        <message>
+            <source>Wait</source>
+            <translation>等待</translation>
+        </message>
+        <message>
+            <source>All objects have settled</source>
+            <translation>所有物体均已稳定</translation>
+        </message>
+        <message>
+            <source>A time has passed</source>
+            <translation>经过一段时间</translation>
+        </message>
+        <message>
+            <source>An object is so hot or hotter</source>
+            <translation>某个物体达到或高于此温度</translation>
+        </message>
+        <message>
+            <source>An object is so cold or colder</source>
+            <translation>某个物体达到或低于此温度</translation>
+        </message>
+        <message>
+            <source>End the recipe</source>
+            <translation>结束配方</translation>
+        </message>
+        <message>
+            <source>Go on with the next step</source>
+            <translation>继续下一步骤</translation>
+        </message>
+        <message>
+            <source>Until</source>
+            <translation>直到</translation>
+        </message>
+        <message>
+            <source>For</source>
+            <translation>持续</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>物体</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>温度</translation>
+        </message>
+        <message>
+            <source>At most</source>
+            <translation>最多</translation>
+        </message>
+        <message>
+            <source>Otherwise</source>
+            <translation>否则</translation>
+        </message>
+        <message>
+            <source>Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a person's stop always ends the recipe.</source>
+            <translation>当条件未按时达到，或运行无法开始时。报警、故障或由人停止总会结束配方。</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>确定</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecipePanel</name>
+        <message>
+            <source>Run %1</source>
+            <translation>运行 %1</translation>
+        </message>
+        <message>
+            <source>%1; otherwise on with the next</source>
+            <translation>%1；否则继续下一步骤</translation>
+        </message>
+        <message>
+            <source>Step %1 of %2</source>
+            <translation>步骤 %1/%2</translation>
+        </message>
+        <message>
+            <source>%1 of at most %2</source>
+            <translation>%1，最多 %2</translation>
+        </message>
+        <message>
+            <source>running, %1</source>
+            <translation>运行中，%1</translation>
+        </message>
+        <message>
+            <source>waiting, %1</source>
+            <translation>等待中，%1</translation>
+        </message>
+        <message>
+            <source>heat off, retreat</source>
+            <translation>关闭加热，撤离</translation>
+        </message>
+        <message>
+            <source>getting ready</source>
+            <translation>准备中</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>Experiments that are run one after another, with waits. Add a step or open a recipe.</source>
+            <translation>依次运行的实验，中间可有等待。请添加步骤或打开配方。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n step(s), at most %1</source>
+            <translation>
+                <numerusform>%n 个步骤，最多 %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>not saved yet</source>
+            <translation>尚未保存</translation>
+        </message>
+        <message>
+            <source>%1, changed</source>
+            <translation>%1，已更改</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>文件</translation>
+        </message>
+        <message>
+            <source>New recipe</source>
+            <translation>新建配方</translation>
+        </message>
+        <message>
+            <source>Open a recipe…</source>
+            <translation>打开配方…</translation>
+        </message>
+        <message>
+            <source>Examples</source>
+            <translation>示例</translation>
+        </message>
+        <message>
+            <source>Save the recipe as…</source>
+            <translation>配方另存为…</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>添加</translation>
+        </message>
+        <message>
+            <source>A run of the open experiment</source>
+            <translation>运行已打开的实验</translation>
+        </message>
+        <message>
+            <source>A run of an experiment from a file…</source>
+            <translation>运行文件中的实验…</translation>
+        </message>
+        <message>
+            <source>A wait</source>
+            <translation>等待</translation>
+        </message>
+        <message>
+            <source>A wait until an object has cooled</source>
+            <translation>等待某个物体冷却</translation>
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation>编辑…</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Start the recipe</source>
+            <translation>启动配方</translation>
+        </message>
+        <message>
+            <source>Stop after this step</source>
+            <translation>此步骤后停止</translation>
+        </message>
+        <message>
+            <source>Stop the recipe</source>
+            <translation>停止配方</translation>
+        </message>
+        <message>
+            <source>Look at the run</source>
+            <translation>查看运行</translation>
+        </message>
+        <message>
+            <source>Recipe file</source>
+            <translation>配方文件</translation>
+        </message>
+        <message>
+            <source>A new recipe, another one, or this one under another name</source>
+            <translation>新建配方、打开另一个，或将此配方另存</translation>
+        </message>
+        <message>
+            <source>Save the recipe</source>
+            <translation>保存配方</translation>
+        </message>
+        <message>
+            <source>Add a step</source>
+            <translation>添加步骤</translation>
+        </message>
+        <message>
+            <source>Add a step after the chosen one</source>
+            <translation>在所选步骤之后添加步骤</translation>
+        </message>
+        <message>
+            <source>Edit the step</source>
+            <translation>编辑步骤</translation>
+        </message>
+        <message>
+            <source>Its condition, its longest time, and what comes if that passes (Enter)</source>
+            <translation>其条件、最长时间，以及超时后如何处理（回车）</translation>
+        </message>
+        <message>
+            <source>Remove the step</source>
+            <translation>删除步骤</translation>
+        </message>
+        <message>
+            <source>Move the step up</source>
+            <translation>上移步骤</translation>
+        </message>
+        <message>
+            <source>Move the step down</source>
+            <translation>下移步骤</translation>
+        </message>
+        <message>
+            <source>Says what it will do, and asks</source>
+            <translation>先说明将要做什么，再征求确认</translation>
+        </message>
+        <message>
+            <source>The step under way is the last one</source>
+            <translation>进行中的步骤为最后一步</translation>
+        </message>
+        <message>
+            <source>Heat off, retreat, and nothing more is begun</source>
+            <translation>关闭加热，撤离，不再开始任何步骤</translation>
+        </message>
+        <message>
+            <source>The recording of the chosen step, on the Review page</source>
+            <translation>在“回顾”页查看所选步骤的记录</translation>
+        </message>
+        <message>
+            <source>Steps of the recipe</source>
+            <translation>配方的步骤</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>编号</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>步长</translation>
+        </message>
+        <message>
+            <source>Until</source>
+            <translation>直到</translation>
+        </message>
+        <message>
+            <source>At most</source>
+            <translation>最多</translation>
+        </message>
+        <message>
+            <source>Elapsed</source>
+            <translation>已用时</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>状态</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecipeControl</name>
+        <message>
+            <source>Open a recipe</source>
+            <translation>打开配方</translation>
+        </message>
+        <message>
+            <source>Recipes (*.json);;All files (*)</source>
+            <translation>配方 (*.json);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Recipes (*.json)</source>
+            <translation>配方 (*.json)</translation>
+        </message>
+        <message>
+            <source>A recipe is on. Stop it before another one is opened.</source>
+            <translation>配方正在进行。请先将其停止，再打开另一个。</translation>
+        </message>
+        <message>
+            <source>Unsaved recipe</source>
+            <translation>未保存的配方</translation>
+        </message>
+        <message>
+            <source>The recipe was changed and not saved.</source>
+            <translation>配方已更改但未保存。</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>保存</translation>
+        </message>
+        <message>
+            <source>Discard changes</source>
+            <translation>放弃更改</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Save the recipe</source>
+            <translation>保存配方</translation>
+        </message>
+        <message>
+            <source>Saved %1</source>
+            <translation>已保存 %1</translation>
+        </message>
+        <message>
+            <source>Add a run of an experiment</source>
+            <translation>添加一次实验运行</translation>
+        </message>
+        <message>
+            <source>Experiments (*.json);;All files (*)</source>
+            <translation>实验 (*.json);;所有文件 (*)</translation>
+        </message>
+        <message>
+            <source>Step %1 is for another rig than the present one: a recipe runs on one rig, which has been looked at.</source>
+            <translation>步骤 %1 用于另一套装置，而非当前装置：配方只在一套已检查过的装置上运行。</translation>
+        </message>
+        <message>
+            <source>%1. %2 until %3</source>
+            <translation>%1. %2，直到%3</translation>
+        </message>
+        <message>
+            <source>%1. %2 until %3, at most %4</source>
+            <translation>%1. %2，直到%3，最多 %4</translation>
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>还有 %n 个</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Start the recipe</source>
+            <translation>启动配方</translation>
+        </message>
+        <message>
+            <source>It takes at most %1 and its retreats:</source>
+            <translation>最多需要 %1，另加各次撤离：</translation>
+        </message>
+        <message>
+            <source>This rig is real: the robot moves and the source heats, again and again and by itself. Is everybody and everything out of the way for so long? An alarm, a hold or a stop ends the recipe.</source>
+            <translation>这是真实装置：机器人将自行一次又一次地移动，热源将一次又一次地加热。在这么长的时间内，所有人和物是否都已避开？报警、保持或停止都会结束配方。</translation>
+        </message>
+        <message>
+            <source>An alarm, a hold or a stop ends the recipe.</source>
+            <translation>报警、保持或停止都会结束配方。</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>开始</translation>
+        </message>
+        <message>
+            <source>Something was changed meanwhile: start the recipe once more.</source>
+            <translation>其间有所更改：请再次启动配方。</translation>
+        </message>
+        <message>
+            <source>The experiment has unsaved edits.</source>
+            <translation>实验有未保存的编辑。</translation>
         </message>
     </context>
 </TS>

@@ -5997,6 +5997,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>Alarms and events</source>
             <translation>警報與事件</translation>
         </message>
+        <message>
+            <source>Recipe</source>
+            <translation>配方</translation>
+        </message>
     </context>
     <context>
         <name>bask::Question</name>
@@ -7459,6 +7463,458 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>
                 <numerusform>已將 %n 個檔案寫入 %1</numerusform>
             </translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::Recipe</name>
+        <message>
+            <source>Wait</source>
+            <translation>等待</translation>
+        </message>
+        <message>
+            <source>all have been settled for %1</source>
+            <translation>全部已穩定 %1</translation>
+        </message>
+        <message>
+            <source>%1 have passed</source>
+            <translation>已過 %1</translation>
+        </message>
+        <message>
+            <source>%1 is at %2 or above</source>
+            <translation>%1 達到或高於 %2</translation>
+        </message>
+        <message>
+            <source>%1 is at %2 or below</source>
+            <translation>%1 達到或低於 %2</translation>
+        </message>
+        <message>
+            <source>To come</source>
+            <translation>未開始</translation>
+        </message>
+        <message>
+            <source>Under way</source>
+            <translation>進行中</translation>
+        </message>
+        <message>
+            <source>Done</source>
+            <translation>已完成</translation>
+        </message>
+        <message>
+            <source>Not reached</source>
+            <translation>未達到</translation>
+        </message>
+        <message>
+            <source>Failed</source>
+            <translation>失敗</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>已停止</translation>
+        </message>
+        <message>
+            <source>The recipe is done.</source>
+            <translation>配方已完成。</translation>
+        </message>
+        <message>
+            <source>The recipe has ended: not every step was done.</source>
+            <translation>配方已結束：並非每個步驟都已完成。</translation>
+        </message>
+        <message>
+            <source>The recipe was stopped.</source>
+            <translation>配方已停止。</translation>
+        </message>
+        <message>
+            <source>The recipe has ended, since the rig or the experiment was taken in hand.</source>
+            <translation>配方已結束，因為有人接管了實驗台或實驗。</translation>
+        </message>
+        <message>
+            <source>The recipe was ended by an alarm.</source>
+            <translation>配方因警報而結束。</translation>
+        </message>
+        <message>
+            <source>The recipe was ended by a fault.</source>
+            <translation>配方因故障而結束。</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecipeStepDialog</name>
+        <message>
+            <source>Run %1</source>
+            <translation>運轉 %1</translation>
+        </message>
+        <message>
+            <source>Wait</source>
+            <translation>等待</translation>
+        </message>
+        <message>
+            <source>All objects have settled</source>
+            <translation>所有物體均已穩定</translation>
+        </message>
+        <message>
+            <source>A time has passed</source>
+            <translation>經過一段時間</translation>
+        </message>
+        <message>
+            <source>An object is so hot or hotter</source>
+            <translation>某個物體達到或高於此溫度</translation>
+        </message>
+        <message>
+            <source>An object is so cold or colder</source>
+            <translation>某個物體達到或低於此溫度</translation>
+        </message>
+        <message>
+            <source>End the recipe</source>
+            <translation>結束配方</translation>
+        </message>
+        <message>
+            <source>Go on with the next step</source>
+            <translation>繼續下一步驟</translation>
+        </message>
+        <message>
+            <source>Until</source>
+            <translation>直到</translation>
+        </message>
+        <message>
+            <source>For</source>
+            <translation>持續</translation>
+        </message>
+        <message>
+            <source>Object</source>
+            <translation>物體</translation>
+        </message>
+        <message>
+            <source>Temperature</source>
+            <translation>溫度</translation>
+        </message>
+        <message>
+            <source>At most</source>
+            <translation>最多</translation>
+        </message>
+        <message>
+            <source>Otherwise</source>
+            <translation>否則</translation>
+        </message>
+        <message>
+            <source>Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a person's stop always ends the recipe.</source>
+            <translation>當條件未按時達到，或運轉無法開始時。警報、故障或由人停止總會結束配方。</translation>
+        </message>
+        <message>
+            <source>OK</source>
+            <translation>確定</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecipePanel</name>
+        <message>
+            <source>Run %1</source>
+            <translation>運轉 %1</translation>
+        </message>
+        <message>
+            <source>%1; otherwise on with the next</source>
+            <translation>%1；否則繼續下一步驟</translation>
+        </message>
+        <message>
+            <source>Step %1 of %2</source>
+            <translation>步驟 %1/%2</translation>
+        </message>
+        <message>
+            <source>%1 of at most %2</source>
+            <translation>%1，最多 %2</translation>
+        </message>
+        <message>
+            <source>running, %1</source>
+            <translation>運轉中，%1</translation>
+        </message>
+        <message>
+            <source>waiting, %1</source>
+            <translation>等待中，%1</translation>
+        </message>
+        <message>
+            <source>heat off, retreat</source>
+            <translation>關閉加熱，撤離</translation>
+        </message>
+        <message>
+            <source>getting ready</source>
+            <translation>準備中</translation>
+        </message>
+        <message>
+            <source>%1: %2</source>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
+            <source>Experiments that are run one after another, with waits. Add a step or open a recipe.</source>
+            <translation>依次運轉的實驗，中間可有等待。請加入步驟或開啟配方。</translation>
+        </message>
+        <message numerus="yes">
+            <source>%n step(s), at most %1</source>
+            <translation>
+                <numerusform>%n 個步驟，最多 %1</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>not saved yet</source>
+            <translation>尚未儲存</translation>
+        </message>
+        <message>
+            <source>%1, changed</source>
+            <translation>%1，已變更</translation>
+        </message>
+        <message>
+            <source>File</source>
+            <translation>檔案</translation>
+        </message>
+        <message>
+            <source>New recipe</source>
+            <translation>新增配方</translation>
+        </message>
+        <message>
+            <source>Open a recipe…</source>
+            <translation>開啟配方…</translation>
+        </message>
+        <message>
+            <source>Examples</source>
+            <translation>範例</translation>
+        </message>
+        <message>
+            <source>Save the recipe as…</source>
+            <translation>配方另存新檔…</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>儲存</translation>
+        </message>
+        <message>
+            <source>Add</source>
+            <translation>新增</translation>
+        </message>
+        <message>
+            <source>A run of the open experiment</source>
+            <translation>運轉已開啟的實驗</translation>
+        </message>
+        <message>
+            <source>A run of an experiment from a file…</source>
+            <translation>運轉檔案中的實驗…</translation>
+        </message>
+        <message>
+            <source>A wait</source>
+            <translation>等待</translation>
+        </message>
+        <message>
+            <source>A wait until an object has cooled</source>
+            <translation>等待某個物體冷卻</translation>
+        </message>
+        <message>
+            <source>Edit…</source>
+            <translation>編輯…</translation>
+        </message>
+        <message>
+            <source>Remove</source>
+            <translation>移除</translation>
+        </message>
+        <message>
+            <source>Start the recipe</source>
+            <translation>啟動配方</translation>
+        </message>
+        <message>
+            <source>Stop after this step</source>
+            <translation>此步驟後停止</translation>
+        </message>
+        <message>
+            <source>Stop the recipe</source>
+            <translation>停止配方</translation>
+        </message>
+        <message>
+            <source>Look at the run</source>
+            <translation>檢視運轉</translation>
+        </message>
+        <message>
+            <source>Recipe file</source>
+            <translation>配方檔案</translation>
+        </message>
+        <message>
+            <source>A new recipe, another one, or this one under another name</source>
+            <translation>新增配方、開啟另一個，或將此配方另存</translation>
+        </message>
+        <message>
+            <source>Save the recipe</source>
+            <translation>儲存配方</translation>
+        </message>
+        <message>
+            <source>Add a step</source>
+            <translation>加入步驟</translation>
+        </message>
+        <message>
+            <source>Add a step after the chosen one</source>
+            <translation>在所選步驟之後加入步驟</translation>
+        </message>
+        <message>
+            <source>Edit the step</source>
+            <translation>編輯步驟</translation>
+        </message>
+        <message>
+            <source>Its condition, its longest time, and what comes if that passes (Enter)</source>
+            <translation>其條件、最長時間，以及逾時後如何處理（Enter）</translation>
+        </message>
+        <message>
+            <source>Remove the step</source>
+            <translation>移除步驟</translation>
+        </message>
+        <message>
+            <source>Move the step up</source>
+            <translation>上移步驟</translation>
+        </message>
+        <message>
+            <source>Move the step down</source>
+            <translation>下移步驟</translation>
+        </message>
+        <message>
+            <source>Says what it will do, and asks</source>
+            <translation>先說明將要做什麼，再徵求確認</translation>
+        </message>
+        <message>
+            <source>The step under way is the last one</source>
+            <translation>進行中的步驟為最後一步</translation>
+        </message>
+        <message>
+            <source>Heat off, retreat, and nothing more is begun</source>
+            <translation>關閉加熱，撤離，不再開始任何步驟</translation>
+        </message>
+        <message>
+            <source>The recording of the chosen step, on the Review page</source>
+            <translation>在「回顧」頁檢視所選步驟的記錄</translation>
+        </message>
+        <message>
+            <source>Steps of the recipe</source>
+            <translation>配方的步驟</translation>
+        </message>
+        <message>
+            <source>No.</source>
+            <translation>編號</translation>
+        </message>
+        <message>
+            <source>Step</source>
+            <translation>步長</translation>
+        </message>
+        <message>
+            <source>Until</source>
+            <translation>直到</translation>
+        </message>
+        <message>
+            <source>At most</source>
+            <translation>最多</translation>
+        </message>
+        <message>
+            <source>Elapsed</source>
+            <translation>已用時</translation>
+        </message>
+        <message>
+            <source>State</source>
+            <translation>狀態</translation>
+        </message>
+    </context>
+    <context>
+        <name>bask::RecipeControl</name>
+        <message>
+            <source>Open a recipe</source>
+            <translation>開啟配方</translation>
+        </message>
+        <message>
+            <source>Recipes (*.json);;All files (*)</source>
+            <translation>配方 (*.json);;所有檔案 (*)</translation>
+        </message>
+        <message>
+            <source>Recipes (*.json)</source>
+            <translation>配方 (*.json)</translation>
+        </message>
+        <message>
+            <source>A recipe is on. Stop it before another one is opened.</source>
+            <translation>配方正在進行。請先將其停止，再開啟另一個。</translation>
+        </message>
+        <message>
+            <source>Unsaved recipe</source>
+            <translation>未儲存的配方</translation>
+        </message>
+        <message>
+            <source>The recipe was changed and not saved.</source>
+            <translation>配方已變更但未儲存。</translation>
+        </message>
+        <message>
+            <source>Save</source>
+            <translation>儲存</translation>
+        </message>
+        <message>
+            <source>Discard changes</source>
+            <translation>放棄更改</translation>
+        </message>
+        <message>
+            <source>Cancel</source>
+            <translation>取消</translation>
+        </message>
+        <message>
+            <source>Save the recipe</source>
+            <translation>儲存配方</translation>
+        </message>
+        <message>
+            <source>Saved %1</source>
+            <translation>已儲存 %1</translation>
+        </message>
+        <message>
+            <source>Add a run of an experiment</source>
+            <translation>加入一次實驗運轉</translation>
+        </message>
+        <message>
+            <source>Experiments (*.json);;All files (*)</source>
+            <translation>實驗 (*.json);;所有檔案 (*)</translation>
+        </message>
+        <message>
+            <source>Step %1 is for another rig than the present one: a recipe runs on one rig, which has been looked at.</source>
+            <translation>步驟 %1 用於另一座實驗台，而非目前的實驗台：配方只在一座已檢查過的實驗台上運轉。</translation>
+        </message>
+        <message>
+            <source>%1. %2 until %3</source>
+            <translation>%1. %2，直到%3</translation>
+        </message>
+        <message>
+            <source>%1. %2 until %3, at most %4</source>
+            <translation>%1. %2，直到%3，最多 %4</translation>
+        </message>
+        <message numerus="yes">
+            <source>and %n more</source>
+            <translation>
+                <numerusform>還有 %n 個</numerusform>
+            </translation>
+        </message>
+        <message>
+            <source>Start the recipe</source>
+            <translation>啟動配方</translation>
+        </message>
+        <message>
+            <source>It takes at most %1 and its retreats:</source>
+            <translation>最多需要 %1，另加各次撤離：</translation>
+        </message>
+        <message>
+            <source>This rig is real: the robot moves and the source heats, again and again and by itself. Is everybody and everything out of the way for so long? An alarm, a hold or a stop ends the recipe.</source>
+            <translation>這是真實的實驗台：機器人將自行一次又一次地移動，熱源將一次又一次地加熱。在這麼長的時間內，所有人和物是否都已避開？警報、保持或停止都會結束配方。</translation>
+        </message>
+        <message>
+            <source>An alarm, a hold or a stop ends the recipe.</source>
+            <translation>警報、保持或停止都會結束配方。</translation>
+        </message>
+        <message>
+            <source>Start</source>
+            <translation>開始</translation>
+        </message>
+        <message>
+            <source>Something was changed meanwhile: start the recipe once more.</source>
+            <translation>其間有所變更：請再次啟動配方。</translation>
+        </message>
+        <message>
+            <source>The experiment has unsaved edits.</source>
+            <translation>實驗有未儲存的編輯。</translation>
         </message>
     </context>
 </TS>

@@ -1,16 +1,14 @@
 #include "app/commands/live_run.h"
 
+#include "app/commands/engine_thread.h"
 #include "engine/base/message_code.h"
-#include "engine/runtime/engine_worker.h"
+#include "engine/recipe/recipe_runner.h"
 
 #include <QCoreApplication>
-#include <QThread>
 #include <QTimer>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <csignal>
 #include <limits>
 #include <memory>
 
@@ -22,66 +20,6 @@ constexpr double kStoppedWithin_s = 120.0; ///< of a retreat that does not move 
 constexpr double kBetweenResets_s = 1.0;
 constexpr double kArmed_s = 1.0; // the readings are fresh again after the session file was made
 constexpr int kLook_ms = 20;
-
-volatile std::sig_atomic_t g_signals = 0;
-
-void count(int) {
-    g_signals = g_signals + 1;
-}
-
-/// Signals are counted while it lives.
-class SignalCount {
-public:
-    SignalCount() {
-        g_signals = 0;
-        for (const int each : kCounted)
-            std::signal(each, count);
-        for (const int each : kIgnored)
-            std::signal(each, SIG_IGN);
-    }
-    ~SignalCount() {
-        for (const int each : kCounted)
-            std::signal(each, SIG_DFL);
-        for (const int each : kIgnored)
-            std::signal(each, SIG_DFL);
-    }
-    int now() const { return g_signals; }
-
-private:
-    static constexpr std::array kCounted{SIGINT, SIGTERM, SIGHUP};
-    // A stopped program would leave a hot plate to itself; a closed pipe must not end it either.
-    static constexpr std::array kIgnored{SIGTSTP, SIGTTOU, SIGPIPE};
-};
-
-/// A device that was not there when the rig was opened; anything else a person is to see before a reset.
-bool isNotThereYet(MessageCode code) {
-    constexpr std::array kCodes{MessageCode::SafetyStartUp,   MessageCode::LinkNotOpened,
-                                MessageCode::LinkLost,        MessageCode::DeviceSilent,
-                                MessageCode::RobotOpening,    MessageCode::ReasonRobotLost,
-                                MessageCode::ReasonSourceLost};
-    return std::ranges::find(kCodes, code) != kCodes.end();
-}
-
-/// The engine has a thread of its own: a terminal that takes no more text must not hold it up.
-class EngineThread {
-public:
-    EngineThread() {
-        worker.moveToThread(&m_thread);
-        m_thread.start();
-    }
-    ~EngineThread() {
-        ask([this] { worker.shutdown(); }, Qt::BlockingQueuedConnection);
-        m_thread.quit();
-        m_thread.wait();
-    }
-    template <class Work> void ask(Work work, Qt::ConnectionType how = Qt::QueuedConnection) {
-        QMetaObject::invokeMethod(&worker, std::move(work), how);
-    }
-    EngineWorker worker;
-
-private:
-    QThread m_thread;
-};
 
 /// One step of the way for each snapshot.
 class LiveRun {

@@ -5,6 +5,7 @@
 #include "app/commands/live_run.h"
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
+#include "app/commands/recipe_command.h"
 #include "engine/base/units.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
@@ -14,6 +15,7 @@
 #include <QCommandLineParser>
 #include <QElapsedTimer>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <unistd.h>
@@ -133,6 +135,11 @@ void printProgress(double time_s, const TraceSample& sample) {
     std::fprintf(stderr, " degC ");
 }
 
+int refuseWords(const QString& words) {
+    std::fprintf(stderr, "bask run: %s\n", qPrintable(words));
+    return kExitBadInput;
+}
+
 int refuse(const Error& error) {
     std::fprintf(stderr, "bask run: %s\n", describe(error).c_str());
     return kExitBadInput;
@@ -155,9 +162,26 @@ int runExperimentCommand(const QStringList& arguments) {
           "SECONDS"},
          {"seed", "Seed of noise, sensor offsets and wrong beliefs.", "N"},
          {"o", "Record the run into this session file.", "SESSION.bask"},
-         {"summary", "Write the outcome as JSON.", "SUMMARY.json"}});
-    if (const auto code = parseCommand(parser, "run", arguments, 1))
+         {"summary", "Write the outcome as JSON.", "SUMMARY.json"},
+         {"recipe",
+          "Instead of one experiment those of a recipe, one after another with its waits. Exit code: 0 only\n"
+          "where every step got there, 1 a fault or an alarm.",
+          "RECIPE.json"},
+         {"out", "Folder for the recipe's sessions, one a run.", "DIR"}});
+    const bool isRecipe = std::ranges::any_of(arguments, [](const QString& argument) {
+        return argument.startsWith(QLatin1String("--recipe")) ||
+               argument.startsWith(QLatin1String("-recipe"));
+    });
+    if (const auto code = parseCommand(parser, "run", arguments, isRecipe ? 0 : 1))
         return *code;
+    for (const char* option : {"targets", "duration", "seed", "o"})
+        if (isRecipe && parser.isSet(option))
+            return refuseWords(QStringLiteral("--%1 is not for recipes").arg(QLatin1String(option)));
+    if (isRecipe)
+        return runRecipe(
+            {parser.value("recipe"), parser.value("out"), parser.value("summary"), parser.isSet("live")});
+    if (parser.isSet("out"))
+        return refuseWords(QStringLiteral("--out is for recipes; -o is the session file of one run"));
     auto request = readRequest(parser);
     if (!request)
         return refuse(request.error());

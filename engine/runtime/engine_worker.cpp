@@ -232,6 +232,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     if (m_isEnding)
         return {};
     m_session = std::make_unique<Session>(experiment);
+    ++m_loadId;
     if (zeroing)
         m_session->loop.useZeroing(*zeroing);
     m_untilTick_s = experiment.sampling.period_s;
@@ -568,6 +569,7 @@ void EngineWorker::publish() {
     snapshot.sequence = ++m_sequence;
     snapshot.runId = m_runId;
     snapshot.simulationSpeed = simulationSpeed();
+    snapshot.loadId = m_loadId;
     snapshot.loopRate_Hz = m_loopRate_Hz;
     snapshot.lateSteps = m_lateSteps;
     snapshot.alarms = m_alarms.alarms();
@@ -576,6 +578,7 @@ void EngineWorker::publish() {
         snapshot.state = loop.state();
         snapshot.reasons = loop.reasons();
         snapshot.runTime_s = loop.runTime_s();
+        snapshot.clock_s = m_session->clock().now_s();
         snapshot.latest = loop.latest();
         snapshot.simulated = m_session->simulated != nullptr;
         if (m_session->simulated)

@@ -104,7 +104,7 @@ private:
     double m_nextTick_s = 0.0;  ///< of a real one
     double m_worked_s = 0.0;    ///< its devices, last
     std::uint64_t m_lateSteps = 0;
-    std::uint64_t m_runId = 0;
+    std::uint64_t m_runId = 0, m_loadId = 0;
     int m_ticksSinceRate = 0;
     double m_rateWindow_s = 0.0;
     double m_loopRate_Hz = 0.0;

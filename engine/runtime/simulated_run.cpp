@@ -1,19 +1,16 @@
 #include "engine/runtime/simulated_run.h"
 
 #include "engine/base/message_code.h"
-#include "engine/runtime/fault_script.h"
 #include "engine/runtime/rig_setup.h"
-#include "engine/vision/camera_source_tracker.h"
+#include "engine/runtime/simulated_drive.h"
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 
 namespace bask {
 namespace {
 
 constexpr int kFillingWindows = 4;
-constexpr double kLookBefore_s = 0.5;
 
 /// Keeps, sample by sample, since when each object's true temperature has been within the band.
 class SettlingWatch {
@@ -39,67 +36,12 @@ private:
     std::vector<std::optional<double>> m_since_s;
 };
 
-/// The camera, looked at once a period of the loop, or twice; null where the source is not followed by one.
-std::unique_ptr<CameraSourceTracker> cameraTracker(const Experiment& experiment, SimulatedRig& rig) {
-    const VisionSpec& vision = experiment.vision;
-    if (!experiment.source.tracked || !vision.followsSource())
-        return nullptr;
-    return std::make_unique<CameraSourceTracker>(rig.camera(), rig.clock(), markerLayout(vision),
-                                                 *vision.camera, poseFromCoordinates(*vision.cameraPose));
-}
-
-/// Advances rig and loop together by whole periods.
-class Drive {
-public:
-    Drive(const Experiment& experiment, SimulatedRig& rig)
-        : m_period_s(experiment.sampling.period_s), m_rig(rig), m_camera(cameraTracker(experiment, rig)),
-          m_loop(experiment,
-                 {rig.robot(), rig.thermometer(), rig.heatSource(),
-                  [&rig] { return rig.trueTemperatures_K(); },
-                  m_camera ? m_camera.get() : &rig.sourceTracker()},
-                 rig.clock()),
-          m_script(experiment.simulation.faults) {}
-
-    ServoLoop& loop() { return m_loop; }
-    void period() {
-        if (m_loop.running())
-            for (const std::string& name : m_script.play(m_rig, m_loop.runTime_s()))
-                m_loop.reportFault(name);
-        try {
-            advance();
-        } catch (const std::exception& exception) { // a source that is moved through the objects
-            m_loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
-        }
-        m_loop.tick();
-    }
-
-private:
-    // One marker is believed once a second look agrees, while the first is not forgotten.
-    void advance() {
-        const double before_s = m_camera && m_period_s > PartTracker::kPredicted_s ? kLookBefore_s : 0.0;
-        m_rig.advance(m_period_s - before_s);
-        if (before_s > 0.0) {
-            (void)m_camera->look();
-            m_rig.advance(before_s);
-        }
-    }
-
-    double m_period_s;
-    SimulatedRig& m_rig;
-    std::unique_ptr<CameraSourceTracker> m_camera; ///< where the camera follows the source
-    ServoLoop m_loop;
-    FaultScript m_script;
-};
-
 } // namespace
 
 Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRunOptions& options) {
     if (const auto valid = validate(experiment); !valid)
         return valid.error();
-    SimulatedRigConfig config = simulatedRigConfig(experiment);
-    config.camera.isWallLimited = false;
-    SimulatedRig rig(config);
-    Drive drive(experiment, rig);
+    SimulatedDrive drive(experiment);
     ServoLoop& loop = drive.loop();
     const int patience = kFillingWindows * experiment.sampling.window; // readings drop out
     for (int i = 0; i < patience && loop.state() != RunState::Ready; ++i)

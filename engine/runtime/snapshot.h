@@ -55,6 +55,8 @@ struct Snapshot {
     std::vector<Message> reasons; ///< why not ready, holding or faulted, each a sentence with its remedy
     std::vector<Alarm> alarms;    ///< as AlarmLog sorts them
     bool simulated = true;
+    std::uint64_t loadId = 0; ///< grows with each experiment that is loaded
+    double clock_s = 0.0;     ///< of the rig, simulated where that is; another one after each load
     std::uint64_t runId = 0;  ///< grows with each Arm: a new trace begins
     double runTime_s = 0.0;   ///< since Start; 0 before
     TraceSample latest;       ///< newest readings, also outside a run

@@ -10,10 +10,12 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScrollBar>
 #include <QSlider>
 #include <QStyle>
 #include <QTabBar>
+#include <QTabWidget>
 #include <QTableView>
 #include <QToolButton>
 
@@ -169,6 +171,15 @@ protected:
         }
     }
 
+    /// In front in the dock, with steps.
+    void showRecipe() {
+        const QList<QAction*> examples = find<QMenu>("recipeFileMenu")->actions().at(2)->menu()->actions();
+        ASSERT_FALSE(examples.isEmpty());
+        examples.front()->trigger();
+        find<QTabWidget>("dockTabs")->setCurrentWidget(find<QWidget>("recipePanel"));
+        ASSERT_TRUE(find<QWidget>("recipePanel")->isVisible());
+    }
+
     /// Fills tables, tiles and lists.
     void holdARunAndOpenIt() {
         ASSERT_NO_FATAL_FAILURE(goFast());
@@ -206,9 +217,25 @@ TEST_F(LegibleTest, NoTextIsCutOffInAnyLanguage) {
     EXPECT_GT(looked, 1000);
 }
 
+// Catches: a dock that makes a small window larger, or cuts the recipe's buttons off.
+TEST_F(LegibleTest, TheRecipeFitsIntoASmallWindow) {
+    openWindow(kSmall);
+    window->pages().show(Page::Run);
+    ASSERT_NO_FATAL_FAILURE(showRecipe());
+    for (const char* language : {"en", "fr", "zh_CN", "zh_TW"}) {
+        window->setLanguage(QLatin1String(language));
+        waitFor([this] { return Cut(window.get()).found().isEmpty(); }, 2000);
+        const Cut cut(window.get());
+        EXPECT_TRUE(cut.found().isEmpty())
+            << language << ", recipe\n  " << cut.found().join(QStringLiteral("\n  ")).toStdString();
+        EXPECT_EQ(window->size(), kSmall) << language;
+    }
+}
+
 // Catches: a control that a screen reader cannot name.
 TEST_F(LegibleTest, EveryControlHasAName) {
     openWindow();
+    ASSERT_NO_FATAL_FAILURE(showRecipe());
     int looked = 0;
     onEachPage([&](int page) {
         for (QWidget* widget : window->findChildren<QWidget*>()) {
@@ -226,6 +253,7 @@ TEST_F(LegibleTest, EveryControlHasAName) {
 // Catches: a control that only the mouse reaches, and a table that Tab never leaves.
 TEST_F(LegibleTest, EveryControlIsReachedByKeyboard) {
     openWindow();
+    ASSERT_NO_FATAL_FAILURE(showRecipe());
     onEachPage([&](int page) {
         for (const QWidget* widget : window->findChildren<QWidget*>()) {
             if (!widget->isVisible() || !isControl(widget))

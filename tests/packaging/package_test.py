@@ -59,6 +59,7 @@ class Package(unittest.TestCase):
             "bin/bask", "lib/udev/rules.d/60-bask.rules", "share/applications/bask.desktop",
             "share/doc/bask/changelog.gz", "share/doc/bask/copyright", "share/icons/hicolor/scalable/apps/bask.svg",
             "share/icons/hicolor/scalable/mimetypes/application-x-bask-experiment.svg",
+            "share/icons/hicolor/scalable/mimetypes/application-x-bask-recipe.svg",
             "share/icons/hicolor/scalable/mimetypes/application-x-bask-rig.svg",
             "share/icons/hicolor/scalable/mimetypes/application-x-bask-session.svg", "share/man/man1/bask.1.gz",
             "share/metainfo/org.bask.Bask.metainfo.xml", "share/mime/packages/bask.xml"]))
@@ -96,6 +97,7 @@ class Package(unittest.TestCase):
                                   "application/x-bask-experiment+json"),
                                  ('{"format":"bask-experiment"}', "application/x-bask-experiment+json"),
                                  ('{\n  "format": "bask-rig",', "application/x-bask-rig+json"),
+                                 ('{"format": "bask-recipe", "version": 1}', "application/x-bask-recipe+json"),
                                  ('{"format": "geometry"}', "application/json"), ("[]", "application/json")]:
                 (data / "some.json").write_text(text, encoding="utf-8")
                 said = output("gio", "info", "-a", "standard::content-type", data / "some.json", env=seen)[1]

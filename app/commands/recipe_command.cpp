@@ -1,0 +1,245 @@
+#include "app/commands/recipe_command.h"
+
+#include "app/commands/command_line.h"
+#include "app/commands/output_file.h"
+#include "app/commands/recipe_live.h"
+#include "app/examples.h"
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+#include "engine/recipe/simulated_recipe.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFileInfo>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace bask {
+namespace {
+
+using Until = RecipeStep::Until;
+using State = RecipeProgress::State;
+
+std::string nameOf(const RecipeStep& step) {
+    return step.example.empty()
+               ? QFileInfo(QString::fromStdString(step.experiment)).completeBaseName().toStdString()
+               : step.example;
+}
+
+std::string seconds(double value_s) {
+    return formatNumber(value_s, 6) + " s";
+}
+
+std::string conditionOf(const RecipeStep& step) {
+    switch (step.until) {
+    case Until::Settled:
+        return "until settled for " + seconds(step.duration_s);
+    case Until::Time:
+        return "for " + seconds(step.duration_s);
+    case Until::Above:
+    case Until::Below:
+        break;
+    }
+    return "until " + step.object + (step.until == Until::Above ? " has risen to " : " has fallen to ") +
+           formatNumber(celsiusFromKelvin(step.temperature_K), 6) + " degC";
+}
+
+std::string wordsOf(const RecipeStep& step) {
+    return (step.isRun() ? "run " + nameOf(step) : "wait") + ' ' + conditionOf(step);
+}
+
+const char* wordOf(State state) {
+    switch (state) {
+    case State::Waiting:
+        return "not begun";
+    case State::Underway:
+        return "under way";
+    case State::Done:
+        return "done";
+    case State::NotReached:
+        return "not reached";
+    case State::Failed:
+        return "failed";
+    case State::Stopped:
+        return "stopped";
+    }
+    return "";
+}
+
+const char* wordOf(RecipeEnd end) {
+    switch (end) {
+    case RecipeEnd::None:
+        return "on";
+    case RecipeEnd::Done:
+        return "done";
+    case RecipeEnd::StepFailed:
+        return "not all steps done";
+    case RecipeEnd::Stopped:
+    case RecipeEnd::TakenOver:
+        return "stopped";
+    case RecipeEnd::Alarm:
+        return "ended by an alarm";
+    case RecipeEnd::Fault:
+        return "ended by a fault";
+    }
+    return "";
+}
+
+/// What it is about to do.
+void announce(const Recipe& recipe) {
+    std::fprintf(stderr, "bask run: recipe \"%s\", %zu step%s, at most %s\n", recipe.name.c_str(),
+                 recipe.steps.size(), recipe.steps.size() == 1 ? "" : "s", seconds(atMost_s(recipe)).c_str());
+    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
+        const RecipeStep& step = recipe.steps[i];
+        std::fprintf(stderr, "%4zu  %s%s%s\n", i + 1, wordsOf(step).c_str(),
+                     step.until == Until::Time ? "" : (", at most " + seconds(step.atMost_s)).c_str(),
+                     step.goesOn ? "; otherwise the next step" : "");
+    }
+}
+
+/// Tells each step's end once.
+class Teller {
+public:
+    void look(const RecipeRunner& runner) {
+        const auto& all = runner.progress();
+        for (;
+             m_told < all.size() && isOver(all[m_told].state) && (m_told < runner.step() || runner.isOver());
+             ++m_told) {
+            const RecipeProgress& step = all[m_told];
+            std::string reason;
+            if (step.reason.code != MessageCode::None)
+                reason = ": " + describe(step.reason);
+            std::fprintf(stderr, "bask run: step %zu of %zu: %s after %s%s\n", m_told + 1, all.size(),
+                         wordOf(step.state), seconds(step.elapsed_s).c_str(), reason.c_str());
+        }
+    }
+
+private:
+    static bool isOver(State state) { return state != State::Waiting && state != State::Underway; }
+    std::size_t m_told = 0;
+};
+
+void printOutcome(const RecipeRunner& runner, double wall_s) {
+    double all_s = 0.0;
+    std::printf("%4s  %-12s %10s  %s\n", "step", "outcome", "s", "what");
+    for (std::size_t i = 0; i < runner.progress().size(); ++i) {
+        const RecipeProgress& step = runner.progress()[i];
+        all_s += step.elapsed_s;
+        std::printf("%4zu  %-12s %10.1f  %s%s%s\n", i + 1, wordOf(step.state), step.elapsed_s,
+                    wordsOf(runner.recipe().steps[i]).c_str(), step.recording.empty() ? "" : ", ",
+                    step.recording.c_str());
+    }
+    const std::string reason =
+        runner.reason().code == MessageCode::None ? "" : " (" + describe(runner.reason()) + ")";
+    std::printf("recipe: %s%s after %.0f s of its steps, %.2f s of wall time\n", wordOf(runner.end()),
+                reason.c_str(), all_s, wall_s);
+}
+
+std::string summaryJson(const RecipeRunner& runner, double wall_s) {
+    nlohmann::ordered_json summary;
+    summary["steps"] = nlohmann::ordered_json::array();
+    for (std::size_t i = 0; i < runner.progress().size(); ++i) {
+        const RecipeProgress& step = runner.progress()[i];
+        nlohmann::ordered_json row;
+        row["what"] = wordsOf(runner.recipe().steps[i]);
+        row["outcome"] = wordOf(step.state);
+        row["elapsed_s"] = step.elapsed_s;
+        row["reason"] = step.reason.code == MessageCode::None ? nlohmann::ordered_json()
+                                                              : nlohmann::ordered_json(describe(step.reason));
+        row["session"] =
+            step.recording.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(step.recording);
+        summary["steps"].push_back(std::move(row));
+    }
+    summary["outcome"] = wordOf(runner.end());
+    summary["wall_s"] = wall_s;
+    return summary.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+int refuse(const Error& error) {
+    std::fprintf(stderr, "bask run: %s\n", describe(error).c_str());
+    return kExitBadInput;
+}
+
+/// All of one rig, which a person has looked at.
+std::optional<std::string> otherRig(const RecipeExperiments& experiments) {
+    for (std::size_t i = 0; i < experiments.size(); ++i) {
+        const std::string place = "steps[" + std::to_string(i) + "]: ";
+        if (!experiments[i]->rig)
+            return place + describe(Message{MessageCode::RigMissing, {}});
+        if (experiments[i]->rig != experiments.front()->rig)
+            return place + "its rig is another than the first step's; a recipe runs on one rig";
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+int runRecipe(const RecipeRequest& request) {
+    const std::string path = request.recipe.toStdString();
+    auto recipe = readRecipe(path);
+    if (!recipe)
+        return refuse(recipe.error());
+    auto experiments = readExperiments(
+        *recipe, [](const std::string& name) { return readExample(QString::fromStdString(name)); });
+    if (!experiments)
+        return refuse(Error(experiments.error().code(), path + ": " + experiments.error().where,
+                            experiments.error().message.args));
+    if (const auto trouble = request.isLive ? otherRig(*experiments) : std::nullopt) {
+        std::fprintf(stderr, "bask run: %s: %s\n", path.c_str(), trouble->c_str());
+        return kExitBadInput;
+    }
+    if (!request.summary.isEmpty())
+        if (const auto fits =
+                checkOutputs({path}, {{request.summary.toStdString(), "steps", "a summary written by Bask"}});
+            !fits)
+            return refuse(fits.error());
+    const QDir folder(request.folder);
+    if (!request.folder.isEmpty() && !folder.mkpath(QStringLiteral(".")))
+        return refuse(
+            Error(MessageCode::FileUnwritable, request.folder.toStdString(), {"the folder cannot be made"}));
+    announce(*recipe);
+    RecipeRunner runner(*recipe, std::move(*experiments), [&](std::size_t step) {
+        if (request.folder.isEmpty())
+            return std::string();
+        return folder
+            .filePath(QStringLiteral("%1-%2.bask")
+                          .arg(step + 1, 2, 10, QLatin1Char('0'))
+                          .arg(QString::fromStdString(nameOf(recipe->steps[step]))))
+            .toStdString();
+    });
+    Teller teller;
+    const RecipeWatch watch = [&](const RecipeRunner& on, const Snapshot& snapshot) {
+        for (const TraceEvent& event : snapshot.newEvents)
+            if (alarmPriority(event.message.code) > 0)
+                std::fprintf(stderr, "bask run: step %zu, at %.0f s: %s\n", on.step() + 1, event.time_s,
+                             describe(event.message).c_str());
+        teller.look(on);
+    };
+    QElapsedTimer timer;
+    timer.start();
+    if (request.isLive)
+        runLive(runner, watch);
+    else
+        runSimulated(runner, watch);
+    teller.look(runner);
+    const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+    printOutcome(runner, wall_s);
+    if (!request.summary.isEmpty())
+        if (const auto written = writeOutput(request.summary.toStdString(), summaryJson(runner, wall_s));
+            !written)
+            return refuse(written.error());
+    switch (runner.end()) {
+    case RecipeEnd::Done:
+        return kExitDone;
+    case RecipeEnd::Alarm:
+    case RecipeEnd::Fault:
+        return kExitFault;
+    default:
+        return kExitNegative;
+    }
+}
+
+} // namespace bask

@@ -1,0 +1,12 @@
+#pragma once
+// A recipe on a real rig in real time, without a window.
+
+#include "engine/recipe/recipe_runner.h"
+#include "engine/recipe/simulated_recipe.h"
+
+namespace bask {
+
+/// Runs to the recipe's end. SIGINT, SIGTERM and SIGHUP stop it, the second one is STOP.
+void runLive(RecipeRunner& runner, const RecipeWatch& watch);
+
+} // namespace bask

@@ -1,0 +1,65 @@
+#pragma once
+// The recipe of the window: its file, its edits, and its way through the engine.
+
+#include "app/session_actions.h"
+#include "engine/recipe/recipe_runner.h"
+#include "engine/runtime/command.h"
+#include "widgets/common/latest_job.h"
+
+#include <QObject>
+
+#include <optional>
+
+namespace bask {
+
+class RecipePanel;
+
+/// Each run's experiment is opened in the document, so that the pages show it. Object name of its question:
+/// "recipeQuestion".
+class RecipeControl : public QObject {
+    Q_OBJECT
+
+public:
+    RecipeControl(Document& document, SessionActions& files, RecipePanel& panel, QWidget* window);
+
+    void open(const QString& path);
+    /// Unsaved edits of the recipe may be lost: asks. False: stay.
+    bool mayDiscard();
+    void apply(const Snapshot& snapshot);
+    bool isOn() const { return m_runner && !m_runner->isOver(); }
+
+signals:
+    void commandIssued(const bask::Command& command);
+    void problem(const QString& sentence);
+    void told(const QString& sentence);
+    /// The panel is to be seen.
+    void showWanted();
+
+private:
+    void become(const Recipe& recipe, const QString& path);
+    void edit(const Recipe& recipe);
+    void openExample(const QString& name);
+    bool save();
+    bool saveAs();
+    bool write(const QString& path);
+    void addCurrent();
+    void addFile();
+    void start();
+    void ask(RecipeExperiments experiments);
+    void begin(RecipeExperiments experiments);
+    void post(const std::vector<Command>& commands);
+    void showPanel();
+
+    Document& m_document;
+    SessionActions& m_files;
+    RecipePanel& m_panel;
+    QWidget* m_window;
+    Recipe m_recipe;
+    QString m_path;
+    bool m_isModified = false;
+    std::optional<RecipeRunner> m_runner; ///< of the recipe as it is: an edit forgets it
+    Snapshot m_last;
+    LatestJob<Result<RecipeExperiments>> m_read;
+};
+
+} // namespace bask

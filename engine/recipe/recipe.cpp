@@ -1,0 +1,121 @@
+#include "engine/recipe/recipe.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/units.h"
+
+#include <algorithm>
+#include <map>
+
+namespace bask {
+namespace {
+
+std::string placeOf(std::size_t step, const char* key) {
+    return "steps[" + std::to_string(step) + "]." + key;
+}
+
+Result<void> checkSeconds(double value_s, double least_s, const std::string& place) {
+    if (value_s >= least_s && value_s <= kLongestStep_s)
+        return {};
+    return Error(MessageCode::ValueOutOfRange, place,
+                 {formatNumber(value_s), formatNumber(least_s), formatNumber(kLongestStep_s), "s"});
+}
+
+/// A file's name goes to the system: a zero in it would make it another.
+bool isPlain(const std::string& name) {
+    return std::ranges::none_of(name, [](unsigned char c) { return c < ' '; });
+}
+
+Result<void> check(const RecipeStep& step, std::size_t i) {
+    using Until = RecipeStep::Until;
+    if (!isPlain(step.experiment) || !isPlain(step.example) || !isPlain(step.object))
+        return Error(MessageCode::NameNotPlain, placeOf(i, step.isRun() ? "run" : "wait"));
+    if (!step.isRun() && step.until == Until::Settled)
+        return Error(MessageCode::ValueUnknown, placeOf(i, "wait"),
+                     {"settled_for_s", "above_degC, below_degC, time_s"});
+    if (step.until == Until::Time)
+        return checkSeconds(step.duration_s, 1.0, placeOf(i, "until.time_s"));
+    if (const auto fits = checkSeconds(step.atMost_s, 1.0, placeOf(i, "at_most_s")); !fits)
+        return fits;
+    if (step.until == Until::Settled) {
+        if (step.duration_s > step.atMost_s)
+            return Error(MessageCode::ValueOutOfRange, placeOf(i, "until.settled_for_s"),
+                         {formatNumber(step.duration_s), "0", formatNumber(step.atMost_s), "s"});
+        return checkSeconds(step.duration_s, 0.0, placeOf(i, "until.settled_for_s"));
+    }
+    if (step.object.empty())
+        return Error(MessageCode::JsonMissingKey, placeOf(i, "until"), {"object"});
+    const double t_degC = celsiusFromKelvin(step.temperature_K);
+    if (t_degC >= kLeastTemperature_degC && t_degC <= kMostTemperature_degC)
+        return {};
+    return Error(MessageCode::ValueOutOfRange, placeOf(i, "until"),
+                 {formatNumber(t_degC), formatNumber(kLeastTemperature_degC),
+                  formatNumber(kMostTemperature_degC), "degC"});
+}
+
+Result<void> checkObject(const RecipeStep& step, std::size_t i, const Experiment& experiment) {
+    if (step.until != RecipeStep::Until::Above && step.until != RecipeStep::Until::Below)
+        return {};
+    std::string known;
+    for (const ObjectSpec& object : experiment.objects) {
+        if (object.name == step.object)
+            return {};
+        known += (known.empty() ? "" : ", ") + object.name;
+    }
+    return Error(MessageCode::ValueUnknown, placeOf(i, "until.object"), {step.object, known});
+}
+
+} // namespace
+
+double atMost_s(const Recipe& recipe) {
+    double sum_s = 0.0;
+    for (const RecipeStep& step : recipe.steps)
+        sum_s += step.until == RecipeStep::Until::Time ? step.duration_s : step.atMost_s;
+    return sum_s;
+}
+
+Result<void> validate(const Recipe& recipe) {
+    if (recipe.steps.size() > kMostRecipeSteps)
+        return Error(MessageCode::ValueOutOfRange, "steps",
+                     {std::to_string(recipe.steps.size()), "0", std::to_string(kMostRecipeSteps), ""});
+    for (std::size_t i = 0; i < recipe.steps.size(); ++i)
+        if (const auto fits = check(recipe.steps[i], i); !fits)
+            return fits;
+    return {};
+}
+
+Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleReader& readExample) {
+    if (const auto valid = validate(recipe); !valid)
+        return valid.error();
+    RecipeExperiments out(recipe.steps.size());
+    std::map<std::pair<std::string, std::string>, std::shared_ptr<const Experiment>> read;
+    std::shared_ptr<const Experiment> first;
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const RecipeStep& step = recipe.steps[i];
+        if (!step.isRun())
+            continue;
+        auto& known = read[{step.experiment, step.example}];
+        if (!known) {
+            auto experiment =
+                step.example.empty() ? readExperiment(step.experiment) : readExample(step.example);
+            if (!experiment)
+                return Error(experiment.error().code(),
+                             placeOf(i, step.example.empty() ? "run: " : "run_example: ") +
+                                 experiment.error().where,
+                             experiment.error().message.args);
+            known = std::make_shared<const Experiment>(std::move(*experiment));
+        }
+        out[i] = known;
+        first = first ? first : known;
+    }
+    if (!first)
+        return Error(MessageCode::JsonMissingKey, "steps", {"run"});
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        if (!out[i])
+            out[i] = i == 0 ? first : out[i - 1];
+        if (const auto there = checkObject(recipe.steps[i], i, *out[i]); !there)
+            return there.error();
+    }
+    return out;
+}
+
+} // namespace bask

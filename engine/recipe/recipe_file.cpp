@@ -1,0 +1,189 @@
+#include "engine/base/message_code.h"
+#include "engine/recipe/recipe.h"
+#include "engine/session/json_fields.h"
+#include "engine/session/json_quantities.h"
+#include "engine/session/json_text.h"
+
+#include <QSaveFile>
+
+#include <nlohmann/json.hpp>
+
+#include <filesystem>
+
+namespace bask {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Until = RecipeStep::Until;
+
+constexpr std::uintmax_t kMostBytes = 1u << 20;
+
+/// One condition: the keys of a second one are unknown there.
+void readUntil(const json& j, const std::string& path, Failure& failure, RecipeStep& step) {
+    Fields fields(j, path, failure);
+    if (!failure && (j.contains("above_degC") || j.contains("above_K")))
+        step.until = Until::Above;
+    else if (!failure && (j.contains("below_degC") || j.contains("below_K")))
+        step.until = Until::Below;
+    else if (!failure && j.contains("time_s"))
+        step.until = Until::Time;
+    if (step.until == Until::Settled) {
+        fields.read("settled_for_s", step.duration_s, true);
+    } else if (step.until == Until::Time) {
+        fields.read("time_s", step.duration_s);
+    } else {
+        fields.read("object", step.object, true);
+        fields.read(step.until == Until::Above ? "above" : "below", EdgeUnit::Temperature,
+                    step.temperature_K);
+    }
+    fields.close();
+}
+
+void readStep(const json& j, const std::string& path, const std::string& folder, Failure& failure,
+              RecipeStep& step) {
+    Fields fields(j, path, failure);
+    if (failure)
+        return;
+    const bool isWait = j.contains("wait");
+    if (j.contains("run_example"))
+        fields.read("run_example", step.example);
+    else if (!isWait)
+        fields.read("run", step.experiment, true);
+    if (!failure && !isWait && !step.isRun() && (j.contains("run") || j.contains("run_example")))
+        fields.fail(MessageCode::FileNotFound, fields.pathOf("run"));
+    if (!step.experiment.empty())
+        step.experiment = (fs::path(folder) / step.experiment).lexically_normal().string();
+    readPart(fields, isWait ? "wait" : "until", true,
+             [&](const json& part, const std::string& place) { readUntil(part, place, failure, step); });
+    if (step.until != Until::Time)
+        fields.read("at_most_s", step.atMost_s, true);
+    fields.readWord("otherwise", {{"stop", false}, {"next", true}}, step.goesOn);
+    fields.close();
+}
+
+Recipe readRoot(const json& j, const std::string& folder, Failure& failure) {
+    Recipe recipe;
+    Fields root(j, {}, failure);
+    std::string format;
+    int version = 0;
+    root.read("format", format, true);
+    root.read("version", version, true);
+    if (!format.empty() && format != "bask-recipe")
+        root.fail(MessageCode::ValueUnknown, "format", {plainWords(format), "bask-recipe"});
+    else if (version > kRecipeFormat)
+        root.fail(MessageCode::VersionTooNew, "version",
+                  {std::to_string(version), std::to_string(kRecipeFormat)});
+    else if (root.find("version") != nullptr && version < 1)
+        root.fail(MessageCode::ValueOutOfRange, "version",
+                  {std::to_string(version), "1", std::to_string(kRecipeFormat), ""});
+    root.read("name", recipe.name);
+    if (const json* steps = root.find("steps", true); steps != nullptr && !failure) {
+        if (!steps->is_array())
+            root.fail(MessageCode::JsonWrongType, "steps", {"an array", typeName(*steps)});
+        else if (steps->size() > kMostRecipeSteps)
+            root.fail(MessageCode::ValueOutOfRange, "steps",
+                      {std::to_string(steps->size()), "0", std::to_string(kMostRecipeSteps), ""});
+        for (std::size_t i = 0; !failure && i < steps->size(); ++i)
+            readStep((*steps)[i], "steps[" + std::to_string(i) + ']', folder, failure,
+                     recipe.steps.emplace_back());
+    }
+    root.close();
+    return recipe;
+}
+
+std::string folderOf(const std::string& path) {
+    std::error_code failed;
+    const fs::path whole = fs::absolute(path, failed);
+    return (failed ? fs::path(path) : whole).parent_path().string();
+}
+
+/// Relative where it lies inside of the folder.
+std::string written(const std::string& experiment, const std::string& folder) {
+    const std::string inside = fs::path(experiment).lexically_relative(folder).string();
+    return folder.empty() || inside.empty() || inside.starts_with("..") ? experiment : inside;
+}
+
+nlohmann::ordered_json stepJson(const RecipeStep& step, const std::string& folder) {
+    nlohmann::ordered_json j, until;
+    if (!step.example.empty())
+        j["run_example"] = step.example;
+    else if (!step.experiment.empty())
+        j["run"] = written(step.experiment, folder);
+    if (step.until == Until::Settled) {
+        until["settled_for_s"] = step.duration_s;
+    } else if (step.until == Until::Time) {
+        until["time_s"] = step.duration_s;
+    } else {
+        until["object"] = step.object;
+        putQuantity(until, step.until == Until::Above ? "above" : "below", EdgeUnit::Temperature,
+                    step.temperature_K);
+    }
+    j[step.isRun() ? "until" : "wait"] = until;
+    if (step.until != Until::Time)
+        j["at_most_s"] = step.atMost_s;
+    if (step.goesOn)
+        j["otherwise"] = "next";
+    return j;
+}
+
+} // namespace
+
+bool isRecipeFile(const std::string& path) {
+    const auto text = readTextFile(path, kMostBytes);
+    return text && text->substr(0, 1024).find("\"bask-recipe\"") != std::string::npos;
+}
+
+Result<Recipe> recipeFromJson(const std::string& text, const std::string& folder) {
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos)
+        return Error(MessageCode::FileEmpty, {});
+    if (const auto trouble = checkJsonText(text))
+        return Error(trouble->code, {}, trouble->args);
+    try {
+        Failure failure;
+        Recipe recipe = readRoot(json::parse(text), folder, failure);
+        if (failure)
+            return *failure;
+        if (const auto valid = validate(recipe); !valid)
+            return valid.error();
+        return recipe;
+    } catch (const json::exception& e) {
+        return Error(MessageCode::JsonSyntax, {}, {plainWords(e.what())});
+    }
+}
+
+Result<Recipe> readRecipe(const std::string& path) {
+    const auto text = readTextFile(path, kMostBytes);
+    if (!text)
+        return text.error();
+    Result<Recipe> recipe = recipeFromJson(*text, folderOf(path));
+    if (recipe)
+        return recipe;
+    Error error = recipe.error();
+    error.where = error.where.empty() ? path : path + ": " + error.where;
+    return error;
+}
+
+std::string recipeToJson(const Recipe& recipe, const std::string& folder) {
+    nlohmann::ordered_json j;
+    j["format"] = "bask-recipe";
+    j["version"] = kRecipeFormat;
+    j["name"] = recipe.name;
+    j["steps"] = nlohmann::ordered_json::array();
+    for (const RecipeStep& step : recipe.steps)
+        j["steps"].push_back(stepJson(step, folder));
+    return j.dump(2, ' ', false, json::error_handler_t::replace) + '\n';
+}
+
+Result<void> writeRecipe(const Recipe& recipe, const std::string& path) {
+    if (const auto valid = validate(recipe); !valid)
+        return valid;
+    const std::string text = recipeToJson(recipe, folderOf(path));
+    QSaveFile file(QString::fromStdString(path));
+    const auto size = static_cast<qint64>(text.size());
+    if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), size) != size || !file.commit())
+        return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
+    return {};
+}
+
+} // namespace bask

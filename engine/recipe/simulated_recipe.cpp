@@ -1,0 +1,140 @@
+#include "engine/recipe/simulated_recipe.h"
+
+#include "engine/base/message_code.h"
+#include "engine/runtime/alarm_log.h"
+#include "engine/runtime/simulated_drive.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <memory>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+double utc_s() {
+    return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+/// What EngineWorker is in real time, for the commands of a recipe.
+class SimulatedEngine {
+public:
+    void post(const Command& command) {
+        const Result<void> done = apply(command);
+        if (!done && m_snapshot.refusal.code == MessageCode::None)
+            m_snapshot.refusal = done.error().message;
+        record();
+    }
+
+    void period() {
+        m_drive->period();
+        record();
+        if (!m_drive->loop().running() && m_drive->loop().state() != RunState::Armed)
+            close();
+    }
+
+    const Snapshot& snapshot() {
+        if (!m_drive)
+            return m_snapshot;
+        const ServoLoop& loop = m_drive->loop();
+        m_alarms.update(utc_s(), loop.alarmConditions());
+        m_snapshot.alarms = m_alarms.alarms();
+        m_snapshot.state = loop.state();
+        m_snapshot.reasons = loop.reasons();
+        m_snapshot.runTime_s = loop.runTime_s();
+        m_snapshot.clock_s = m_drive->clock().now_s();
+        m_snapshot.latest = loop.latest();
+        m_snapshot.heatOn = loop.heatOn();
+        return m_snapshot;
+    }
+
+    void forget() {
+        m_snapshot.newSamples.clear();
+        m_snapshot.newEvents.clear();
+        m_snapshot.refusal = {};
+    }
+
+private:
+    Result<void> apply(const Command& command) {
+        if (const auto* load = std::get_if<LoadExperiment>(&command)) {
+            close();
+            m_drive = std::make_unique<SimulatedDrive>(load->experiment);
+            ++m_snapshot.loadId;
+            return {};
+        }
+        ServoLoop& loop = m_drive->loop();
+        if (const auto* arm = std::get_if<Arm>(&command))
+            return armWith(arm->recordingPath);
+        if (const auto* start = std::get_if<Start>(&command))
+            return loop.start(start->acceptInfeasible);
+        if (std::holds_alternative<Stop>(command))
+            return loop.stop();
+        if (std::holds_alternative<Reset>(command))
+            return loop.reset();
+        throw std::logic_error("SimulatedEngine: no command of a recipe");
+    }
+
+    Result<void> armWith(const std::string& path) {
+        if (const auto armed = m_drive->loop().arm(); !armed || path.empty())
+            return armed;
+        auto writer = SessionWriter::create(path, m_drive->loop().experiment(), true);
+        if (!writer) {
+            (void)m_drive->loop().disarm();
+            return writer.error();
+        }
+        m_writer = std::move(*writer);
+        return {};
+    }
+
+    void record() {
+        LoopRecord rows = m_drive->loop().takeRecord();
+        if (m_writer)
+            if (const auto written = write(rows, *m_writer); !written)
+                recorderFailed(written.error());
+        std::ranges::move(rows.samples, std::back_inserter(m_snapshot.newSamples));
+        std::ranges::move(rows.events, std::back_inserter(m_snapshot.newEvents));
+    }
+
+    void close() {
+        if (!m_writer)
+            return;
+        const std::string outcome = m_drive->loop().outcome();
+        if (const auto finished = m_writer->finish(outcome.empty() ? "stopped" : outcome); !finished)
+            recorderFailed(finished.error());
+        m_writer.reset();
+    }
+
+    void recorderFailed(const Error& error) {
+        m_writer.reset();
+        m_drive->loop().stopFor({MessageCode::ReasonRecorderFailed, {describe(error)}});
+    }
+
+    std::unique_ptr<SimulatedDrive> m_drive;
+    std::unique_ptr<SessionWriter> m_writer;
+    AlarmLog m_alarms;
+    Snapshot m_snapshot;
+};
+
+} // namespace
+
+void runSimulated(RecipeRunner& runner, const RecipeWatch& watch, std::stop_token stop) {
+    SimulatedEngine engine;
+    const auto post = [&](const std::vector<Command>& commands) {
+        for (const Command& command : commands)
+            engine.post(command);
+    };
+    post(runner.begin(engine.snapshot()));
+    while (!runner.isOver()) {
+        if (stop.stop_requested())
+            post(runner.stopNow());
+        engine.period();
+        const Snapshot snapshot = engine.snapshot();
+        engine.forget();
+        post(runner.take(snapshot));
+        if (watch)
+            watch(runner, snapshot);
+    }
+}
+
+} // namespace bask

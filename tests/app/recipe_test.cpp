@@ -1,0 +1,162 @@
+// A recipe in the window: opened, edited, started, watched through its steps, stopped, its runs looked at.
+
+#include "app/recipe_control.h"
+#include "tests/app/window_fixture.h"
+
+#include <QComboBox>
+#include <QDialog>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTabWidget>
+#include <QTreeWidget>
+
+#include <fstream>
+
+namespace bask::test {
+namespace {
+
+constexpr int kUntil = 2, kState = 5; ///< columns
+
+class RecipeTest : public WindowTest {
+protected:
+    QTemporaryDir folder;
+    QString path = folder.filePath("short.json");
+
+    void SetUp() override {
+        WindowTest::SetUp();
+        std::ofstream(path.toStdString()) << R"({"format": "bask-recipe", "version": 1, "steps": [
+            {"run_example": "two-circles", "until": {"time_s": 15}},
+            {"wait": {"time_s": 20}},
+            {"run_example": "two-circles", "until": {"settled_for_s": 900}, "at_most_s": 1000}]})";
+    }
+    QTreeWidget* tree() { return find<QTreeWidget>("recipeTree"); }
+    QString stateOf(int row) { return tree()->topLevelItem(row)->text(kState); }
+    void choose(int row) { tree()->setCurrentItem(tree()->topLevelItem(row)); }
+    void openAndGo() {
+        ASSERT_NO_FATAL_FAILURE(openWindow());
+        ASSERT_NO_FATAL_FAILURE(goFast());
+        window->files().open(path);
+        ASSERT_TRUE(tree()->isVisible());
+        ASSERT_EQ(tree()->topLevelItemCount(), 3);
+        ASSERT_TRUE(waitForState(RunState::Ready));
+        click("recipeStart");
+        ASSERT_TRUE(waitFor([this] { return question() != nullptr; }));
+        EXPECT_TRUE(
+            question()->text().contains(QStringLiteral("3. two-circles until all have been settled for "
+                                                       "15:00, at most 16:40")))
+            << question()->text().toStdString();
+        EXPECT_FALSE(window->recipe().isOn());
+        click("recipeGo");
+        ASSERT_TRUE(window->recipe().isOn());
+    }
+    QMessageBox* question() { return window->findChild<QMessageBox*>("recipeQuestion"); }
+    QString bar() { return find<QLabel>("recipeState")->text(); }
+};
+
+} // namespace
+
+TEST_F(RecipeTest, goesThroughItsStepsUntilItIsStopped) {
+    ASSERT_NO_FATAL_FAILURE(openAndGo());
+    EXPECT_EQ(stateOf(0), "Under way");
+    EXPECT_FALSE(find<QPushButton>("recipeEdit")->isEnabled());
+    ASSERT_TRUE(waitForState(RunState::Running));
+    EXPECT_EQ(window->document().experiment().objects.size(), 2u); // the pages show what is run
+    ASSERT_TRUE(waitFor([this] { return bar().startsWith("Step 1 of 3: running"); })) << bar().toStdString();
+    ASSERT_TRUE(waitFor([this] { return stateOf(0) == "Done" && stateOf(1) == "Under way"; }, 60000));
+    EXPECT_EQ(state(), RunState::Stopped);
+    EXPECT_FALSE(window->lastSnapshot().heatOn);
+    ASSERT_TRUE(waitFor([this] { return stateOf(2) == "Under way" && state() == RunState::Running; }, 60000));
+    EXPECT_EQ(stateOf(1), "Done");
+    keepPicture("recipe");
+    click("recipeStopNow");
+    ASSERT_TRUE(waitFor([this] { return !window->recipe().isOn(); }, 60000));
+    EXPECT_EQ(state(), RunState::Stopped);
+    EXPECT_EQ(stateOf(2), "Stopped");
+    EXPECT_TRUE(bar().startsWith("The recipe was stopped.")) << bar().toStdString();
+
+    choose(1);
+    EXPECT_FALSE(find<QPushButton>("recipeSession")->isEnabled()); // a wait has no recording
+    choose(0);
+    std::shared_ptr<const SessionRecord> opened;
+    QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
+                     [&](const std::shared_ptr<const SessionRecord>& record) { opened = record; });
+    click("recipeSession");
+    ASSERT_TRUE(waitFor([&] { return opened != nullptr; }));
+    EXPECT_EQ(opened->experiment.objects.size(), 2u);
+    EXPECT_FALSE(opened->interrupted());
+    EXPECT_EQ(window->pages().page(), Page::Review);
+}
+
+// Catches a recipe that goes on after a person has taken the run in hand.
+TEST_F(RecipeTest, aPersonsStopEndsIt) {
+    ASSERT_NO_FATAL_FAILURE(openAndGo());
+    ASSERT_TRUE(waitForState(RunState::Running));
+    click("stopRunButton");
+    ASSERT_TRUE(waitFor([this] { return !window->recipe().isOn(); }, 60000));
+    ASSERT_TRUE(waitForState(RunState::Stopped));
+    EXPECT_EQ(stateOf(0), "Stopped");
+    EXPECT_EQ(stateOf(1), "To come");
+    const QDeadlineTimer while_(1500); // 30 s of the rig
+    waitFor([&] { return while_.hasExpired(); });
+    EXPECT_EQ(state(), RunState::Stopped);
+}
+
+TEST_F(RecipeTest, stopEndsItInAWaitToo) {
+    ASSERT_NO_FATAL_FAILURE(openAndGo());
+    ASSERT_TRUE(waitFor([this] { return stateOf(1) == "Under way"; }, 60000));
+    click("stopButton");
+    ASSERT_TRUE(waitFor([this] { return !window->recipe().isOn(); }));
+    EXPECT_TRUE(stateOf(1).startsWith("Failed: ")) << stateOf(1).toStdString();
+    click("resetButton");
+    const QDeadlineTimer while_(2000);
+    waitFor([&] { return while_.hasExpired(); });
+    EXPECT_NE(state(), RunState::Running);
+    EXPECT_EQ(stateOf(2), "To come");
+}
+
+TEST_F(RecipeTest, isEditedSavedAndAskedAbout) {
+    ASSERT_NO_FATAL_FAILURE(openWindow({1280, 800}, path)); // as by a double click on the file
+    ASSERT_EQ(tree()->topLevelItemCount(), 3);
+    EXPECT_EQ(find<QPushButton>("recipeSave")->isEnabled(), false);
+    choose(1);
+    find<QMenu>("recipeAddMenu")->actions().at(3)->trigger(); // until an object has cooled
+    auto* form = find<QDialog>("recipeStepDialog");
+    ASSERT_TRUE(form->isVisible());
+    EXPECT_EQ(form->findChild<QComboBox*>("object")->currentText(), "circle");
+    EXPECT_FALSE(form->findChild<QDoubleSpinBox*>("duration")->isVisible());
+    form->findChild<QDoubleSpinBox*>("atMost")->setValue(120.0);
+    form->accept();
+    ASSERT_EQ(tree()->topLevelItemCount(), 4);
+    EXPECT_EQ(tree()->topLevelItem(2)->text(kUntil),
+              QStringLiteral("circle is at 30.0\u00a0\u00b0C or below"));
+    EXPECT_EQ(tree()->currentItem(), tree()->topLevelItem(2));
+    click("recipeUp");
+    EXPECT_EQ(tree()->topLevelItem(1)->text(kUntil),
+              QStringLiteral("circle is at 30.0\u00a0\u00b0C or below"));
+    choose(3);
+    click("recipeRemove");
+    EXPECT_TRUE(bar().contains("short.json, changed")) << bar().toStdString();
+    click("recipeSave");
+    const auto saved = readRecipe(path.toStdString());
+    ASSERT_TRUE(saved);
+    ASSERT_EQ(saved->steps.size(), 3u);
+    EXPECT_EQ(saved->steps[1].object, "circle");
+    EXPECT_EQ(saved->steps[1].atMost_s, 120.0);
+    EXPECT_EQ(saved->steps[0].example, "two-circles");
+    EXPECT_TRUE(window->recipe().mayDiscard()); // nothing to ask
+
+    // A run without that object cannot be begun.
+    click("recipeStart");
+    ASSERT_TRUE(waitFor([this] {
+        const auto labels = find<QWidget>("messageBar")->findChildren<QLabel*>();
+        return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
+            return label->text().contains(QStringLiteral("steps[1].until.object"));
+        });
+    }));
+    EXPECT_EQ(question(), nullptr);
+}
+
+} // namespace bask::test

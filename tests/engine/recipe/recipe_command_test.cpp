@@ -1,0 +1,110 @@
+// `bask run --recipe` as a script sees it.
+
+#include "app/commands/command_line.h"
+#include "engine/recipe/recipe.h"
+#include "engine/session/session_file.h"
+#include "tests/support/captured_command.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include <QDir>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include <fstream>
+
+namespace bask {
+namespace {
+
+const QString kShipped = QStringLiteral(BASK_EXAMPLES "/recipes/two-circles-by-degrees.json");
+
+struct RecipeCommand : testing::Test {
+    QTemporaryDir folder;
+    QString path = folder.filePath("recipe.json");
+
+    void write(const std::string& steps) {
+        std::ofstream(path.toStdString())
+            << R"({"format": "bask-recipe", "version": 1, "steps": [)" + steps + "]}";
+    }
+    test::Captured run(const QStringList& arguments) {
+        return test::captured(runExperimentCommand, arguments);
+    }
+    test::Captured run() { return run({"--recipe", path}); }
+};
+
+} // namespace
+
+// Catches: the shipped recipe that does not get through, sessions that are not there or are of other steps.
+TEST_F(RecipeCommand, theShippedRecipeGetsThrough) {
+    const QString out = folder.filePath("made/here"), summaryPath = folder.filePath("summary.json");
+    const auto done = run({"--recipe", kShipped, "--out", out, "--summary", summaryPath});
+    ASSERT_EQ(done.code, kExitDone) << done.err << done.out;
+    EXPECT_NE(done.err.find("5 steps, at most 5040 s"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("step 2 of 5: done after"), std::string::npos) << done.err;
+    EXPECT_NE(done.out.find("recipe: done after"), std::string::npos) << done.out;
+    EXPECT_EQ(QDir(out).entryList({"*"}, QDir::Files, QDir::Name),
+              (QStringList{"01-two-circles.bask", "04-two-circles.bask", "05-three-objects.bask"}));
+    const auto last = readSession(out.toStdString() + "/05-three-objects.bask");
+    ASSERT_TRUE(last);
+    EXPECT_EQ(last->experiment.objects.size(), 3u);
+    EXPECT_FALSE(last->interrupted());
+    std::ifstream file(summaryPath.toStdString());
+    const auto summary = nlohmann::json::parse(file);
+    ASSERT_EQ(summary["steps"].size(), 5u);
+    EXPECT_EQ(summary["outcome"], "done");
+    EXPECT_EQ(summary["steps"][1]["session"], nullptr);
+    EXPECT_EQ(summary["steps"][4]["elapsed_s"], 180.0);
+    // Once more over what it wrote itself.
+    EXPECT_EQ(run({"--recipe", kShipped, "--out", out, "--summary", summaryPath}).code, kExitDone);
+}
+
+TEST_F(RecipeCommand, exitCodesTellHowItEnded) {
+    write(R"({"run_example": "two-circles", "until": {"object": "left", "above_degC": 200}, "at_most_s": 20,
+              "otherwise": "next"},
+             {"run_example": "two-circles", "until": {"time_s": 5}})");
+    auto done = run();
+    EXPECT_EQ(done.code, kExitNegative);
+    EXPECT_NE(done.err.find("step 1 of 2: not reached after 20 s"), std::string::npos) << done.err;
+    EXPECT_NE(done.err.find("step 2 of 2: done after 5 s"), std::string::npos) << done.err;
+    EXPECT_NE(done.out.find("recipe: not all steps done"), std::string::npos) << done.out;
+
+    QFile example(QStringLiteral(BASK_EXAMPLES "/two-circles.json"));
+    ASSERT_TRUE(example.open(QIODevice::ReadOnly));
+    auto experiment = nlohmann::json::parse(example.readAll().toStdString());
+    experiment["simulation"]["faults"] = {{{"time_s", 5}, {"fault", "sensor-lost"}, {"object", 0}}};
+    std::ofstream(folder.filePath("lost.json").toStdString()) << experiment.dump();
+    write(R"({"run": "lost.json", "until": {"time_s": 60}, "otherwise": "next"},
+             {"run_example": "two-circles", "until": {"time_s": 5}})");
+    done = run();
+    EXPECT_EQ(done.code, kExitFault) << done.err;
+    EXPECT_NE(done.err.find("step 1 of 2: failed after"), std::string::npos) << done.err;
+    EXPECT_NE(done.out.find("not begun"), std::string::npos) << done.out;
+}
+
+TEST_F(RecipeCommand, refusesWhatCannotBeRunBeforeItBegins) {
+    const auto refused = [this](const QStringList& arguments, const std::string& words) {
+        const auto done = run(arguments);
+        EXPECT_EQ(done.code, kExitBadInput) << done.err;
+        EXPECT_NE(done.err.find(words), std::string::npos) << done.err;
+        EXPECT_EQ(done.out, "");
+    };
+    write(
+        R"({"run_example": "two-circles", "until": {"time_s": 5}}, {"run": "none.json", "until": {"time_s": 5}})");
+    refused({"--recipe", path}, "recipe.json: steps[1].run: ");
+    refused({"--recipe", path + "x"}, "there is no such file");
+    write(R"({"run_example": "no-such", "until": {"time_s": 5}})");
+    refused({"--recipe", path}, "\"no-such\" is not known; known: three-objects, ");
+    write(R"({"run_example": "two-circles", "until": {"time_s": 5}})");
+    refused({"--recipe", path, "--live"}, "steps[0]");
+    refused({"--recipe", path, "--targets", "40,40"}, "--targets is not for recipes");
+    refused({"--recipe", path, "-o", folder.filePath("a.bask")}, "--o is not for recipes");
+    refused({"--recipe", path, "--out", path}, "the folder cannot be made");
+    refused({"--recipe", path, "--summary", path}, path.toStdString());
+    refused({"--recipe", path, "other.json"}, "0 arguments expected, 1 given");
+    refused({path, "--out", folder.path()}, "--out is for recipes");
+    refused({path}, "format"); // no experiment
+}
+
+} // namespace bask

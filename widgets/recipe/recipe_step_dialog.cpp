@@ -1,0 +1,108 @@
+#include "widgets/recipe/recipe_step_dialog.h"
+
+#include "widgets/common/quantity_spin_box.h"
+#include "widgets/recipe/recipe_words.h"
+
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFormLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace bask {
+
+using Until = RecipeStep::Until;
+
+RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& objects, TemperatureUnit unit,
+                                   QWidget* parent)
+    : QDialog(parent), m_step(step), m_form(new QFormLayout), m_until(new QComboBox(this)),
+      m_duration(new QDoubleSpinBox(this)), m_object(new QComboBox(this)),
+      m_temperature(new QuantitySpinBox(this)), m_atMost(new QDoubleSpinBox(this)),
+      m_otherwise(new QComboBox(this)) {
+    setObjectName(QStringLiteral("recipeStepDialog"));
+    setWindowTitle(step.isRun() ? tr("Run %1").arg(stepWords(step)) : tr("Wait"));
+    setAttribute(Qt::WA_DeleteOnClose);
+
+    if (step.isRun())
+        m_until->addItem(tr("All objects have settled"), static_cast<int>(Until::Settled));
+    m_until->addItem(tr("A time has passed"), static_cast<int>(Until::Time));
+    m_until->addItem(tr("An object is so hot or hotter"), static_cast<int>(Until::Above));
+    m_until->addItem(tr("An object is so cold or colder"), static_cast<int>(Until::Below));
+    m_until->setCurrentIndex(m_until->findData(static_cast<int>(step.until)));
+    for (QDoubleSpinBox* seconds : {m_duration, m_atMost}) {
+        seconds->setRange(seconds == m_duration ? 0.0 : 1.0, kLongestStep_s);
+        seconds->setDecimals(0);
+        seconds->setSingleStep(10.0);
+        seconds->setSuffix(QStringLiteral(" s"));
+        seconds->setMinimumWidth(140);
+    }
+    m_duration->setValue(step.duration_s);
+    m_atMost->setValue(step.atMost_s);
+    m_object->setEditable(true);
+    m_object->addItems(objects);
+    if (!step.object.empty())
+        m_object->setEditText(QString::fromStdString(step.object));
+    m_temperature->setTemperatureUnit(unit);
+    m_temperature->setRange_K(kelvinFromCelsius(kLeastTemperature_degC),
+                              kelvinFromCelsius(kMostTemperature_degC));
+    m_temperature->setValue_K(step.temperature_K);
+    m_otherwise->addItem(tr("End the recipe"), false);
+    m_otherwise->addItem(tr("Go on with the next step"), true);
+    m_otherwise->setCurrentIndex(step.goesOn ? 1 : 0);
+
+    addRow(tr("Until"), m_until, "until");
+    addRow(tr("For"), m_duration, "duration");
+    addRow(tr("Object"), m_object, "object");
+    addRow(tr("Temperature"), m_temperature, "temperature");
+    addRow(tr("At most"), m_atMost, "atMost");
+    addRow(tr("Otherwise"), m_otherwise, "otherwise");
+    m_otherwise->setToolTip(
+        tr("Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a "
+           "person's stop always ends the recipe."));
+
+    auto* buttons = new QDialogButtonBox(this);
+    QPushButton* ok = buttons->addButton(tr("OK"), QDialogButtonBox::AcceptRole);
+    QPushButton* cancel = buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
+    ok->setObjectName(QStringLiteral("stepOk"));
+    cancel->setObjectName(QStringLiteral("stepCancel"));
+    ok->setDefault(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(16, 16, 16, 16);
+    column->setSpacing(12);
+    column->addLayout(m_form);
+    column->addWidget(buttons);
+    connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    connect(m_until, &QComboBox::currentIndexChanged, this, &RecipeStepDialog::showFields);
+    showFields();
+}
+
+void RecipeStepDialog::addRow(const QString& label, QWidget* field, const char* name) {
+    field->setObjectName(QLatin1String(name));
+    field->setAccessibleName(label);
+    m_form->addRow(label, field);
+}
+
+void RecipeStepDialog::showFields() {
+    const auto until = static_cast<Until>(m_until->currentData().toInt());
+    const bool isOfObject = until == Until::Above || until == Until::Below;
+    m_form->setRowVisible(m_duration, !isOfObject);
+    m_form->setRowVisible(m_object, isOfObject);
+    m_form->setRowVisible(m_temperature, isOfObject);
+    m_form->setRowVisible(m_atMost, until != Until::Time);
+    m_duration->setMinimum(until == Until::Time ? 1.0 : 0.0);
+    adjustSize();
+}
+
+RecipeStep RecipeStepDialog::step() const {
+    RecipeStep made = m_step;
+    made.until = static_cast<Until>(m_until->currentData().toInt());
+    made.duration_s = m_duration->value();
+    made.object = m_object->currentText().trimmed().toStdString();
+    made.temperature_K = m_temperature->value_K();
+    made.atMost_s = m_atMost->value();
+    made.goesOn = m_otherwise->currentData().toBool();
+    return made;
+}
+
+} // namespace bask

@@ -1,0 +1,46 @@
+#pragma once
+// The form of one step of a recipe.
+
+#include "engine/base/units.h"
+#include "engine/recipe/recipe.h"
+
+#include <QDialog>
+#include <QStringList>
+
+class QComboBox;
+class QDoubleSpinBox;
+class QFormLayout;
+class QLabel;
+
+namespace bask {
+
+class QuantitySpinBox;
+
+/// Object names: "recipeStepDialog", fields "until", "duration", "object", "temperature", "atMost",
+/// "otherwise", buttons "stepOk", "stepCancel".
+class RecipeStepDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    /// `objects`: names to choose from; others can be typed.
+    RecipeStepDialog(const RecipeStep& step, const QStringList& objects, TemperatureUnit unit,
+                     QWidget* parent = nullptr);
+
+    RecipeStep step() const;
+
+private:
+    void addRow(const QString& label, QWidget* field, const char* name);
+    void showFields();
+
+    RecipeStep m_step; ///< as given
+    QFormLayout* m_form;
+    QComboBox* m_until;
+    QDoubleSpinBox* m_duration;
+    QLabel* m_durationLabel = nullptr;
+    QComboBox* m_object;
+    QuantitySpinBox* m_temperature;
+    QDoubleSpinBox* m_atMost;
+    QComboBox* m_otherwise;
+};
+
+} // namespace bask
