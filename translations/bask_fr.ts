@@ -7492,7 +7492,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>%1 have passed</source>
-            <translation>%1 se sont écoulées</translation>
+            <translation>écoulement de %1</translation>
         </message>
         <message>
             <source>%1 is at %2 or above</source>

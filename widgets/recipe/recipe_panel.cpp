@@ -87,6 +87,9 @@ void RecipePanel::build() {
     m_tree->setTabKeyNavigation(false);
     m_tree->header()->setSectionsMovable(false);
     m_tree->header()->setStretchLastSection(true);
+    m_tree->header()->setResizeContentsPrecision(0); // by the rows in view
+    for (int column = 0; column < kState; ++column)
+        m_tree->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     m_state->setObjectName(QStringLiteral("recipeState"));
     m_state->setWordWrap(true);
     m_file = makeButton("recipeFile");
@@ -157,7 +160,6 @@ void RecipePanel::show(const RecipeView& view) {
 }
 
 void RecipePanel::showRows() {
-    bool isWider = false;
     for (int row = 0; row < m_tree->topLevelItemCount(); ++row) {
         const auto i = static_cast<std::size_t>(row);
         const RecipeStep& step = m_view.recipe.steps[i];
@@ -168,10 +170,8 @@ void RecipePanel::showRows() {
         if (progress.reason.code != MessageCode::None)
             state += QStringLiteral(": ") + inUnit(messageText(progress.reason), m_unit);
         const auto set = [&](int column, const QString& text) {
-            if (item->text(column) == text)
-                return;
-            isWider = isWider || item->text(column).size() != text.size();
-            item->setText(column, text);
+            if (item->text(column) != text)
+                item->setText(column, text);
         };
         set(kNumber, QString::number(row + 1));
         set(kStep, step.isRun() ? tr("Run %1").arg(stepWords(step)) : stepWords(step));
@@ -194,8 +194,6 @@ void RecipePanel::showRows() {
         for (const int column : {kNumber, kAtMost, kElapsed})
             item->setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);
     }
-    for (int column = 0; isWider && column < kState; ++column)
-        m_tree->resizeColumnToContents(column);
 }
 
 void RecipePanel::showState() {
