@@ -20,6 +20,8 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace bask {
 
 PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
@@ -49,6 +51,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connectDocument();
     connectJudge();
     connectReview();
+    connectCount();
     connect(m_targets, &TargetsPage::targetsEdited, this, [this](const std::vector<double>& targets_K) {
         if (const auto set = m_document.setTargets(targets_K); !set) {
             showProblem(sentence(set.error()));
@@ -66,14 +69,15 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connect(m_review, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
     connect(m_review, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
     connect(m_review, &ReviewPage::useIdentifiedRequested, this, &PageHost::useIdentified);
-    connect(&m_files, &SessionActions::sessionOpened, this,
-            [this](std::shared_ptr<const SessionRecord> record) {
-                m_record = std::move(record);
-                m_bar->clear();
-                identify();
-                showSession();
-                show(Page::Review);
-            });
+    connect(&m_files, &SessionActions::sessionOpened, this, [this](std::shared_ptr<RecordedSession> session) {
+        m_session = std::move(session);
+        m_numbers.reset();
+        m_isDamageTold = false;
+        m_bar->clear();
+        showSession();
+        m_count.start(*m_session);
+        show(Page::Review);
+    });
     connect(&m_document, &Document::changed, this, [this] {
         if (m_bar->sentence() == m_refusal)
             m_bar->clear();
@@ -91,21 +95,56 @@ void PageHost::connectReview() {
             m_library.setFolder(folder);
     });
     connect(&m_library, &SessionLibrary::problem, this, &PageHost::showProblem);
-    connect(&m_library, &SessionLibrary::closed, this, [this](const QString& path) {
-        showNote(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
-                     .arg(QFileInfo(path).fileName()));
-        if (m_record && QString::fromStdString(m_record->path) == path)
+    const auto isOpen = [this](const QString& path) {
+        return m_session && QString::fromStdString(m_session->facts().path) == path;
+    };
+    connect(&m_library, &SessionLibrary::closing, this, [this, isOpen](const QString& path) {
+        if (!isOpen(path))
+            return;
+        m_count.stop();
+        m_review->replay()->pause();
+    });
+    connect(&m_library, &SessionLibrary::closed, this, [this, isOpen](const QString& path, bool isDone) {
+        if (isDone)
+            showNote(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
+                         .arg(QFileInfo(path).fileName()));
+        if (!isOpen(path))
+            return;
+        if (isDone)
             m_files.open(path);
+        else if (!m_numbers)
+            m_count.start(*m_session);
     });
     connect(&m_library, &SessionLibrary::overlayRead, this,
-            [this](const std::shared_ptr<const SessionRecord>& record) {
-                if (!m_review->replay()->addOverlay(record))
+            [this](const std::shared_ptr<RecordedSession>& session) {
+                if (!m_review->replay()->addOverlay(session))
                     showNote(tr(
                         "It is shown already, or there are %n runs over the open one: take one away first.",
                         nullptr, ReplayView::kMostOverlays));
             });
     connect(m_review, &ReviewPage::definitionsRequested, this,
             [this] { emit manualRequested(QStringLiteral("manual.md#metrics")); });
+}
+
+/// Metrics and heat rates of the open run; damage of its file is told once, whoever finds it.
+void PageHost::connectCount() {
+    const auto tellDamage = [this](const Error& error) {
+        if (!std::exchange(m_isDamageTold, true))
+            showProblem(sentence(error));
+    };
+    connect(&m_count, &SessionCount::progressed, m_review, &ReviewPage::setCounting);
+    connect(&m_count, &SessionCount::failed, this, [this, tellDamage](const Error& error) {
+        m_review->setCountFailed();
+        tellDamage(error);
+    });
+    connect(&m_count, &SessionCount::counted, this,
+            [this](const std::shared_ptr<const SessionNumbers>& numbers) {
+                m_numbers = numbers;
+                m_review->setMetrics(numbers->metrics);
+                m_review->replay()->setWay(numbers->way);
+                showIdentified();
+            });
+    connect(m_review->replay(), &ReplayView::readFailed, this, tellDamage);
 }
 
 void PageHost::connectRig() {
@@ -278,41 +317,33 @@ void PageHost::showDocument() {
 }
 
 void PageHost::showSession() {
-    if (!m_record)
+    if (!m_session)
         return;
     QStringList sentences;
-    for (const TraceEvent& event : m_record->events)
+    for (const TraceEvent& event : m_session->facts().events)
         sentences << sentence(event.message);
-    m_review->setSession(m_record, sentences);
+    m_review->setSession(m_session, sentences);
     showIdentified();
 }
 
-void PageHost::identify() {
-    m_rates.reset();
-    m_identify.run([record = m_record] { return sessionRates(*record); },
-                   [this](Result<SessionRates> rates) {
-                       m_rates = std::move(rates);
-                       showIdentified();
-                   });
-}
-
 void PageHost::showIdentified() {
-    if (!m_rates)
+    if (!m_numbers)
         return;
-    if (!*m_rates)
-        return m_review->setIdentificationFailed(sentence(m_rates->error()));
-    const std::vector<TraceSample> samples = m_record->controlledSamples();
+    const Result<SessionRates>& rates = m_numbers->rates;
+    if (!rates)
+        return m_review->setIdentificationFailed(sentence(rates.error()));
+    const std::vector<ObjectSample>& last = m_numbers->metrics.last.objects;
     std::vector<IdentifiedRow> rows;
-    for (std::size_t i = 0; i < (*m_rates)->identified.size(); ++i) {
-        const IdentifiedRates& fit = (*m_rates)->identified[i];
+    for (std::size_t i = 0; i < rates->identified.size(); ++i) {
+        const IdentifiedRates& fit = rates->identified[i];
         IdentifiedRow row;
-        row.name = QString::fromStdString(m_record->experiment.objects[i].name);
+        row.name = QString::fromStdString(m_session->facts().experiment.objects[i].name);
         row.lambda1 = {fit.lambda1.value, fit.lambda1.standardError};
         row.lambda2 = {fit.lambda2.value, fit.lambda2.standardError};
         row.lambda3 = {fit.lambda3.value, fit.lambda3.standardError};
-        row.material = (*m_rates)->material[i].lambda1;
-        if (!samples.empty())
-            row.controller = samples.back().objects[i].lambda1;
+        row.material = rates->material[i].lambda1;
+        if (i < last.size())
+            row.controller = last[i].lambda1;
         if (!fit.usable())
             row.unusable = sentence(fit.reason);
         rows.push_back(std::move(row));
@@ -323,9 +354,10 @@ void PageHost::showIdentified() {
 void PageHost::useIdentified() {
     if (!m_editable)
         return showProblem(tr("A run is armed or on. Objects can be changed once it has stopped."));
-    if (!m_rates || !*m_rates)
+    if (!m_numbers || !m_numbers->rates)
         return;
-    const StartValues start = withStartValues(m_document.experiment(), *m_record, **m_rates);
+    const StartValues start =
+        withStartValues(m_document.experiment(), m_session->facts().experiment, *m_numbers->rates);
     if (start.objects.empty())
         return showProblem(tr("No object of the open experiment has the name and material of one of this run "
                               "under the same source and environment."));

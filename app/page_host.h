@@ -4,8 +4,8 @@
 #include "app/document.h"
 #include "app/page.h"
 #include "app/session_actions.h"
+#include "app/session_count.h"
 #include "app/session_library.h"
-#include "app/session_rates.h"
 #include "app/target_judge.h"
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
@@ -82,7 +82,7 @@ private:
     void reportInfeasible();
     void showDocument();
     void showSession();
-    void identify();
+    void connectCount();
     void showIdentified();
     void useIdentified();
     void showEditable();
@@ -102,12 +102,13 @@ private:
     SessionLibrary m_library;
     QString m_refusal;   ///< shown last
     QString m_recording; ///< the file that is being recorded into
-    std::shared_ptr<const SessionRecord> m_record;
-    std::optional<Result<SessionRates>> m_rates; ///< of m_record; empty: on their way
+    std::shared_ptr<RecordedSession> m_session;
+    std::shared_ptr<const SessionNumbers> m_numbers; ///< of m_session; null: on their way, or not to be had
+    bool m_isDamageTold = false;                     ///< of m_session
     bool m_editable = true;
     bool m_targetsEditable = true;
     bool m_verdictUntold = false; ///< the engine has targets whose verdict it was not told
-    LatestJob<Result<SessionRates>> m_identify;
+    SessionCount m_count;
 };
 
 } // namespace bask

@@ -177,15 +177,15 @@ void SessionActions::forgetMissing(const QString& path) {
 }
 
 void SessionActions::openSession(const QString& path) {
-    m_readSession.run([file = path.toStdString()] { return readSession(file); },
-                      [this, path](Result<SessionRecord> read) {
+    m_readSession.run([file = path.toStdString()] { return RecordedSession::open(file); },
+                      [this, path](const Result<std::shared_ptr<RecordedSession>>& read) {
                           if (!read) {
                               emit problem(sentence(read.error()));
                               return forgetMissing(path);
                           }
                           m_openSession = path;
                           m_settings.addRecentFile(path);
-                          emit sessionOpened(std::make_shared<const SessionRecord>(std::move(*read)));
+                          emit sessionOpened(*read);
                           emit recentChanged();
                       });
 }

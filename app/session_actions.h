@@ -5,7 +5,7 @@
 #include "app/document.h"
 #include "app/session_export.h"
 #include "engine/base/units.h"
-#include "engine/session/session_file.h"
+#include "engine/session/recorded_session.h"
 #include "widgets/common/latest_job.h"
 
 #include <QObject>
@@ -88,7 +88,7 @@ public:
 signals:
     void problem(const QString& sentence);
     void told(const QString& sentence);
-    void sessionOpened(std::shared_ptr<const bask::SessionRecord> record);
+    void sessionOpened(std::shared_ptr<bask::RecordedSession> session);
     void rigRead(const bask::RigSpec& rig);
     /// A recipe file is to be opened.
     void recipeChosen(const QString& path);
@@ -111,7 +111,7 @@ private:
     QString m_recording;
     QString m_openSession;
     LatestJob<Result<Experiment>> m_readExperiment;
-    LatestJob<Result<SessionRecord>> m_readSession;
+    LatestJob<Result<std::shared_ptr<RecordedSession>>> m_readSession;
     LatestJob<Result<void>> m_copy;
     SessionExport m_export;
 };

@@ -92,23 +92,23 @@ void SessionLibrary::writeTags(const QString& path, const QStringList& tags) {
 }
 
 void SessionLibrary::close(const QString& path) {
+    emit closing(path);
     run([file = path.toStdString()] { return closeInterrupted(file); },
         [this, path](const Result<void>& done) {
+            emit closed(path, done.ok());
             if (!done)
                 emit problem(sentence(done.error()));
-            else
-                emit closed(path);
             refresh();
         });
 }
 
 void SessionLibrary::readOverlay(const QString& path) {
-    run([file = path.toStdString()] { return std::make_shared<Result<SessionRecord>>(readSession(file)); },
-        [this](const std::shared_ptr<Result<SessionRecord>>& record) {
-            if (!*record)
-                emit problem(sentence(record->error()));
+    run([file = path.toStdString()] { return RecordedSession::open(file); },
+        [this](const Result<std::shared_ptr<RecordedSession>>& session) {
+            if (!session)
+                emit problem(sentence(session.error()));
             else
-                emit overlayRead(std::make_shared<const SessionRecord>(std::move(**record)));
+                emit overlayRead(*session);
         });
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // The recorded runs of a folder, for the list on the Review page: read, tagged, closed, laid over another.
 
-#include "engine/session/session_file.h"
+#include "engine/session/recorded_session.h"
 #include "engine/session/session_header.h"
 
 #include <QObject>
@@ -32,9 +32,11 @@ public:
 
 signals:
     void problem(const QString& sentence);
-    /// An interrupted recording has its end now.
-    void closed(const QString& path);
-    void overlayRead(std::shared_ptr<const bask::SessionRecord> record);
+    /// An interrupted recording is to be given its end: who reads it lets it go. It has it now, or keeps
+    /// none.
+    void closing(const QString& path);
+    void closed(const QString& path, bool isDone);
+    void overlayRead(std::shared_ptr<bask::RecordedSession> session);
 
 private:
     struct Known {

@@ -8,19 +8,18 @@
 
 namespace bask {
 
-Result<SessionRates> sessionRates(const SessionRecord& session) {
+Result<SessionRates> sessionRates(const SessionRecord& facts, const HeatRecords& records) {
     try {
-        return SessionRates{identifySession(session),
-                            nominalRates(session.experiment, session.experiment.environment_K)};
+        return SessionRates{records.identify(),
+                            nominalRates(facts.experiment, facts.experiment.environment_K)};
     } catch (const std::exception& exception) {
-        return Error(MessageCode::ReasonInternalFault, session.path, {exception.what()});
+        return Error(MessageCode::ReasonInternalFault, facts.path, {exception.what()});
     }
 }
 
-StartValues withStartValues(const Experiment& experiment, const SessionRecord& session,
+StartValues withStartValues(const Experiment& experiment, const Experiment& recorded,
                             const SessionRates& rates) {
     StartValues out{experiment, {}};
-    const Experiment& recorded = session.experiment;
     const SourceSpec& source = recorded.source;
     const bool sameHeat = source.temperature_K == experiment.source.temperature_K &&
                           source.emittance == experiment.source.emittance &&

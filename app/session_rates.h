@@ -16,8 +16,8 @@ struct SessionRates {
     std::vector<HeatRates> material;
 };
 
-/// Takes some 0.1 s: run it as a job. A record that cannot be judged is an Error.
-Result<SessionRates> sessionRates(const SessionRecord& session);
+/// Takes some 0.1 s, of a long run some seconds: run it as a job. A record that cannot be judged is an Error.
+Result<SessionRates> sessionRates(const SessionRecord& facts, const HeatRecords& records);
 
 struct StartValues {
     Experiment experiment;
@@ -25,8 +25,8 @@ struct StartValues {
 };
 
 /// The experiment with the usable rates as believed ones, in the objects that have the name and the material
-/// of the session's under the same source and environment.
-StartValues withStartValues(const Experiment& experiment, const SessionRecord& session,
+/// of those recorded under the same source and environment.
+StartValues withStartValues(const Experiment& experiment, const Experiment& recorded,
                             const SessionRates& rates);
 
 } // namespace bask

@@ -4052,6 +4052,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>&amp;VTK, for ParaView…</source>
             <translation>&amp;VTK, pour ParaView…</translation>
         </message>
+        <message>
+            <source>Metrics, final values and heat rates are being computed from all samples: %1 %</source>
+            <translation>Grandeurs, valeurs finales et coefficients thermiques se calculent sur tous les échantillons : %1 %</translation>
+        </message>
+        <message>
+            <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
+            <translation>Ni grandeurs, ni valeurs finales, ni coefficients thermiques : l’enregistrement ne peut pas être lu jusqu’au bout.</translation>
+        </message>
     </context>
     <context>
         <name>bask::RigDevices</name>

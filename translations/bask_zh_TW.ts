@@ -4047,6 +4047,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>&amp;VTK, for ParaView…</source>
             <translation>VTK（用於 ParaView）(&amp;V)…</translation>
         </message>
+        <message>
+            <source>Metrics, final values and heat rates are being computed from all samples: %1 %</source>
+            <translation>正在根據全部取樣計算指標、最終值和熱速率：%1 %</translation>
+        </message>
+        <message>
+            <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
+            <translation>無指標、最終值和熱速率：記錄無法讀取到結尾。</translation>
+        </message>
     </context>
     <context>
         <name>bask::RigDevices</name>

@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstdio>
+#include <optional>
 
 namespace bask {
 namespace {
@@ -20,14 +21,22 @@ constexpr std::array kKinds{"csv", "nexus", "vtk", "figures"};
 
 using Files = Result<std::vector<std::string>>;
 
-Files exported(const QString& kind, const SessionRecord& session, const std::string& folder) {
+/// The tables are written as they are read; the other forms want the whole run.
+Files exported(const QString& kind, const std::string& path, std::optional<SessionRecord>& session,
+               const std::string& folder) {
     if (kind == QLatin1String("csv"))
-        return exportSessionCsv(session.path, folder);
+        return exportSessionCsv(path, folder);
+    if (!session) {
+        auto read = readSession(path);
+        if (!read)
+            return read.error();
+        session = std::move(*read);
+    }
     if (kind == QLatin1String("vtk"))
-        return exportVtk(session, folder);
+        return exportVtk(*session, folder);
     if (kind == QLatin1String("figures"))
-        return exportFigures(session, folder, TemperatureUnit::Celsius);
-    const auto file = exportNexus(session, folder);
+        return exportFigures(*session, folder, TemperatureUnit::Celsius);
+    const auto file = exportNexus(*session, folder);
     return file ? Files(std::vector{*file}) : file.error();
 }
 
@@ -58,11 +67,10 @@ int exportCommand(const QStringList& arguments) {
     Language language;
     if (const auto spoken = setLanguage(language, parser.value("language")); !spoken)
         return refuse(kName, spoken.error());
-    const auto session = readSession(parser.positionalArguments().front().toStdString());
-    if (!session)
-        return refuse(kName, session.error());
+    std::optional<SessionRecord> session;
     for (const QString& kind : wanted) {
-        const auto files = exported(kind, *session, parser.value(kind).toStdString());
+        const auto files = exported(kind, parser.positionalArguments().front().toStdString(), session,
+                                    parser.value(kind).toStdString());
         if (!files)
             return refuse(kName, files.error());
         for (const std::string& file : *files)

@@ -6,6 +6,7 @@
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
 #include "engine/runtime/rig_setup.h"
+#include "engine/session/recorded_session.h"
 #include "engine/session/session_identification.h"
 
 #include <nlohmann/json.hpp>
@@ -18,6 +19,8 @@
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <memory>
+#include <optional>
 
 namespace bask {
 namespace {
@@ -27,7 +30,9 @@ using Json = nlohmann::ordered_json;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct Request {
-    SessionRecord session;
+    std::shared_ptr<RecordedSession> session;
+    std::optional<HeatRecords> records;
+    std::optional<TraceSample> last; ///< before Stop
     SessionIdentification options;
     std::string outputPath; ///< empty: none
 };
@@ -79,30 +84,34 @@ Result<Request> readRequest(const QCommandLineParser& parser) {
         if (const auto output = checkOutput(path, request.outputPath); !output)
             return output.error();
     }
-    auto session = readSession(path);
+    const auto session = RecordedSession::open(path);
     if (!session)
         return session.error();
-    request.session = std::move(*session);
-    return request;
+    request.session = *session;
+    request.records.emplace(request.session->facts());
+    const double until_s = controlledUntil_s(request.session->facts());
+    const auto read = readSamples(path, [&](const TraceSample& sample) {
+        request.records->add(sample);
+        if (sample.time_s <= until_s)
+            request.last = sample;
+    });
+    return read ? Result<Request>(std::move(request)) : read.error();
 }
 
-std::vector<Row> identifiedRows(const SessionRecord& session, const SessionIdentification& options) {
-    const Experiment& experiment = session.experiment;
+std::vector<Row> identifiedRows(const Request& request) {
+    const Experiment& experiment = request.session->facts().experiment;
     const double J = netSourcePower_W_m2(experiment.source.model, experiment.source.temperature_K,
                                          experiment.source.emittance, experiment.environment_K);
-    const std::vector<IdentifiedRates> identified = identifySession(session, options);
+    const std::vector<IdentifiedRates> identified = request.records->identify(request.options);
     const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
-    const std::vector<TraceSample> samples = session.controlledSamples();
     std::vector<Row> rows;
     for (std::size_t i = 0; i < identified.size(); ++i) {
         const ObjectSpec& object = experiment.objects[i];
         const double alpha = object.material.absorptance;
         Row row{object.name, identified[i], alpha * J / identified[i].lambda1.value,
                 alpha,       nominal[i],    {kNaN, kNaN, kNaN}};
-        if (!samples.empty()) {
-            const ObjectSample& last = samples.back().objects[i];
-            row.controller = {last.lambda1, last.lambda2, kNaN};
-        }
+        if (request.last)
+            row.controller = {request.last->objects[i].lambda1, request.last->objects[i].lambda2, kNaN};
         rows.push_back(std::move(row));
     }
     return rows;
@@ -175,7 +184,7 @@ Json rowJson(const Row& row) {
 
 void printJson(const Request& request, const std::vector<Row>& rows) {
     Json j;
-    j["session"] = request.session.path;
+    j["session"] = request.session->facts().path;
     j["convection"] = request.options.convection;
     j["free_ambient"] = request.options.freeAmbient;
     j["objects"] = Json::array();
@@ -187,10 +196,10 @@ void printJson(const Request& request, const std::vector<Row>& rows) {
 /// The session's experiment with the rates that can be used, of the balance that the controllers know:
 /// without convection.
 Result<void> writeStartValues(const Request& request) {
-    Experiment experiment = request.session.experiment;
+    Experiment experiment = request.session->facts().experiment;
     SessionIdentification options = request.options;
     options.convection = false;
-    const std::vector<IdentifiedRates> identified = identifySession(request.session, options);
+    const std::vector<IdentifiedRates> identified = request.records->identify(options);
     int written = 0;
     for (std::size_t i = 0; i < identified.size(); ++i) {
         ObjectSpec& object = experiment.objects[i];
@@ -237,10 +246,10 @@ int identifyCommand(const QStringList& arguments) {
     const auto request = readRequest(parser);
     if (!request)
         return refuse(request.error());
-    if (request->session.interrupted())
+    if (request->session->facts().interrupted())
         std::fputs("bask identify: the recording was interrupted or is still on; taking what is there\n",
                    stderr);
-    const std::vector<Row> rows = identifiedRows(request->session, request->options);
+    const std::vector<Row> rows = identifiedRows(*request);
     if (parser.isSet("json"))
         printJson(*request, rows);
     else

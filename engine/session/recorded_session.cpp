@@ -3,6 +3,9 @@
 #include "engine/base/message_code.h"
 #include "engine/session/session_facts.h"
 
+#include <QAbstractEventDispatcher>
+#include <QTimer>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,14 +13,34 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kNoLimit = static_cast<std::size_t>(std::numeric_limits<std::int64_t>::max());
+constexpr int kLetGo_ms = 1000;
 
 } // namespace
 
-RecordedSession::~RecordedSession() = default;
+/// The file while it is being read. An open one could not be closed by its recorder or by closeInterrupted().
+struct RecordedSession::Reader {
+    Reader() {
+        timer.setSingleShot(true);
+        timer.setInterval(kLetGo_ms);
+        QObject::connect(&timer, &QTimer::timeout, [this] { store.reset(); });
+    }
+    Result<SessionStore*> open(const std::string& path) {
+        if (!store) {
+            auto opened = SessionStore::open(path);
+            if (!opened)
+                return opened.error();
+            store = std::move(*opened);
+        }
+        if (QAbstractEventDispatcher::instance() != nullptr)
+            timer.start();
+        return store.get();
+    }
 
-Error RecordedSession::damaged() const {
-    return Error(MessageCode::SessionDamaged, m_facts.path, {"a sample is missing"});
-}
+    std::unique_ptr<SessionStore> store;
+    QTimer timer;
+};
+
+RecordedSession::~RecordedSession() = default;
 
 Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string& path) {
     const auto store = SessionStore::open(path);
@@ -99,19 +122,22 @@ void RecordedSession::adopt(std::vector<TraceSample> samples) {
 }
 
 bool RecordedSession::holds(std::size_t k) const {
-    return m_isWhole || std::ranges::find(m_blocks, k, &Block::index) != m_blocks.end();
+    return m_isWhole || m_failed.contains(k) ||
+           std::ranges::find(m_blocks, k, &Block::index) != m_blocks.end();
 }
 
 const std::vector<TraceSample>* RecordedSession::block(std::size_t k) {
-    if (k * kBlock >= size())
+    if (k * kBlock >= size() || m_failed.contains(k))
         return nullptr;
     if (m_isWhole)
         return &m_blocks[k].samples;
     auto found = std::ranges::find(m_blocks, k, &Block::index);
     if (found == m_blocks.end()) {
         auto read = readBlock(k);
-        if (!read)
+        if (!read) {
+            m_failed.emplace(k, read.error());
             return nullptr;
+        }
         if (m_blocks.size() < kMostBlocks)
             found = m_blocks.insert(m_blocks.end(), Block());
         else
@@ -124,21 +150,20 @@ const std::vector<TraceSample>* RecordedSession::block(std::size_t k) {
 }
 
 Result<std::vector<TraceSample>> RecordedSession::readBlock(std::size_t k) {
-    if (!m_store) {
-        auto opened = SessionStore::open(m_facts.path);
-        if (!opened)
-            return opened.error();
-        m_store = std::move(*opened);
-    }
+    if (!m_reader)
+        m_reader = std::make_unique<Reader>();
+    const auto store = m_reader->open(m_facts.path);
+    if (!store)
+        return store.error();
     const std::size_t first = k * kBlock, last = std::min(first + kBlock, size());
     std::vector<TraceSample> samples;
     samples.reserve(last - first);
-    const auto done = readSteps(*m_store, SessionTables(m_facts), m_facts.path, first + 1, last,
+    const auto done = readSteps(**store, SessionTables(m_facts), m_facts.path, first + 1, last,
                                 [&](const TraceSample& sample) { samples.push_back(sample); });
     if (!done)
         return done.error();
     if (samples.size() != last - first)
-        return damaged();
+        return Error(MessageCode::SessionDamaged, m_facts.path, {"a sample is missing"});
     return samples;
 }
 
@@ -155,7 +180,7 @@ Result<std::size_t> RecordedSession::lowerIndex(double time_s) {
     const std::size_t end = std::min(first + m_overview.samplesPerStretch(), size());
     const std::vector<TraceSample>* const samples = block(first / kBlock);
     if (samples == nullptr)
-        return damaged();
+        return m_failed.at(first / kBlock);
     const auto from = samples->begin() + static_cast<std::ptrdiff_t>(first % kBlock);
     const auto at = std::lower_bound(from, from + static_cast<std::ptrdiff_t>(end - first), time_s,
                                      [](const TraceSample& sample, double t) { return sample.time_s < t; });
@@ -163,17 +188,19 @@ Result<std::size_t> RecordedSession::lowerIndex(double time_s) {
 }
 
 Result<TraceSample> RecordedSession::sampleAt(double time_s) {
+    if (size() == 0)
+        return Error(MessageCode::SessionDamaged, m_facts.path, {"a sample is missing"});
     auto index = lowerIndex(time_s);
     if (!index)
         return index.error();
-    std::size_t at = std::min(*index, size() - std::min<std::size_t>(size(), 1));
+    std::size_t at = std::min(*index, size() - 1);
     const std::vector<TraceSample>* samples = block(at / kBlock);
     if (samples != nullptr && at > 0 && (*samples)[at % kBlock].time_s > time_s) {
         --at;
         samples = block(at / kBlock);
     }
     if (samples == nullptr)
-        return damaged();
+        return m_failed.at(at / kBlock);
     return (*samples)[at % kBlock];
 }
 
@@ -185,7 +212,7 @@ Result<std::vector<TraceSample>> RecordedSession::samples(double from_s, double 
     for (std::size_t i = *first; i < size(); ++i) {
         const std::vector<TraceSample>* const samples = block(i / kBlock);
         if (samples == nullptr)
-            return damaged();
+            return m_failed.at(i / kBlock);
         if ((*samples)[i % kBlock].time_s > to_s)
             break;
         out.push_back((*samples)[i % kBlock]);

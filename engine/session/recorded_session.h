@@ -2,17 +2,19 @@
 // A recorded run of any length, read as it is looked at: a day of samples opens as quickly as a minute.
 //
 // How a page shows one:
-//   header     facts(): all of SessionRecord but the samples, there at once
-//   plot       overview() and targetSteps(), or TracePlot::setRun(), which reads the samples it comes close
-//   to replay     sampleAt(time_s) metrics    readSamples(path, ...) on another thread: every sample once,
-//   none kept
+// - header: facts(), all of SessionRecord but the samples, there at once;
+// - plot: overview() and targetSteps(), or TracePlot::setRun(), which reads the samples it comes close to;
+// - replay: sampleAt(time_s);
+// - metrics: readSamples(path, ...) on another thread, every sample once, none kept.
 
 #include "engine/session/session_file.h"
 #include "engine/session/trace_overview.h"
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,7 +26,8 @@ class SessionTables;
 
 class RecordedSession {
 public:
-    /// Samples read at once and kept; the last kMostBlocks looked at stay in memory.
+    /// Samples read at once and kept; the last kMostBlocks looked at stay in memory. A second after the last
+    /// reading the file is let go until the next.
     static constexpr std::size_t kBlock = 256;
     static constexpr std::size_t kMostBlocks = 160;
 
@@ -53,9 +56,10 @@ public:
     Result<std::vector<TraceSample>> samples(double from_s, double to_s);
     /// First sample not before a time; size() when there is none.
     Result<std::size_t> lowerIndex(double time_s);
-    /// Samples of block k, the last one shorter; valid until the next call. Null: the file is damaged there.
+    /// Samples of block k, the last one shorter; valid until the next call. Null: it cannot be read, and is
+    /// not tried again.
     const std::vector<TraceSample>* block(std::size_t k);
-    bool holds(std::size_t k) const; ///< block k is in memory
+    bool holds(std::size_t k) const; ///< block k needs no reading
 
 private:
     struct Block {
@@ -69,7 +73,6 @@ private:
     Result<void> readTargets(const SessionStore& store);
     void adopt(std::vector<TraceSample> samples);
     Result<std::vector<TraceSample>> readBlock(std::size_t k);
-    Error damaged() const;
 
     SessionRecord m_facts;
     TraceOverview m_overview;
@@ -77,10 +80,17 @@ private:
     bool m_isWhole = false; ///< all blocks are in memory
     std::vector<Block> m_blocks;
     std::uint64_t m_uses = 0;
-    std::unique_ptr<SessionStore> m_store; ///< of the thread that reads
+    std::map<std::size_t, Error> m_failed; ///< blocks
+    struct Reader;
+    std::unique_ptr<Reader> m_reader; ///< of the thread that reads
 };
 
-/// Calls `take` for each sample of a session, in order. Errors: those of readSession.
-Result<void> readSamples(const std::string& path, const std::function<void(const TraceSample&)>& take);
+/// When Stop or STOP came; infinity when there was none.
+double controlledUntil_s(const SessionRecord& facts);
+
+/// Calls `take` for each sample of a session, in order, until it is asked to stop. Errors: those of
+/// readSession.
+Result<void> readSamples(const std::string& path, const std::function<void(const TraceSample&)>& take,
+                         const std::stop_token& stop = {});
 
 } // namespace bask

@@ -1,165 +1,198 @@
 #include "engine/session/run_metrics.h"
 
+#include "engine/session/recorded_session.h"
+
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
-#include <span>
+#include <utility>
 
 namespace bask {
 namespace {
-
-using Samples = std::span<const TraceSample>;
 
 double temperature_K(const ObjectSample& object) {
     return std::isfinite(object.true_K) ? object.true_K : object.estimated_K;
 }
 
-/// Index of the first sample with the target of the last one.
-std::size_t lastTargetFrom(Samples samples, std::size_t i) {
-    std::size_t from = samples.size() - 1;
-    while (from > 0 && samples[from - 1].objects[i].target_K == samples[from].objects[i].target_K)
-        --from;
-    return from;
-}
+/// When T first passes a level, linear between samples; samples without T are left out.
+class Crossing {
+public:
+    Crossing() = default;
+    Crossing(double level_K, bool isUpward) : m_level_K(level_K), m_isUpward(isUpward) {}
 
-/// When T first passes `level` in the step's direction, linear between samples; samples without T are left
-/// out.
-std::optional<double> crossing_s(Samples samples, std::size_t i, double level_K, bool isUpward) {
-    const auto excess = [&](const TraceSample& sample) {
-        const double e = temperature_K(sample.objects[i]) - level_K;
-        return isUpward ? e : -e;
-    };
-    const TraceSample* before = nullptr;
-    for (const TraceSample& sample : samples) {
-        const double now = excess(sample);
-        if (!std::isfinite(now))
-            continue;
-        if (now >= 0.0) {
-            if (before == nullptr)
-                return sample.time_s;
-            const double last = excess(*before);
-            return before->time_s + (sample.time_s - before->time_s) * last / (last - now);
-        }
-        before = &sample;
+    void add(double time_s, double T_K) {
+        const double now = m_isUpward ? T_K - m_level_K : -(T_K - m_level_K);
+        if (m_at_s || !std::isfinite(now))
+            return;
+        if (now < 0.0)
+            m_before = std::pair{time_s, now};
+        else if (!m_before)
+            m_at_s = time_s;
+        else
+            m_at_s =
+                m_before->first + (time_s - m_before->first) * m_before->second / (m_before->second - now);
     }
-    return std::nullopt;
-}
+    std::optional<double> at_s() const { return m_at_s; }
 
-void judgeStep(ObjectMetrics& metrics, Samples samples, std::size_t i, double band_K) {
-    if (!metrics.step_K || std::abs(*metrics.step_K) < 2.0 * band_K)
-        return;
-    const double step_K = *metrics.step_K, first_K = metrics.target_K - step_K;
-    const bool isUpward = step_K > 0.0;
-    const auto begun = crossing_s(samples, i, first_K + 0.1 * step_K, isUpward);
-    const auto done = crossing_s(samples, i, first_K + 0.9 * step_K, isUpward);
-    if (begun && done)
-        metrics.rise_s = *done - *begun;
-    double most_K = 0.0;
-    for (const TraceSample& sample : samples) {
-        const double over_K = temperature_K(sample.objects[i]) - metrics.target_K;
-        if (std::isfinite(over_K))
-            most_K = std::max(most_K, isUpward ? over_K : -over_K);
-    }
-    metrics.overshoot_K = most_K;
-}
-
-void judgeEnd(ObjectMetrics& metrics, const std::vector<TraceSample>& all, Samples samples, std::size_t i,
-              double band_K) {
-    const auto since_s = settlingTime_s(all, i, band_K);
-    if (!since_s)
-        return;
-    metrics.settling_s = std::max(*since_s - metrics.from_s, 0.0);
-    const double from_s = std::max({*since_s, metrics.from_s, samples.back().time_s - kSteadyWindow_s});
-    double sum_K = 0.0, squares = 0.0;
-    std::size_t count = 0;
-    for (const TraceSample& sample : samples) {
-        if (sample.time_s < from_s)
-            continue;
-        const double error_K = temperature_K(sample.objects[i]) - metrics.target_K;
-        sum_K += error_K;
-        squares += error_K * error_K;
-        ++count;
-    }
-    const double mean_K = sum_K / static_cast<double>(count);
-    metrics.steadyError_K = mean_K;
-    if (count > 1)
-        metrics.steadyDeviation_K =
-            std::sqrt(std::max(squares - static_cast<double>(count) * mean_K * mean_K, 0.0) /
-                      static_cast<double>(count - 1));
-}
-
-ObjectMetrics judgeObject(const std::vector<TraceSample>& all, std::size_t i, const Pose& X_EO,
-                          double band_K) {
-    ObjectMetrics metrics;
-    metrics.target_K = std::numeric_limits<double>::quiet_NaN();
-    if (all.empty())
-        return metrics;
-    const Samples samples = Samples(all).subspan(lastTargetFrom(all, i));
-    const ObjectSample& first = samples.front().objects[i];
-    const ObjectSample& last = samples.back().objects[i];
-    metrics.target_K = last.target_K;
-    metrics.from_s = samples.front().time_s;
-    metrics.isTrue = std::isfinite(last.true_K);
-    if (std::isfinite(temperature_K(last)))
-        metrics.final_K = temperature_K(last);
-    if (std::isfinite(temperature_K(first)) && std::isfinite(metrics.target_K))
-        metrics.step_K = metrics.target_K - temperature_K(first);
-    judgeStep(metrics, samples, i, band_K);
-    judgeEnd(metrics, all, samples, i, band_K);
-    const auto centre = [&](const TraceSample& s) -> Eigen::Vector3d {
-        return poseFromCoordinates(s.coordinates) * X_EO.translation();
-    };
-    for (std::size_t k = 1; k < all.size(); ++k) {
-        const double way_m = (centre(all[k]) - centre(all[k - 1])).norm();
-        metrics.pathLength_m += std::isfinite(way_m) ? way_m : 0.0;
-    }
-    return metrics;
-}
-
-void judgeMotion(RunMetrics& metrics, const std::vector<TraceSample>& samples) {
-    for (std::size_t k = 1; k < samples.size(); ++k) {
-        const TraceSample& before = samples[k - 1];
-        const Pose X0 = poseFromCoordinates(before.coordinates),
-                   X1 = poseFromCoordinates(samples[k].coordinates);
-        const double way_m = (X1.translation() - X0.translation()).norm();
-        if (std::isfinite(way_m)) {
-            metrics.pathLength_m += way_m;
-            metrics.turned_rad += Eigen::AngleAxisd(X0.linear().transpose() * X1.linear()).angle();
-        }
-        const double lasts_s = samples[k].time_s - before.time_s;
-        const ActiveLimits& limits = before.limits;
-        if (!limits.any() || !(lasts_s > 0.0))
-            continue;
-        metrics.heldBack_s += lasts_s;
-        for (int l = 0; l < static_cast<int>(metrics.atLimit_s.size()); ++l) {
-            bool isActive = limits.has(static_cast<Limit>(l));
-            for (int c = 1; static_cast<Limit>(l) == Limit::Workspace && c < 6; ++c)
-                isActive = isActive || limits.has(Limit::Workspace, c);
-            if (isActive)
-                metrics.atLimit_s[static_cast<std::size_t>(l)] += lasts_s;
-        }
-        if (limits.has(Limit::Speed) || limits.has(Limit::Rotation))
-            metrics.atVelocityLimit_s += lasts_s;
-    }
-}
+private:
+    double m_level_K = 0.0;
+    bool m_isUpward = true;
+    std::optional<std::pair<double, double>> m_before; ///< time and distance, the last one below the level
+    std::optional<double> m_at_s;
+};
 
 } // namespace
+
+struct RunMetricsCount::ObjectCount {
+    explicit ObjectCount(const Pose& X_EO) : centre_E(X_EO.translation()) {
+        metrics.target_K = std::numeric_limits<double>::quiet_NaN();
+    }
+
+    void add(const TraceSample& sample, std::size_t i, double band_K) {
+        const ObjectSample& object = sample.objects[i];
+        const double T_K = temperature_K(object);
+        if (!isBegun || object.target_K != metrics.target_K) // an unknown one is another each time
+            beginStep(sample.time_s, object.target_K, T_K, band_K);
+        metrics.isTrue = std::isfinite(object.true_K);
+        metrics.final_K = std::isfinite(T_K) ? std::optional(T_K) : std::nullopt;
+        const double error_K = T_K - metrics.target_K;
+        if (isJudged) {
+            begun.add(sample.time_s, T_K);
+            done.add(sample.time_s, T_K);
+            const double over_K = *metrics.step_K > 0.0 ? error_K : -error_K;
+            if (std::isfinite(over_K))
+                metrics.overshoot_K = std::max(*metrics.overshoot_K, over_K);
+        }
+        if (!(std::abs(error_K) <= band_K))
+            metrics.settledFrom_s.reset();
+        else if (!metrics.settledFrom_s)
+            metrics.settledFrom_s = sample.time_s;
+        lately.emplace_back(sample.time_s, error_K);
+        while (lately.front().first < sample.time_s - kSteadyWindow_s)
+            lately.pop_front();
+        const Eigen::Vector3d centre = poseFromCoordinates(sample.coordinates) * centre_E;
+        if (isBegun) {
+            const double way_m = (centre - lastCentre).norm();
+            metrics.pathLength_m += std::isfinite(way_m) ? way_m : 0.0;
+        }
+        lastCentre = centre;
+        isBegun = true;
+    }
+
+    void beginStep(double time_s, double target_K, double T_K, double band_K) {
+        metrics.target_K = target_K;
+        metrics.from_s = time_s;
+        metrics.step_K.reset();
+        metrics.overshoot_K.reset();
+        if (std::isfinite(T_K) && std::isfinite(target_K))
+            metrics.step_K = target_K - T_K;
+        lately.clear();
+        isJudged = metrics.step_K && std::abs(*metrics.step_K) >= 2.0 * band_K;
+        if (!isJudged)
+            return;
+        const double step_K = *metrics.step_K, first_K = target_K - step_K;
+        begun = Crossing(first_K + 0.1 * step_K, step_K > 0.0);
+        done = Crossing(first_K + 0.9 * step_K, step_K > 0.0);
+        metrics.overshoot_K = 0.0;
+    }
+
+    ObjectMetrics judged(double last_s) const {
+        ObjectMetrics out = metrics;
+        if (isJudged && begun.at_s() && done.at_s())
+            out.rise_s = *done.at_s() - *begun.at_s();
+        if (!metrics.settledFrom_s)
+            return out;
+        out.settling_s = std::max(*metrics.settledFrom_s - metrics.from_s, 0.0);
+        const double from_s = std::max({*metrics.settledFrom_s, metrics.from_s, last_s - kSteadyWindow_s});
+        double sum_K = 0.0, squares = 0.0;
+        std::size_t count = 0;
+        for (const auto& [time_s, error_K] : lately) {
+            if (time_s < from_s)
+                continue;
+            sum_K += error_K;
+            squares += error_K * error_K;
+            ++count;
+        }
+        const double mean_K = sum_K / static_cast<double>(count);
+        out.steadyError_K = mean_K;
+        if (count > 1)
+            out.steadyDeviation_K =
+                std::sqrt(std::max(squares - static_cast<double>(count) * mean_K * mean_K, 0.0) /
+                          static_cast<double>(count - 1));
+        return out;
+    }
+
+    Eigen::Vector3d centre_E, lastCentre = Eigen::Vector3d::Zero();
+    ObjectMetrics metrics; ///< but for what judged() adds
+    bool isBegun = false;
+    bool isJudged = false; ///< the step is large enough
+    Crossing begun, done;
+    std::deque<std::pair<double, double>> lately; ///< times and errors since the step and in the last window
+};
+
+RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
+    : m_until_s(controlledUntil_s(facts)) {
+    m_metrics.band_K = band_K;
+    for (const ObjectSpec& object : facts.experiment.objects)
+        m_objects.emplace_back(poseFromCoordinates(object.mounting));
+}
+
+RunMetricsCount::~RunMetricsCount() = default;
+
+void RunMetricsCount::add(const TraceSample& sample) {
+    if (sample.time_s > m_until_s)
+        return;
+    for (std::size_t i = 0; i < m_objects.size(); ++i)
+        m_objects[i].add(sample, i, m_metrics.band_K);
+    if (m_metrics.samples > 0)
+        addMotion(sample);
+    m_metrics.last = sample;
+    m_metrics.duration_s = sample.time_s;
+    ++m_metrics.samples;
+}
+
+/// From the last sample to this one.
+void RunMetricsCount::addMotion(const TraceSample& sample) {
+    const TraceSample& before = m_metrics.last;
+    const Pose X0 = poseFromCoordinates(before.coordinates), X1 = poseFromCoordinates(sample.coordinates);
+    const double way_m = (X1.translation() - X0.translation()).norm();
+    if (std::isfinite(way_m)) {
+        m_metrics.pathLength_m += way_m;
+        m_metrics.turned_rad += Eigen::AngleAxisd(X0.linear().transpose() * X1.linear()).angle();
+    }
+    const double lasts_s = sample.time_s - before.time_s;
+    const ActiveLimits& limits = before.limits;
+    if (!limits.any() || !(lasts_s > 0.0))
+        return;
+    m_metrics.heldBack_s += lasts_s;
+    for (int l = 0; l < static_cast<int>(m_metrics.atLimit_s.size()); ++l) {
+        bool isActive = limits.has(static_cast<Limit>(l));
+        for (int c = 1; static_cast<Limit>(l) == Limit::Workspace && c < 6; ++c)
+            isActive = isActive || limits.has(Limit::Workspace, c);
+        if (isActive)
+            m_metrics.atLimit_s[static_cast<std::size_t>(l)] += lasts_s;
+    }
+    if (limits.has(Limit::Speed) || limits.has(Limit::Rotation))
+        m_metrics.atVelocityLimit_s += lasts_s;
+}
+
+RunMetrics RunMetricsCount::metrics() const {
+    RunMetrics out = m_metrics;
+    for (const ObjectCount& object : m_objects)
+        out.objects.push_back(object.judged(m_metrics.last.time_s));
+    return out;
+}
 
 std::optional<double> ObjectMetrics::overshootShare() const {
     return overshoot_K && step_K ? std::optional(*overshoot_K / std::abs(*step_K)) : std::nullopt;
 }
 
 RunMetrics runMetrics(const SessionRecord& session, double band_K) {
-    const std::vector<TraceSample> samples = session.controlledSamples();
-    RunMetrics metrics;
-    metrics.band_K = band_K;
-    metrics.samples = samples.size();
-    metrics.duration_s = samples.empty() ? 0.0 : samples.back().time_s;
-    for (std::size_t i = 0; i < session.experiment.objects.size(); ++i)
-        metrics.objects.push_back(
-            judgeObject(samples, i, poseFromCoordinates(session.experiment.objects[i].mounting), band_K));
-    judgeMotion(metrics, samples);
-    return metrics;
+    RunMetricsCount count(session, band_K);
+    for (const TraceSample& sample : session.samples)
+        count.add(sample);
+    return count.metrics();
 }
 
 } // namespace bask

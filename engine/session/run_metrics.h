@@ -21,6 +21,7 @@ struct ObjectMetrics {
     /// From from_s until T stays within +-band of the target up to the last sample; empty when it is outside
     /// there.
     std::optional<double> settling_s;
+    std::optional<double> settledFrom_s; ///< run time from which on it stays within the band; empty as that
     /// Between T's first crossings of 10 % and of 90 % of the step, linear between samples; empty when it
     /// gets not so far, or when the step is less than twice the band.
     std::optional<double> rise_s;
@@ -50,9 +51,30 @@ struct RunMetrics {
     /// none.
     std::array<double, 6> atLimit_s{};
     double atVelocityLimit_s = 0.0; ///< speed, rotation or both
+    TraceSample last;               ///< until Stop; without objects: there is none
 };
 
 inline constexpr double kSteadyWindow_s = 60.0;
+
+/// Counts them from a run's samples, one by one in their order; keeps no more of a day than of some minutes.
+class RunMetricsCount {
+public:
+    explicit RunMetricsCount(const SessionRecord& facts, double band_K = kSettledBand_K);
+    ~RunMetricsCount();
+    RunMetricsCount(const RunMetricsCount&) = delete;
+    RunMetricsCount& operator=(const RunMetricsCount&) = delete;
+
+    void add(const TraceSample& sample); ///< after Stop: is left out
+    RunMetrics metrics() const;          ///< of the samples so far
+
+private:
+    struct ObjectCount;
+    void addMotion(const TraceSample& sample);
+
+    double m_until_s;
+    RunMetrics m_metrics;
+    std::vector<ObjectCount> m_objects;
+};
 
 RunMetrics runMetrics(const SessionRecord& session, double band_K = kSettledBand_K);
 

@@ -1,7 +1,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/session/session_file.h"
-#include "engine/session/session_store.h"
+#include "engine/session/recorded_session.h"
+#include "engine/session/session_facts.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -143,21 +143,22 @@ Result<void> writeTables(const SessionStore& store, const std::vector<std::strin
     return {};
 }
 
-/// The traces of all objects side by side, a row a sample.
-Result<void> writeTraces(const SessionRecord& record, CsvFile& file) {
+/// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an
+/// export of one that is damaged.
+Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
     std::vector<SqlValue> row;
     for (const char* name : {"time (s)", "source (degC)", "x (m)", "y (m)", "z (m)", "theta_x (rad)",
                              "theta_y (rad)", "theta_z (rad)"})
         row.emplace_back(std::string(name));
-    for (const ObjectSpec& object : record.experiment.objects) {
+    for (const ObjectSpec& object : facts.experiment.objects) {
         for (const char* name : {" measured (degC)", " estimate (degC)", " target (degC)", " error (K)",
                                  " rate (K/s)", " view factor (1)", " reading valid (1)"})
             row.emplace_back(object.name + name);
-        if (record.simulated)
+        if (facts.simulated)
             row.emplace_back(object.name + " true (degC)");
     }
     file.add(row);
-    for (const TraceSample& sample : record.samples) {
+    const auto read = readSamples(facts.path, [&](const TraceSample& sample) {
         row = {sqlNumber(sample.time_s), sqlNumber(celsiusFromKelvin(sample.source_K))};
         for (int k = 0; k < 6; ++k)
             row.push_back(sqlNumber(sample.coordinates[k]));
@@ -167,24 +168,21 @@ Result<void> writeTraces(const SessionRecord& record, CsvFile& file) {
                   celsiusFromKelvin(o.target_K), o.measured_K - o.target_K, o.rate_K_s, o.viewFactor})
                 row.push_back(sqlNumber(value));
             row.emplace_back(std::int64_t{o.valid});
-            if (record.simulated)
+            if (facts.simulated)
                 row.push_back(sqlNumber(celsiusFromKelvin(o.true_K)));
         }
         file.add(row);
-    }
-    return file.end();
+    });
+    return read ? file.end() : read;
 }
 
-} // namespace
-
-Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder) {
-    // A whole look at the file first: nothing is written from one that is damaged.
-    const auto record = readSession(path);
-    if (!record)
-        return record.error();
+Result<std::vector<std::string>> writeAll(const std::string& path, const std::string& folder) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
+    const auto facts = readFacts(**store, path);
+    if (!facts)
+        return facts.error();
     auto tables = (*store)->tables();
     if (!tables)
         return tables.error();
@@ -200,9 +198,9 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
     if (done)
         done = traces.open(kTracesHeader);
     if (done)
-        done = writeTables(**store, *tables, files);
+        done = writeTraces(*facts, traces);
     if (done)
-        done = writeTraces(*record, traces);
+        done = writeTables(**store, *tables, files);
     if (done)
         done = traces.commit();
     std::vector<std::string> names{traces.path()};
@@ -212,6 +210,16 @@ Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const
         names.push_back(file->path());
     }
     return done ? Result<std::vector<std::string>>(names) : done.error();
+}
+
+} // namespace
+
+Result<std::vector<std::string>> exportSessionCsv(const std::string& path, const std::string& folder) {
+    const bool isNew = !QFileInfo::exists(QString::fromStdString(folder));
+    auto files = writeAll(path, folder);
+    if (!files && isNew)
+        QDir().rmdir(QString::fromStdString(folder)); // if nothing is in it
+    return files;
 }
 
 } // namespace bask

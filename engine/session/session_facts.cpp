@@ -96,24 +96,26 @@ Result<void> checkIntegrity(const SessionStore& store, const std::string& path) 
 
 Result<void> readSteps(const SessionStore& store, const SessionTables& tables, const std::string& path,
                        std::size_t first, std::size_t last,
-                       const std::function<void(const TraceSample&)>& take) {
+                       const std::function<void(const TraceSample&)>& take, const std::stop_token& stop) {
     auto due = static_cast<std::int64_t>(first);
     double last_s = -std::numeric_limits<double>::infinity();
     bool isWhole = true;
-    const auto done = store.select(tables.selectSteps() + " WHERE number BETWEEN " + std::to_string(first) +
-                                       " AND " + std::to_string(last) + " ORDER BY number",
-                                   [&](Row row) {
-                                       if (!isWhole || SessionTables::numberOfStep(row) != due) {
-                                           isWhole = false;
-                                           return;
-                                       }
-                                       const TraceSample sample = tables.sampleOf(row);
-                                       isWhole = sample.time_s >= last_s;
-                                       last_s = sample.time_s;
-                                       ++due;
-                                       if (isWhole)
-                                           take(sample);
-                                   });
+    const auto done = store.select(
+        tables.selectSteps() + " WHERE number BETWEEN " + std::to_string(first) + " AND " +
+            std::to_string(last) + " ORDER BY number",
+        [&](Row row) {
+            if (!isWhole || SessionTables::numberOfStep(row) != due) {
+                isWhole = false;
+                return;
+            }
+            const TraceSample sample = tables.sampleOf(row);
+            isWhole = sample.time_s >= last_s;
+            last_s = sample.time_s;
+            ++due;
+            if (isWhole)
+                take(sample);
+        },
+        stop);
     if (done && !isWhole)
         return Error(MessageCode::SessionDamaged, path,
                      {"sample " + std::to_string(due) + " is missing or in the wrong place"});

@@ -6,6 +6,7 @@
 #include "engine/session/session_tables.h"
 
 #include <functional>
+#include <stop_token>
 
 namespace bask {
 
@@ -18,9 +19,9 @@ Result<void> checkIntegrity(const SessionStore& store, const std::string& path);
 /// Samples of version 1, whose tables have one row a sample, or one a sample and object.
 Result<void> readFirstVersion(const SessionStore& store, SessionRecord& record);
 
-/// Calls `take` for the samples with these numbers, from 1; refuses a gap.
+/// Calls `take` for the samples with these numbers, from 1, until it is asked to stop; refuses a gap.
 Result<void> readSteps(const SessionStore& store, const SessionTables& tables, const std::string& path,
                        std::size_t first, std::size_t last,
-                       const std::function<void(const TraceSample&)>& take);
+                       const std::function<void(const TraceSample&)>& take, const std::stop_token& stop = {});
 
 } // namespace bask

@@ -1,7 +1,7 @@
 #include "engine/session/session_header.h"
 
 #include "engine/base/message_code.h"
-#include "engine/session/session_file.h"
+#include "engine/session/recorded_session.h"
 #include "engine/session/session_store.h"
 
 #include <QDir>
@@ -10,11 +10,17 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <chrono>
+#include <thread>
 
 namespace bask {
 namespace {
 
 using Row = SessionStore::Row;
+
+// A page that shows the file lets it go within a second.
+constexpr int kTries = 10;
+constexpr std::chrono::milliseconds kBetweenTries(200);
 
 std::vector<std::string> textsOf(const nlohmann::json& list) {
     std::vector<std::string> texts;
@@ -122,12 +128,20 @@ Result<void> writeSessionTags(const std::string& path, const std::vector<std::st
 }
 
 Result<void> closeInterrupted(const std::string& path) {
-    const auto record = readSession(path);
-    if (!record)
-        return record.error();
-    if (!record->interrupted())
+    if (const auto read = readSamples(path, [](const TraceSample&) {}); !read)
+        return read;
+    const SessionHeader header = readSessionHeader(path);
+    if (header.error)
+        return *header.error;
+    if (!header.outcome.empty())
         return {};
-    if (auto folded = removeLog(path); !folded) // also finds out whether somebody records into it
+    auto folded = removeLog(path); // also finds out whether somebody records into it
+    for (int tries = 1; tries < kTries && !folded && folded.error().code() == MessageCode::SessionBusy;
+         ++tries) {
+        std::this_thread::sleep_for(kBetweenTries);
+        folded = removeLog(path);
+    }
+    if (!folded)
         return folded;
     return putFact(path, "outcome", kOutcomeInterrupted);
 }

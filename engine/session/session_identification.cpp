@@ -1,5 +1,7 @@
 #include "engine/session/session_identification.h"
 
+#include "engine/session/recorded_session.h"
+
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -24,37 +26,53 @@ void setEnvironment(IdentificationOptions& options, const SessionRecord& session
     options.environmentDeviation_K = kZeroing_K;
 }
 
-std::vector<HeatSample> recordOf(const std::vector<TraceSample>& samples, std::size_t object,
-                                 const SourceSpec& source, double environment_K) {
-    const auto power = [&](double T1_K) {
-        return netSourcePower_W_m2(source.model, T1_K, source.emittance, environment_K);
-    };
-    std::vector<HeatSample> record;
-    for (const TraceSample& sample : samples) {
-        if (!record.empty() && !(sample.time_s > record.back().time_s))
-            continue;
-        const ObjectSample& row = sample.objects[object];
-        record.push_back({sample.time_s, row.measured_K, row.viewFactor,
-                          power(sample.source_K) / power(source.temperature_K), row.valid});
-    }
-    return record;
-}
-
 } // namespace
 
-std::vector<IdentifiedRates> identifySession(const SessionRecord& session,
-                                             const SessionIdentification& wanted) {
-    IdentificationOptions options;
+HeatRecords::HeatRecords(const SessionRecord& facts)
+    : m_until_s(controlledUntil_s(facts)), m_source(facts.experiment.source) {
+    setEnvironment(m_options, facts);
+    for (const ObjectSpec& object : facts.experiment.objects)
+        m_absorptanceOverEmittance.push_back(object.material.absorptance / object.material.emittance);
+    m_records.resize(m_absorptanceOverEmittance.size());
+}
+
+double HeatRecords::power_W_m2(double T1_K) const {
+    return netSourcePower_W_m2(m_source.model, T1_K, m_source.emittance, m_options.environment_K);
+}
+
+void HeatRecords::add(const TraceSample& sample) {
+    if (m_records.empty() || sample.time_s > m_until_s ||
+        (!m_records.front().empty() && !(sample.time_s > m_records.front().back().time_s)))
+        return;
+    if (m_seen++ % m_every != 0)
+        return;
+    if (size() >= kMost)
+        thin();
+    const double strength = power_W_m2(sample.source_K) / power_W_m2(m_source.temperature_K);
+    for (std::size_t i = 0; i < m_records.size(); ++i) {
+        const ObjectSample& row = sample.objects[i];
+        m_records[i].push_back({sample.time_s, row.measured_K, row.viewFactor, strength, row.valid});
+    }
+}
+
+/// The first, third, fifth ... stay, so that what comes next goes on in their rhythm.
+void HeatRecords::thin() {
+    for (std::vector<HeatSample>& record : m_records) {
+        for (std::size_t k = 0; 2 * k < record.size(); ++k)
+            record[k] = record[2 * k];
+        record.resize((record.size() + 1) / 2);
+    }
+    m_every *= 2;
+}
+
+std::vector<IdentifiedRates> HeatRecords::identify(const SessionIdentification& wanted) const {
+    IdentificationOptions options = m_options;
     options.freeAmbient = wanted.freeAmbient;
     options.convection = wanted.convection;
-    setEnvironment(options, session);
-    const std::vector<TraceSample> samples = session.controlledSamples();
     std::vector<IdentifiedRates> out;
-    for (std::size_t i = 0; i < session.experiment.objects.size(); ++i) {
-        const Material& material = session.experiment.objects[i].material;
-        options.absorptanceOverEmittance = material.absorptance / material.emittance;
-        out.push_back(
-            identifyRates(recordOf(samples, i, session.experiment.source, options.environment_K), options));
+    for (std::size_t i = 0; i < m_records.size(); ++i) {
+        options.absorptanceOverEmittance = m_absorptanceOverEmittance[i];
+        out.push_back(identifyRates(m_records[i], options));
     }
     return out;
 }

@@ -34,7 +34,8 @@ constexpr auto kLast = static_cast<std::size_t>(std::numeric_limits<std::int64_t
 /// Reads the whole of a session, its samples of version 2 one by one into `take`, those of version 1 into the
 /// record.
 Result<SessionRecord> readAll(const std::string& path,
-                              const std::function<void(SessionRecord&, const TraceSample&)>& take) {
+                              const std::function<void(SessionRecord&, const TraceSample&)>& take,
+                              const std::stop_token& stop = {}) {
     const auto store = SessionStore::open(path);
     if (!store)
         return store.error();
@@ -50,8 +51,9 @@ Result<SessionRecord> readAll(const std::string& path,
     if ((*store)->version() < 2)
         done = readFirstVersion(**store, *record);
     else
-        done = readSteps(**store, SessionTables(*record), path, 1, kLast,
-                         [&](const TraceSample& sample) { take(*record, sample); });
+        done = readSteps(
+            **store, SessionTables(*record), path, 1, kLast,
+            [&](const TraceSample& sample) { take(*record, sample); }, stop);
     if (!done)
         return done.error();
     return record;
@@ -64,8 +66,10 @@ Result<SessionRecord> readSession(const std::string& path) {
         path, [](SessionRecord& record, const TraceSample& sample) { record.samples.push_back(sample); });
 }
 
-Result<void> readSamples(const std::string& path, const std::function<void(const TraceSample&)>& take) {
-    const auto record = readAll(path, [&](SessionRecord&, const TraceSample& sample) { take(sample); });
+Result<void> readSamples(const std::string& path, const std::function<void(const TraceSample&)>& take,
+                         const std::stop_token& stop) {
+    const auto record = readAll(
+        path, [&](SessionRecord&, const TraceSample& sample) { take(sample); }, stop);
     if (!record)
         return record.error();
     std::ranges::for_each(record->samples, take);
@@ -93,14 +97,19 @@ Result<void> copySession(const std::string& from, const std::string& to) {
     return copied;
 }
 
-std::vector<TraceSample> SessionRecord::controlledSamples() const {
-    const auto stop = std::ranges::find_if(events, [](const TraceEvent& event) {
+double controlledUntil_s(const SessionRecord& facts) {
+    const auto stop = std::ranges::find_if(facts.events, [](const TraceEvent& event) {
         return event.message.code == MessageCode::EventStopped ||
                event.message.code == MessageCode::EventEmergencyStop;
     });
+    return stop == facts.events.end() ? std::numeric_limits<double>::infinity() : stop->time_s;
+}
+
+std::vector<TraceSample> SessionRecord::controlledSamples() const {
     std::vector<TraceSample> out = samples;
-    if (stop != events.end())
-        std::erase_if(out, [&](const TraceSample& sample) { return sample.time_s > stop->time_s; });
+    std::erase_if(out, [until_s = controlledUntil_s(*this)](const TraceSample& sample) {
+        return sample.time_s > until_s;
+    });
     return out;
 }
 

@@ -279,13 +279,14 @@ Result<void> SessionStore::run(std::size_t statement, std::span<const SqlValue> 
     return {};
 }
 
-Result<void> SessionStore::select(const std::string& sql, const std::function<void(Row)>& row) const {
+Result<void> SessionStore::select(const std::string& sql, const std::function<void(Row)>& row,
+                                  const std::stop_token& stop) const {
     QSqlQuery query(m_impl->database);
     query.setForwardOnly(true);
     if (!query.exec(QString::fromStdString(sql)))
         return m_impl->failure(query.lastError());
     std::vector<SqlValue> values(static_cast<std::size_t>(query.record().count()));
-    while (query.next()) {
+    while (!stop.stop_requested() && query.next()) {
         for (std::size_t k = 0; k < values.size(); ++k)
             values[k] = fromVariant(query.value(static_cast<int>(k)));
         row(values);

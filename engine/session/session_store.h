@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <stop_token>
 #include <string>
 #include <variant>
 #include <vector>
@@ -47,8 +48,9 @@ public:
     Result<void> run(std::size_t statement, std::span<const SqlValue> values);
 
     using Row = std::span<const SqlValue>;
-    /// Calls `row` for each row of a query.
-    Result<void> select(const std::string& sql, const std::function<void(Row)>& row) const;
+    /// Calls `row` for each row of a query, until it is asked to stop.
+    Result<void> select(const std::string& sql, const std::function<void(Row)>& row,
+                        const std::stop_token& stop = {}) const;
     /// Names of the columns of a table.
     Result<std::vector<std::string>> columns(const std::string& table) const;
     /// The file's own version.

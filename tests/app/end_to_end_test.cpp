@@ -97,13 +97,14 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
 
     openWindow();
     window->files().setFileChooser([&](const FileQuestion&) { return path + QStringLiteral(".bask"); });
-    std::shared_ptr<const SessionRecord> record;
+    std::shared_ptr<RecordedSession> session;
     QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
-                     [&](const std::shared_ptr<const SessionRecord>& opened) { record = opened; });
+                     [&](const std::shared_ptr<RecordedSession>& opened) { session = opened; });
     QTest::keyClick(window.get(), Qt::Key_O, Qt::ControlModifier);
-    ASSERT_TRUE(waitFor([&] { return record != nullptr; }));
+    ASSERT_TRUE(waitFor([&] { return session != nullptr; }));
     EXPECT_EQ(window->pages().page(), Page::Review);
-    expectSame(first, record->samples);
+    expectSame(first, session->samples(0.0, session->lastTime_s()).value());
+    const SessionRecord* const record = &session->facts();
     ASSERT_EQ(record->notes.size(), 1U);
     EXPECT_EQ(record->notes[0].text, "hand touched the plate's rim");
     EXPECT_EQ(record->outcome, "settled");

@@ -146,9 +146,9 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     if (HasFatalFailure())
         return;
     EXPECT_FALSE(window->lastSnapshot().heatOn);
-    std::shared_ptr<const SessionRecord> record;
+    std::shared_ptr<RecordedSession> session;
     QObject::connect(&window->files(), &SessionActions::sessionOpened, window.get(),
-                     [&](const std::shared_ptr<const SessionRecord>& opened) { record = opened; });
+                     [&](const std::shared_ptr<RecordedSession>& opened) { session = opened; });
     step(Step::Review, [&] {
         auto* runs = find<QTreeWidget>("sessionTree");
         ASSERT_TRUE(waitFor([&] { return runs->topLevelItemCount() > 0; }));
@@ -156,7 +156,8 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
         QTest::keyClick(runs, Qt::Key_Home); // the newest
         QTest::keyClick(runs, Qt::Key_Return);
     });
-    ASSERT_TRUE(waitFor([&] { return record != nullptr; }));
+    ASSERT_TRUE(waitFor([&] { return session != nullptr; }));
+    const SessionRecord* const record = &session->facts();
     EXPECT_EQ(record->path, recording);
     EXPECT_EQ(record->outcome, "stopped"); // not settled again after the hold
     ASSERT_EQ(record->notes.size(), 1U);

@@ -113,12 +113,12 @@ TEST_F(SessionLibraryTest, AnOverlayIsReadOrRefused) {
     ASSERT_TRUE(bad.open(QIODevice::WriteOnly));
     bad.write("nothing");
     bad.close();
-    std::shared_ptr<const SessionRecord> read;
+    std::shared_ptr<RecordedSession> read;
     QObject::connect(&library, &SessionLibrary::overlayRead,
-                     [&](const std::shared_ptr<const SessionRecord>& record) { read = record; });
+                     [&](const std::shared_ptr<RecordedSession>& session) { read = session; });
     emit list.compareRequested(a);
     ASSERT_TRUE(waitFor([&] { return read != nullptr; }));
-    EXPECT_EQ(read->samples.size(), 20U);
+    EXPECT_EQ(read->size(), 20U);
     emit list.compareRequested(bad.fileName());
     ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
 }

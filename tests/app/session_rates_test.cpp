@@ -1,17 +1,26 @@
-#include "app/session_rates.h"
+#include "app/session_count.h"
 
+#include "engine/base/message_code.h"
 #include "engine/runtime/simulated_run.h"
+#include "engine/session/session_store.h"
+#include "tests/support/wait_for.h"
 
 #include <QTemporaryDir>
+#include <QTest>
 
 #include <gtest/gtest.h>
 
 namespace bask {
 namespace {
 
-/// A run of the three objects with wrong beliefs, recorded and read again.
-const SessionRecord& recorded() {
-    static const SessionRecord record = [] {
+/// A run of the three objects with wrong beliefs, recorded, and what was counted of it.
+struct Recorded {
+    SessionRecord facts;
+    SessionNumbers numbers;
+};
+
+const Recorded& recorded() {
+    static const Recorded record = [] {
         Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
         experiment.controller.believedRateErrorFactor = 3.0;
         const QTemporaryDir folder;
@@ -20,16 +29,81 @@ const SessionRecord& recorded() {
         options.duration_s = 300.0;
         options.sessionPath = path;
         EXPECT_TRUE(runSimulated(experiment, options).ok());
-        return readSession(path).value();
+        const auto session = RecordedSession::open(path).value();
+        std::atomic<std::size_t> done = 0;
+        Recorded out{session->facts(), countSession(session->facts(), session->size(), done).value()};
+        EXPECT_EQ(done, session->size());
+        return out;
     }();
     return record;
 }
 
 } // namespace
 
+// Catches numbers of the retreat, and a way that is not the run's.
+TEST(SessionCount, MetricsAndWayAreThoseOfTheRun) {
+    const SessionNumbers& numbers = recorded().numbers;
+    ASSERT_EQ(numbers.metrics.objects.size(), 3U);
+    EXPECT_TRUE(numbers.metrics.objects[0].settling_s);
+    EXPECT_LE(numbers.metrics.last.time_s, controlledUntil_s(recorded().facts));
+    ASSERT_GE(numbers.way.size(), numbers.metrics.samples) << "all of a short run";
+    EXPECT_EQ(numbers.way.front().objects.size(), 3U);
+}
+
+// Catches numbers of a run that is no longer open, a count that is not told of, and damage that is not found.
+TEST(SessionCount, TheRunOpenedLastIsCountedAndDamageIsTold) {
+    const QTemporaryDir folder;
+    const auto run = [&](const char* name, int samples) {
+        const std::string path = folder.filePath(QString::fromLatin1(name)).toStdString();
+        auto writer = SessionWriter::create(path, recorded().facts.experiment, true, 1e6);
+        TraceSample sample = recorded().numbers.way.front();
+        for (int k = 0; k < samples; ++k) {
+            sample.time_s = k;
+            EXPECT_TRUE((*writer)->add(sample));
+        }
+        EXPECT_TRUE((*writer)->finish("stopped"));
+        writer->reset();
+        return RecordedSession::open(path).value();
+    };
+    SessionCount count;
+    std::vector<std::size_t> counted;
+    std::vector<MessageCode> failed;
+    int told = 0;
+    QObject::connect(&count, &SessionCount::counted,
+                     [&](const std::shared_ptr<const SessionNumbers>& numbers) {
+                         counted.push_back(numbers->metrics.samples);
+                     });
+    QObject::connect(&count, &SessionCount::failed,
+                     [&](const Error& error) { failed.push_back(error.code()); });
+    QObject::connect(&count, &SessionCount::progressed, [&](int percent) {
+        EXPECT_TRUE(percent >= 0 && percent <= 100);
+        ++told;
+    });
+    const auto longer = run("a.bask", 40'000), shorter = run("b.bask", 500);
+    count.start(*longer);
+    QTest::qWait(30);
+    count.start(*shorter);
+    ASSERT_TRUE(test::waitFor([&] { return !counted.empty(); }));
+    EXPECT_EQ(counted, std::vector<std::size_t>{500});
+    count.start(*longer);
+    QTest::qWait(30);
+    count.stop();
+    count.start(*longer);
+    ASSERT_TRUE(test::waitFor([&] { return counted.size() == 2; }));
+    EXPECT_EQ(counted.back(), 40'000U);
+    EXPECT_GT(told, 0);
+
+    const auto store = SessionStore::create(shorter->facts().path);
+    ASSERT_TRUE((*store)->execute("DELETE FROM step WHERE number = 300"));
+    count.start(*shorter);
+    ASSERT_TRUE(test::waitFor([&] { return !failed.empty(); }));
+    EXPECT_EQ(failed, std::vector{MessageCode::SessionDamaged});
+    EXPECT_EQ(counted.size(), 2U);
+}
+
 // Catches rates that are not the plant's, or stand beside the wrong object.
 TEST(SessionRates, AreThoseOfThePlant) {
-    const auto rates = sessionRates(recorded());
+    const auto& rates = recorded().numbers.rates;
     ASSERT_TRUE(rates.ok());
     ASSERT_EQ(rates->identified.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -40,20 +114,20 @@ TEST(SessionRates, AreThoseOfThePlant) {
 
 // Catches start values that reach an object of another name, material or heat source.
 TEST(SessionRates, StartValuesGoToTheSameObjectsUnderTheSameSourceOnly) {
-    const SessionRates rates = sessionRates(recorded()).value();
-    Experiment experiment = recorded().experiment;
+    const SessionRates& rates = recorded().numbers.rates.value();
+    Experiment experiment = recorded().facts.experiment;
     experiment.objects[0].name = "another";
     experiment.objects[1].material.emittance *= 0.5;
-    const StartValues start = withStartValues(experiment, recorded(), rates);
+    const StartValues start = withStartValues(experiment, recorded().facts.experiment, rates);
     EXPECT_EQ(start.objects, std::vector<std::string>{experiment.objects[2].name});
     EXPECT_FALSE(start.experiment.objects[0].believedRates);
     EXPECT_FALSE(start.experiment.objects[1].believedRates);
     ASSERT_TRUE(start.experiment.objects[2].believedRates);
     EXPECT_EQ(start.experiment.objects[2].believedRates->lambda1, rates.identified[2].lambda1.value);
 
-    experiment = recorded().experiment;
+    experiment = recorded().facts.experiment;
     experiment.source.temperature_K += 50.0;
-    EXPECT_TRUE(withStartValues(experiment, recorded(), rates).objects.empty());
+    EXPECT_TRUE(withStartValues(experiment, recorded().facts.experiment, rates).objects.empty());
 }
 
 } // namespace bask

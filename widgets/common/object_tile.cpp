@@ -16,7 +16,6 @@
 namespace bask {
 namespace {
 
-constexpr double kSettledAfter_s = 10.0;       ///< in the band before the word is "Settled"
 constexpr double kSteadyRate_K_s = 0.6 / 60.0; ///< slower than this is neither heating nor cooling
 constexpr int kStateIcon = 14;
 

@@ -21,13 +21,15 @@ enum class ObjectActivity { Waiting, SensorInvalid, Heating, Cooling, Steady, Se
 class ObjectTile : public QFrame {
     Q_OBJECT
 public:
+    static constexpr double kSettledAfter_s = 10.0; ///< in the band before the word is "Settled"
+
     explicit ObjectTile(int index, QWidget* parent = nullptr);
 
     void setName(const QString& name);
     /// `time_s` tells how long the object has been in its band.
     void setSample(double time_s, const ObjectSample& sample);
     /// Any moment of a record: row `k`, this object being number `i` of each. What it was doing is judged as
-    /// it would have been live.
+    /// it would have been live, which takes the rows of the last kSettledAfter_s and the one before.
     void setMoment(const std::vector<TraceSample>& samples, std::size_t k, std::size_t i);
     /// Back to "no reading yet"; the target is kept.
     void clear(double target_K);

@@ -10,12 +10,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bask {
 namespace {
 
 constexpr int kMostPoints =
     1600; ///< stretches in a picture; more would want more blocks than a recorded run keeps
+
+constexpr std::size_t kFineStretch = 3; // px
 
 } // namespace
 
@@ -179,25 +182,36 @@ void TracePlot::Canvas::updatePoints() {
     const int width = std::clamp(axisRect()->width(), 1, kMostPoints);
     if (!m_pointsAreOld && range == m_pointsRange && width == m_pointsWidth)
         return;
+    // Where the overview is nearly as fine as the screen, the samples are read when the picture rests.
+    const bool isFine = std::cmp_greater(columns.samplesBetween(range.lower, range.upper) * kFineStretch,
+                                         width * TraceOverview::kStretch);
+    int reads = isFine && range != m_pointsRange ? 0 : m_readsPerFrame;
     m_pointsRange = range;
     m_pointsWidth = width;
-    int reads = m_readsPerFrame;
-    for (int i = 0; i < m_series.size(); ++i) {
-        const auto line = columns.line(quantity, static_cast<std::size_t>(i), range.lower, range.upper,
-                                       static_cast<std::size_t>(width), reads);
-        QVector<QCPGraphData> points(static_cast<qsizetype>(line.values.size()));
-        const double scale = factor(i);
-        for (std::size_t k = 0; k < line.values.size(); ++k)
-            points[static_cast<qsizetype>(k)] = {line.times_s[k], displayed(line.values[k]) * scale};
-        m_series[i]->data()->set(points, true);
-    }
-    m_pointsAreOld = reads < 0; // the rest with the next picture
-    if (m_pointsAreOld)
+    for (int i = 0; i < m_series.size(); ++i)
+        fillGraph(m_series[i], columns, i, reads);
+    for (const Overlay& overlay : overlays)
+        for (int i = 0; i < overlay.graphs.size(); ++i)
+            fillGraph(overlay.graphs[i], overlay.columns, i, reads);
+    m_pointsAreOld = false;
+    m_isUnread = reads < 0;
+    if (m_isUnread)
         schedule();
+}
+
+void TracePlot::Canvas::fillGraph(QCPGraph* graph, const TraceColumns& from, int series, int& reads) const {
+    const auto line = from.line(quantity, static_cast<std::size_t>(series), m_pointsRange.lower,
+                                m_pointsRange.upper, static_cast<std::size_t>(m_pointsWidth), reads);
+    QVector<QCPGraphData> points(static_cast<qsizetype>(line.values.size()));
+    const double scale = factor(series);
+    for (std::size_t k = 0; k < line.values.size(); ++k)
+        points[static_cast<qsizetype>(k)] = {line.times_s[k], displayed(line.values[k]) * scale};
+    graph->data()->set(points, true);
 }
 
 void TracePlot::Canvas::readAll() {
     const QScopedValueRollback<int> guard(m_readsPerFrame, std::numeric_limits<int>::max());
+    m_pointsAreOld = true;
     updatePoints();
 }
 

@@ -41,17 +41,18 @@ public:
     QString axisText() const;
     QPen penOfSeries(int series) const;
     void placeLabels();
+    enum class Density { Loose, Close, Dense }; ///< of samples over pixels
     void fitPensToDensity();
+    static QPen plainPen(const QPen& pen, Density density);
     void addMarker(double time_s, const QString& text);
     void clearMarkers();
     void placeMarkerTexts();
 
     // Further runs drawn over this one (trace_canvas_overlays.cpp)
-    void addOverlay(const QString& mark, const QStringList& objects,
-                    std::shared_ptr<const std::vector<TraceSample>> samples);
+    void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);
     void clearOverlays();
     void rebuildOverlays();
-    void styleOverlays(bool dense);
+    void styleOverlays(Density density);
     double lastTime_s() const; ///< of all runs
 
     // Ranges, mouse, keys (trace_canvas_interaction.cpp)
@@ -92,7 +93,7 @@ public:
     struct Overlay {
         QString mark;
         QStringList objects;
-        std::shared_ptr<const std::vector<TraceSample>> samples;
+        TraceColumns columns;
         QList<QCPGraph*> graphs;
         QList<QCPItemText*> labels;
     };
@@ -105,7 +106,7 @@ protected:
 private:
     void updatePoints();
     void removeOverlayItems();
-    void fillOverlay(QCPGraph* graph, const Overlay& overlay, int series) const;
+    void fillGraph(QCPGraph* graph, const TraceColumns& from, int series, int& reads) const;
     void updateTargets();
     void updateEmptyText();
     void fitMargins();
@@ -126,8 +127,9 @@ private:
 
     QTimer m_timer;
     QElapsedTimer m_sinceReplot;
-    int m_readsPerFrame = 6; ///< blocks of a recorded run, 2 ms each
+    int m_readsPerFrame = 3; ///< blocks of a recorded run, 3 ms each
     bool m_pointsAreOld = true;
+    bool m_isUnread = false; ///< some of what is shown is still to be read, with the next frame
     QCPRange m_pointsRange;
     int m_pointsWidth = 0;
     bool m_isDrawn = false; ///< for the first time

@@ -83,6 +83,7 @@ void TracePlot::Canvas::schedule() {
 
 void TracePlot::Canvas::redrawNow() {
     m_timer.stop();
+    m_pointsAreOld = m_pointsAreOld || m_isUnread;
     updateRanges();
     updateTargets();
     updateEmptyText();
@@ -216,8 +217,10 @@ bool TracePlot::Canvas::handleKey(const QKeyEvent* event) {
 void TracePlot::Canvas::showCursor(double time_s) {
     const std::size_t row = columns.nearestRow(time_s);
     if (row >= columns.rows())
-        return;
+        return hideCursor();
     m_cursor_s = columns.time_s(row);
+    if (!std::isfinite(*m_cursor_s)) // of a damaged file
+        return hideCursor();
     m_cursor->start->setCoords(*m_cursor_s, 1.0);
     m_cursor->end->setCoords(*m_cursor_s, 0.0);
     m_cursor->setVisible(true);

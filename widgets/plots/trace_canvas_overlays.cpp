@@ -1,6 +1,7 @@
 // Further runs over the one of a trace plot: colours by object, dashes by run, marked at the ends of their
 // lines.
 
+#include "engine/session/recorded_session.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/trace_canvas.h"
 
@@ -16,14 +17,16 @@ constexpr int kLongestName = 100; // px, in front of the run's mark
 double TracePlot::Canvas::lastTime_s() const {
     double last_s = columns.lastTime_s();
     for (const Overlay& overlay : overlays)
-        if (!overlay.samples->empty())
-            last_s = std::max(last_s, overlay.samples->back().time_s);
+        last_s = std::max(last_s, overlay.columns.lastTime_s());
     return last_s;
 }
 
-void TracePlot::Canvas::addOverlay(const QString& mark, const QStringList& objects,
-                                   std::shared_ptr<const std::vector<TraceSample>> samples) {
-    overlays.push_back({mark, objects, std::move(samples), {}, {}});
+void TracePlot::Canvas::addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run) {
+    Overlay overlay{mark, {}, {}, {}, {}};
+    for (const ObjectSpec& object : run->facts().experiment.objects)
+        overlay.objects << QString::fromStdString(object.name);
+    overlay.columns.show(std::move(run));
+    overlays.push_back(std::move(overlay));
     rebuild();
 }
 
@@ -53,7 +56,6 @@ void TracePlot::Canvas::rebuildOverlays() {
         for (int i = 0; i < count; ++i) {
             overlay.graphs << addGraph();
             overlay.graphs.back()->setAdaptiveSampling(true);
-            fillOverlay(overlay.graphs.back(), overlay, i);
             auto* label = new QCPItemText(this);
             label->setLayer(QStringLiteral("labels"));
             label->setClipToAxisRect(false);
@@ -62,22 +64,10 @@ void TracePlot::Canvas::rebuildOverlays() {
             overlay.labels << label;
         }
     }
-    styleOverlays(false);
+    styleOverlays(Density::Loose);
 }
 
-void TracePlot::Canvas::fillOverlay(QCPGraph* graph, const Overlay& overlay, int series) const {
-    const auto count = static_cast<qsizetype>(overlay.samples->size());
-    QVector<double> keys(count), values(count);
-    const double scale = factor(series);
-    for (qsizetype k = 0; k < count; ++k) {
-        const TraceSample& sample = (*overlay.samples)[static_cast<std::size_t>(k)];
-        keys[k] = sample.time_s;
-        values[k] = displayed(plottedValue(sample, quantity, static_cast<std::size_t>(series))) * scale;
-    }
-    graph->setData(keys, values, true);
-}
-
-void TracePlot::Canvas::styleOverlays(bool dense) {
+void TracePlot::Canvas::styleOverlays(Density density) {
     const QFontMetrics metrics(font());
     for (std::size_t k = 0; k < overlays.size(); ++k) {
         const Overlay& overlay = overlays[k];
@@ -88,8 +78,10 @@ void TracePlot::Canvas::styleOverlays(bool dense) {
             if (quantity == Quantity::Speed)
                 pen.setColor(i == 0 ? palette().color(QPalette::Text) : accentColor(dark));
             pen.setCapStyle(Qt::FlatCap);
-            if (!dense)
+            if (density == Density::Loose)
                 pen.setDashPattern(seriesDashes(static_cast<int>(k % 5) + 1));
+            else
+                pen = plainPen(pen, density);
             overlay.graphs[i]->setPen(pen);
             overlay.labels[i]->setFont(font());
             overlay.labels[i]->setColor(pen.color());

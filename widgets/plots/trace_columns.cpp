@@ -10,11 +10,54 @@ namespace bask {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
 void add(TraceColumns::Line& line, double time_s, double value) {
     line.times_s.push_back(time_s);
     line.values.push_back(value);
 }
+
+/// Least and greatest value of a stretch.
+void addPair(TraceColumns::Line& line, double from_s, double to_s, double least, double greatest) {
+    // Goes on with the nearer one: a falling line falls.
+    if (!line.values.empty() &&
+        std::abs(line.values.back() - greatest) < std::abs(line.values.back() - least))
+        std::swap(least, greatest);
+    add(line, from_s, least);
+    add(line, to_s, greatest);
+}
+
+/// Puts samples into a line: all, or where there are more than two a pixel, least and greatest values of so
+/// many at once. Which go together does not depend on where the line begins, so that it does not flicker when
+/// moved.
+class Samples {
+public:
+    Samples(TraceColumns::Line& line, std::size_t count, std::size_t pixels)
+        : m_line(line), m_group(count / 2 > pixels ? 1 + (count - 1) / pixels : 1) {}
+
+    void add(std::size_t row, double time_s, double value) {
+        if (m_group == 1)
+            return bask::add(m_line, time_s, value);
+        if (row % m_group == 0)
+            end();
+        if (m_count++ == 0)
+            m_from_s = time_s;
+        m_to_s = time_s;
+        m_least = std::fmin(m_least, value); // the other one where one is NaN
+        m_greatest = std::fmax(m_greatest, value);
+    }
+    void end() {
+        if (m_count > 0)
+            addPair(m_line, m_from_s, m_to_s, m_least, m_greatest);
+        m_count = 0;
+        m_least = m_greatest = kNaN;
+    }
+
+private:
+    TraceColumns::Line& m_line;
+    std::size_t m_group, m_count = 0;
+    double m_from_s = 0.0, m_to_s = 0.0, m_least = kNaN, m_greatest = kNaN;
+};
 
 } // namespace
 
@@ -123,18 +166,19 @@ const std::vector<std::pair<double, double>>& TraceColumns::targetSteps(std::siz
     return m_run ? m_run->targetSteps(object) : m_targets[object];
 }
 
-/// First row not before the time.
+/// First row not before the time; kNowhere where the file cannot be read.
 std::size_t TraceColumns::lowerRow(double time_s) const {
     if (!m_run)
         return static_cast<std::size_t>(std::ranges::lower_bound(m_time_s, time_s) - m_time_s.begin());
     const auto found = m_run->lowerIndex(time_s);
-    return found ? *found : rows();
+    return found ? *found : kNowhere;
 }
 
 std::size_t TraceColumns::nearestRow(double at_s) const {
-    if (rows() == 0)
-        return 0;
-    const std::size_t after = std::min(lowerRow(at_s), rows() - 1);
+    const std::size_t found = lowerRow(at_s);
+    if (rows() == 0 || found == kNowhere)
+        return rows();
+    const std::size_t after = std::min(found, rows() - 1);
     return after > 0 && at_s - time_s(after - 1) < time_s(after) - at_s ? after - 1 : after;
 }
 
@@ -158,39 +202,50 @@ TraceColumns::Line TraceColumns::line(Quantity quantity, std::size_t series, dou
         addStretches(line, quantity, series, first - first % group, last, group);
     } else if (m_run) {
         const std::size_t each = all.samplesPerStretch();
-        addBlocks(line, quantity, series, first * each, std::min(last * each, rows()), reads);
+        addBlocks(line, quantity, series, first * each, std::min(last * each, rows()), pixels, reads);
     } else {
         const std::size_t kept = all.stretchAt(m_time_s.front());
         addStretches(line, quantity, series, first, std::clamp(kept, first, last), 1);
-        addRows(line, quantity, series, all.from_s(first), all.to_s(last - 1));
+        addRows(line, quantity, series, all.from_s(first), all.to_s(last - 1), pixels);
     }
     return line;
 }
 
-void TraceColumns::addRows(Line& line, Quantity quantity, std::size_t series, double from_s,
-                           double to_s) const {
+void TraceColumns::addRows(Line& line, Quantity quantity, std::size_t series, double from_s, double to_s,
+                           std::size_t pixels) const {
     const std::vector<double>& values = column(quantity, series);
-    for (std::size_t row = lowerRow(from_s); row < m_time_s.size() && m_time_s[row] <= to_s; ++row)
-        add(line, m_time_s[row], values[row]);
+    const std::size_t first = lowerRow(from_s);
+    std::size_t last = first;
+    while (last < m_time_s.size() && m_time_s[last] <= to_s)
+        ++last;
+    Samples samples(line, last - first, pixels);
+    for (std::size_t row = first; row < last; ++row)
+        samples.add(row, m_time_s[row], values[row]);
+    samples.end();
 }
 
 /// Samples [first, last) of the recorded run.
 void TraceColumns::addBlocks(Line& line, Quantity quantity, std::size_t series, std::size_t first,
-                             std::size_t last, int& reads) const {
+                             std::size_t last, std::size_t pixels, int& reads) const {
     constexpr std::size_t kBlock = RecordedSession::kBlock;
     const std::size_t each = overview().samplesPerStretch();
+    Samples samples(line, last - first, pixels);
     while (first < last) {
         const std::size_t k = first / kBlock, end = std::min(last, (k + 1) * kBlock);
         const bool isHeld = m_run->holds(k);
         reads -= isHeld ? 0 : 1;
         const auto* block = isHeld || reads >= 0 ? m_run->block(k) : nullptr;
-        if (block == nullptr)
+        if (block == nullptr) {
+            samples.end();
             addStretches(line, quantity, series, first / each, (end + each - 1) / each, 1);
-        else
+        } else {
             for (std::size_t i = first; i < end; ++i)
-                add(line, (*block)[i % kBlock].time_s, plottedValue((*block)[i % kBlock], quantity, series));
+                samples.add(i, (*block)[i % kBlock].time_s,
+                            plottedValue((*block)[i % kBlock], quantity, series));
+        }
         first = end;
     }
+    samples.end();
 }
 
 /// Stretches [first, last), so many at once.
@@ -202,13 +257,7 @@ void TraceColumns::addStretches(Line& line, Quantity quantity, std::size_t serie
         Extremes extremes;
         for (std::size_t j = k; j < end; ++j)
             extremes.include(all.extremes(quantity, series, j));
-        double least = extremes.least, greatest = extremes.greatest;
-        // Goes on with the nearer one: a falling line falls.
-        if (!line.values.empty() &&
-            std::abs(line.values.back() - greatest) < std::abs(line.values.back() - least))
-            std::swap(least, greatest);
-        add(line, all.from_s(k), least);
-        add(line, all.to_s(end - 1), greatest);
+        addPair(line, all.from_s(k), all.to_s(end - 1), extremes.least, extremes.greatest);
     }
 }
 

@@ -73,9 +73,10 @@ private:
     const TraceOverview& overview() const;
     std::size_t lowerRow(double time_s) const;
     void dropOldRows();
-    void addRows(Line& line, Quantity quantity, std::size_t series, double from_s, double to_s) const;
+    void addRows(Line& line, Quantity quantity, std::size_t series, double from_s, double to_s,
+                 std::size_t pixels) const;
     void addBlocks(Line& line, Quantity quantity, std::size_t series, std::size_t first, std::size_t last,
-                   int& reads) const;
+                   std::size_t pixels, int& reads) const;
     void addStretches(Line& line, Quantity quantity, std::size_t series, std::size_t first, std::size_t last,
                       std::size_t group) const;
 

@@ -71,9 +71,8 @@ void TracePlot::setMarkerTextsVisible(bool visible) {
     m_canvas->schedule();
 }
 
-void TracePlot::addOverlay(const QString& mark, const QStringList& objects,
-                           std::shared_ptr<const std::vector<TraceSample>> samples) {
-    m_canvas->addOverlay(mark, objects, std::move(samples));
+void TracePlot::addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run) {
+    m_canvas->addOverlay(mark, std::move(run));
 }
 
 void TracePlot::clearOverlays() {

@@ -51,8 +51,7 @@ public:
 
     /// Draws another run over this one, both from their Start: colours by the names of the objects, dashes by
     /// the run, its mark (a letter) at the ends of its lines. clear() leaves them.
-    void addOverlay(const QString& mark, const QStringList& objects,
-                    std::shared_ptr<const std::vector<TraceSample>> samples);
+    void addOverlay(const QString& mark, std::shared_ptr<RecordedSession> run);
     void clearOverlays();
 
     /// A line at the moment that a replay shows; moving it draws no trace anew.

@@ -9,8 +9,6 @@
 #include <QKeyEvent>
 #include <QLocale>
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace bask {
@@ -20,22 +18,17 @@ enum Column { kName, kTarget, kFinal, kError, kSettling, kColumns };
 
 } // namespace
 
-std::vector<FinalValue> finalValues(const SessionRecord& session) {
+std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    const std::vector<TraceSample> samples = session.controlledSamples();
     std::vector<FinalValue> values;
-    for (std::size_t i = 0; i < session.experiment.objects.size(); ++i) {
-        FinalValue value{
-            QString::fromStdString(session.experiment.objects[i].name), kUnknown, kUnknown, false, {}};
-        if (!samples.empty() && i < samples.back().objects.size()) {
-            const ObjectSample& last = samples.back().objects[i];
-            value.target_K = last.target_K;
-            value.isTrue = std::isfinite(last.true_K);
-            value.final_K = value.isTrue                      ? last.true_K
-                            : std::isfinite(last.estimated_K) ? last.estimated_K
-                                                              : last.measured_K;
-            value.settling_s = settlingTime_s(samples, i);
-        }
+    for (std::size_t i = 0; i < metrics.objects.size(); ++i) {
+        const ObjectMetrics& object = metrics.objects[i];
+        FinalValue value{names.value(static_cast<qsizetype>(i)), object.target_K, kUnknown, object.isTrue,
+                         object.settledFrom_s};
+        if (object.final_K)
+            value.final_K = *object.final_K;
+        else if (i < metrics.last.objects.size())
+            value.final_K = metrics.last.objects[i].measured_K;
         values.push_back(value);
     }
     return values;

@@ -2,7 +2,7 @@
 // Table of how a run ended: per object its target, final temperature, error and settling time.
 
 #include "engine/base/units.h"
-#include "engine/session/session_file.h"
+#include "engine/session/run_metrics.h"
 
 #include <QTableWidget>
 
@@ -18,7 +18,7 @@ struct FinalValue {
     bool isTrue = false; ///< the plant's own temperature, else the estimate
     std::optional<double> settling_s;
 };
-std::vector<FinalValue> finalValues(const SessionRecord& session);
+std::vector<FinalValue> finalValues(const QStringList& names, const RunMetrics& metrics);
 
 /// One row an object; read-only, copied with Ctrl+C as tab-separated text.
 class FinalValuesTable : public QTableWidget {

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -39,11 +40,22 @@ QIcon overlayIcon(int index, const QColor& ink, double devicePixelRatio) {
     return QIcon(pixmap);
 }
 
-QStringList objectNames(const SessionRecord& run) {
+QStringList objectNames(const RecordedSession& run) {
     QStringList names;
-    for (const ObjectSpec& object : run.experiment.objects)
+    for (const ObjectSpec& object : run.facts().experiment.objects)
         names << QString::fromStdString(object.name);
     return names;
+}
+
+/// The newest sample at or before a moment, else the first, after those by which a tile judges it.
+Result<std::vector<TraceSample>> samplesUntil(RecordedSession& run, double time_s) {
+    const auto now = run.sampleAt(time_s);
+    if (!now)
+        return now.error();
+    const auto begin = run.sampleAt(now->time_s - ObjectTile::kSettledAfter_s);
+    if (!begin)
+        return begin.error();
+    return run.samples(begin->time_s, now->time_s);
 }
 
 } // namespace
@@ -126,13 +138,16 @@ void ReplayView::connectPlots() {
     }
 }
 
-void ReplayView::setRun(std::shared_ptr<const SessionRecord> run) {
+void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
     m_overlays.clear();
     m_run = std::move(run);
+    m_way.clear();
+    m_sample.reset();
+    m_isFailureTold = false;
     m_visible_s.reset();
     m_names = objectNames(*m_run);
     makeTiles();
-    const auto& robot = m_run->experiment.robot;
+    const auto& robot = m_run->facts().experiment.robot;
     for (Plot& each : m_plots) {
         each.isFilled = false;
         each.plot->clearOverlays();
@@ -144,14 +159,15 @@ void ReplayView::setRun(std::shared_ptr<const SessionRecord> run) {
     fill(m_plots.front());
     fillShown();
     showOverlays();
-    const auto& samples = m_run->samples;
-    m_transport->setSpan(samples.empty() ? 0.0 : samples.front().time_s,
-                         samples.empty() ? 0.0 : samples.back().time_s);
+    const bool isEmpty = m_run->size() == 0;
+    m_transport->setSpan(isEmpty ? 0.0 : m_run->overview().from_s(0), m_run->lastTime_s());
 }
 
 void ReplayView::clear() {
     m_overlays.clear();
     m_run.reset();
+    m_way.clear();
+    m_sample.reset();
     for (Plot& each : m_plots) {
         each.plot->clear();
         each.plot->clearOverlays();
@@ -166,15 +182,15 @@ void ReplayView::fill(Plot& each) {
     if (each.isFilled || !m_run)
         return;
     each.isFilled = true;
-    each.plot->setSamples(m_run->samples);
+    each.plot->setRun(m_run);
     addMarkers(*each.plot);
     for (const Overlay& overlay : m_overlays)
-        each.plot->addOverlay(overlay.mark, objectNames(*overlay.run), {overlay.run, &overlay.run->samples});
+        each.plot->addOverlay(overlay.mark, overlay.run);
     if (m_visible_s)
         each.plot->setTimeRange(m_visible_s->first, m_visible_s->second);
 }
 
-/// What the chosen tab shows, made when it is looked at: a long run costs each plot its memory.
+/// What the chosen tab shows, made when it is looked at.
 void ReplayView::fillShown() {
     for (Plot& each : m_plots)
         if (each.plot == m_tabs->currentWidget())
@@ -194,24 +210,24 @@ void ReplayView::makeScene() {
     retranslate();
 }
 
-/// The whole way of the objects; of a long run not every sample, which nobody could tell.
 void ReplayView::fillScene() {
     if (m_scene == nullptr || !m_run)
         return;
-    constexpr std::size_t kMost = 20'000;
-    const std::size_t every = m_run->samples.size() / kMost + 1;
-    std::vector<TraceSample> some;
-    for (std::size_t k = 0; k < m_run->samples.size(); k += every)
-        some.push_back(m_run->samples[k]);
-    m_scene->setExperiment(m_run->experiment);
-    m_scene->setSamples(some);
+    m_scene->setExperiment(m_run->facts().experiment);
+    m_scene->setSamples(m_way);
+}
+
+void ReplayView::setWay(std::vector<TraceSample> way) {
+    m_way = std::move(way);
+    fillScene();
+    showScene();
 }
 
 void ReplayView::addMarkers(TracePlot& plot) const {
-    for (const TraceEvent& event : m_run->events)
+    for (const TraceEvent& event : m_run->facts().events)
         if (const QString word = markerWord(event.message.code); !word.isEmpty())
             plot.addMarker(event.time_s, word);
-    for (const TraceNote& note : m_run->notes)
+    for (const TraceNote& note : m_run->facts().notes)
         plot.addMarker(note.time_s, QString::fromStdString(note.text));
 }
 
@@ -219,32 +235,40 @@ void ReplayView::addMarkers(TracePlot& plot) const {
 void ReplayView::makeTiles() {
     qDeleteAll(m_tiles);
     m_tiles.clear();
-    const std::size_t count = m_run->experiment.objects.size();
+    const std::vector<ObjectSpec>& objects = m_run->facts().experiment.objects;
+    const std::size_t count = objects.size();
     const auto perRow = static_cast<int>(count <= 4 ? std::max<std::size_t>(count, 1) : (count + 1) / 2);
     for (int i = 0; i < static_cast<int>(count); ++i) {
         auto* tile = new ObjectTile(i, m_tileArea);
         tile->setObjectName(QStringLiteral("reviewTile.%1").arg(i)); // others of its kind are on the Run page
         tile->setName(m_names[i]);
         tile->setTemperatureUnit(m_unit);
-        tile->clear(m_run->experiment.objects[static_cast<std::size_t>(i)].target_K);
+        tile->clear(objects[static_cast<std::size_t>(i)].target_K);
         m_tileLayout->addWidget(tile, i / perRow, i % perRow);
         m_tiles.push_back(tile);
     }
 }
 
-/// The newest sample at or before a time, else the first.
-std::size_t ReplayView::rowAt(double time_s) const {
-    const auto after = std::ranges::upper_bound(m_run->samples, time_s, {}, &TraceSample::time_s);
-    return static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - m_run->samples.begin(), 1) - 1);
+/// Takes the sample of a moment.
+void ReplayView::showTiles(double time_s) {
+    m_sample.reset();
+    const auto past = samplesUntil(*m_run, time_s);
+    if (!past) {
+        for (std::size_t i = 0; i < m_tiles.size(); ++i)
+            m_tiles[i]->clear(m_run->facts().experiment.objects[i].target_K);
+        if (!std::exchange(m_isFailureTold, true))
+            emit readFailed(past.error());
+        return;
+    }
+    m_sample = past->back();
+    for (std::size_t i = 0; i < m_tiles.size(); ++i)
+        m_tiles[i]->setMoment(*past, past->size() - 1, i);
 }
 
 void ReplayView::showMoment(double time_s) {
-    if (!m_run || m_run->samples.empty())
+    if (!m_run || m_run->size() == 0)
         return;
-    m_row = rowAt(time_s);
-    const auto count = std::min(m_tiles.size(), m_run->samples[m_row].objects.size());
-    for (std::size_t i = 0; i < count; ++i)
-        m_tiles[i]->setMoment(m_run->samples, m_row, i);
+    showTiles(time_s);
     for (const Plot& each : m_plots)
         each.plot->setPosition(time_s);
     if (m_visible_s && (time_s < m_visible_s->first || time_s > m_visible_s->second)) { // turn the page
@@ -262,19 +286,18 @@ bool ReplayView::isSceneShown() const {
 }
 
 void ReplayView::showScene() {
-    if (!isSceneShown())
+    if (!isSceneShown() || !m_sample)
         return;
-    const TraceSample& sample = m_run->samples[m_row];
     std::vector<double> temperatures_K;
-    for (const ObjectSample& object : sample.objects)
+    for (const ObjectSample& object : m_sample->objects)
         temperatures_K.push_back(object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN());
-    m_scene->setPose(sample.coordinates);
-    m_scene->setSourcePose(sample.source);
+    m_scene->setPose(m_sample->coordinates);
+    m_scene->setSourcePose(m_sample->source);
     m_scene->setTemperatures(temperatures_K);
 }
 
-bool ReplayView::addOverlay(std::shared_ptr<const SessionRecord> run) {
-    const auto same = [&](const SessionRecord& other) { return other.path == run->path; };
+bool ReplayView::addOverlay(std::shared_ptr<RecordedSession> run) {
+    const auto same = [&](const RecordedSession& other) { return other.facts().path == run->facts().path; };
     if (!m_run || same(*m_run) || static_cast<int>(m_overlays.size()) >= kMostOverlays ||
         std::ranges::any_of(m_overlays, [&](const Overlay& overlay) { return same(*overlay.run); }))
         return false;
@@ -285,7 +308,7 @@ bool ReplayView::addOverlay(std::shared_ptr<const SessionRecord> run) {
 
 void ReplayView::removeOverlay(const QString& path) {
     std::erase_if(m_overlays,
-                  [&](const Overlay& overlay) { return overlay.run->path == path.toStdString(); });
+                  [&](const Overlay& overlay) { return overlay.run->facts().path == path.toStdString(); });
     showOverlays();
 }
 
@@ -307,7 +330,7 @@ void ReplayView::showOverlays() {
     for (std::size_t k = 0; k < m_overlays.size(); ++k) {
         Overlay& overlay = m_overlays[k];
         overlay.mark = QChar(static_cast<char16_t>(u'B' + k));
-        const QString path = QString::fromStdString(overlay.run->path);
+        const QString path = QString::fromStdString(overlay.run->facts().path);
         const QString file = QFileInfo(path).completeBaseName();
         auto* button = new QPushButton(
             overlayIcon(static_cast<int>(k), palette().color(QPalette::ButtonText), devicePixelRatioF()),
@@ -323,8 +346,7 @@ void ReplayView::showOverlays() {
         m_legendLayout->addWidget(button, static_cast<int>(k) / 2, 1 + static_cast<int>(k) % 2);
         for (const Plot& each : m_plots)
             if (each.isFilled)
-                each.plot->addOverlay(overlay.mark, objectNames(*overlay.run),
-                                      {overlay.run, &overlay.run->samples});
+                each.plot->addOverlay(overlay.mark, overlay.run);
     }
 }
 
@@ -334,6 +356,10 @@ void ReplayView::seek(double time_s) {
 
 void ReplayView::togglePlay() {
     m_transport->togglePlay();
+}
+
+void ReplayView::pause() {
+    m_transport->pause();
 }
 
 double ReplayView::position_s() const {

@@ -2,8 +2,9 @@
 // A recorded run played again: transport, tiles, traces and scene, by the widgets of the Run page.
 
 #include "engine/base/clock.h"
+#include "engine/base/message.h"
 #include "engine/base/units.h"
-#include "engine/session/session_file.h"
+#include "engine/session/recorded_session.h"
 
 #include <QWidget>
 
@@ -35,20 +36,28 @@ public:
     explicit ReplayView(QWidget* parent = nullptr);
     ~ReplayView() override;
 
-    /// Shows a run from its beginning, paused, without overlays.
-    void setRun(std::shared_ptr<const SessionRecord> run);
+    /// Shows a run from its beginning, paused, without overlays. Its samples are read where they are looked
+    /// at.
+    void setRun(std::shared_ptr<RecordedSession> run);
+    /// Some samples of the whole run: the way of the objects in the scene.
+    void setWay(std::vector<TraceSample> way);
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
     /// Draws another run over this one, if there is room: false when there is none, or when it is there
     /// already.
-    bool addOverlay(std::shared_ptr<const SessionRecord> run);
+    bool addOverlay(std::shared_ptr<RecordedSession> run);
     void removeOverlay(const QString& path);
 
     /// Moves the replay there, and the plots where they do not show that moment.
     void seek(double time_s);
     void togglePlay();
+    void pause();
     double position_s() const;
+
+signals:
+    /// A moment of the run cannot be read; told once a run.
+    void readFailed(const bask::Error& error);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -59,7 +68,7 @@ private:
         bool isFilled; ///< a plot is filled when it is looked at first
     };
     struct Overlay {
-        std::shared_ptr<const SessionRecord> run;
+        std::shared_ptr<RecordedSession> run;
         QString mark;
     };
 
@@ -74,15 +83,17 @@ private:
     void showOverlays();
     void makeTiles();
     void addMarkers(TracePlot& plot) const;
+    void showTiles(double time_s);
     bool isSceneShown() const;
-    std::size_t rowAt(double time_s) const;
     void retranslate();
 
     SteadyClock m_clock;
-    std::shared_ptr<const SessionRecord> m_run; ///< null: none
+    std::shared_ptr<RecordedSession> m_run; ///< null: none
+    std::vector<TraceSample> m_way;
     std::vector<Overlay> m_overlays;
     QStringList m_names;
-    std::size_t m_row = 0; ///< shown
+    std::optional<TraceSample> m_sample; ///< shown
+    bool m_isFailureTold = false;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     std::optional<std::pair<double, double>> m_visible_s; ///< on the time axis; empty: the whole run
 

@@ -1,6 +1,5 @@
 #include "widgets/review/review_page.h"
 
-#include "engine/session/run_metrics.h"
 #include "engine/session/session_header.h"
 #include "widgets/common/display.h"
 #include "widgets/common/event_list.h"
@@ -18,7 +17,6 @@
 #include <QEvent>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QFuture>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -28,7 +26,6 @@
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <QtConcurrentRun>
 
 #include <algorithm>
 #include <array>
@@ -36,12 +33,6 @@
 namespace bask {
 
 namespace {
-
-/// What takes long on a long run.
-struct Numbers {
-    std::vector<FinalValue> finals;
-    RunMetrics metrics;
-};
 
 // In the order of the export button's menu.
 constexpr std::array kForms{SessionForm::ReportPdf, SessionForm::ReportHtml, SessionForm::Figures,
@@ -184,6 +175,10 @@ QWidget* ReviewPage::buildDetails() {
     m_details = new QWidget(this);
     m_detail = new QComboBox(m_details);
     m_detail->setObjectName("reviewDetails");
+    m_counting = new QLabel(m_details);
+    m_counting->setObjectName("reviewCounting");
+    m_counting->setWordWrap(true);
+    m_counting->hide();
     auto* pages = new QStackedWidget(m_details);
     m_events = new EventList(pages);
     m_events->setObjectName("reviewEvents");
@@ -206,6 +201,7 @@ QWidget* ReviewPage::buildDetails() {
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(6);
     layout->addWidget(m_detail);
+    layout->addWidget(m_counting);
     layout->addWidget(pages, 1);
     return m_details;
 }
@@ -222,7 +218,7 @@ QWidget* ReviewPage::buildRun() {
     return box;
 }
 
-void ReviewPage::setSession(std::shared_ptr<const SessionRecord> session, const QStringList& eventSentences) {
+void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStringList& eventSentences) {
     m_sentences = eventSentences;
     if (session == m_session)
         return showEvents();
@@ -231,9 +227,12 @@ void ReviewPage::setSession(std::shared_ptr<const SessionRecord> session, const 
     m_useIdentified->setEnabled(false);
     m_identifiedNote->clear();
     m_identifying = true;
+    m_counted_percent.reset();
+    m_isCountFailed = false;
+    m_final->setValues({});
+    m_metrics->clear();
     m_replay->setRun(m_session);
     m_sessions->setComparable(true);
-    count();
     showEvents();
     refreshTexts();
     if (m_stack->currentIndex() == 0)
@@ -248,21 +247,30 @@ void ReviewPage::showRun(bool isOpen) {
     m_splitter->setSizes(isOpen ? QList<int>{430, 760} : QList<int>{720, 470});
 }
 
-void ReviewPage::count() {
-    m_final->setValues({});
-    m_metrics->clear();
-    const auto session = m_session;
-    QtConcurrent::run([session] {
-        return std::make_shared<Numbers>(Numbers{finalValues(*session), runMetrics(*session)});
-    }).then(this, [this, session](const std::shared_ptr<Numbers>& numbers) {
-        if (session != m_session) // another one was opened meanwhile
-            return;
-        QStringList names;
-        for (const ObjectSpec& object : session->experiment.objects)
-            names << QString::fromStdString(object.name);
-        m_final->setValues(numbers->finals);
-        m_metrics->setMetrics(names, numbers->metrics);
-    });
+void ReviewPage::setCounting(int percent) {
+    m_counted_percent = percent;
+    showCounting();
+}
+
+void ReviewPage::showCounting() {
+    if (m_counted_percent)
+        m_counting->setText(
+            tr("Metrics, final values and heat rates are being computed from all samples: %1 %")
+                .arg(*m_counted_percent));
+    else
+        m_counting->setText(
+            tr("No metrics, final values and heat rates: the recording cannot be read to its end."));
+    m_counting->setVisible(m_counted_percent || m_isCountFailed);
+}
+
+void ReviewPage::setMetrics(const RunMetrics& metrics) {
+    QStringList names;
+    for (const ObjectSpec& object : m_session->facts().experiment.objects)
+        names << QString::fromStdString(object.name);
+    m_counted_percent.reset();
+    showCounting();
+    m_final->setValues(finalValues(names, metrics));
+    m_metrics->setMetrics(names, metrics);
 }
 
 void ReviewPage::setIdentified(const std::vector<IdentifiedRow>& rows) {
@@ -279,6 +287,13 @@ void ReviewPage::setIdentified(const std::vector<IdentifiedRow>& rows) {
 void ReviewPage::setIdentificationFailed(const QString& sentence) {
     setIdentified({});
     m_identifiedNote->setText(sentence);
+}
+
+void ReviewPage::setCountFailed() {
+    setIdentified({});
+    m_counted_percent.reset();
+    m_isCountFailed = true;
+    showCounting();
 }
 
 void ReviewPage::clear() {
@@ -305,12 +320,12 @@ void ReviewPage::showEvents() {
         EventKind kind;
     };
     std::vector<Line> lines;
-    for (std::size_t i = 0; i < m_session->events.size(); ++i) {
-        const TraceEvent& event = m_session->events[i];
+    for (std::size_t i = 0; i < m_session->facts().events.size(); ++i) {
+        const TraceEvent& event = m_session->facts().events[i];
         lines.push_back(
             {event.time_s, m_sentences.value(static_cast<qsizetype>(i)), eventKind(event.message.code)});
     }
-    for (const TraceNote& note : m_session->notes)
+    for (const TraceNote& note : m_session->facts().notes)
         lines.push_back({note.time_s, QString::fromStdString(note.text), EventKind::Note});
     std::ranges::stable_sort(lines, {}, &Line::time_s);
     m_events->clear();
@@ -319,21 +334,21 @@ void ReviewPage::showEvents() {
 }
 
 void ReviewPage::showOutcome() {
-    const Outcome outcome = outcomeOf(m_session->outcome);
+    const Outcome outcome = outcomeOf(m_session->facts().outcome);
     m_outcomeIcon->setPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
-    m_outcomeWord->setText(outcome == Outcome::Other ? QString::fromStdString(m_session->outcome)
+    m_outcomeWord->setText(outcome == Outcome::Other ? QString::fromStdString(m_session->facts().outcome)
                                                      : outcomeWord(outcome));
     m_outcomeWord->setToolTip(outcomeText());
     m_outcome.value->setText(outcomeText());
 }
 
 QString ReviewPage::outcomeText() const {
-    const std::string& outcome = m_session->outcome;
+    const std::string& outcome = m_session->facts().outcome;
     if (outcome == kOutcomeInterrupted)
         return tr(
             "Interrupted: the recording ended without a Stop, and was closed later. What had been written "
             "is here.");
-    if (m_session->interrupted())
+    if (m_session->facts().interrupted())
         return tr("Interrupted: the recording ended without a Stop. What had been written is here.");
     if (outcome == "settled")
         return tr("All objects settled");
@@ -373,6 +388,7 @@ void ReviewPage::refreshTexts() {
            "objects of the same name and material under the same source."));
     if (m_identifying)
         m_identifiedNote->setText(tr("Fitting the heat balance to the record\u2026"));
+    showCounting();
     const QPalette caption = captionPalette(palette());
     const std::initializer_list<std::pair<Fact, QString>> facts{{m_outcome, tr("Outcome")},
                                                                 {m_duration, tr("Duration")},
@@ -386,19 +402,19 @@ void ReviewPage::refreshTexts() {
     }
     if (!m_session)
         return;
-    const QString path = QString::fromStdString(m_session->path);
+    const QString path = QString::fromStdString(m_session->facts().path);
     m_file->setText(QFileInfo(path).fileName());
     m_file->setToolTip(path);
-    m_tag->setText(m_session->simulated ? tr("SIMULATED") : tr("LIVE"));
+    m_tag->setText(m_session->facts().simulated ? tr("SIMULATED") : tr("LIVE"));
     showOutcome();
-    m_duration.value->setText(m_session->samples.empty() ? kNoValue
-                                                         : formatDuration(m_session->samples.back().time_s));
-    m_controller.value->setText(controllerWord(m_session->experiment.controller.kind));
-    const QDateTime created = QDateTime::fromString(QString::fromStdString(m_session->created), Qt::ISODate);
+    m_duration.value->setText(m_session->size() == 0 ? kNoValue : formatDuration(m_session->lastTime_s()));
+    m_controller.value->setText(controllerWord(m_session->facts().experiment.controller.kind));
+    const QDateTime created =
+        QDateTime::fromString(QString::fromStdString(m_session->facts().created), Qt::ISODate);
     m_created.value->setText(created.isValid()
                                  ? QLocale().toString(created.toLocalTime(), QLocale::ShortFormat)
-                                 : QString::fromStdString(m_session->created));
-    m_software.value->setText(QString::fromStdString(m_session->software));
+                                 : QString::fromStdString(m_session->facts().created));
+    m_software.value->setText(QString::fromStdString(m_session->facts().software));
 }
 
 void ReviewPage::changeEvent(QEvent* event) {

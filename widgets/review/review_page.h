@@ -3,12 +3,14 @@
 // events and notes.
 
 #include "engine/base/units.h"
-#include "engine/session/session_file.h"
+#include "engine/session/recorded_session.h"
+#include "engine/session/run_metrics.h"
 #include "widgets/review/session_form.h"
 
 #include <QWidget>
 
 #include <memory>
+#include <optional>
 
 class QComboBox;
 class QLabel;
@@ -29,8 +31,8 @@ struct IdentifiedRow;
 /// Reading and exporting are the receiver's work. Object names for tests: "openSession", "openSessionEmpty",
 /// "exportSession", "sessionTag", "sessionFile", "factCreated", "factDuration", "factController",
 /// "factOutcome", "factSoftware", "finalValues", "identifiedRates", "identifiedNote", "useIdentified",
-/// "reviewEvents", "reviewDetails" (which of these is shown), and those of SessionList, ReplayView and
-/// MetricsPanel.
+/// "reviewEvents", "reviewDetails" (which of these is shown), "reviewCounting", and those of SessionList,
+/// ReplayView and MetricsPanel.
 class ReviewPage : public QWidget {
     Q_OBJECT
 
@@ -39,12 +41,18 @@ public:
     ~ReviewPage() override;
 
     /// Shows a run; `eventSentences` are its events translated, in their order. The one that is shown already
-    /// only gets its sentences. Metrics and final values follow, from a thread of their own.
-    void setSession(std::shared_ptr<const SessionRecord> session, const QStringList& eventSentences);
+    /// only gets its sentences. Metrics, final values and heat rates take all samples of the run: the
+    /// receiver counts them and sets them when they are there.
+    void setSession(std::shared_ptr<RecordedSession> session, const QStringList& eventSentences);
+    /// How far that has come.
+    void setCounting(int percent);
+    void setMetrics(const RunMetrics& metrics);
     /// Heat rates from the record, found by the receiver after setSession; until then they are said to be on
     /// their way.
     void setIdentified(const std::vector<IdentifiedRow>& rows);
     void setIdentificationFailed(const QString& sentence);
+    /// None of the three can be told: the recording cannot be read to its end.
+    void setCountFailed();
     void clear();
     void setTemperatureUnit(TemperatureUnit unit);
 
@@ -74,20 +82,21 @@ private:
     QWidget* buildHeader(QWidget* parent);
     QWidget* buildFacts(QWidget* parent);
     QWidget* buildIdentified(QWidget* parent);
-    void count();
+    void showCounting();
     void showRun(bool isOpen);
     void showEvents();
     void refreshTexts();
     void showOutcome();
     QString outcomeText() const;
 
-    std::shared_ptr<const SessionRecord> m_session; ///< null: none open
+    std::shared_ptr<RecordedSession> m_session; ///< null: none open
     QStringList m_sentences;
 
     QSplitter* m_splitter;
     SessionList* m_sessions;
     QWidget* m_details;
     QComboBox* m_detail;
+    QLabel* m_counting;
     QStackedWidget* m_stack;
     QLabel* m_emptyTitle;
     QLabel* m_emptyText;
@@ -106,6 +115,8 @@ private:
     QLabel* m_identifiedNote;
     QPushButton* m_useIdentified;
     bool m_identifying = false;
+    std::optional<int> m_counted_percent; ///< while it lasts
+    bool m_isCountFailed = false;
     EventList* m_events;
 };
 

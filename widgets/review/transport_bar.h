@@ -26,6 +26,7 @@ public:
     void setSpan(double begin_s, double end_s);
     void seek(double time_s);
     void togglePlay();
+    void pause();
     double position_s() const { return m_replay.position_s(); }
 
 signals:
@@ -36,7 +37,6 @@ protected:
     void hideEvent(QHideEvent* event) override;
 
 private:
-    void pause();
     void tick();
     void showPosition();
     void showButton();

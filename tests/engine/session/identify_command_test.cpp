@@ -38,6 +38,13 @@ void record(const Experiment& experiment, const QString& session) {
     ASSERT_TRUE(outcome) << describe(outcome.error());
 }
 
+std::vector<IdentifiedRates> identifySession(const SessionRecord& session) {
+    HeatRecords records(session);
+    for (const TraceSample& sample : session.samples)
+        records.add(sample);
+    return records.identify();
+}
+
 void expectNear(const Estimate& estimate, double truth, double relative) {
     EXPECT_NEAR(estimate.value, truth, 4.0 * estimate.standardError);
     EXPECT_NEAR(estimate.value / truth, 1.0, relative);
@@ -93,6 +100,42 @@ TEST(SessionIdentification, LeavesOutWhatComesAfterStop) {
         session->samples.push_back(sample);
     }
     EXPECT_EQ(identifySession(*session).front().lambda1.value, before.lambda1.value);
+}
+
+// Catches: a day that takes a day's memory, and rates that are others for it.
+TEST(SessionIdentification, OfALongRunItKeepsSomeSamplesAndFindsTheSameRates) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("run.bask");
+    ASSERT_NO_FATAL_FAILURE(record(threeObjects(), path));
+    auto session = readSession(path.toStdString());
+    ASSERT_TRUE(session);
+    const std::vector<TraceSample> once = session->controlledSamples();
+    session->events.clear();
+    session->samples = once;
+    const IdentifiedRates some = identifySession(*session).front();
+    ASSERT_TRUE(some.usable());
+    // The same run, so many samples in the place of each that they are too many.
+    const auto times = static_cast<int>(5 * HeatRecords::kMost / 2 / once.size() + 1);
+    HeatRecords records(*session);
+    for (std::size_t k = 0; k + 1 < once.size(); ++k)
+        for (int j = 0; j < times; ++j) {
+            TraceSample sample = once[k];
+            const double share = static_cast<double>(j) / times;
+            sample.time_s += share * (once[k + 1].time_s - once[k].time_s);
+            for (std::size_t i = 0; i < sample.objects.size(); ++i) {
+                sample.objects[i].measured_K +=
+                    share * (once[k + 1].objects[i].measured_K - sample.objects[i].measured_K);
+                sample.objects[i].viewFactor +=
+                    share * (once[k + 1].objects[i].viewFactor - sample.objects[i].viewFactor);
+            }
+            records.add(sample);
+        }
+    EXPECT_LE(records.size(), HeatRecords::kMost);
+    EXPECT_GE(records.size(), HeatRecords::kMost / 2);
+    const IdentifiedRates all = records.identify().front();
+    ASSERT_TRUE(all.usable()) << describe(all.reason);
+    EXPECT_NEAR(all.lambda1.value / some.lambda1.value, 1.0, 0.02);
+    EXPECT_NEAR(all.lambda2.value / some.lambda2.value, 1.0, 0.05); // known to some per cent only
 }
 
 // Catches: a file of start values that is not the session's experiment, or that the next run does not start

@@ -151,5 +151,44 @@ TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
     EXPECT_NEAR(metrics.objects[0].pathLength_m, way_m, 1e-12);
 }
 
+/// Since when an object with these errors, one sample a second, is settled.
+std::optional<double> settledFrom_s(const std::vector<double>& errors_K, bool truth = true,
+                                    double band_K = kSettledBand_K, double firstTarget_K = kTarget_K) {
+    SessionRecord record;
+    record.experiment = testing::twoDisks();
+    record.experiment.objects.resize(1);
+    for (const double error_K : errors_K) {
+        ObjectSample object;
+        object.target_K = record.samples.empty() ? firstTarget_K : kTarget_K;
+        object.true_K = truth ? kTarget_K + error_K : kNaN;
+        object.estimated_K = truth ? 1000.0 : kTarget_K + error_K;
+        TraceSample sample;
+        sample.time_s = static_cast<double>(record.samples.size());
+        sample.objects.push_back(object);
+        record.samples.push_back(sample);
+    }
+    return runMetrics(record, band_K).objects[0].settledFrom_s;
+}
+
+TEST(RunMetrics, SettledIsFromTheLastEntryIntoTheBand) {
+    EXPECT_EQ(settledFrom_s({-5, 0, 2, -0.4, 0.3, 0.1}), 3.0);
+    EXPECT_FALSE(settledFrom_s({-5, 0, 0, 0, 0.6})) << "outside at the end";
+    EXPECT_EQ(settledFrom_s({0.1, 0, 0}), 0.0);
+    EXPECT_EQ(settledFrom_s({-5, 0.2, 0.2}, false), 1.0) << "by the estimate where there is no truth";
+    EXPECT_EQ(settledFrom_s({-5, 0.9, 0.2}, true, 1.0), 1.0);
+    EXPECT_EQ(settledFrom_s({0, kNaN, 0}, false), 2.0) << "an unknown temperature is outside";
+    EXPECT_EQ(settledFrom_s({0, 0, 0, 0}, true, kSettledBand_K, 330.0), 1.0) << "of the target then";
+}
+
+// Catches: the last sample taken from the retreat.
+TEST(RunMetrics, TheLastSampleIsThatAtStop) {
+    SessionRecord record = recordOf(10.0, [](double t) { return 300.0 + t; });
+    record.events.push_back({6.0, {MessageCode::EventStopped, {}}});
+    const RunMetrics metrics = runMetrics(record);
+    EXPECT_EQ(metrics.last.time_s, 6.0);
+    EXPECT_EQ(metrics.last.objects.at(0).true_K, 306.0);
+    EXPECT_TRUE(runMetrics(SessionRecord()).last.objects.empty());
+}
+
 } // namespace
 } // namespace bask

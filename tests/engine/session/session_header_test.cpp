@@ -1,7 +1,7 @@
 // Lists of sessions, their tags, and the end of a recording that was cut off.
 
 #include "engine/base/message_code.h"
-#include "engine/session/session_file.h"
+#include "engine/session/recorded_session.h"
 #include "engine/session/session_header.h"
 #include "tests/engine/session/recording.h"
 
@@ -14,6 +14,9 @@
 #include <QTemporaryDir>
 
 #include <algorithm>
+#include <atomic>
+#include <optional>
+#include <thread>
 
 namespace bask {
 namespace {
@@ -199,6 +202,26 @@ TEST_F(SessionHeaderTest, ReadingDoesNotGrowWithTheRun) {
         ASSERT_EQ(readSessionHeader(path).samples, 20'000U);
     RecordProperty("ms_each", std::to_string(static_cast<double>(timer.elapsed()) / 100.0));
     EXPECT_LT(timer.elapsed(), 3000) << "100 headers";
+}
+
+// Catches a recording that cannot be given its end because a page shows it.
+TEST_F(SessionHeaderTest, ARunThatIsShownCanBeClosed) {
+    const std::string path = killed("shown.bask");
+    const auto session = RecordedSession::open(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    ASSERT_TRUE((*session)->sampleAt(0.5));
+    std::optional<Result<void>> done;
+    std::atomic<bool> isOver = false;
+    std::thread closing([&] {
+        done = closeInterrupted(path);
+        isOver = true;
+    });
+    while (!isOver)
+        QCoreApplication::processEvents(QEventLoop::AllEvents, 20);
+    closing.join();
+    ASSERT_TRUE(*done) << describe(done->error());
+    EXPECT_EQ(readSessionHeader(path).outcome, kOutcomeInterrupted);
+    EXPECT_TRUE((*session)->sampleAt(1.0));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace bask;
@@ -126,4 +127,33 @@ TEST(TraceColumns, AFallingLineFalls) {
     ASSERT_GT(line.values.size(), 100u);
     for (std::size_t k = 3; k < line.values.size(); ++k)
         EXPECT_LE(line.values[k], line.values[k - 1]) << k;
+}
+
+// Catches a view between samples and overview that draws far more points than pixels, or loses what is
+// narrower than one, or lets the picture flicker when it is moved.
+TEST(TraceColumns, SamplesDenserThanPixelsAreDrawnByTheirExtremes) {
+    TraceColumns columns;
+    columns.reset(1);
+    columns.keepAll();
+    std::vector<TraceSample> samples;
+    for (int k = 0; k < 20'000; ++k)
+        samples.push_back(sampleAt(0.1 * k,
+                                   k == 7777   ? 400.0
+                                   : k == 8888 ? 250.0
+                                               : 300.0 + 0.1 * (k % 3),
+                                   313.0, k < 9000 || k >= 9100));
+    columns.append(samples);
+    int reads = 0;
+    const auto line = columns.line(Quantity::Temperature, 0, 500.0, 1100.0, 700, reads); // 6000 samples
+    EXPECT_LE(line.values.size(), 2U * 720U);
+    EXPECT_GE(line.values.size(), 1200U) << "finer than the overview's 375 stretches";
+    EXPECT_EQ(greatest(line), 400.0);
+    EXPECT_EQ(*std::ranges::min_element(line.values, {}, [](double v) { return std::isnan(v) ? 1e9 : v; }),
+              250.0);
+    EXPECT_GT(std::ranges::count_if(line.values, [](double v) { return std::isnan(v); }), 10) << "the gap";
+    for (std::size_t k = 1; k < line.times_s.size(); ++k)
+        ASSERT_GE(line.times_s[k], line.times_s[k - 1]);
+    // Moved by less than a stretch: the same samples go together.
+    const auto moved = columns.line(Quantity::Temperature, 0, 500.5, 1100.5, 700, reads);
+    EXPECT_EQ(moved.times_s, line.times_s);
 }

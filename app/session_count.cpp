@@ -1,0 +1,62 @@
+#include "app/session_count.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr std::size_t kMostOfWay = 10'000; // samples; nobody could tell more of them in the scene
+
+} // namespace
+
+Result<SessionNumbers> countSession(const SessionRecord& facts, std::size_t samples,
+                                    std::atomic<std::size_t>& done, const std::stop_token& stop) {
+    RunMetricsCount metrics(facts);
+    HeatRecords heat(facts);
+    std::vector<TraceSample> way;
+    const std::size_t every = samples / kMostOfWay + 1;
+    const auto read = readSamples(
+        facts.path,
+        [&](const TraceSample& sample) {
+            metrics.add(sample);
+            heat.add(sample);
+            if (done++ % every == 0)
+                way.push_back(sample);
+        },
+        stop);
+    if (!read)
+        return read.error();
+    if (stop.stop_requested()) // nobody will hear of it
+        return SessionNumbers{metrics.metrics(), {}, SessionRates()};
+    return SessionNumbers{metrics.metrics(), std::move(way), sessionRates(facts, heat)};
+}
+
+SessionCount::SessionCount() {
+    m_timer.setInterval(kInterval_ms);
+    connect(&m_timer, &QTimer::timeout, this, [this] {
+        emit progressed(static_cast<int>(std::min<std::size_t>(*m_done * 100 / m_samples, 100)));
+    });
+}
+
+void SessionCount::start(const RecordedSession& session) {
+    m_done = std::make_shared<std::atomic<std::size_t>>(0);
+    m_samples = std::max<std::size_t>(session.size(), 1);
+    m_timer.start();
+    m_job.run([facts = session.facts(), samples = m_samples, done = m_done](
+                  const std::stop_token& stop) { return countSession(facts, samples, *done, stop); },
+              [this](Result<SessionNumbers> numbers) {
+                  m_timer.stop();
+                  if (numbers)
+                      emit counted(std::make_shared<const SessionNumbers>(std::move(*numbers)));
+                  else
+                      emit failed(numbers.error());
+              });
+}
+
+void SessionCount::stop() {
+    m_timer.stop();
+    m_job.forget();
+}
+
+} // namespace bask

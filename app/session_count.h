@@ -1,0 +1,53 @@
+#pragma once
+// What takes all samples of a recorded run: its metrics, the way of its objects, its heat rates. One pass
+// over the file, off the GUI thread.
+
+#include "app/session_rates.h"
+#include "engine/session/recorded_session.h"
+#include "engine/session/run_metrics.h"
+#include "widgets/common/latest_job.h"
+
+#include <QObject>
+#include <QTimer>
+
+#include <atomic>
+#include <memory>
+#include <vector>
+
+namespace bask {
+
+struct SessionNumbers {
+    RunMetrics metrics;
+    std::vector<TraceSample> way; ///< some samples from all over the run
+    Result<SessionRates> rates;
+};
+
+/// Any thread; `done` goes up to the number of samples. Errors: those of readSamples.
+Result<SessionNumbers> countSession(const SessionRecord& facts, std::size_t samples,
+                                    std::atomic<std::size_t>& done, const std::stop_token& stop = {});
+
+class SessionCount : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr int kInterval_ms = 250; ///< between progressed()
+
+    SessionCount();
+
+    /// Instead of the one that may be on.
+    void start(const RecordedSession& session);
+    void stop();
+
+signals:
+    void progressed(int percent);
+    void counted(std::shared_ptr<const bask::SessionNumbers> numbers);
+    void failed(const bask::Error& error);
+
+private:
+    LatestJob<Result<SessionNumbers>> m_job;
+    std::shared_ptr<std::atomic<std::size_t>> m_done;
+    std::size_t m_samples = 0;
+    QTimer m_timer;
+};
+
+} // namespace bask
