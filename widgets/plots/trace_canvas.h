@@ -126,6 +126,8 @@ private:
     QLabel* m_readout = nullptr;
 
     QTimer m_timer;
+    QTimer m_rest; ///< runs while a person moves the time axis, and a moment longer
+    QCPRange m_drawnRange;
     QElapsedTimer m_sinceReplot;
     int m_readsPerFrame = 3; ///< blocks of a recorded run, 3 ms each
     bool m_pointsAreOld = true;

@@ -16,6 +16,7 @@ namespace bask {
 namespace {
 
 constexpr int kReplotInterval_ms = 30;
+constexpr int kRest_ms = 300;
 constexpr double kShortestFollow_s = 60.0;
 constexpr double kShortestZoom_s = 2.0;
 constexpr int kRoomForTimeLabel = 190; // px
@@ -26,6 +27,8 @@ void TracePlot::Canvas::connectInteraction() {
     setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
     m_timer.setSingleShot(true);
     connect(&m_timer, &QTimer::timeout, this, [this] { redrawNow(); });
+    m_rest.setSingleShot(true);
+    connect(&m_rest, &QTimer::timeout, this, [this] { schedule(); });
     connect(this, &QCustomPlot::afterReplot, this, [this] { m_isDrawn = true; });
     connect(this, &QCustomPlot::beforeReplot, this, [this] { updatePoints(); }); // dragging draws by itself
     connect(this, &QCustomPlot::afterLayout, this, [this] {
@@ -95,6 +98,9 @@ void TracePlot::Canvas::redrawNow() {
     const double reference = quantity == Quantity::Speed ? 100.0 : 0.0;
     m_reference->point1->setCoords(0.0, reference);
     m_reference->point2->setCoords(1.0, reference);
+    if (!follow && xAxis->range() != m_drawnRange)
+        m_rest.start(kRest_ms);
+    m_drawnRange = xAxis->range();
     fitPensToDensity();
     replot(QCustomPlot::rpQueuedReplot);
     m_sinceReplot.start();

@@ -126,15 +126,15 @@ void TracePlot::Canvas::retranslate() {
     schedule();
 }
 
-/// A thick line with dashes takes thirty times as long as a plain one, a thin one another tenth: plain where
-/// samples stand so close that dashes cannot be told apart, thin where they are denser than pixels.
+/// A thick line with dashes takes thirty times as long as a plain one, a thin one another tenth: while it is
+/// moved it is plain where samples stand close, and always plain and thin where they are denser than pixels.
 void TracePlot::Canvas::fitPensToDensity() {
     const QCPRange time = xAxis->range();
     const std::size_t visible = columns.samplesBetween(time.lower, time.upper);
     const int width = std::max(1, axisRect()->width());
-    const Density density = std::cmp_greater(visible, width)       ? Density::Dense
-                            : std::cmp_greater(4 * visible, width) ? Density::Close
-                                                                   : Density::Loose;
+    const Density density = std::cmp_greater(visible, width)                            ? Density::Dense
+                            : m_rest.isActive() && std::cmp_greater(4 * visible, width) ? Density::Close
+                                                                                        : Density::Loose;
     for (int i = 0; i < m_series.size(); ++i) {
         const QPen pen = penOfSeries(i);
         m_series[i]->setPen(density == Density::Loose ? pen : plainPen(pen, density));
