@@ -90,6 +90,9 @@ void MainWindow::apply(const Snapshot& snapshot) {
 }
 
 void MainWindow::perform(Verb verb) {
+    // Before the order goes out: no reset or load of the recipe's may follow it.
+    if (verb == Verb::Hold || verb == Verb::Stop || verb == Verb::EmergencyStop)
+        m_recipe->takeOver();
     switch (verb) {
     case Verb::Arm:
         return m_last.simulated ? arm() : askArm();

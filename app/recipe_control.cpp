@@ -259,6 +259,18 @@ void RecipeControl::apply(const Snapshot& snapshot) {
     m_runner->setKeepsExperiment(m_document.modified());
     post(m_runner->take(snapshot));
     showPanel();
+    tellEnd();
+}
+
+void RecipeControl::takeOver() {
+    if (!isOn())
+        return;
+    m_runner->takeOver();
+    showPanel();
+    tellEnd();
+}
+
+void RecipeControl::tellEnd() {
     if (m_runner->isOver()) {
         const bool isDone = m_runner->end() == RecipeEnd::Done;
         QString text = endWords(m_runner->end());

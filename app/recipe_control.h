@@ -26,6 +26,8 @@ public:
     /// Unsaved edits of the recipe may be lost: asks. False: stay.
     bool mayDiscard();
     void apply(const Snapshot& snapshot);
+    /// A person is about to stop or hold the rig.
+    void takeOver();
     bool isOn() const { return m_runner && !m_runner->isOver(); }
 
 signals:
@@ -49,6 +51,7 @@ private:
     void begin(RecipeExperiments experiments);
     void post(const std::vector<Command>& commands);
     void showPanel();
+    void tellEnd();
 
     Document& m_document;
     SessionActions& m_files;

@@ -94,6 +94,11 @@ std::vector<Command> RecipeRunner::stopNow() {
     return std::move(m_orders);
 }
 
+void RecipeRunner::takeOver() {
+    if (m_phase != Phase::Over)
+        finishAll(State::Stopped, RecipeEnd::TakenOver);
+}
+
 void RecipeRunner::enter(std::size_t step) {
     m_step = step;
     m_progress[step].state = State::Underway;

@@ -58,6 +58,9 @@ public:
     std::vector<Command> begin(const Snapshot& now);
     std::vector<Command> take(const Snapshot& snapshot);
     std::vector<Command> stopNow();
+    /// A person stops or holds the rig in this moment: nothing is asked of the engine any more, also not by
+    /// what it told before.
+    void takeOver();
     void setStopAfterStep(bool isWanted) { m_isLast = isWanted; }
     bool stopsAfterStep() const { return m_isLast; }
     /// What is open must not be replaced: ends where another experiment would be loaded.

@@ -241,6 +241,18 @@ TEST_F(Runner, resetsOnlyWhatALoadLatches) {
     EXPECT_EQ(runner->end(), RecipeEnd::Fault);
 }
 
+// Catches a reset by what the engine told before a person pressed STOP, which follows STOP and clears it.
+TEST_F(Runner, asksForNothingOnceAPersonTakesOver) {
+    begin({run("a"), run("b")});
+    load();
+    snapshot.reasons = {{MessageCode::SafetyStartUp, {}}};
+    runner->takeOver();
+    EXPECT_EQ(take(RunState::Fault), "");
+    EXPECT_EQ(runner->end(), RecipeEnd::TakenOver);
+    EXPECT_EQ(at(0).state, State::Stopped);
+    EXPECT_EQ(at(1).state, State::Waiting);
+}
+
 TEST_F(Runner, aFaultEndsItWhereverItIs) {
     RecipeStep first = run("a");
     first.goesOn = true;
