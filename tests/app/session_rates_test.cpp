@@ -12,7 +12,7 @@ namespace {
 /// A run of the three objects with wrong beliefs, recorded and read again.
 const SessionRecord& recorded() {
     static const SessionRecord record = [] {
-        Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+        Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
         experiment.controller.believedRateErrorFactor = 3.0;
         const QTemporaryDir folder;
         const std::string path = folder.filePath("run.bask").toStdString();

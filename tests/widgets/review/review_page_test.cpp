@@ -38,7 +38,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 SessionRecord record() {
     SessionRecord session;
     session.path = "/data/runs/2026-03-14 morning.bask";
-    session.experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    session.experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
     session.created = "2026-03-14T09:26:53Z";
     session.software = "Bask 0.1.0";
     session.simulated = true;
