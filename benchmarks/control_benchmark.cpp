@@ -29,7 +29,7 @@ struct Bench {
 
 /// Half-way to the targets over the source, moving; `error_K` how far from them.
 std::optional<Bench> makeBench(benchmark::State& state, double error_K, double acceleration_m_s2) {
-    auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
+    auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
         return std::nullopt;
@@ -98,8 +98,8 @@ void lookUpRebuild(benchmark::State& state) {
 /// The verdict on all targets together, three objects and four axes: 100 ms at most on 2 cores, with the
 /// workspace sampled anew (a geometry was edited) or at hand (a target was). Line: the search finds nothing
 /// and tries all its starts.
-void jointFeasibilityOf(benchmark::State& state, const char* name, bool atHand) {
-    const auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/" + name);
+void jointFeasibilityOf(benchmark::State& state, const std::string& name, bool atHand) {
+    const auto experiment = readExperiment(BASK_EXAMPLES "/" + name);
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
         return;
@@ -114,7 +114,7 @@ void jointFeasibilityOf(benchmark::State& state, const char* name, bool atHand) 
 
 /// Baseline: the best of a grid of 1.5 million poses, without gradients. How far off it still is: best_K.
 void feasibilityByGrid(benchmark::State& state) {
-    const auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
+    const auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
         return;
@@ -132,7 +132,7 @@ void feasibilityByGrid(benchmark::State& state) {
 /// Told at every edit on the Objects page, on the GUI thread: 5 ms at most. At worst six outlines over a
 /// round source, all axes free: as many as the axes, dependent, so that the whole sample is looked at.
 void mountingRemarksOf(benchmark::State& state, bool worst, int polygonPoints) {
-    auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
+    auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
         return;

@@ -10,8 +10,8 @@
 namespace bask {
 namespace {
 
-void runExample(benchmark::State& state, const char* name, std::optional<double> duration_s) {
-    const auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/" + name);
+void runExample(benchmark::State& state, const std::string& name, std::optional<double> duration_s) {
+    const auto experiment = readExperiment(BASK_EXAMPLES "/" + name);
     if (!experiment) {
         state.SkipWithError(describe(experiment.error()).c_str());
         return;

@@ -30,8 +30,8 @@ const Vector6d kNear = at(0.10, 0.0, 0.0003);                   // over the rim,
 const Shape kDiskSource = Disk{0.15};
 const Shape kDisk = Disk{0.015};
 
-Contour outlineFrom(const char* name) {
-    const auto contour = readContourCsv(std::string(BASK_EXAMPLES) + "/contours/" + name, std::nullopt);
+Contour outlineFrom(const std::string& name) {
+    const auto contour = readContourCsv(BASK_EXAMPLES "/contours/" + name, std::nullopt);
     if (!contour)
         throw std::runtime_error(describe(contour.error()));
     return centred(*contour);

@@ -201,6 +201,10 @@ private:
 
 Result<OutlineFile> painted(const PlainSvg& plain, const std::string& where, double tolerance_m) {
     QSvgRenderer renderer;
+#if QT_VERSION >= QT_VERSION_CHECK(6, 7, 0)
+    // The limits are svg_filter's and ours. Qt's own leave out, in silence, what would take long to fill.
+    renderer.setOptions(QtSvg::AssumeTrustedSource);
+#endif
     if (!renderer.load(QByteArray::fromRawData(plain.xml.data(), static_cast<qsizetype>(plain.xml.size()))))
         return Error{MessageCode::NotSvg, where};
     Outlines outlines(plain.toPixels, tolerance_m);

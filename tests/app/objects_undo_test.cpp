@@ -43,7 +43,7 @@ struct ObjectsUndoTest : testing::Test {
                              if (refused || !document.edit(experiment, Page::Objects))
                                  show();
                          });
-        document.open(readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value(), {});
+        document.open(readExperiment(BASK_EXAMPLES "/three-objects.json").value(), {});
         page.resize(1150, 720);
         page.show();
         page.activateWindow();

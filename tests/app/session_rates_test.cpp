@@ -21,7 +21,7 @@ struct Recorded {
 
 const Recorded& recorded() {
     static const Recorded record = [] {
-        Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+        Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
         experiment.controller.believedRateErrorFactor = 3.0;
         const QTemporaryDir folder;
         const std::string path = folder.filePath("run.bask").toStdString();

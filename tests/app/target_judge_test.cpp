@@ -100,7 +100,7 @@ TEST_F(TargetJudgeTest, PredictsHowLongARunTakes) {
 }
 
 Experiment twoCircles(double first_degC, double second_degC) {
-    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/two-circles.json").value();
+    Experiment experiment = readExperiment(BASK_EXAMPLES "/two-circles.json").value();
     experiment.objects[0].target_K = kelvinFromCelsius(first_degC);
     experiment.objects[1].target_K = kelvinFromCelsius(second_degC);
     return experiment;

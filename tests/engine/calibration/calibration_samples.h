@@ -19,10 +19,10 @@
 namespace bask::test {
 
 inline std::string markersPath(const std::string& name) {
-    return std::string(BASK_TEST_DATA) + "/markers/" + name;
+    return BASK_TEST_DATA "/markers/" + name;
 }
 inline std::string viewPath(const std::string& name) {
-    return std::string(BASK_TEST_DATA) + "/calibration/" + name;
+    return BASK_TEST_DATA "/calibration/" + name;
 }
 inline std::vector<std::string> chessboardViews() {
     std::vector<std::string> paths;

@@ -132,8 +132,10 @@ TEST(CameraCalibration, TooLittleIsSaid) {
                 Eigen::Vector2d(300, 200) + 2000.0 * p + Eigen::Vector2d(noise(random), noise(random));
         }
     const auto parallel = calibrateCamera(flat, kBoard, 1280, 720, 5);
-    ASSERT_TRUE(parallel);
-    EXPECT_EQ(parallel->reasonAgainst().value().code, MessageCode::ViewsStraightOn);
+    if (parallel) // OpenCV 4.6 has a camera for them, 4.10 none
+        EXPECT_EQ(parallel->reasonAgainst().value().code, MessageCode::ViewsStraightOn);
+    else
+        EXPECT_EQ(parallel.error().code(), MessageCode::CalibrationFailed);
     for (CalibrationView& view : flat)
         for (Eigen::Vector2d& p : view.board.corners_px)
             p = Eigen::Vector2d(5, 5);

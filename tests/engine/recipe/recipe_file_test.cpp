@@ -204,8 +204,7 @@ TEST_F(RecipeFile, experimentsAreReadOnceAndCheckedForTheirObjects) {
     recipe.steps.resize(3);
     recipe.steps[0] = step(Until::Below);
     recipe.steps[0].object = "right";
-    recipe.steps[1].experiment = recipe.steps[2].experiment =
-        std::string(BASK_EXAMPLES) + "/two-circles.json";
+    recipe.steps[1].experiment = recipe.steps[2].experiment = BASK_EXAMPLES "/two-circles.json";
     const auto read = readExperiments(recipe, noExample);
     ASSERT_TRUE(read) << describe(read.error());
     EXPECT_EQ((*read)[0], (*read)[1]); // the first run's, whose objects are waited for

@@ -32,7 +32,7 @@ struct SimulatedRecipe : testing::Test {
     }
     RecipeRunner runner(const std::vector<RecipeStep>& steps,
                         const std::function<void(Experiment&)>& change = {}) {
-        Experiment experiment = *readExperiment(std::string(BASK_EXAMPLES) + "/two-circles.json");
+        Experiment experiment = *readExperiment(BASK_EXAMPLES "/two-circles.json");
         if (change)
             change(experiment);
         const auto shared = std::make_shared<const Experiment>(experiment);
@@ -99,7 +99,7 @@ TEST_F(SimulatedRecipe, targetsThatCannotBeHeldFailTheirStep) {
 
 TEST_F(SimulatedRecipe, aSessionThatCannotBeWrittenFailsItsStep) {
     const auto shared =
-        std::make_shared<const Experiment>(*readExperiment(std::string(BASK_EXAMPLES) + "/two-circles.json"));
+        std::make_shared<const Experiment>(*readExperiment(BASK_EXAMPLES "/two-circles.json"));
     RecipeRunner made({"", {step(Until::Time, 20.0)}}, {shared},
                       [](std::size_t) { return "/nowhere/at-all.bask"; });
     runSimulated(made);

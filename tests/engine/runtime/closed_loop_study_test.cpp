@@ -16,8 +16,8 @@
 namespace bask {
 namespace {
 
-ClosedLoopStudy studyOf(const char* example, bool randomMountings = false, int count = 4) {
-    auto rig = readExperiment(std::string(BASK_EXAMPLES) + "/" + example);
+ClosedLoopStudy studyOf(const std::string& example, bool randomMountings = false, int count = 4) {
+    auto rig = readExperiment(BASK_EXAMPLES "/" + example);
     EXPECT_TRUE(rig) << (rig ? "" : describe(rig.error()));
     ClosedLoopStudy study;
     if (rig)

@@ -26,7 +26,7 @@ double resident_MB() {
 
 /// Memory after each `every_s` of a run of `duration_s`, MB.
 std::vector<double> memoryOfRun(double duration_s, double every_s) {
-    auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
+    auto experiment = readExperiment(BASK_EXAMPLES "/three-objects.json");
     EXPECT_TRUE(experiment) << describe(experiment.error());
     experiment->sampling.period_s = 0.1;
     const QTemporaryDir folder;

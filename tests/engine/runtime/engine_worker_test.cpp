@@ -30,7 +30,7 @@ Experiment oneDisk() {
 using Rig = EngineThread;
 
 Experiment withMarkers() {
-    return readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    return readExperiment(BASK_EXAMPLES "/moving-source.json").value();
 }
 
 bool shows(const std::shared_ptr<const VisionView>& view, int id) {
@@ -82,7 +82,7 @@ TEST(EngineWorker, ChangesNoCameraWhileARunIsOn) {
 // Catches a run that is held and ended by a look at the Calibrate page, whose board hid the source.
 TEST(EngineWorker, HoldsNoBoardBeforeTheSourceInARun) {
     Rig rig;
-    Experiment still = readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    Experiment still = readExperiment(BASK_EXAMPLES "/moving-source.json").value();
     still.simulation.sourceMotion.clear();
     rig.send(LoadExperiment{still});
     rig.send(SetSimulationSpeed{4.0});
@@ -103,7 +103,7 @@ TEST(EngineWorker, HoldsNoBoardBeforeTheSourceInARun) {
 // Catches a run that is held for a source not seen, because simulated time outruns the pictures.
 TEST(EngineWorker, FollowsTheSourceWhenTimeIsSpedUp) {
     Rig rig;
-    Experiment carried = readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    Experiment carried = readExperiment(BASK_EXAMPLES "/moving-source.json").value();
     Vector6d away = carried.source.pose;
     away[kX] += 0.1;
     carried.simulation.sourceMotion = {{0.0, carried.source.pose}, {5.0, carried.source.pose}, {25.0, away}};

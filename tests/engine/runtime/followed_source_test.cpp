@@ -13,7 +13,7 @@ namespace bask {
 namespace {
 
 Experiment movingSource() {
-    return readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    return readExperiment(BASK_EXAMPLES "/moving-source.json").value();
 }
 
 double worstError_K(const RunOutcome& outcome) {

@@ -23,7 +23,7 @@ constexpr int kCount = 1000;
 #endif
 
 Experiment example(const std::string& name, SourceModel model) {
-    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/" + name).value();
+    Experiment experiment = readExperiment(BASK_EXAMPLES "/" + name).value();
     experiment.source.model = model;
     return experiment;
 }

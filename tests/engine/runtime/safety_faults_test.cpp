@@ -405,7 +405,7 @@ TEST(Safety, AScriptedFaultIsInTheRecordWithWhatWasDone) {
 TEST(Safety, NoFalseAlarmOverExamples) {
     for (const std::string name : {"three-objects.json", "paper-adaptive.json", "bare-aluminium.json",
                                    "paper/unfeasible-targets-80-80-80.json"}) {
-        const auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/" + name);
+        const auto experiment = readExperiment(BASK_EXAMPLES "/" + name);
         ASSERT_TRUE(experiment) << describe(experiment.error());
         SimulatedRunOptions options;
         options.duration_s = std::min(2400.0, experiment->simulation.durationLimit_s);

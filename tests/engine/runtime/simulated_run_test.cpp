@@ -13,8 +13,8 @@
 namespace bask {
 namespace {
 
-Experiment example(const char* name) {
-    auto experiment = readExperiment(std::string(BASK_EXAMPLES) + "/" + name);
+Experiment example(const std::string& name) {
+    auto experiment = readExperiment(BASK_EXAMPLES "/" + name);
     EXPECT_TRUE(experiment) << (experiment ? "" : describe(experiment.error()));
     return experiment ? *experiment : Experiment();
 }

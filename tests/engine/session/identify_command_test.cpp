@@ -25,7 +25,7 @@ test::Captured identify(const QStringList& arguments) {
 }
 
 Experiment threeObjects() {
-    auto read = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json");
+    auto read = readExperiment(BASK_EXAMPLES "/three-objects.json");
     EXPECT_TRUE(read);
     return read ? *read : Experiment();
 }

@@ -10,7 +10,7 @@ namespace bask {
 namespace {
 
 Experiment example() {
-    return readExperiment(std::string(BASK_EXAMPLES) + "/two-circles.json").value();
+    return readExperiment(BASK_EXAMPLES "/two-circles.json").value();
 }
 
 } // namespace

@@ -20,7 +20,7 @@ constexpr double kTolerance_m = 1e-5;
 constexpr double kPi = std::numbers::pi;
 
 std::string dataPath(const std::string& name) {
-    return std::string(BASK_TEST_DATA) + "/contours/dxf/" + name;
+    return BASK_TEST_DATA "/contours/dxf/" + name;
 }
 
 std::string bytesOf(const std::string& name) {

@@ -266,7 +266,7 @@ TEST(FitContourCommand, WritesWhatExperimentsRead) {
     const std::string path = test::writeFile(".json", "");
     ASSERT_EQ(run({example("bunny_mm.csv"), "--harmonics", "9", "-o", QString::fromStdString(path)}).code,
               kExitDone);
-    std::ifstream contour(path), base(std::string(BASK_EXAMPLES) + "/two-circles.json");
+    std::ifstream contour(path), base(BASK_EXAMPLES "/two-circles.json");
     auto experiment = nlohmann::json::parse(base);
     experiment.at("objects").at(0).at("contour") = nlohmann::json::parse(contour);
     const auto read = experimentFromJson(experiment.dump(), "", "");
@@ -299,7 +299,7 @@ TEST(FitContourCommand, HolesComeAlong) {
         x += point.at(0).get<double>() / 4;
         y += point.at(1).get<double>() / 4;
     }
-    std::ifstream contour(path.toStdString()), base(std::string(BASK_EXAMPLES) + "/two-circles.json");
+    std::ifstream contour(path.toStdString()), base(BASK_EXAMPLES "/two-circles.json");
     auto experiment = nlohmann::json::parse(base);
     experiment.at("objects").at(0).at("contour") = nlohmann::json::parse(contour);
     const auto read = experimentFromJson(experiment.dump(), "", "");

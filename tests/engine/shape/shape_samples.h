@@ -16,10 +16,10 @@ namespace bask::test {
 using Points = std::vector<Eigen::Vector2d>;
 
 inline std::string dataPath(const std::string& name) {
-    return std::string(BASK_TEST_DATA) + "/contours/" + name;
+    return BASK_TEST_DATA "/contours/" + name;
 }
 inline std::string examplePath(const std::string& name) {
-    return std::string(BASK_EXAMPLES) + "/contours/" + name;
+    return BASK_EXAMPLES "/contours/" + name;
 }
 
 /// A file of its own for the running test.

@@ -12,7 +12,7 @@
 namespace bask::test {
 
 struct RigBench {
-    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    Experiment experiment = readExperiment(BASK_EXAMPLES "/moving-source.json").value();
     CameraModel camera = *experiment.vision.camera; ///< as it truly is
     std::vector<MarkerSpec> markers = experiment.vision.markers;
     Pose X_RC = poseFromCoordinates(*experiment.vision.cameraPose);

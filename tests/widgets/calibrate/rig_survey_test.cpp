@@ -13,7 +13,7 @@ namespace {
 constexpr double kFrame_s = 1.0 / 15.0;
 
 Experiment example() {
-    return readExperiment(std::string(BASK_EXAMPLES) + "/moving-source.json").value();
+    return readExperiment(BASK_EXAMPLES "/moving-source.json").value();
 }
 
 struct RigSurveyTest : testing::Test {

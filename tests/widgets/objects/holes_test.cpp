@@ -22,7 +22,7 @@ Contour square(double half_m, double x_m = 0.0) {
 
 /// The example with a hole in its circle and two in its bunny.
 Experiment pierced() {
-    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
     experiment.objects[0].shape = withHoles(experiment.objects[0].shape, {square(0.002)});
     ObjectSpec& bunny = experiment.objects[1];
     OriginalShape made =

@@ -38,8 +38,7 @@ namespace bask {
 namespace {
 
 const Experiment& example() {
-    static const Experiment experiment =
-        readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    static const Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
     return experiment;
 }
 

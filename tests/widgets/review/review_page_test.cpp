@@ -41,7 +41,7 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 SessionRecord record() {
     SessionRecord session;
     session.path = "2026-03-14 morning.bask";
-    session.experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    session.experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
     session.simulated = true;
     session.outcome = "not-settled";
     for (int k = 0; k <= 200; ++k) {

@@ -29,7 +29,7 @@ inline int differentPixels(const QImage& a, const QImage& b) {
 
 struct SurfacesTest : testing::Test {
     SurfacesView view;
-    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
 
     SurfacesTest() {
         view.resize(700, 560);

@@ -62,7 +62,7 @@ JointVerdict joint(const std::vector<TargetVerdict>& each) {
 }
 
 Experiment experimentWith(const std::vector<double>& targets_degC) {
-    Experiment experiment = readExperiment(std::string(BASK_EXAMPLES) + "/three-objects.json").value();
+    Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
     for (std::size_t i = 0; i < 3; ++i)
         experiment.objects[i].target_K = kelvinFromCelsius(targets_degC[i]);
     return experiment;
