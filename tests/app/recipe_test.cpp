@@ -110,6 +110,7 @@ TEST_F(RecipeTest, stopEndsItInAWaitToo) {
     click("stopButton");
     ASSERT_TRUE(waitFor([this] { return !window->recipe().isOn(); }));
     EXPECT_EQ(stateOf(1), "Stopped");
+    ASSERT_TRUE(waitFor([this] { return find<QPushButton>("resetButton")->isVisible(); }));
     click("resetButton");
     const QDeadlineTimer while_(2000);
     waitFor([&] { return while_.hasExpired(); });
