@@ -1,5 +1,6 @@
 #include "app/commands/fit_contour_report.h"
 
+#include "engine/base/units.h"
 #include "engine/shape/shape.h"
 
 #include <nlohmann/json.hpp>
@@ -99,7 +100,6 @@ Json outlineList(const OutlineFile& file) {
 }
 
 Json fitReport(const PickedOutline& picked, const FourierFit& fit, const std::string& unit) {
-    constexpr double kMmPerM = 1e3;
     Json coefficients = Json::array(), sentences = Json::array(), holes_mm = Json::array();
     for (int j = -fit.contour.harmonics(); j <= fit.contour.harmonics(); ++j)
         coefficients.push_back({j, fit.contour.coefficient(j).real(), fit.contour.coefficient(j).imag()});

@@ -14,7 +14,7 @@
 namespace bask {
 namespace {
 
-struct Words {
+struct FigureText {
     Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
 };
 
@@ -70,22 +70,22 @@ const char* runFigureStem(RunFigure figure) {
 QString runFigureCaption(RunFigure figure, const SessionRecord& session, TemperatureUnit unit) {
     switch (figure) {
     case RunFigure::Temperatures:
-        return Words::tr(
+        return FigureText::tr(
                    "Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid "
                    "reading. The numbers at dotted lines are those of the table of events.")
             .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, unit).mid(1));
     case RunFigure::Errors:
-        return Words::tr("Measured temperature minus target, within %1; grey: the band.")
+        return FigureText::tr("Measured temperature minus target, within %1; grey: the band.")
             .arg(QStringLiteral("\u00b1") + formatDifference(kErrorsWithin_K, unit, 0).mid(1));
     case RunFigure::Speed:
-        return Words::tr(
+        return FigureText::tr(
                    "Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 \u00b0/s.")
             .arg(QLocale().toString(1e3 * session.experiment.robot.maxSpeed_m_s, 'g', 3),
                  QLocale().toString(degFromRad(session.experiment.robot.maxRotation_rad_s), 'g', 3));
     case RunFigure::ViewFactors:
-        return Words::tr("View factor of the source from each object.");
+        return FigureText::tr("View factor of the source from each object.");
     case RunFigure::Trajectories:
-        return Words::tr(
+        return FigureText::tr(
             "Trajectories of the objects' centres over the source until Stop, from the ring to the dot, "
             "coloured by temperature; black: the source.");
     }
@@ -135,11 +135,11 @@ struct RunFigures::Impl {
 
     QByteArray trajectories(FigureFormat format) const {
         PathsFigure figure;
-        figure.title = Words::tr("Trajectories of the objects");
+        figure.title = FigureText::tr("Trajectories of the objects");
         figure.note = note;
-        figure.above = Words::tr("seen along \u2212z of the source");
-        figure.aside = Words::tr("seen along x of the source");
-        figure.temperature = Words::tr("Temperature (%1)").arg(temperatureUnitSymbol(unit));
+        figure.above = FigureText::tr("seen along \u2212z of the source");
+        figure.aside = FigureText::tr("seen along x of the source");
+        figure.temperature = FigureText::tr("Temperature (%1)").arg(temperatureUnitSymbol(unit));
         double coldest = 1e300, hottest = -1e300;
         const std::vector<TraceSample> samples = session.controlledSamples();
         for (std::size_t i = 0; i < session.experiment.objects.size(); ++i) {
@@ -178,9 +178,10 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
     }
     m_impl->note = QString::fromStdString(session.experiment.title);
     if (session.simulated)
-        m_impl->note = (QStringList(Words::tr("SIMULATED")) << m_impl->note).join(QStringLiteral(" \u00b7 "));
+        m_impl->note =
+            (QStringList(FigureText::tr("SIMULATED")) << m_impl->note).join(QStringLiteral(" \u00b7 "));
     if (session.samples.empty())
-        m_impl->note += QStringLiteral(" \u00b7 ") + Words::tr("no samples were recorded");
+        m_impl->note += QStringLiteral(" \u00b7 ") + FigureText::tr("no samples were recorded");
 }
 
 RunFigures::~RunFigures() = default;
@@ -188,13 +189,13 @@ RunFigures::~RunFigures() = default;
 QByteArray RunFigures::draw(RunFigure figure, FigureFormat format) const {
     switch (figure) {
     case RunFigure::Temperatures:
-        return m_impl->traces(Words::tr("Temperatures"), Quantity::Temperature, format);
+        return m_impl->traces(FigureText::tr("Temperatures"), Quantity::Temperature, format);
     case RunFigure::Errors:
-        return m_impl->traces(Words::tr("Errors"), Quantity::Error, format);
+        return m_impl->traces(FigureText::tr("Errors"), Quantity::Error, format);
     case RunFigure::Speed:
-        return m_impl->traces(Words::tr("Commanded speed"), Quantity::Speed, format);
+        return m_impl->traces(FigureText::tr("Commanded speed"), Quantity::Speed, format);
     case RunFigure::ViewFactors:
-        return m_impl->traces(Words::tr("View factors"), Quantity::ViewFactor, format);
+        return m_impl->traces(FigureText::tr("View factors"), Quantity::ViewFactor, format);
     case RunFigure::Trajectories:
         return m_impl->trajectories(format);
     }

@@ -25,7 +25,7 @@ using html::heading;
 using html::paragraph;
 using html::subheading;
 
-struct Words {
+struct RecordText {
     Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
 };
 
@@ -38,7 +38,7 @@ struct Line {
 
 QString kindOf(MessageCode code) {
     const int priority = alarmPriority(code);
-    return priority == 0 ? Words::tr("event") : Words::tr("alarm, priority %1").arg(priority);
+    return priority == 0 ? RecordText::tr("event") : RecordText::tr("alarm, priority %1").arg(priority);
 }
 
 QString time(double time_s) {
@@ -73,14 +73,14 @@ QString commandText(const CommandRow& command) {
 std::vector<Line> linesOf(const SessionRecord& session) {
     std::vector<Line> lines;
     for (const CommandRow& command : session.commands) // before what came of them in the same step
-        lines.push_back({command.time_s, 0, Words::tr("command"), commandText(command)});
+        lines.push_back({command.time_s, 0, RecordText::tr("command"), commandText(command)});
     const std::vector<int> numbers = markedEvents(session.events);
     for (std::size_t k = 0; k < session.events.size(); ++k) {
         const TraceEvent& event = session.events[k];
         lines.push_back({event.time_s, numbers[k], kindOf(event.message.code), sentenceText(event.message)});
     }
     for (const TraceNote& note : session.notes)
-        lines.push_back({note.time_s, 0, Words::tr("note"), QString::fromStdString(note.text)});
+        lines.push_back({note.time_s, 0, RecordText::tr("note"), QString::fromStdString(note.text)});
     std::ranges::stable_sort(lines, {}, &Line::time_s);
     return lines;
 }
@@ -94,16 +94,16 @@ int alarmCount(const SessionRecord& session) {
 
 QString outcomeWords(const SessionRecord& session) {
     if (session.interrupted())
-        return Words::tr(
+        return RecordText::tr(
             "Interrupted: the recording ended without a Stop. What had been written is reported.");
     if (session.outcome == "settled")
-        return Words::tr("All objects settled.");
+        return RecordText::tr("All objects settled.");
     if (session.outcome == "not-settled")
-        return Words::tr("Not all objects settled.");
+        return RecordText::tr("Not all objects settled.");
     if (session.outcome == "stopped")
-        return Words::tr("Stopped by the operator.");
+        return RecordText::tr("Stopped by the operator.");
     if (session.outcome == "fault")
-        return Words::tr("Ended by a fault.");
+        return RecordText::tr("Ended by a fault.");
     return QString::fromStdString(session.outcome);
 }
 
@@ -111,29 +111,31 @@ QString summarySection(const RunReportInput& input) {
     const SessionRecord& session = input.session;
     const QDateTime created = QDateTime::fromString(QString::fromStdString(session.created), Qt::ISODate);
     const RunMetrics metrics = runMetrics(session);
-    const QString alarms = Words::tr("%n alarm(s)", nullptr, alarmCount(session));
+    const QString alarms = RecordText::tr("%n alarm(s)", nullptr, alarmCount(session));
     QString text = facts(
-        {{Words::tr("Outcome"), outcomeWords(session)},
-         {Words::tr("Recorded"),
+        {{RecordText::tr("Outcome"), outcomeWords(session)},
+         {RecordText::tr("Recorded"),
           created.isValid() ? QLocale().toString(created.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
                                   QStringLiteral(" UTC")
-                            : Words::tr("date not known")},
-         {Words::tr("Control from Start until Stop"),
-          Words::tr("%1 (min:s), %n sample(s)", nullptr, static_cast<int>(metrics.samples))
+                            : RecordText::tr("date not known")},
+         {RecordText::tr("Control from Start until Stop"),
+          RecordText::tr("%1 (min:s), %n sample(s)", nullptr, static_cast<int>(metrics.samples))
               .arg(formatDuration(metrics.duration_s))},
-         {Words::tr("Controller"), controllerWord(session.experiment.controller.kind)},
-         {Words::tr("Alarms"), session.events.empty() ? Words::tr("no event was recorded") : alarms},
-         {Words::tr("Session file"), QFileInfo(QString::fromStdString(session.path)).fileName()}});
+         {RecordText::tr("Controller"), controllerWord(session.experiment.controller.kind)},
+         {RecordText::tr("Alarms"),
+          session.events.empty() ? RecordText::tr("no event was recorded") : alarms},
+         {RecordText::tr("Session file"), QFileInfo(QString::fromStdString(session.path)).fileName()}});
     if (session.samples.empty())
         text += paragraph(
-            Words::tr("No samples were recorded: there are no traces, trajectories and metrics."), "warning");
+            RecordText::tr("No samples were recorded: there are no traces, trajectories and metrics."),
+            "warning");
     return text;
 }
 
 QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
     const RunMetrics metrics = runMetrics(session);
-    QString text = heading(Words::tr("Metrics"));
-    QStringList header{Words::tr("Object")};
+    QString text = heading(RecordText::tr("Metrics"));
+    QStringList header{RecordText::tr("Object")};
     QList<int> numbers;
     QList<std::pair<QString, QString>> definitions;
     for (const ObjectMetric metric : kObjectMetrics) {
@@ -153,46 +155,47 @@ QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
         run << std::pair(metricName(metric), metricText(metric, metrics));
         definitions << std::pair(metricName(metric), metricDefinition(metric));
     }
-    return text + table.text() + facts(run) + subheading(Words::tr("Definitions")) + facts(definitions);
+    return text + table.text() + facts(run) + subheading(RecordText::tr("Definitions")) + facts(definitions);
 }
 
 QString eventsSection(const SessionRecord& session) {
-    QString text = heading(Words::tr("Alarms, events, notes and commands"));
+    QString text = heading(RecordText::tr("Alarms, events, notes and commands"));
     const std::vector<Line> lines = linesOf(session);
     if (lines.empty())
-        return text + paragraph(Words::tr("None was recorded."));
-    html::Table table({Words::tr("No."), Words::tr("Time (s)"), Words::tr("Kind"), Words::tr("What")},
-                      {0, 1});
+        return text + paragraph(RecordText::tr("None was recorded."));
+    html::Table table(
+        {RecordText::tr("No."), RecordText::tr("Time (s)"), RecordText::tr("Kind"), RecordText::tr("What")},
+        {0, 1});
     for (std::size_t k = 0; k < lines.size() && k < kMostReportRows; ++k)
         table.add({lines[k].number > 0 ? QString::number(lines[k].number) : QString(), time(lines[k].time_s),
                    lines[k].kind, lines[k].text});
     text += table.text();
     if (const auto more = static_cast<int>(lines.size()) - kMostReportRows; more > 0)
-        text += paragraph(Words::tr("%n more row(s) are in the session file; bask export --csv lists them.",
-                                    nullptr, more));
+        text += paragraph(RecordText::tr(
+            "%n more row(s) are in the session file; bask export --csv lists them.", nullptr, more));
     return text;
 }
 
 QString originSection(const RunReportInput& input) {
     const SessionRecord& session = input.session;
-    return heading(Words::tr("Origin")) +
-           facts({{Words::tr("Recorded by"), session.software.empty()
-                                                 ? Words::tr("not known")
-                                                 : QString::fromStdString(session.software)},
-                  {Words::tr("Report made by"),
+    return heading(RecordText::tr("Origin")) +
+           facts({{RecordText::tr("Recorded by"), session.software.empty()
+                                                      ? RecordText::tr("not known")
+                                                      : QString::fromStdString(session.software)},
+                  {RecordText::tr("Report made by"),
                    QStringLiteral("Bask %1, Qt %2, VTK %3, %4")
                        .arg(QStringLiteral(BASK_VERSION), QString::fromLatin1(qVersion()),
                             QString::fromStdString(versionOfVtk()), QSysInfo::prettyProductName())},
-                  {Words::tr("Report made at"),
+                  {RecordText::tr("Report made at"),
                    QLocale().toString(input.now.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm:ss")) +
                        QStringLiteral(" UTC")},
-                  {Words::tr("Session file"), QString::fromStdString(session.path)},
-                  {Words::tr("Size of the session file"),
-                   Words::tr("%1 bytes").arg(QLocale().toString(input.fileBytes))},
+                  {RecordText::tr("Session file"), QString::fromStdString(session.path)},
+                  {RecordText::tr("Size of the session file"),
+                   RecordText::tr("%1 bytes").arg(QLocale().toString(input.fileBytes))},
                   {QStringLiteral("SHA-256"),
-                   input.sha256.isEmpty() ? Words::tr("not known") : input.sha256}}) +
+                   input.sha256.isEmpty() ? RecordText::tr("not known") : input.sha256}}) +
            (session.interrupted()
-                ? paragraph(Words::tr("The checksum is of the file without the log beside it."), "quiet")
+                ? paragraph(RecordText::tr("The checksum is of the file without the log beside it."), "quiet")
                 : QString());
 }
 

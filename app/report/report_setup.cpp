@@ -20,12 +20,12 @@ using html::paragraph;
 using html::subheading;
 using Facts = QList<std::pair<QString, QString>>;
 
-struct Words {
+struct SetupText {
     Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
 };
 
 QString number(double value, int digits = 4) {
-    return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : Words::tr("not known");
+    return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : SetupText::tr("not known");
 }
 
 QString axis(int coordinate) {
@@ -49,13 +49,13 @@ QString poseWords(const Vector6d& pose) {
 QString shapeWords(const Shape& shape) {
     QString words;
     if (const auto* disk = outlineAs<Disk>(shape))
-        words = Words::tr("disk, radius %1 mm").arg(number(1e3 * disk->radius_m));
+        words = SetupText::tr("disk, radius %1 mm").arg(number(1e3 * disk->radius_m));
     else if (outlineAs<FourierContour>(shape) != nullptr)
-        words = Words::tr("Fourier contour, radius %1 mm").arg(number(1e3 * shapeRadius(shape)));
+        words = SetupText::tr("Fourier contour, radius %1 mm").arg(number(1e3 * shapeRadius(shape)));
     else
-        words = Words::tr("polygon, radius %1 mm").arg(number(1e3 * shapeRadius(shape)));
+        words = SetupText::tr("polygon, radius %1 mm").arg(number(1e3 * shapeRadius(shape)));
     if (const auto holes = static_cast<int>(holesOf(shape).size()); holes > 0)
-        words += QStringLiteral(", ") + Words::tr("%n hole(s)", nullptr, holes);
+        words += QStringLiteral(", ") + SetupText::tr("%n hole(s)", nullptr, holes);
     return words;
 }
 
@@ -67,39 +67,41 @@ QString date(const std::string& iso) {
     const QDateTime time = QDateTime::fromString(QString::fromStdString(iso), Qt::ISODate);
     return time.isValid()
                ? QLocale().toString(time.toUTC(), QStringLiteral("yyyy-MM-dd HH:mm")) + QStringLiteral(" UTC")
-               : Words::tr("date not known");
+               : SetupText::tr("date not known");
 }
 
 Facts rigFacts(const SessionRecord& session) {
     const Experiment& e = session.experiment;
     if (session.simulated || !e.rig)
-        return {{Words::tr("Rig"), session.simulated ? Words::tr("simulated, seed %1").arg(e.simulation.seed)
-                                                     : Words::tr("not known")}};
-    Facts rows{{Words::tr("Rig"),
-                e.rig->name.empty() ? Words::tr("without a name") : QString::fromStdString(e.rig->name)}};
+        return {{SetupText::tr("Rig"), session.simulated
+                                           ? SetupText::tr("simulated, seed %1").arg(e.simulation.seed)
+                                           : SetupText::tr("not known")}};
+    Facts rows{{SetupText::tr("Rig"),
+                e.rig->name.empty() ? SetupText::tr("without a name") : QString::fromStdString(e.rig->name)}};
     for (const DeviceRole role : kDeviceRoles)
         rows << std::pair(
             roleWord(role),
             hasDevice(*e.rig, role)
                 ? (QStringList(driverText(*e.rig, role)) << portText(*e.rig, role)).join(QStringLiteral("  "))
-                : Words::tr("none"));
+                : SetupText::tr("none"));
     return rows;
 }
 
 Facts sourceFacts(const SessionRecord& session, TemperatureUnit unit) {
     const SourceSpec& source = session.experiment.source;
-    return {{Words::tr("Heat source"), shapeWords(source.shape) + QStringLiteral(", ") + area(source.shape)},
-            {Words::tr("Set temperature"),
-             formatTemperature(source.temperature_K, unit) +
-                 (source.temperatureProfile.empty() ? QString()
-                                                    : Words::tr(", changing by a profile during the run"))},
-            {Words::tr("Emittance of the source"), number(source.emittance)},
-            {Words::tr("Model of the source"), source.model == SourceModel::Gray
-                                                   ? Words::tr("grey, with reflection")
-                                                   : Words::tr("as in the paper, without reflection")},
-            {Words::tr("Pose of the source in the robot's base"),
-             poseWords(source.pose) + (source.tracked ? Words::tr(", tracked during the run") : QString())},
-            {Words::tr("Surroundings"), formatTemperature(session.experiment.environment_K, unit)}};
+    return {
+        {SetupText::tr("Heat source"), shapeWords(source.shape) + QStringLiteral(", ") + area(source.shape)},
+        {SetupText::tr("Set temperature"),
+         formatTemperature(source.temperature_K, unit) +
+             (source.temperatureProfile.empty() ? QString()
+                                                : SetupText::tr(", changing by a profile during the run"))},
+        {SetupText::tr("Emittance of the source"), number(source.emittance)},
+        {SetupText::tr("Model of the source"), source.model == SourceModel::Gray
+                                                   ? SetupText::tr("grey, with reflection")
+                                                   : SetupText::tr("as in the paper, without reflection")},
+        {SetupText::tr("Pose of the source in the robot's base"),
+         poseWords(source.pose) + (source.tracked ? SetupText::tr(", tracked during the run") : QString())},
+        {SetupText::tr("Surroundings"), formatTemperature(session.experiment.environment_K, unit)}};
 }
 
 Facts robotFacts(const Experiment& e) {
@@ -108,18 +110,18 @@ Facts robotFacts(const Experiment& e) {
         if (!e.robot.free[static_cast<std::size_t>(k)])
             continue;
         free << axis(k);
-        bounds << Words::tr("%1 to %2")
+        bounds << SetupText::tr("%1 to %2")
                       .arg(coordinate(k, e.robot.lower[k]),
                            coordinate(k, e.robot.upper[k]).section(u'\u00a0', 1));
     }
     QString speed =
-        Words::tr("%1 mm/s and %2 \u00b0/s")
+        SetupText::tr("%1 mm/s and %2 \u00b0/s")
             .arg(number(1e3 * e.robot.maxSpeed_m_s), number(degFromRad(e.robot.maxRotation_rad_s)));
-    return {{Words::tr("Free axes"), free.join(QStringLiteral(", "))},
-            {Words::tr("Workspace"), bounds.join(QStringLiteral("; "))},
-            {Words::tr("Speed limits"), speed},
-            {Words::tr("Clearance to the source's plane"), formatLength_mm(e.robot.clearance_m)},
-            {Words::tr("Start pose"), poseWords(e.start)}};
+    return {{SetupText::tr("Free axes"), free.join(QStringLiteral(", "))},
+            {SetupText::tr("Workspace"), bounds.join(QStringLiteral("; "))},
+            {SetupText::tr("Speed limits"), speed},
+            {SetupText::tr("Clearance to the source's plane"), formatLength_mm(e.robot.clearance_m)},
+            {SetupText::tr("Start pose"), poseWords(e.start)}};
 }
 
 Facts controllerFacts(const Experiment& e) {
@@ -127,7 +129,7 @@ Facts controllerFacts(const Experiment& e) {
     QString gains;
     switch (c.kind) {
     case ControllerKind::LevelServo:
-        gains = Words::tr("time constant %1 s, integral time %2 s")
+        gains = SetupText::tr("time constant %1 s, integral time %2 s")
                     .arg(number(c.levelServo.timeConstant_s), number(c.levelServo.integralTime_s));
         break;
     case ControllerKind::ModelBased:
@@ -140,19 +142,19 @@ Facts controllerFacts(const Experiment& e) {
                          number(c.adaptive.gamma2));
         break;
     }
-    return {{Words::tr("Controller"), controllerWord(c.kind)},
-            {Words::tr("Gains at the start"), gains},
-            {Words::tr("Sampling"), Words::tr("every %1 s").arg(number(e.sampling.period_s))}};
+    return {{SetupText::tr("Controller"), controllerWord(c.kind)},
+            {SetupText::tr("Gains at the start"), gains},
+            {SetupText::tr("Sampling"), SetupText::tr("every %1 s").arg(number(e.sampling.period_s))}};
 }
 
 QString objectTables(const Experiment& e, TemperatureUnit unit) {
-    html::Table bodies({Words::tr("Object"), Words::tr("Outline"), Words::tr("Area"),
-                        Words::tr("Place on the end-effector"), Words::tr("Target at the start"),
-                        Words::tr("Warning, trip")},
+    html::Table bodies({SetupText::tr("Object"), SetupText::tr("Outline"), SetupText::tr("Area"),
+                        SetupText::tr("Place on the end-effector"), SetupText::tr("Target at the start"),
+                        SetupText::tr("Warning, trip")},
                        {2, 4, 5});
-    html::Table materials({Words::tr("Object"), Words::tr("Material"), Words::tr("Emittance"),
-                           Words::tr("Absorptance"), Words::tr("Thickness"),
-                           Words::tr("Areal heat capacity")},
+    html::Table materials({SetupText::tr("Object"), SetupText::tr("Material"), SetupText::tr("Emittance"),
+                           SetupText::tr("Absorptance"), SetupText::tr("Thickness"),
+                           SetupText::tr("Areal heat capacity")},
                           {2, 3, 4, 5});
     for (const ObjectSpec& object : e.objects) {
         const QString name = QString::fromStdString(object.name);
@@ -162,7 +164,7 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
                         formatTemperature(tripLimit_K(e, object), unit, 0)});
         materials.add(
             {name,
-             object.material.name.empty() ? Words::tr("without a name")
+             object.material.name.empty() ? SetupText::tr("without a name")
                                           : QString::fromStdString(object.material.name),
              number(object.material.emittance), number(object.material.absorptance),
              formatLength_mm(object.material.thickness_m, 2),
@@ -173,28 +175,28 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
 
 QString verdictWords(const TargetVerdict& verdict) {
     if (verdict.verdict == FeasibilityVerdict::TooHot)
-        return Words::tr("too hot");
+        return SetupText::tr("too hot");
     if (verdict.verdict == FeasibilityVerdict::TooCold)
-        return Words::tr("too cold");
-    return Words::tr("within the range");
+        return SetupText::tr("too cold");
+    return SetupText::tr("within the range");
 }
 
 QString cameraFact(const CameraModel& camera) {
     const QString size = QString::fromStdString(pixelsText(camera.width, camera.height));
-    const QString rms =
-        camera.rms_px ? Words::tr("%1 px rms").arg(number(*camera.rms_px, 2)) : Words::tr("error not known");
-    return Words::tr("%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)", nullptr,
-                     static_cast<int>(camera.views.size()))
+    const QString rms = camera.rms_px ? SetupText::tr("%1 px rms").arg(number(*camera.rms_px, 2))
+                                      : SetupText::tr("error not known");
+    return SetupText::tr("%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)", nullptr,
+                         static_cast<int>(camera.views.size()))
         .arg(size, number(camera.fx, 5), number(camera.fy, 5), rms);
 }
 
 } // namespace
 
 QString setupSection(const SessionRecord& session, TemperatureUnit unit) {
-    return heading(Words::tr("Set-up")) +
+    return heading(SetupText::tr("Set-up")) +
            facts(rigFacts(session) + sourceFacts(session, unit) + robotFacts(session.experiment) +
                  controllerFacts(session.experiment)) +
-           subheading(Words::tr("Objects")) + objectTables(session.experiment, unit);
+           subheading(SetupText::tr("Objects")) + objectTables(session.experiment, unit);
 }
 
 std::vector<double> lastTargets_K(const SessionRecord& session) {
@@ -210,29 +212,30 @@ std::vector<double> lastTargets_K(const SessionRecord& session) {
 
 QString feasibilitySection(const SessionRecord& session, const std::vector<double>& targets_K,
                            const std::optional<JointVerdict>& verdict, TemperatureUnit unit) {
-    QString text = heading(Words::tr("Feasibility of the targets"));
+    QString text = heading(SetupText::tr("Feasibility of the targets"));
     if (!verdict)
-        return text + paragraph(Words::tr("It was not computed."));
+        return text + paragraph(SetupText::tr("It was not computed."));
     if (!verdict->anyPose)
-        return text + paragraph(Words::tr("No pose keeps the workspace and the clearance."));
+        return text + paragraph(SetupText::tr("No pose keeps the workspace and the clearance."));
     if (verdict->feasible)
         text += paragraph(
-            Words::tr("All targets can be held together, by the materials as given, at %1; margin %2 to the "
-                      "nearest limit.")
+            SetupText::tr(
+                "All targets can be held together, by the materials as given, at %1; margin %2 to the "
+                "nearest limit.")
                 .arg(poseWords(verdict->pose), formatLength_mm(verdict->margin.distance_m)));
     else
-        text += paragraph(Words::tr("The targets cannot be held together, by the materials as given: %1.")
+        text += paragraph(SetupText::tr("The targets cannot be held together, by the materials as given: %1.")
                               .arg(messageText(verdict->reason)),
                           "warning");
-    html::Table table({Words::tr("Object"), Words::tr("Target"), Words::tr("By itself"),
-                       Words::tr("Range in the workspace"), Words::tr("View factor needed"),
-                       Words::tr("Steady, all together"), Words::tr("Nearest that can be held")},
+    html::Table table({SetupText::tr("Object"), SetupText::tr("Target"), SetupText::tr("By itself"),
+                       SetupText::tr("Range in the workspace"), SetupText::tr("View factor needed"),
+                       SetupText::tr("Steady, all together"), SetupText::tr("Nearest that can be held")},
                       {1, 3, 4, 5, 6});
     for (std::size_t i = 0; i < targets_K.size() && i < verdict->conditions1.size(); ++i) {
         const TargetVerdict& own = verdict->conditions1[i];
         table.add({QString::fromStdString(session.experiment.objects[i].name),
                    formatTemperature(targets_K[i], unit), verdictWords(own),
-                   Words::tr("%1 to %2")
+                   SetupText::tr("%1 to %2")
                        .arg(formatTemperatureNumber(own.reachableMin_K, unit),
                             formatTemperature(own.reachableMax_K, unit)),
                    number(own.neededViewFactor, 3), formatTemperature(verdict->steady_K.at(i), unit),
@@ -244,24 +247,26 @@ QString feasibilitySection(const SessionRecord& session, const std::vector<doubl
 QString calibrationSection(const SessionRecord& session) {
     const VisionSpec& vision = session.experiment.vision;
     const bool isPoseMeasured = !vision.sourcePoseDate.empty();
-    QString text = heading(Words::tr("Calibration"));
+    QString text = heading(SetupText::tr("Calibration"));
     if (!vision.camera && !vision.cameraPose && !isPoseMeasured)
-        return text + paragraph(Words::tr("The experiment has none: the pose of the source is as typed."));
+        return text +
+               paragraph(SetupText::tr("The experiment has none: the pose of the source is as typed."));
     Facts rows;
-    rows << std::pair(Words::tr("Camera"), vision.camera ? cameraFact(*vision.camera) + QStringLiteral(", ") +
-                                                               date(vision.cameraDate)
-                                                         : Words::tr("not calibrated"));
-    rows << std::pair(Words::tr("Pose of the camera in the robot's base"),
+    rows << std::pair(SetupText::tr("Camera"),
+                      vision.camera
+                          ? cameraFact(*vision.camera) + QStringLiteral(", ") + date(vision.cameraDate)
+                          : SetupText::tr("not calibrated"));
+    rows << std::pair(SetupText::tr("Pose of the camera in the robot's base"),
                       vision.cameraPose
                           ? poseWords(*vision.cameraPose) + QStringLiteral(", ") + date(vision.cameraPoseDate)
-                          : Words::tr("not calibrated"));
-    rows << std::pair(Words::tr("Pose of the source"),
+                          : SetupText::tr("not calibrated"));
+    rows << std::pair(SetupText::tr("Pose of the source"),
                       isPoseMeasured
-                          ? Words::tr("measured by the camera, %1").arg(date(vision.sourcePoseDate))
-                          : Words::tr("as typed"));
-    rows << std::pair(Words::tr("Markers"), Words::tr("%n marker(s) of dictionary %1", nullptr,
-                                                      static_cast<int>(vision.markers.size()))
-                                                .arg(QString::fromStdString(vision.dictionary)));
+                          ? SetupText::tr("measured by the camera, %1").arg(date(vision.sourcePoseDate))
+                          : SetupText::tr("as typed"));
+    rows << std::pair(SetupText::tr("Markers"), SetupText::tr("%n marker(s) of dictionary %1", nullptr,
+                                                              static_cast<int>(vision.markers.size()))
+                                                    .arg(QString::fromStdString(vision.dictionary)));
     return text + facts(rows);
 }
 

@@ -9,6 +9,7 @@ namespace bask {
 
 inline constexpr double kStefanBoltzmann = 5.670374419e-8; ///< W/(m2 K4), CODATA 2018
 inline constexpr double kZeroCelsius_K = 273.15;
+inline constexpr double kMmPerM = 1000.0;
 
 constexpr double kelvinFromCelsius(double t_degC) {
     return t_degC + kZeroCelsius_K;

@@ -160,13 +160,13 @@ double varianceFor(const PartPose& pose, double ownSquares_px2) {
 }
 
 // Each marker by itself: where its corners ask it to go from where the part's pose puts it.
-struct OwnPlaces {
+struct MarkerPlaces {
     std::vector<RigidSight> sights; ///< noise by a variance of 1
     double ownSquares_px2 = 0.0;    ///< that remain when each marker goes there
 };
 
-OwnPlaces ownPlaces(const PartPose& pose, const CameraModel& camera) {
-    OwnPlaces places;
+MarkerPlaces markerPlaces(const PartPose& pose, const CameraModel& camera) {
+    MarkerPlaces places;
     for (const SeenMarker& seen : pose.used) {
         const Pose X_CM = pose.X_CP * seen.marker.X_PM;
         std::vector<SeenCorner> corners = cornersOf(seen);
@@ -188,7 +188,7 @@ OwnPlaces ownPlaces(const PartPose& pose, const CameraModel& camera) {
 double allowForMisfit(PartPose& pose, const CornerFit& fit, const CameraModel& camera) {
     constexpr double kTold_px = 0.5;
     constexpr int kSteps = 3;
-    OwnPlaces places = ownPlaces(pose, camera);
+    MarkerPlaces places = markerPlaces(pose, camera);
     const double variance = varianceFor(pose, places.ownSquares_px2);
     const double freedom = 8.0 * static_cast<double>(pose.used.size()) - 6.0;
     pose.covariance = variance * fit.information.inverse();
@@ -200,7 +200,7 @@ double allowForMisfit(PartPose& pose, const CornerFit& fit, const CameraModel& c
         const RigidFit moved = fitRigid(places.sights);
         pose.X_CP = displaced(pose.X_CP, moved.unknowns);
         pose.covariance = moved.covariance;
-        places = ownPlaces(pose, camera);
+        places = markerPlaces(pose, camera);
     }
     pose.rms_px = rmsOf(cornersOf(pose.used), camera, pose.X_CP);
     if (pose.rms_px > kTold_px)

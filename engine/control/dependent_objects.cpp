@@ -12,7 +12,6 @@ namespace bask {
 namespace {
 
 constexpr int kPoses = 128;
-constexpr double kRotationLength_m = 0.1;
 constexpr double kDependent = 1e-3; ///< of the largest singular value
 constexpr double kStill = 1e-5;     ///< 1/m: less is what the view factors' own errors make
 constexpr double kAlike = 1e-6;     ///< difference of two view factors

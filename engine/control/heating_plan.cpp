@@ -25,7 +25,6 @@ constexpr double kNearWeight = 0.05;
 constexpr double kMissedRest = 2.0;    ///< time constants for which a rest that misses the aim is paid
 constexpr double kTravelPrice_s = 0.5; ///< of the squared time of travel
 
-constexpr double kRotationLength_m = 0.1;
 constexpr double kLengthStep_m = 2e-4;        // of the differences; well below the way to a kink
 constexpr double kTimePerLength_s_m = 1000.0; // 1 cm of a stay's pose counts as 10 s of its time
 

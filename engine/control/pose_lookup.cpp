@@ -109,7 +109,6 @@ Vector6d refinePose(const RigGeometry& geometry, const PoseQuery& query, const V
                     int iterations) {
     const auto& free = geometry.freeCoordinates();
     const auto n = static_cast<Eigen::Index>(free.size());
-    constexpr double kRotationLength_m = 0.1;
     Vector6d q = start;
     ViewFactors now = geometry.viewFactors(q);
     double cost = residualCost(query, now.F);

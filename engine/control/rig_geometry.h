@@ -13,6 +13,9 @@
 
 namespace bask {
 
+/// By which angles are compared with lengths: a radian counts as 0.1 m.
+inline constexpr double kRotationLength_m = 0.1;
+
 /// View factors of all objects and their derivatives by the six pose coordinates (1/m, 1/rad).
 struct ViewFactors {
     Eigen::VectorXd F;                           ///< N

@@ -303,7 +303,6 @@ double shareOfSpeed(double path_s, double last, double braking_s, double dt_s) {
 /// The nearest velocity to `wanted` that the limits allow; it slides along what is in the way.
 VelocitySolution nearestVelocity(const RigGeometry& geometry, const Vector6d& q, const Vector6d& wanted,
                                  double dt_s, const Vector6d& lastRates) {
-    constexpr double kRotationLength_m = 0.1;
     VelocityProblem problem;
     problem.rows =
         Vector6d(1.0, 1.0, 1.0, kRotationLength_m, kRotationLength_m, kRotationLength_m).asDiagonal();

@@ -14,8 +14,8 @@ namespace bask {
 namespace {
 
 constexpr double kPeriod_s = 0.008; // of the packets
-constexpr double kStep_s = 0.001;
-constexpr double kSlow_s = 3.0; // "slow-reply"
+constexpr double kPlannerStep_s = 0.001;
+constexpr double kSlowAnswer_s = 3.0; // "slow-reply"
 constexpr int kOutOfReach = 17, kCollision = 22;
 constexpr int kUnknown = -10000, kCount = -20000, kType = -30001, kNotDone = -1;
 
@@ -66,7 +66,7 @@ void DobotSimulator::receive(Port& port, std::string_view bytes, double now_s) {
         port.m_unread.erase(0, end + 1);
         if (&port == &m_motion) {
             m_commands.push_back(
-                {m_now_s + (m_fault == "slow-reply" ? kSlow_s : m_config.moveDelay_s), text});
+                {m_now_s + (m_fault == "slow-reply" ? kSlowAnswer_s : m_config.moveDelay_s), text});
         } else if (&port == &m_dashboard) {
             std::string values;
             const std::size_t bracket = text.find('(');
@@ -186,7 +186,7 @@ void DobotSimulator::advance(double now_s) {
                                          text.substr(bracket + 1, text.size() - bracket - 2));
             m_motion.m_said += std::to_string(error) + ",{}," + text + ";";
         }
-        const double dt_s = std::min(kStep_s, now_s - m_now_s);
+        const double dt_s = std::min(kPlannerStep_s, now_s - m_now_s);
         if (m_mode == DobotMode::Running)
             move(dt_s);
         m_now_s += dt_s;

@@ -16,9 +16,9 @@ constexpr double kFrameGap_s = 0.1; // a request in pieces further apart is nois
 constexpr int kIllegalFunction = 1, kIllegalAddress = 2, kIllegalValue = 3, kDeviceFailure = 4;
 constexpr int kMostAsked = 125;
 constexpr double kJump_K = 30.0, kHalfJump_s = 0.5, kRise_K_s = 2.0;
-const std::vector<std::string> kFaults{"none",        "silent",     "open",      "short",
-                                       "frozen",      "jumping",    "rising",    "wrong-unit",
-                                       "short-reply", "late-reply", "exception", "bad-crc"};
+const std::vector<std::string> kModbusFaults{"none",        "silent",     "open",      "short",
+                                             "frozen",      "jumping",    "rising",    "wrong-unit",
+                                             "short-reply", "late-reply", "exception", "bad-crc"};
 
 using Registers = std::vector<std::uint16_t>;
 
@@ -287,11 +287,11 @@ std::string ModbusSimulator::transmit(double now_s) {
 }
 
 std::vector<std::string> ModbusSimulator::faults() const {
-    return kFaults;
+    return kModbusFaults;
 }
 
 Result<void> ModbusSimulator::setFault(const std::string& name) {
-    if (const auto known = checkFault(name, kFaults); !known)
+    if (const auto known = checkFault(name, kModbusFaults); !known)
         return known;
     m_fault = name;
     m_fault_s = m_now_s;

@@ -14,8 +14,8 @@
 namespace bask {
 namespace {
 
-const std::vector<std::string> kFaults{"none",     "silent",  "garbage",      "wrong-channel",
-                                       "stuck-on", "no-heat", "setpoint-zero"};
+const std::vector<std::string> kNamurFaults{"none",     "silent",  "garbage",      "wrong-channel",
+                                            "stuck-on", "no-heat", "setpoint-zero"};
 constexpr double kStuckAt_degC = 300.0; ///< where an element that nobody switches off ends
 /// What a line with the wrong speed gives.
 constexpr std::string_view kGarbage = "\x81\xfe~8\x03.\xff\x10 2\r\n";
@@ -32,11 +32,11 @@ NamurSimulator::NamurSimulator(const NamurSimulatorConfig& config)
     : m_config(config), m_temperature_K(config.ambient_K), m_setPoint_K(kZeroCelsius_K) {}
 
 std::vector<std::string> NamurSimulator::faults() const {
-    return kFaults;
+    return kNamurFaults;
 }
 
 Result<void> NamurSimulator::setFault(const std::string& name) {
-    if (const auto known = checkFault(name, kFaults); !known)
+    if (const auto known = checkFault(name, kNamurFaults); !known)
         return known;
     m_fault = name;
     m_answers.clear();

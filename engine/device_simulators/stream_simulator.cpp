@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-const std::vector<std::string> kFaults{"none", "silent", "open", "short", "frozen", "garbage"};
+const std::vector<std::string> kStreamFaults{"none", "silent", "open", "short", "frozen", "garbage"};
 constexpr double kOpen_degC = 988.79, kShort_degC = -242.02; ///< what the converter makes of them
 constexpr int kLate = 5; ///< rounds that a device without a reader has behind it; older ones are lost
 
@@ -34,11 +34,11 @@ StreamSimulator::StreamSimulator(const StreamSimulatorConfig& config)
 }
 
 std::vector<std::string> StreamSimulator::faults() const {
-    return kFaults;
+    return kStreamFaults;
 }
 
 Result<void> StreamSimulator::setFault(const std::string& name) {
-    if (const auto known = checkFault(name, kFaults); !known)
+    if (const auto known = checkFault(name, kStreamFaults); !known)
         return known;
     m_fault = name;
     return {};

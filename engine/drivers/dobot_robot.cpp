@@ -12,11 +12,11 @@ namespace bask {
 namespace {
 
 constexpr double kFirstPacket_s = 3.0;
-constexpr double kSilence_s = 1.0;
-constexpr double kHeldUp_s = 0.5; // since the last call: the engine was silent, not the arm
-constexpr double kDrift = 1e-3;   // of two clocks
+constexpr double kPacketSilence_s = 1.0;
+constexpr double kEngineHeldUp_s = 0.5; // since the last call: the engine was silent, not the arm
+constexpr double kDrift = 1e-3;         // of two clocks
 constexpr double kPacketPeriod_s = 0.008;
-constexpr double kSlow_s = 2.0;
+constexpr double kSlowArm_s = 2.0;
 constexpr double kThere = 0.05;       // mm, degrees: the servos' own noise
 constexpr double kNotBegun_s = 0.5;   // idle for so long after a move was taken: it does not carry it out
 constexpr double kHaste = 2.0;        // a move takes half its step's time; the rest is for what is on its way
@@ -25,7 +25,7 @@ constexpr double kFrames_s = 0.5;     // they go through its queue
 constexpr double kResetAgain_s = 0.1; // a move may come to the arm after the reset that is for it
 constexpr double kResetting_s = 1.0, kEnabling_s = 5.0;
 constexpr double kNoReply_s = 5.0;
-constexpr double kNote_s = 5.0;
+constexpr double kNoteAgain_s = 5.0;
 constexpr double kErrorsPause_s = 1.0;
 
 /// Words of a mode in which somebody else has the arm; empty: nobody has.
@@ -55,7 +55,7 @@ DobotRobot::DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback
 
 void DobotRobot::work() {
     const double now_s = m_clock.now_s();
-    if (now_s - m_worked_s > kHeldUp_s)
+    if (now_s - m_worked_s > kEngineHeldUp_s)
         m_waiting_s = now_s; // what came meanwhile is still to be read
     m_worked_s = now_s;
     if (!areLinksOpen(now_s))
@@ -116,7 +116,7 @@ void DobotRobot::watch(double now_s) {
     const bool isLive = m_linkState == LinkState::Live;
     const double silent_s = now_s - std::max({m_opened_s, m_lastPacket_s, m_waiting_s});
     const double unanswered_s = m_asked ? now_s - std::max(m_asked->sent_s, m_waiting_s) : 0.0;
-    if (silent_s > (isLive ? kSilence_s : kFirstPacket_s))
+    if (silent_s > (isLive ? kPacketSilence_s : kFirstPacket_s))
         return lose({MessageCode::DeviceSilent, {m_feedback.link().name(), formatNumber(silent_s, 2)}},
                     now_s);
     if (unanswered_s > kNoReply_s)
@@ -125,7 +125,7 @@ void DobotRobot::watch(double now_s) {
     const double move_s = m_move_s ? now_s - std::max(*m_move_s, m_waiting_s) : 0.0;
     if (move_s > kNoReply_s)
         return lose({MessageCode::DeviceSilent, {m_motion.link().name(), formatNumber(move_s, 2)}}, now_s);
-    if (move_s > kSlow_s && !m_isSlow) {
+    if (move_s > kSlowArm_s && !m_isSlow) {
         m_isSlow = true;
         m_planner.forget();
         stopMove();
@@ -457,7 +457,7 @@ Message DobotRobot::alarm() const {
     if (!m_held.empty())
         return {MessageCode::RobotHeld, {m_held}};
     if (m_isSlow)
-        return {MessageCode::RobotSlow, {formatNumber(kSlow_s)}};
+        return {MessageCode::RobotSlow, {formatNumber(kSlowArm_s)}};
     if (m_refused)
         return {MessageCode::RobotRefused, {std::to_string(*m_refused), dobotErrorWords(*m_refused)}};
     return {};
@@ -465,7 +465,7 @@ Message DobotRobot::alarm() const {
 
 void DobotRobot::note(const Message& message, double now_s) {
     m_note = message;
-    m_noteUntil_s = now_s + kNote_s;
+    m_noteUntil_s = now_s + kNoteAgain_s;
 }
 
 DeviceStatus DobotRobot::status() const {
@@ -548,7 +548,7 @@ Result<void> DobotRobot::clearAlarm() {
         break;
     case MessageCode::RobotSlow:
         if (m_move_s)
-            return Error(MessageCode::RobotSlow, m_feedback.link().name(), {formatNumber(kSlow_s)});
+            return Error(MessageCode::RobotSlow, m_feedback.link().name(), {formatNumber(kSlowArm_s)});
         m_isSlow = false;
         break;
     default:

@@ -17,7 +17,6 @@ constexpr double kResetTime_s = 2.0;
 constexpr double kHomingTime_s = 120.0; // Grbl tells nothing while it homes
 constexpr double kRestPoll_s = 0.2, kMotionPoll_s = 0.05;
 constexpr double kReply_s = 0.4; // a report that has not come by then is asked for anew
-constexpr double kStepMargin_s = 0.01;
 constexpr double kSlow_s = 2.0;
 constexpr double kStopAgain_s = 0.3; // the byte may be lost
 constexpr double kStopAtMost_s = 0.05;

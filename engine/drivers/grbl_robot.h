@@ -53,6 +53,7 @@ private:
         bool hasReport = false; ///< something that only this line asks for has come
         bool hasUnits = false;  ///< $13 among it
     };
+    static constexpr double kStepMargin_s = 0.01;
     struct Step {
         PlannedStep plan;
         double end_s;

@@ -9,7 +9,6 @@
 namespace bask {
 namespace {
 
-constexpr double kStepMargin_s = 0.01;
 constexpr double kQuiet_s = 0.5;
 
 /// "1.1h" of "VER:1.1h.20190825:".

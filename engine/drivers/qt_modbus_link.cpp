@@ -66,7 +66,7 @@ bool isSame(const ModbusRequest& a, const ModbusRequest& b) {
     return a.unit == b.unit && a.function == b.function && dataOf(a) == dataOf(b);
 }
 
-QSerialPort::Parity parityOf(char letter) {
+QSerialPort::Parity lineParity(char letter) {
     return letter == 'E'   ? QSerialPort::EvenParity
            : letter == 'O' ? QSerialPort::OddParity
                            : QSerialPort::NoParity;
@@ -137,7 +137,7 @@ void QtModbusLink::Line::configure() {
     client.setConnectionParameter(QModbusDevice::SerialPortNameParameter, QString::fromStdString(path));
     client.setConnectionParameter(QModbusDevice::SerialBaudRateParameter, set.baud);
     client.setConnectionParameter(QModbusDevice::SerialDataBitsParameter, set.dataBits);
-    client.setConnectionParameter(QModbusDevice::SerialParityParameter, parityOf(set.parity));
+    client.setConnectionParameter(QModbusDevice::SerialParityParameter, lineParity(set.parity));
     client.setConnectionParameter(QModbusDevice::SerialStopBitsParameter, set.stopBits);
     client.setNumberOfRetries(0);
 }

@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 constexpr int kMostFieldSteps = 60; // along an axis: some seconds an object
 
 /// Where everything is before the first sample.
@@ -20,10 +20,10 @@ TraceSample atStart(const Experiment& e) {
     TraceSample sample;
     sample.coordinates = e.start;
     sample.source = e.source.pose;
-    sample.source_K = kNaN;
+    sample.source_K = kNoValue;
     for (const ObjectSpec& object : e.objects) {
         ObjectSample row;
-        row.measured_K = row.estimated_K = row.true_K = row.viewFactor = kNaN;
+        row.measured_K = row.estimated_K = row.true_K = row.viewFactor = kNoValue;
         row.target_K = object.target_K;
         sample.objects.push_back(row);
     }
@@ -140,7 +140,7 @@ private:
         steady.unit = "K";
         const HeatRates rates = ratesOf(m_session.experiment, object);
         for (double& value : steady.values)
-            value = std::isfinite(value) ? rates.steadyTemperature_K(value) : kNaN;
+            value = std::isfinite(value) ? rates.steadyTemperature_K(value) : kNoValue;
         if (auto done = putOne(factor, "view_factor_" + ending, "View factor of " + object.name + where);
             !done)
             return done;

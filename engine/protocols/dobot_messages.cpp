@@ -11,7 +11,7 @@
 namespace bask {
 namespace {
 
-constexpr double kFarthest = 9999.999; // mm, degrees
+constexpr double kFarthestTarget = 9999.999; // mm, degrees
 constexpr std::size_t kModeAt = 24, kTimeAt = 32, kTestAt = 48, kPositionAt = 624, kUserAt = 1012,
                       kToolAt = 1013;
 constexpr std::uint64_t kTest = 0x0123456789ABCDEF;
@@ -91,10 +91,10 @@ std::vector<int> dobotErrorIds(std::string_view values) {
 Result<std::string> dobotMove(const DobotPosition& to, int speed_percent, int acceleration_percent) {
     std::string out = "MovL(";
     for (const double position : to) {
-        if (!(std::abs(position) <= kFarthest))
-            return Error(
-                MessageCode::ValueOutOfRange, "position",
-                {formatNumber(position), formatNumber(-kFarthest, 7), formatNumber(kFarthest, 7), ""});
+        if (!(std::abs(position) <= kFarthestTarget))
+            return Error(MessageCode::ValueOutOfRange, "position",
+                         {formatNumber(position), formatNumber(-kFarthestTarget, 7),
+                          formatNumber(kFarthestTarget, 7), ""});
         std::array<char, 32> text{};
         const auto end =
             std::to_chars(text.data(), text.data() + text.size(),

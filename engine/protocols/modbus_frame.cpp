@@ -10,7 +10,7 @@ int byteAt(std::string_view bytes, std::size_t i) {
     return static_cast<unsigned char>(bytes[i]);
 }
 
-int wordAt(std::string_view bytes, std::size_t i) {
+int registerAt(std::string_view bytes, std::size_t i) {
     return byteAt(bytes, i) << 8 | byteAt(bytes, i + 1);
 }
 
@@ -37,8 +37,8 @@ ModbusQuery parsed(std::string_view frame) {
     ModbusQuery out;
     out.unit = byteAt(frame, 0);
     out.function = byteAt(frame, 1);
-    out.address = wordAt(frame, 2);
-    out.count = wordAt(frame, 4);
+    out.address = registerAt(frame, 2);
+    out.count = registerAt(frame, 4);
     switch (out.function) {
     case 3:
     case 4:
@@ -49,7 +49,7 @@ ModbusQuery parsed(std::string_view frame) {
         break;
     case kWriteMany:
         for (std::size_t i = 7; i + 3 < frame.size(); i += 2)
-            out.values.push_back(static_cast<std::uint16_t>(wordAt(frame, i)));
+            out.values.push_back(static_cast<std::uint16_t>(registerAt(frame, i)));
         out.isKnown = byteAt(frame, 6) == 2 * out.count;
         break;
     default:

@@ -16,10 +16,10 @@ double temperature_K(const ObjectSample& object) {
 }
 
 /// When T first passes a level, linear between samples; samples without T are left out.
-class Crossing {
+class LevelCrossing {
 public:
-    Crossing() = default;
-    Crossing(double level_K, bool isUpward) : m_level_K(level_K), m_isUpward(isUpward) {}
+    LevelCrossing() = default;
+    LevelCrossing(double level_K, bool isUpward) : m_level_K(level_K), m_isUpward(isUpward) {}
 
     void add(double time_s, double T_K) {
         const double now = m_isUpward ? T_K - m_level_K : -(T_K - m_level_K);
@@ -92,8 +92,8 @@ struct RunMetricsCount::ObjectCount {
         if (!isJudged)
             return;
         const double step_K = *metrics.step_K, first_K = target_K - step_K;
-        begun = Crossing(first_K + 0.1 * step_K, step_K > 0.0);
-        done = Crossing(first_K + 0.9 * step_K, step_K > 0.0);
+        begun = LevelCrossing(first_K + 0.1 * step_K, step_K > 0.0);
+        done = LevelCrossing(first_K + 0.9 * step_K, step_K > 0.0);
         metrics.overshoot_K = 0.0;
     }
 
@@ -127,7 +127,7 @@ struct RunMetricsCount::ObjectCount {
     ObjectMetrics metrics; ///< but for what judged() adds
     bool isBegun = false;
     bool isJudged = false; ///< the step is large enough
-    Crossing begun, done;
+    LevelCrossing begun, done;
     std::deque<std::pair<double, double>> lately; ///< times and errors since the step and in the last window
 };
 

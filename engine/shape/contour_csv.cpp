@@ -12,8 +12,8 @@
 namespace bask {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{64} << 20;
-constexpr std::size_t kMostPoints = 1'000'000;
+constexpr std::uintmax_t kLargestCsv = std::uintmax_t{64} << 20;
+constexpr std::size_t kMostRows = 1'000'000;
 constexpr std::size_t kLeastPoints = 3;
 constexpr char kSpaces = ' '; // "delimiter" of columns set apart by white space
 
@@ -200,7 +200,7 @@ Result<void> checkText(std::string_view text, const std::string& path) {
 } // namespace
 
 Result<OutlineFile> readCsvOutlines(const std::string& path, std::optional<LengthUnit> unit) {
-    const auto bytes = readFileBytes(path, kLargestFile);
+    const auto bytes = readFileBytes(path, kLargestCsv);
     return bytes ? csvOutlines(*bytes, path, unit) : bytes.error();
 }
 
@@ -214,10 +214,10 @@ Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& pat
     const std::vector<Line> lines = linesOf(text);
     if (lines.empty())
         return Error{MessageCode::FileEmpty, path};
-    if (lines.size() > kMostPoints)
+    if (lines.size() > kMostRows)
         return Error{MessageCode::FileTooLarge,
                      path,
-                     {std::to_string(lines.size()) + " lines", std::to_string(kMostPoints)}};
+                     {std::to_string(lines.size()) + " lines", std::to_string(kMostRows)}};
 
     const char delimiter = delimiterOf(lines);
     const auto header = fieldsOf(lines.front().text, delimiter);

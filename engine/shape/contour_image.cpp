@@ -17,7 +17,7 @@
 namespace bask {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{256} << 20;
+constexpr std::uintmax_t kLargestPicture = std::uintmax_t{256} << 20;
 constexpr std::uint64_t kMostPixels = 64'000'000;
 constexpr int kLevels = 256;
 
@@ -381,7 +381,7 @@ ColourPicture picture(const cv::Mat& image) {
 
 // What a picture gives, with what OpenCV and allocation throw as an Error.
 template <class Value, class Use> Result<Value> ofPicture(const std::string& path, Use use) {
-    const auto bytes = readFileBytes(path, kLargestFile);
+    const auto bytes = readFileBytes(path, kLargestPicture);
     if (!bytes)
         return bytes.error();
     try {

@@ -19,7 +19,7 @@ constexpr std::size_t kMostValues = 2'000'000;
 constexpr std::size_t kMostKinds = 20; // told one by one
 constexpr std::size_t kLongestName = 255;
 constexpr double kLargestNumber = 1e15;
-constexpr int kHighestDegree = 15;
+constexpr int kHighestSplineDegree = 15;
 constexpr double kLeastWeight = 1e-30;
 constexpr std::string_view kBinaryMark = "AutoCAD Binary DXF";
 
@@ -268,7 +268,7 @@ private:
         const std::size_t controls = count(10), weights = count(41);
         if (controls == 0)
             return count(11) >= 2;
-        if (degree < 1 || degree > kHighestDegree)
+        if (degree < 1 || degree > kHighestSplineDegree)
             return false;
         const auto order = static_cast<std::size_t>(degree) + 1;
         std::vector<double> knots;

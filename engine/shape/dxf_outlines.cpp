@@ -12,8 +12,8 @@
 namespace bask {
 namespace {
 
-constexpr std::uintmax_t kLargestFile = std::uintmax_t{32} << 20;
-constexpr std::size_t kMostPoints = 500'000;
+constexpr std::uintmax_t kLargestDxf = std::uintmax_t{32} << 20;
+constexpr std::size_t kMostVertices = 500'000;
 constexpr std::size_t kMostPieces = 100'000;
 constexpr std::size_t kMostOutlines = 2'000;
 constexpr std::size_t kDeepestBlocks = 32;
@@ -55,8 +55,8 @@ public:
             const auto done = std::visit([&](const auto& shape) { return draw(shape, map_m); }, entity.shape);
             if (!done)
                 return done;
-            if (m_points > kMostPoints)
-                return tooMany(m_points, "points", kMostPoints, m_where);
+            if (m_points > kMostVertices)
+                return tooMany(m_points, "points", kMostVertices, m_where);
         }
         return {};
     }
@@ -70,7 +70,7 @@ private:
         return m_drawing.hidden_layers.contains(entity.layer) && (m_blocks.empty() || entity.layer != "0");
     }
 
-    Flattening flattening() const { return {m_tolerance_m, kMostPoints - m_points}; }
+    Flattening flattening() const { return {m_tolerance_m, kMostVertices - m_points}; }
 
     Result<void> keep(std::vector<Eigen::Vector2d> points) {
         if (!std::ranges::all_of(points, [](const Eigen::Vector2d& p) { return p.allFinite(); }))
@@ -86,7 +86,8 @@ private:
         if (count < 2)
             return {};
         std::vector<Eigen::Vector2d> points{map_m * line.vertices.front().point}, arc;
-        for (std::size_t k = 0; k < (line.closed ? count : count - 1) && points.size() <= kMostPoints; ++k) {
+        for (std::size_t k = 0; k < (line.closed ? count : count - 1) && points.size() <= kMostVertices;
+             ++k) {
             const auto& [from, bulge] = line.vertices[k];
             const Eigen::Vector2d& to = line.vertices[(k + 1) % count].point;
             if (std::abs(bulge) > kStraight && from != to) {
@@ -203,7 +204,7 @@ Result<OutlineFile> dxfOutlines(const std::string& bytes, const std::string& whe
 }
 
 Result<OutlineFile> readDxfOutlines(const std::string& path, double tolerance_m) {
-    const auto bytes = readFileBytes(path, kLargestFile);
+    const auto bytes = readFileBytes(path, kLargestDxf);
     return bytes ? dxfOutlines(*bytes, path, tolerance_m) : bytes.error();
 }
 

@@ -1,5 +1,7 @@
 #include "widgets/calibrate/board_form.h"
 
+#include "engine/base/units.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -12,8 +14,6 @@
 
 namespace bask {
 namespace {
-
-constexpr double kMmPerM = 1000.0;
 
 QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, double value_mm) {
     auto* box = new QDoubleSpinBox(parent);

@@ -80,7 +80,7 @@ Pattern markerPattern(const Markers& markers, std::span<const int> ids, int colu
     return pattern;
 }
 
-std::string sizeText(double width_mm, double height_mm) {
+std::string sheetSizeText(double width_mm, double height_mm) {
     return formatNumber(width_mm) + " x " + formatNumber(height_mm);
 }
 
@@ -104,9 +104,9 @@ Result<BoardSheet> sheetOf(const std::string& setting, Pattern pattern, QPageSiz
     if (pattern.width_mm > room_mm.width() || pattern.height_mm > room_mm.height())
         return Error{MessageCode::SheetTooSmall,
                      setting,
-                     {sizeText(pattern.width_mm, pattern.height_mm),
+                     {sheetSizeText(pattern.width_mm, pattern.height_mm),
                       QPageSize::name(paper).section(' ', 0, 0).toStdString(),
-                      sizeText(room_mm.width(), room_mm.height())}};
+                      sheetSizeText(room_mm.width(), room_mm.height())}};
     sheet.corner_mm = {kSide_mm + 0.5 * (room_mm.width() - pattern.width_mm),
                        kTop_mm + 0.5 * (room_mm.height() - pattern.height_mm)};
     return sheet;

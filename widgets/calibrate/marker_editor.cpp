@@ -22,7 +22,6 @@
 namespace bask {
 namespace {
 
-constexpr double kMmPerM = 1000.0;
 constexpr double kMmShown = 5000.0;
 constexpr int kRows = 5;
 enum Column { kPart, kId, kSide, kSeen };

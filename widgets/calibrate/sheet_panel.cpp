@@ -1,6 +1,7 @@
 #include "widgets/calibrate/sheet_panel.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 #include "widgets/calibrate/board_form.h"
 #include "widgets/calibrate/sheet_preview.h"
 #include "widgets/common/display.h"
@@ -22,7 +23,6 @@
 namespace bask {
 namespace {
 
-constexpr double kMmPerM = 1000.0;
 // Printers that fit a page to the paper stay within this; A3 on A4 is 71 %.
 constexpr double kLeastMeasured_mm = 60.0, kMostMeasured_mm = 150.0;
 

@@ -19,7 +19,7 @@ namespace {
 
 enum Column { kPriority, kState, kRaised, kTimes, kWhat, kColumns };
 constexpr int kIdRole = Qt::UserRole;
-constexpr int kMark = 16;
+constexpr int kRowMark = 16;
 constexpr int kGap = 8;
 
 } // namespace
@@ -34,7 +34,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setFrameShape(QFrame::NoFrame);
-    m_tree->setIconSize({kMark, kMark});
+    m_tree->setIconSize({kRowMark, kRowMark});
     m_tree->setMinimumWidth(300);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the sentence is elided instead
     m_tree->header()->setStretchLastSection(true);
@@ -138,7 +138,7 @@ void AlarmList::showRows() {
 
 void AlarmList::fill(QTreeWidgetItem* item, const Alarm& alarm) const {
     item->setData(kPriority, kIdRole, QVariant::fromValue<qulonglong>(alarm.id));
-    item->setIcon(kPriority, QIcon(alarmPixmap(alarm.priority, isDark(this), kMark, devicePixelRatioF())));
+    item->setIcon(kPriority, QIcon(alarmPixmap(alarm.priority, isDark(this), kRowMark, devicePixelRatioF())));
     item->setData(kPriority, Qt::AccessibleTextRole, tr("Priority %1").arg(alarm.priority));
     item->setText(kState, alarmStateWords(alarm));
     item->setText(kRaised, alarmTime(alarm.raised_s, m_today));

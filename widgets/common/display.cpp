@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-struct Words {
+struct DisplayWords {
     Q_DECLARE_TR_FUNCTIONS(bask::Display)
 };
 
@@ -53,7 +53,7 @@ QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals) {
     if (!std::isfinite(rate_K_s))
         return kNoValue;
     return formatSigned(displayDifference(rate_K_s, unit) * 60.0, decimals) + kNarrowSpace +
-           Words::tr("%1/min", "a rate; %1 is K or °F").arg(differenceUnitSymbol(unit));
+           DisplayWords::tr("%1/min", "a rate; %1 is K or °F").arg(differenceUnitSymbol(unit));
 }
 
 QString formatDuration(double time_s) {
@@ -84,25 +84,25 @@ QString differenceUnitSymbol(TemperatureUnit unit) {
 QString runStateWord(RunState state) {
     switch (state) {
     case RunState::Idle:
-        return Words::tr("Idle");
+        return DisplayWords::tr("Idle");
     case RunState::NotReady:
-        return Words::tr("Not ready");
+        return DisplayWords::tr("Not ready");
     case RunState::Ready:
-        return Words::tr("Ready");
+        return DisplayWords::tr("Ready");
     case RunState::Armed:
-        return Words::tr("Armed");
+        return DisplayWords::tr("Armed");
     case RunState::Running:
-        return Words::tr("Running");
+        return DisplayWords::tr("Running");
     case RunState::Holding:
-        return Words::tr("Holding");
+        return DisplayWords::tr("Holding");
     case RunState::Settled:
-        return Words::tr("Settled");
+        return DisplayWords::tr("Settled");
     case RunState::Stopping:
-        return Words::tr("Stopping");
+        return DisplayWords::tr("Stopping");
     case RunState::Stopped:
-        return Words::tr("Stopped");
+        return DisplayWords::tr("Stopped");
     case RunState::Fault:
-        return Words::tr("Fault (latched)");
+        return DisplayWords::tr("Fault (latched)");
     }
     return {};
 }
@@ -110,25 +110,26 @@ QString runStateWord(RunState state) {
 QString runStateExplanation(RunState state) {
     switch (state) {
     case RunState::Idle:
-        return Words::tr("Nothing is armed. Heat and motion are off.");
+        return DisplayWords::tr("Nothing is armed. Heat and motion are off.");
     case RunState::NotReady:
-        return Words::tr("The rig cannot be armed or started yet.");
+        return DisplayWords::tr("The rig cannot be armed or started yet.");
     case RunState::Ready:
-        return Words::tr("Nothing stands in the way: press Arm.");
+        return DisplayWords::tr("Nothing stands in the way: press Arm.");
     case RunState::Armed:
-        return Words::tr("The sensors are zeroed and the recording is open: press Start.");
+        return DisplayWords::tr("The sensors are zeroed and the recording is open: press Start.");
     case RunState::Running:
-        return Words::tr("The robot moves the objects towards their targets.");
+        return DisplayWords::tr("The robot moves the objects towards their targets.");
     case RunState::Holding:
-        return Words::tr("Zero velocity; the controller's state is kept. Press Resume to go on.");
+        return DisplayWords::tr("Zero velocity; the controller's state is kept. Press Resume to go on.");
     case RunState::Settled:
-        return Words::tr("All objects stay within their tolerance band. The controller keeps working.");
+        return DisplayWords::tr(
+            "All objects stay within their tolerance band. The controller keeps working.");
     case RunState::Stopping:
-        return Words::tr("The run is ending: the robot retreats and the heat is off.");
+        return DisplayWords::tr("The run is ending: the robot retreats and the heat is off.");
     case RunState::Stopped:
-        return Words::tr("The run has ended. Heat and motion are off.");
+        return DisplayWords::tr("The run has ended. Heat and motion are off.");
     case RunState::Fault:
-        return Words::tr("Heat and motion are off. Remove the cause, then press Reset.");
+        return DisplayWords::tr("Heat and motion are off. Remove the cause, then press Reset.");
     }
     return {};
 }
@@ -136,11 +137,11 @@ QString runStateExplanation(RunState state) {
 QString controllerWord(ControllerKind kind) {
     switch (kind) {
     case ControllerKind::LevelServo:
-        return Words::tr("Level servo");
+        return DisplayWords::tr("Level servo");
     case ControllerKind::ModelBased:
-        return Words::tr("Model-based");
+        return DisplayWords::tr("Model-based");
     case ControllerKind::Adaptive:
-        return Words::tr("Adaptive");
+        return DisplayWords::tr("Adaptive");
     }
     return {};
 }
@@ -157,7 +158,7 @@ QString argument(const Message& message, std::size_t i) {
     if (message.code == MessageCode::RigIncomplete)
         for (const char* word : kDevices)
             if (message.args[i] == word)
-                return Words::tr(word);
+                return DisplayWords::tr(word);
     return QString::fromStdString(message.args[i]);
 }
 

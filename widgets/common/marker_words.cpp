@@ -7,7 +7,7 @@
 namespace bask {
 namespace {
 
-struct Words {
+struct MarkerWords {
     Q_DECLARE_TR_FUNCTIONS(bask::RunPage) // whose words they are
 };
 
@@ -16,31 +16,31 @@ struct Words {
 QString markerWord(MessageCode code) {
     switch (code) {
     case MessageCode::EventHeld:
-        return Words::tr("Hold");
+        return MarkerWords::tr("Hold");
     case MessageCode::EventResumed:
-        return Words::tr("Resume");
+        return MarkerWords::tr("Resume");
     case MessageCode::EventStopped:
-        return Words::tr("Stop");
+        return MarkerWords::tr("Stop");
     case MessageCode::EventEmergencyStop:
-        return Words::tr("STOP");
+        return MarkerWords::tr("STOP");
     case MessageCode::EventSettled:
-        return Words::tr("Settled");
+        return MarkerWords::tr("Settled");
     case MessageCode::EventTargetsChanged:
-        return Words::tr("New targets");
+        return MarkerWords::tr("New targets");
     case MessageCode::EventGainsChanged:
-        return Words::tr("New gains");
+        return MarkerWords::tr("New gains");
     case MessageCode::EventCompromise:
-        return Words::tr("Compromise");
+        return MarkerWords::tr("Compromise");
     case MessageCode::ReasonSensorInvalid:
-        return Words::tr("Sensor lost");
+        return MarkerWords::tr("Sensor lost");
     case MessageCode::EventSensorBack:
-        return Words::tr("Sensor back");
+        return MarkerWords::tr("Sensor back");
     case MessageCode::ReasonSourcePoseLost:
-        return Words::tr("Source lost");
+        return MarkerWords::tr("Source lost");
     case MessageCode::EventSourcePoseBack:
-        return Words::tr("Source back");
+        return MarkerWords::tr("Source back");
     default:
-        return alarmPriority(code) == 1 ? Words::tr("Fault") : QString();
+        return alarmPriority(code) == 1 ? MarkerWords::tr("Fault") : QString();
     }
 }
 

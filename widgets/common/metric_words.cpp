@@ -10,12 +10,12 @@
 namespace bask {
 namespace {
 
-struct Words {
+struct MetricWords {
     Q_DECLARE_TR_FUNCTIONS(bask::Metrics)
 };
 
 QString seconds(double time_s) {
-    return Words::tr("%1 s").arg(QLocale().toString(time_s, 'f', 1));
+    return MetricWords::tr("%1 s").arg(QLocale().toString(time_s, 'f', 1));
 }
 
 QString share(double part) {
@@ -30,15 +30,15 @@ QString riseText(const ObjectMetrics& metrics, double band_K) {
     if (metrics.rise_s)
         return seconds(*metrics.rise_s);
     if (!metrics.step_K)
-        return Words::tr("start unknown");
-    return isSmallStep(metrics, band_K) ? Words::tr("step too small") : Words::tr("not reached");
+        return MetricWords::tr("start unknown");
+    return isSmallStep(metrics, band_K) ? MetricWords::tr("step too small") : MetricWords::tr("not reached");
 }
 
 QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit) {
     if (!metrics.overshoot_K)
-        return metrics.step_K ? Words::tr("step too small") : Words::tr("start unknown");
+        return metrics.step_K ? MetricWords::tr("step too small") : MetricWords::tr("start unknown");
     if (*metrics.overshoot_K <= 0.0)
-        return Words::tr("none");
+        return MetricWords::tr("none");
     return QStringLiteral("%1\u00a0%2 (%3)")
         .arg(QLocale().toString(displayDifference(*metrics.overshoot_K, unit), 'f', 2),
              differenceUnitSymbol(unit), share(*metrics.overshootShare()));
@@ -46,12 +46,13 @@ QString overshootText(const ObjectMetrics& metrics, TemperatureUnit unit) {
 
 QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit) {
     if (!metrics.steadyError_K)
-        return Words::tr("not settled");
+        return MetricWords::tr("not settled");
     const QString mean = formatDifference(*metrics.steadyError_K, unit, 2);
     if (!metrics.steadyDeviation_K)
         return mean;
     const QString deviation = QLocale().toString(displayDifference(*metrics.steadyDeviation_K, unit), 'f', 2);
-    return Words::tr("%1 (s.d. %2)", "mean with its unit, standard deviation without").arg(mean, deviation);
+    return MetricWords::tr("%1 (s.d. %2)", "mean with its unit, standard deviation without")
+        .arg(mean, deviation);
 }
 
 } // namespace
@@ -59,19 +60,19 @@ QString steadyText(const ObjectMetrics& metrics, TemperatureUnit unit) {
 QString metricName(ObjectMetric metric) {
     switch (metric) {
     case ObjectMetric::Target:
-        return Words::tr("Target");
+        return MetricWords::tr("Target");
     case ObjectMetric::Final:
-        return Words::tr("Final");
+        return MetricWords::tr("Final");
     case ObjectMetric::Settling:
-        return Words::tr("Settling time");
+        return MetricWords::tr("Settling time");
     case ObjectMetric::Rise:
-        return Words::tr("Rise time");
+        return MetricWords::tr("Rise time");
     case ObjectMetric::Overshoot:
-        return Words::tr("Overshoot");
+        return MetricWords::tr("Overshoot");
     case ObjectMetric::SteadyError:
-        return Words::tr("Steady-state error");
+        return MetricWords::tr("Steady-state error");
     case ObjectMetric::PathLength:
-        return Words::tr("Path length");
+        return MetricWords::tr("Path length");
     }
     return {};
 }
@@ -79,15 +80,15 @@ QString metricName(ObjectMetric metric) {
 QString metricName(RunMetric metric) {
     switch (metric) {
     case RunMetric::Duration:
-        return Words::tr("Duration of control");
+        return MetricWords::tr("Duration of control");
     case RunMetric::PathLength:
-        return Words::tr("Path of the end-effector");
+        return MetricWords::tr("Path of the end-effector");
     case RunMetric::Turned:
-        return Words::tr("Rotation of the end-effector");
+        return MetricWords::tr("Rotation of the end-effector");
     case RunMetric::VelocityLimit:
-        return Words::tr("Time at a velocity limit");
+        return MetricWords::tr("Time at a velocity limit");
     case RunMetric::HeldBack:
-        return Words::tr("Time at any limit");
+        return MetricWords::tr("Time at any limit");
     }
     return {};
 }
@@ -96,31 +97,32 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
     const QString band = QStringLiteral("\u00b1") + formatDifference(band_K, unit).mid(1);
     switch (metric) {
     case ObjectMetric::Target:
-        return Words::tr(
+        return MetricWords::tr(
             "The last target that was set. The other numbers count from that moment, or from Start "
             "when it was not changed, until Stop.");
     case ObjectMetric::Final:
-        return Words::tr(
+        return MetricWords::tr(
             "The object's temperature at the last sample until Stop: the simulated object's own, on a "
             "real rig the estimate from its sensor. The other numbers take this temperature, too.");
     case ObjectMetric::Settling:
-        return Words::tr("Time until the temperature stays within %1 of the target until Stop.").arg(band);
+        return MetricWords::tr("Time until the temperature stays within %1 of the target until Stop.")
+            .arg(band);
     case ObjectMetric::Rise:
-        return Words::tr(
+        return MetricWords::tr(
             "Time between the first crossings of 10 % and of 90 % of the step, which leads from the "
             "temperature when the target was set to the target. Not given for steps under twice the "
             "band.");
     case ObjectMetric::Overshoot:
-        return Words::tr(
+        return MetricWords::tr(
             "How far the temperature went beyond the target in the direction of the step, and as a "
             "share of the step. Not given for steps under twice the band.");
     case ObjectMetric::SteadyError:
-        return Words::tr(
+        return MetricWords::tr(
                    "Mean of temperature minus target over the last %1 s until Stop, or since settling where "
                    "that is less, with the standard deviation of the samples.")
             .arg(QLocale().toString(kSteadyWindow_s, 'f', 0));
     case ObjectMetric::PathLength:
-        return Words::tr(
+        return MetricWords::tr(
             "Length of the path of the object's centre in the robot's base, from Start until Stop.");
     }
     return {};
@@ -129,16 +131,17 @@ QString metricDefinition(ObjectMetric metric, double band_K, TemperatureUnit uni
 QString metricDefinition(RunMetric metric) {
     switch (metric) {
     case RunMetric::Duration:
-        return Words::tr("From Start until Stop.");
+        return MetricWords::tr("From Start until Stop.");
     case RunMetric::PathLength:
-        return Words::tr(
+        return MetricWords::tr(
             "Length of the path of the end-effector's origin in the robot's base, from Start until Stop.");
     case RunMetric::Turned:
-        return Words::tr("Sum of the angles by which the end-effector was turned from sample to sample.");
+        return MetricWords::tr(
+            "Sum of the angles by which the end-effector was turned from sample to sample.");
     case RunMetric::VelocityLimit:
-        return Words::tr("Time in which the limit of speed or of rotation held the command back.");
+        return MetricWords::tr("Time in which the limit of speed or of rotation held the command back.");
     case RunMetric::HeldBack:
-        return Words::tr(
+        return MetricWords::tr(
             "Time in which a limit of any kind held the command back: speed, rotation, acceleration, "
             "clearance or workspace.");
     }
@@ -148,14 +151,14 @@ QString metricDefinition(RunMetric metric) {
 QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t object, TemperatureUnit unit) {
     const ObjectMetrics& metrics = run.objects.at(object);
     if (run.samples == 0)
-        return Words::tr("no samples");
+        return MetricWords::tr("no samples");
     switch (metric) {
     case ObjectMetric::Target:
         return formatTemperature(metrics.target_K, unit);
     case ObjectMetric::Final:
-        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, 2) : Words::tr("not known");
+        return metrics.final_K ? formatTemperature(*metrics.final_K, unit, 2) : MetricWords::tr("not known");
     case ObjectMetric::Settling:
-        return metrics.settling_s ? seconds(*metrics.settling_s) : Words::tr("not settled");
+        return metrics.settling_s ? seconds(*metrics.settling_s) : MetricWords::tr("not settled");
     case ObjectMetric::Rise:
         return riseText(metrics, run.band_K);
     case ObjectMetric::Overshoot:
@@ -170,7 +173,7 @@ QString metricText(ObjectMetric metric, const RunMetrics& run, std::size_t objec
 
 QString metricText(RunMetric metric, const RunMetrics& run) {
     if (run.samples == 0)
-        return Words::tr("no samples");
+        return MetricWords::tr("no samples");
     const auto withShare = [&](double time_s) {
         return run.duration_s > 0.0
                    ? QStringLiteral("%1 (%2)").arg(seconds(time_s), share(time_s / run.duration_s))

@@ -1,6 +1,7 @@
 #include "widgets/objects/import_panel.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 #include "engine/session/experiment.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
@@ -32,8 +33,6 @@
 
 namespace bask {
 namespace {
-
-constexpr double kMmPerM = 1000.0;
 
 QImage imageOf(const std::string& path) {
     const auto picture = readPicture(path);

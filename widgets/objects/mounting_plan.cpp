@@ -18,7 +18,6 @@
 namespace bask {
 namespace {
 
-constexpr double kMmPerM = 1000.0;
 constexpr double kSnap_mm = 5.0, kFineSnap_mm = 0.1;
 constexpr double kSnap_deg = 5.0, kFineSnap_deg = 0.1;
 // Large enough for a hand in a glove.

@@ -1,5 +1,7 @@
 #include "widgets/objects/outline_painting.h"
 
+#include "engine/base/units.h"
+
 #include <QCoreApplication>
 #include <QLocale>
 #include <QPainter>
@@ -8,9 +10,6 @@
 #include <cmath>
 
 namespace bask {
-namespace {
-constexpr double kMmPerM = 1000.0;
-}
 
 QPolygonF outline_mm(const Shape& shape, int n) {
     QPolygonF polygon;
@@ -27,7 +26,7 @@ QPolygonF polygon_mm(const Contour& contour) {
     return polygon;
 }
 
-QPainterPath face_mm(const std::vector<std::vector<Eigen::Vector2d>>& rings_m) {
+QPainterPath rings_mm(const std::vector<std::vector<Eigen::Vector2d>>& rings_m) {
     QPainterPath face;
     for (const std::vector<Eigen::Vector2d>& ring : rings_m) {
         face.addPolygon(polygon_mm(Contour{ring}));

@@ -1,5 +1,6 @@
 #include "widgets/objects/outline_picker.h"
 
+#include "engine/base/units.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/outline_painting.h"
 
@@ -53,7 +54,6 @@ void OutlinePicker::setPicture(const QImage& picture) {
 }
 
 void OutlinePicker::setOutlines(const OutlineFile& file) {
-    constexpr double kMmPerM = 1000.0;
     m_rings.clear();
     for (const FileOutline& outline : file.outlines) {
         Ring ring{{}, {}, outline.closed, outline.hole, outline.holeIn};

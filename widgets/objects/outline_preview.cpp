@@ -1,5 +1,6 @@
 #include "widgets/objects/outline_preview.h"
 
+#include "engine/base/units.h"
 #include "widgets/common/colour_map.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/outline_painting.h"
@@ -18,7 +19,6 @@ namespace {
 
 constexpr double kMargin = 14.0;
 constexpr int kCurvePoints = 720;
-constexpr double kMmPerM = 1000.0;
 constexpr int kColours = 32;
 constexpr double kLeastScale_mm = 0.001; // a perfect fit is not coloured by its rounding
 constexpr double kLeastStep = 0.5;       // px: what is shorter is not drawn

@@ -17,7 +17,7 @@ struct View {
     QCPAxisRect* rect;
 };
 
-QCPColorGradient blueToRed() {
+QCPColorGradient coolToWarm() {
     QCPColorGradient gradient;
     gradient.clearColorStops();
     gradient.setColorInterpolation(QCPColorGradient::ciRGB);
@@ -128,7 +128,7 @@ private:
 
     QCustomPlot& m_plot;
     const PathsFigure& m_figure;
-    QCPColorGradient m_gradient = blueToRed();
+    QCPColorGradient m_gradient = coolToWarm();
 };
 
 struct Extents {
@@ -178,7 +178,7 @@ void setEqualScales(QCPAxisRect* rect, const QCPRange& across, const QCPRange& u
 
 void addColours(QCustomPlot& plot, QCPLayoutGrid& views, const PathsFigure& figure) {
     auto* scale = new QCPColorScale(&plot);
-    scale->setGradient(blueToRed());
+    scale->setGradient(coolToWarm());
     scale->setDataRange({figure.coldest_degC, figure.hottest_degC});
     scale->setType(QCPAxis::atRight);
     scale->setBarWidth(14);

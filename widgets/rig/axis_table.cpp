@@ -18,11 +18,6 @@ namespace {
 constexpr std::string_view kLetters = "XYZABCR";
 constexpr int kOriginDecimals = 3;
 
-QString nameOf(const char* part, int coordinate) {
-    return QStringLiteral("%1.%2").arg(QLatin1String(part),
-                                       QLatin1String(kCoordinateNames[static_cast<std::size_t>(coordinate)]));
-}
-
 } // namespace
 
 AxisTable::AxisTable(QWidget* parent)
@@ -36,14 +31,14 @@ AxisTable::AxisTable(QWidget* parent)
     for (int k = 0; k < 6; ++k) {
         Row& row = m_rows[static_cast<std::size_t>(k)];
         row.letter = new QComboBox(this);
-        row.letter->setObjectName(nameOf("axis", k));
+        row.letter->setObjectName(coordinateObjectName("axis", k));
         row.letter->addItem(QStringLiteral("\u2014"), 0);
         for (const char letter : kLetters)
             row.letter->addItem(QString(QLatin1Char(letter)), static_cast<int>(letter));
         row.reversed = new QCheckBox(this);
-        row.reversed->setObjectName(nameOf("reversed", k));
+        row.reversed->setObjectName(coordinateObjectName("reversed", k));
         row.origin = new QDoubleSpinBox(this);
-        row.origin->setObjectName(nameOf("origin", k));
+        row.origin->setObjectName(coordinateObjectName("origin", k));
         row.origin->setDecimals(kOriginDecimals);
         row.origin->setRange(k < kThetaX ? -5000.0 : -360.0, k < kThetaX ? 5000.0 : 360.0);
         row.origin->setSuffix(coordinateSymbol(k));

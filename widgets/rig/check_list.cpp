@@ -17,7 +17,7 @@
 namespace bask {
 namespace {
 
-constexpr int kMark = 14;
+constexpr int kRowMark = 14;
 constexpr double kFreshPeriods = 3.0;
 
 } // namespace
@@ -40,7 +40,7 @@ CheckList::CheckList(QWidget* parent) : QWidget(parent), m_title(boldLabel(this)
 
 CheckList::Line CheckList::addLine(const QString& name) {
     Line line{new QLabel(this), new QLabel(this)};
-    line.mark->setFixedSize(kMark, kMark + 2);
+    line.mark->setFixedSize(kRowMark, kRowMark + 2);
     line.text->setObjectName(name);
     line.text->setWordWrap(true);
     line.text->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -63,8 +63,8 @@ void CheckList::put(Line& line, Kind kind, const QString& text) {
     const CheckMark mark = kind == Kind::Done    ? CheckMark::Tick
                            : kind == Kind::Wrong ? CheckMark::Cross
                                                  : CheckMark::Waiting;
-    line.mark->setPixmap(kind == Kind::Reason ? alarmPixmap(3, dark, kMark, ratio)
-                                              : checkMarkPixmap(mark, dark, kMark, ratio));
+    line.mark->setPixmap(kind == Kind::Reason ? alarmPixmap(3, dark, kRowMark, ratio)
+                                              : checkMarkPixmap(mark, dark, kRowMark, ratio));
     const QString word = kind == Kind::Done ? tr("done") : kind == Kind::Wrong ? tr("wrong") : tr("not yet");
     line.text->setAccessibleDescription(word);
 }

@@ -6,11 +6,6 @@
 #include <array>
 
 namespace bask {
-namespace {
-
-constexpr double kMmPerM = 1000.0;
-
-} // namespace
 
 QString coordinateWord(int coordinate) {
     static const std::array<QString, 6> words{QStringLiteral("x"),       QStringLiteral("y"),
@@ -29,6 +24,11 @@ double shownCoordinate(int coordinate, double si) {
 
 double coordinateFromShown(int coordinate, double shown) {
     return coordinate < kThetaX ? shown / kMmPerM : radFromDeg(shown);
+}
+
+QString coordinateObjectName(const char* part, int coordinate) {
+    return QStringLiteral("%1.%2").arg(QLatin1String(part),
+                                       QLatin1String(kCoordinateNames[static_cast<std::size_t>(coordinate)]));
 }
 
 QString coordinateReadout(int coordinate, double si) {

@@ -25,11 +25,6 @@ constexpr std::array kSteps_deg{0.1, 1.0, 5.0};
 constexpr int kUsualSpeed_percent = 25;
 constexpr int kButton = 34;
 
-QString nameOf(const char* part, int coordinate) {
-    return QStringLiteral("%1.%2").arg(QLatin1String(part),
-                                       QLatin1String(kCoordinateNames[static_cast<std::size_t>(coordinate)]));
-}
-
 } // namespace
 
 JogPanel::JogPanel(QWidget* parent)
@@ -103,14 +98,14 @@ QWidget* JogPanel::buildRows() {
         Row& row = m_rows[static_cast<std::size_t>(k)];
         row.name = new QLabel(coordinateWord(k), part);
         row.at = new QLabel(part);
-        row.at->setObjectName(nameOf("at", k));
+        row.at->setObjectName(coordinateObjectName("at", k));
         row.at->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         row.holdDown = holdButton(k, -1);
         row.stepDown = stepButton(k, -1);
         row.stepUp = stepButton(k, 1);
         row.holdUp = holdButton(k, 1);
         row.goTo = new QDoubleSpinBox(part);
-        row.goTo->setObjectName(nameOf("goTo", k));
+        row.goTo->setObjectName(coordinateObjectName("goTo", k));
         row.goTo->setDecimals(2);
         row.goTo->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
         row.goTo->setSuffix(coordinateSymbol(k));
@@ -136,7 +131,7 @@ QWidget* JogPanel::buildButtons() {
 
 QToolButton* JogPanel::stepButton(int coordinate, int direction) {
     auto* button = new QToolButton(this);
-    button->setObjectName(nameOf(direction < 0 ? "stepDown" : "stepUp", coordinate));
+    button->setObjectName(coordinateObjectName(direction < 0 ? "stepDown" : "stepUp", coordinate));
     button->setText(direction < 0 ? QString(QChar(0x2212)) : QStringLiteral("+"));
     button->setMinimumSize(kButton, kButton);
     button->setFocusPolicy(Qt::StrongFocus);
@@ -147,7 +142,7 @@ QToolButton* JogPanel::stepButton(int coordinate, int direction) {
 
 QToolButton* JogPanel::holdButton(int coordinate, int direction) {
     auto* button = new QToolButton(this);
-    button->setObjectName(nameOf(direction < 0 ? "holdDown" : "holdUp", coordinate));
+    button->setObjectName(coordinateObjectName(direction < 0 ? "holdDown" : "holdUp", coordinate));
     button->setText(direction < 0 ? QStringLiteral("\u25c0") : QStringLiteral("\u25b6"));
     button->setMinimumSize(kButton, kButton);
     button->setFocusPolicy(Qt::StrongFocus);

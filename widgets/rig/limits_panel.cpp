@@ -1,5 +1,6 @@
 #include "widgets/rig/limits_panel.h"
 
+#include "engine/base/units.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
@@ -13,11 +14,6 @@
 #include <QLabel>
 
 namespace bask {
-namespace {
-
-constexpr double kMmPerM = 1000.0;
-
-} // namespace
 
 LimitsPanel::LimitsPanel(QWidget* parent)
     : QWidget(parent), m_sourceTitle(boldLabel(this)), m_workspaceTitle(boldLabel(this)),

@@ -23,8 +23,8 @@ namespace {
 
 constexpr double kBeyond = 0.08; // of the map's span, shown on each side of it
 constexpr double kSameTarget_K = 1e-6;
-constexpr double kPoint = 5.5; // radius of the target's point
-constexpr double kGrab = 12.0; // px around it that take hold of it
+constexpr double kPoint = 5.5;      // radius of the target's point
+constexpr double kPointGrab = 12.0; // px around it that take hold of it
 constexpr int kMarkSize = 18;
 constexpr double kTenthsBelow_K = 8.0; // span of an axis that may have ticks between whole degrees
 
@@ -173,7 +173,7 @@ QPointF ReachMap::pointPlace(const Axes& axes) const {
 
 bool ReachMap::isOnPoint(const QPointF& place) const {
     const QPointF way = place - pointPlace(axes(size()));
-    return m_editable && m_map && std::hypot(way.x(), way.y()) <= kGrab;
+    return m_editable && m_map && std::hypot(way.x(), way.y()) <= kPointGrab;
 }
 
 /// Whether it is another pair than before.
