@@ -71,7 +71,7 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
     ASSERT_TRUE(waitForState(RunState::Ready));
     ASSERT_NO_FATAL_FAILURE(armAndStart());
     keepPicture(QStringLiteral("running-run"));
-    ASSERT_TRUE(waitForState(RunState::Settled, 120000));
+    ASSERT_TRUE(waitForState(RunState::Settled));
     EXPECT_TRUE(waitFor([this] { return allTrulySettled(); }));
     EXPECT_LT(samples.back().time_s, 240.0);
     addNote("hand touched the plate's rim");

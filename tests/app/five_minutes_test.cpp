@@ -46,7 +46,7 @@ protected:
         keepPicture(
             QStringLiteral("five-minutes-%1").arg(static_cast<int>(which) + 1, 2, 10, QLatin1Char('0')));
         ASSERT_NO_FATAL_FAILURE(act());
-        ASSERT_TRUE(waitFor([&] { return coach().step() != which; }, 60000));
+        ASSERT_TRUE(waitFor([&] { return coach().step() != which; }));
     }
     void type(const char* name, const char* text) {
         auto* field = find<QWidget>(name);
@@ -113,7 +113,7 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     if (HasFatalFailure())
         return;
     ASSERT_NO_FATAL_FAILURE(goFast());
-    ASSERT_TRUE(waitForState(RunState::Settled, 120000));
+    ASSERT_TRUE(waitForState(RunState::Settled));
     EXPECT_TRUE(waitFor([this] { return trueError_K() <= kSettledBand_K; }));
     step(Step::Note, [this] {
         auto* plot = find<QWidget>("plot.temperature");

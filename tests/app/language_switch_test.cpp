@@ -22,6 +22,8 @@
 #include <QTableView>
 #include <QTreeView>
 
+#include <algorithm>
+
 namespace bask::test {
 namespace {
 
@@ -38,27 +40,36 @@ public:
             m_exact << bare(text);
             return;
         }
-        QString pattern = QRegularExpression::escape(bare(text));
-        static const QRegularExpression kPlaceholder(QStringLiteral("\\\\%L?[1-9n]"));
-        pattern.replace(kPlaceholder, QStringLiteral(".*"));
-        QString letters = bare(text);
-        letters.remove(QRegularExpression(QStringLiteral("%[1-9n]|[^a-zA-Z\\x{4e00}-\\x{9fff}]")));
+        static const QRegularExpression kPlaceholder(QStringLiteral("%L?[1-9n]"));
+        QStringList parts = bare(text).split(kPlaceholder);
+        QString letters = parts.join(QString());
+        letters.remove(QRegularExpression(QStringLiteral("[^a-zA-Z\\x{4e00}-\\x{9fff}]")));
         const bool isChinese = !letters.isEmpty() && letters[0].unicode() >= 0x4e00;
-        if (letters.size() >= (isChinese ? 2 : 4))
-            m_patterns << QRegularExpression(QRegularExpression::anchoredPattern(pattern));
+        if (letters.size() < (isChinese ? 2 : 4))
+            return;
+        const QString longest = *std::ranges::max_element(parts, {}, &QString::size);
+        for (QString& part : parts)
+            part = QRegularExpression::escape(part);
+        m_patterns << qMakePair(longest, QRegularExpression(QRegularExpression::anchoredPattern(
+                                             parts.join(QStringLiteral(".*")))));
     }
     bool has(const QString& text) const {
         if (m_exact.contains(text))
             return true;
-        for (const auto& pattern : m_patterns)
-            if (pattern.match(text).hasMatch())
-                return true;
-        return false;
+        const auto known = m_known.constFind(text); // most of them stand on every page
+        if (known != m_known.constEnd())
+            return *known;
+        const bool isOne = std::ranges::any_of(m_patterns, [&](const auto& pattern) {
+            return text.contains(pattern.first) && pattern.second.match(text).hasMatch();
+        });
+        return m_known[text] = isOne;
     }
 
 private:
     QSet<QString> m_exact;
-    QList<QRegularExpression> m_patterns;
+    QList<QPair<QString, QRegularExpression>>
+        m_patterns; ///< each with its longest part, which is soon looked for
+    mutable QHash<QString, bool> m_known;
 };
 
 /// What a person or a screen reader can read of a widget, each with where it stands.

@@ -366,14 +366,13 @@ TEST_F(MainWindowTest, TheCalibratePageMeasuresTheCamerasPlace) {
     click("placeTour");
     EXPECT_TRUE(waitFor([&] { return window->lastSnapshot().isMoving; }));
     auto* use = find<QAbstractButton>("placeUse");
-    ASSERT_TRUE(waitFor([&] { return use->isEnabled(); }, 60000))
-        << find<QLabel>("rigStatus")->text().toStdString();
+    ASSERT_TRUE(waitFor([&] { return use->isEnabled(); })) << find<QLabel>("rigStatus")->text().toStdString();
     const auto before = window->document().experiment().vision.cameraPose;
     use->click();
     EXPECT_NE(window->document().experiment().vision.cameraPose, before);
     click("sourceMeasure");
     auto* useSource = find<QAbstractButton>("sourceUse");
-    ASSERT_TRUE(waitFor([&] { return useSource->isEnabled(); }, 60000))
+    ASSERT_TRUE(waitFor([&] { return useSource->isEnabled(); }))
         << find<QLabel>("rigStatus")->text().toStdString();
     keepPicture(QStringLiteral("calibrate-rig"));
     useSource->click();

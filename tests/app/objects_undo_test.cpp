@@ -91,7 +91,7 @@ struct ObjectsUndoTest : testing::Test {
         const int stepsBefore = steps();
         edited.clear();
         edit();
-        EXPECT_TRUE(QTest::qWaitFor([this] { return edited.count() > 0; }, 30000));
+        EXPECT_TRUE(QTest::qWaitFor([this] { return edited.count() > 0; }, 120000));
         EXPECT_EQ(edited.count(), 1);
         const Experiment after = page.experiment();
         EXPECT_NE(after, before);
@@ -228,7 +228,7 @@ TEST_F(ObjectsUndoTest, MaterialNameAndObjects) {
 
 // Catches harmonics that leave the fit of the number before, or the raw outline lost.
 TEST_F(ObjectsUndoTest, Harmonics) {
-    ASSERT_TRUE(QTest::qWaitFor([this] { return child<QLabel>("residual")->text().contains("mm"); }, 30000));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return child<QLabel>("residual")->text().contains("mm"); }, 120000));
     isOneStep("number typed", [&] { type("harmonicsSpin", "12"); });
     Experiment experiment = page.experiment();
     experiment.objects[1].shape = experiment.objects[1].origin.outline;

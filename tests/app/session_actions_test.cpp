@@ -177,7 +177,7 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
                                 SessionForm::Figures, SessionForm::ReportPdf, SessionForm::ReportHtml};
     for (const SessionForm form : kForms) // all at the same time
         files.exportSession(form);
-    ASSERT_TRUE(waitFor([&] { return told.size() == 6 || !problems.isEmpty(); }, 60000));
+    ASSERT_TRUE(waitFor([&] { return told.size() == 6 || !problems.isEmpty(); }));
     EXPECT_TRUE(problems.isEmpty()) << problems.join('\n').toStdString();
     for (const char* name : {"traces.csv", "my \"run\" <b>.nxs", "outlines.pvd", "errors.svg",
                              "my \"run\" <b>.pdf", "my \"run\" <b>.html"})
@@ -186,7 +186,7 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
     folderOfAnswers = QStringLiteral("/proc/no-such-place");
     for (const SessionForm form : kForms)
         files.exportSession(form);
-    ASSERT_TRUE(waitFor([&] { return problems.size() == 6; }, 60000)) << problems.join('\n').toStdString();
+    ASSERT_TRUE(waitFor([&] { return problems.size() == 6; })) << problems.join('\n').toStdString();
     for (const QString& problem : problems)
         EXPECT_TRUE(problem.contains(QStringLiteral("/proc/no-such-place"))) << problem.toStdString();
 

@@ -31,10 +31,11 @@ protected:
         return found;
     }
     void click(const char* name);
-    bool waitForState(RunState state, int limit_ms = 60000);
+    bool waitForState(RunState state, int limit_ms = 300000);
     RunState state() const { return window->lastSnapshot().state; }
 
-    /// Keeps a picture of the window as it is on the screen, in BASK_SCREENSHOTS.
+    /// Keeps a picture of the window as it is on the screen, in the folder that the environment's
+    /// BASK_SCREENSHOTS names, if it is set.
     void keepPicture(const QString& name);
     void keepPictures(const QString& prefix);
 

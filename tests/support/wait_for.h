@@ -8,7 +8,7 @@
 namespace bask::test {
 
 /// True as soon as `condition` holds; false after `limit_ms`.
-template <class Condition> bool waitFor(Condition condition, int limit_ms = 20000) {
+template <class Condition> bool waitFor(Condition condition, int limit_ms = 120000) {
     const QDeadlineTimer deadline(limit_ms);
     while (!condition()) {
         if (deadline.hasExpired())

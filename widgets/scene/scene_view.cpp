@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace bask {
 
@@ -254,27 +255,36 @@ void SceneView::setSamples(const std::vector<TraceSample>& samples) {
     appendSamples(samples);
 }
 
-void SceneView::setPose(const Vector6d& coordinates) {
-    if (!coordinates.allFinite())
+// What is told again and again and is the same needs no frame: the engine tells 20 times a second.
+void SceneView::moveTo(Pose& pose, const Vector6d& coordinates) {
+    const Pose next = poseFromCoordinates(coordinates);
+    if (next.matrix() == pose.matrix())
         return;
-    m->X_RE = poseFromCoordinates(coordinates);
+    pose = next;
     requestFrame();
+}
+
+void SceneView::setPose(const Vector6d& coordinates) {
+    if (coordinates.allFinite())
+        moveTo(m->X_RE, coordinates);
 }
 
 void SceneView::setSourcePose(const Vector6d& coordinates) {
-    if (!coordinates.allFinite())
-        return;
-    m->X_RS = poseFromCoordinates(coordinates);
-    requestFrame();
+    if (coordinates.allFinite())
+        moveTo(m->X_RS, coordinates);
 }
 
 void SceneView::setTemperatures(const std::vector<double>& temperatures_K) {
+    bool isOther = false;
     for (std::size_t i = 0; i < m->temperatures_K.size(); ++i) {
-        const double t_K = i < temperatures_K.size() ? temperatures_K[i] : kUnknown;
-        m->temperatures_K[i] = std::isfinite(t_K) && t_K > 0.0 ? t_K : kUnknown;
-        m->sawTemperature(m->temperatures_K[i]);
+        const double told_K = i < temperatures_K.size() ? temperatures_K[i] : kUnknown;
+        const double t_K = std::isfinite(told_K) && told_K > 0.0 ? told_K : kUnknown;
+        const double before_K = std::exchange(m->temperatures_K[i], t_K);
+        isOther |= t_K != before_K && !(std::isnan(t_K) && std::isnan(before_K));
+        m->sawTemperature(t_K);
     }
-    requestFrame();
+    if (isOther)
+        requestFrame();
 }
 
 void SceneView::setTemperatureUnit(TemperatureUnit unit) {

@@ -13,8 +13,8 @@
 namespace bask {
 
 /// Setters in, a picture out; R axes in cm, heated faces look down. Setters only note what is new: frames are
-/// drawn later, at most about 15 a second, and none while hidden. Without OpenGL 3.2 it says so in words in
-/// place of the picture. Colours follow the palette, words the language.
+/// drawn later, at most about 15 a second, none while hidden and none for what is shown already. Without
+/// OpenGL 3.2 it says so in words in place of the picture. Colours follow the palette, words the language.
 class SceneView : public QWidget {
     Q_OBJECT
 public:
@@ -58,6 +58,7 @@ private:
     void prepareFrame();
     void fit();
     void requestFrame();
+    void moveTo(Pose& pose, const Vector6d& coordinates);
 
     struct Impl;
     std::unique_ptr<Impl> m;

@@ -98,8 +98,8 @@ struct RigPanelTest : testing::Test {
         looks(1);
         EXPECT_TRUE(button(name)->isEnabled()) << name << ": " << status().toStdString();
         button(name)->click();
-        for (int k = 0; k < 2000 && isBusy(); ++k) {
-            looks(1);
+        for (int k = 0; k < 200 && isBusy(); ++k) {
+            looks(8); // to each that is painted
             QApplication::processEvents();
         }
         return test::waitFor([&] { return !isBusy(); });

@@ -69,7 +69,7 @@ TEST_F(HolesTest, StayThroughAnotherFit) {
     auto* list = page.findChild<ObjectList*>("objectList");
     list->setCurrentRow(1);
     type("harmonicsSpin", "9");
-    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 30000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return edited.count() == 1; }, 120000));
     const ObjectSpec& bunny = page.experiment().objects[1];
     const OriginalShape expected =
         shapeFromOutline(pierced().objects[1].origin.outline, {square(0.002), square(0.001, 0.005)}, 9)

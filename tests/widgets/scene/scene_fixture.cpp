@@ -3,8 +3,8 @@
 #include "engine/base/units.h"
 
 #include <QDir>
-#include <QSet>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -39,9 +39,19 @@ double inBetween(double a, double b, double t) {
     return a + (b - a) * t;
 }
 
-bool near(QRgb a, const QColor& b, int tolerance) {
-    return std::abs(qRed(a) - b.red()) <= tolerance && std::abs(qGreen(a) - b.green()) <= tolerance &&
-           std::abs(qBlue(a) - b.blue()) <= tolerance;
+bool near(QRgb a, QRgb b, int tolerance) {
+    return std::abs(qRed(a) - qRed(b)) <= tolerance && std::abs(qGreen(a) - qGreen(b)) <= tolerance &&
+           std::abs(qBlue(a) - qBlue(b)) <= tolerance;
+}
+
+/// Looks at every pixel by its row: QImage::pixel() takes several times as long.
+template <class Look> void eachPixel(const QImage& image, Look look) {
+    const QImage plain = image.convertToFormat(QImage::Format_ARGB32);
+    for (int y = 0; y < plain.height(); ++y) {
+        const auto* row = reinterpret_cast<const QRgb*>(plain.constScanLine(y));
+        for (int x = 0; x < plain.width(); ++x)
+            look(x, y, row[x]);
+    }
 }
 
 } // namespace
@@ -89,40 +99,42 @@ std::vector<TraceSample> spiral(int count) {
 
 int pixelsOf(const QImage& image, const QColor& colour, int tolerance) {
     int count = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            count += near(image.pixel(x, y), colour, tolerance) ? 1 : 0;
+    eachPixel(image,
+              [&, wanted = colour.rgb()](int, int, QRgb seen) { count += near(seen, wanted, tolerance); });
     return count;
 }
 
 QPointF middleOf(const QImage& image, const QColor& colour, int tolerance) {
     QPointF sum;
     int count = 0;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            if (near(image.pixel(x, y), colour, tolerance)) {
-                sum += QPointF(x, y);
-                ++count;
-            }
+    eachPixel(image, [&, wanted = colour.rgb()](int x, int y, QRgb seen) {
+        if (near(seen, wanted, tolerance)) {
+            sum += QPointF(x, y);
+            ++count;
+        }
+    });
     return count > 0 ? sum / count : QPointF(-1.0, -1.0);
 }
 
 int differentPixels(const QImage& a, const QImage& b) {
     if (a.size() != b.size())
         return a.width() * a.height();
+    const QImage other = b.convertToFormat(QImage::Format_ARGB32);
     int count = 0;
-    for (int y = 0; y < a.height(); ++y)
-        for (int x = 0; x < a.width(); ++x)
-            count += near(a.pixel(x, y), QColor(b.pixel(x, y)), 6) ? 0 : 1;
+    eachPixel(a, [&](int x, int y, QRgb seen) {
+        count += !near(seen, reinterpret_cast<const QRgb*>(other.constScanLine(y))[x], 6);
+    });
     return count;
 }
 
 int coloursIn(const QImage& image) {
-    QSet<QRgb> colours;
-    for (int y = 0; y < image.height(); ++y)
-        for (int x = 0; x < image.width(); ++x)
-            colours.insert(image.pixel(x, y));
-    return static_cast<int>(colours.size());
+    std::vector<QRgb> colours;
+    eachPixel(image, [&](int, int, QRgb seen) {
+        if (colours.empty() || colours.back() != seen)
+            colours.push_back(seen);
+    });
+    std::ranges::sort(colours);
+    return static_cast<int>(colours.size() - std::ranges::unique(colours).size());
 }
 
 void keepScreenshot(const QImage& image, const QString& name) {

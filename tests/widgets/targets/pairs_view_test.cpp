@@ -27,12 +27,17 @@ namespace {
 
 const QString kTriangle = QStringLiteral(BASK_EXAMPLES "/three-objects.json");
 
+const Experiment& shipped() {
+    static const Experiment example = readExperiment(kTriangle.toStdString()).value();
+    return example;
+}
+
 struct PairsViewTest : testing::Test {
     PairsView view;
     QTemporaryDir folder;
     QSignalSpy told{&view, &PairsView::told};
     QSignalSpy problem{&view, &PairsView::problem};
-    Experiment experiment = readExperiment(kTriangle.toStdString()).value();
+    Experiment experiment = shipped();
 
     PairsViewTest() {
         view.resize(620, 600);
@@ -40,7 +45,11 @@ struct PairsViewTest : testing::Test {
         view.show();
         QApplication::processEvents();
     }
-    void setMaps() { view.setMaps(reachablePairs(feasibilityRequest(experiment)).value()); }
+    /// Of the shipped example, made once.
+    void setMaps() {
+        static const auto maps = reachablePairs(feasibilityRequest(shipped())).value();
+        view.setMaps(maps);
+    }
     int mapsShown() {
         int shown = 0;
         for (const ReachMap* map : view.findChildren<ReachMap*>())

@@ -73,7 +73,7 @@ TEST_F(SurfacesSweepTest, ATargetEditedPlaysOnWithItsSurfaces) {
     for (ObjectSpec& object : experiment.objects)
         object.target_K += 8.0;
     view.setExperiment(experiment);
-    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
+    view.setVerdict(verdict());
     EXPECT_TRUE(playButton()->isChecked());
     ASSERT_TRUE(at(slider->maximum()));
     ASSERT_TRUE(at(slider->minimum()));
@@ -132,7 +132,7 @@ TEST_F(SurfacesSweepTest, AnAnimationIsExported) {
     EXPECT_TRUE(progress->isVisible());
     EXPECT_FALSE(find<QSlider>("heldThetaX")->isVisible()) << "it would change what is written";
     EXPECT_FALSE(find<QPushButton>("exportMenu")->isEnabled());
-    ASSERT_TRUE(waitFor([&] { return progress->value() == 3; }));
+    ASSERT_TRUE(waitFor([&] { return progress->value() >= 3; }));
     keep("surfaces_exporting.png");
     ASSERT_TRUE(waitFor([&] { return told.count() == 1; }));
     EXPECT_EQ(problem.count(), 0);
@@ -155,7 +155,7 @@ TEST_F(SurfacesSweepTest, AnExportIsCancelledOrFails) {
     QTemporaryDir folder;
     QSignalSpy told(&view, &SurfacesView::told), problem(&view, &SurfacesView::problem);
     view.saveAnimation(folder.path(), {400, 300});
-    ASSERT_TRUE(waitFor([&] { return find<QProgressBar>("exportProgress")->value() == 2; }));
+    ASSERT_TRUE(waitFor([&] { return find<QProgressBar>("exportProgress")->value() >= 2; }));
     QTest::mouseClick(find<QPushButton>("exportCancel"), Qt::LeftButton);
     EXPECT_FALSE(find<QProgressBar>("exportProgress")->isVisible());
     EXPECT_TRUE(becomes(before));
@@ -184,7 +184,7 @@ TEST_F(SurfacesSweepTest, AVerdictDuringAnExportComesAfterIt) {
     view.saveAnimation(folder.path(), {200, 150});
     ASSERT_TRUE(waitFor([&] { return told.count() == 1; }));
     view.saveAnimation(again.path(), {200, 150});
-    ASSERT_TRUE(waitFor([&] { return find<QProgressBar>("exportProgress")->value() == 2; }));
+    ASSERT_TRUE(waitFor([&] { return find<QProgressBar>("exportProgress")->value() >= 2; }));
     for (const char* turn : {"viewTop", "viewSide"})
         QTest::mouseClick(find<QWidget>(turn), Qt::LeftButton);
     const QPoint middle = scene()->mapTo(&view, scene()->rect().center());
@@ -194,7 +194,7 @@ TEST_F(SurfacesSweepTest, AVerdictDuringAnExportComesAfterIt) {
         object.target_K += 8.0;
     view.setStale(true);
     view.setExperiment(experiment);
-    view.setVerdict(*jointFeasibility(feasibilityRequest(experiment)));
+    view.setVerdict(verdict());
     ASSERT_TRUE(waitFor([&] { return told.count() == 2; }));
     const auto last = QStringLiteral("frame-9.png");
     EXPECT_LT(differentPixels(QImage(folder.filePath(last)), QImage(again.filePath(last))), 50);
@@ -204,12 +204,12 @@ TEST_F(SurfacesSweepTest, AVerdictDuringAnExportComesAfterIt) {
 // Catches a workspace too large to be sampled that is not told of, leaves the surfaces before, or a button
 // that goes on waiting for it.
 TEST_F(SurfacesSweepTest, WhatCannotBeSampledIsTold) {
-    JointVerdict verdict = *jointFeasibility(feasibilityRequest(experiment));
+    const JointVerdict before = verdict();
     experiment.robot.lower.head<3>().setConstant(-50.0);
     experiment.robot.upper.head<3>().setConstant(50.0);
     QSignalSpy problem(&view, &SurfacesView::problem);
     view.setExperiment(experiment);
-    view.setVerdict(verdict);
+    view.setVerdict(before);
     ASSERT_TRUE(waitFor([&] { return problem.count() == 1; }));
     EXPECT_FALSE(problem[0][0].toString().isEmpty());
     QTest::mouseClick(playButton(), Qt::LeftButton);
@@ -225,8 +225,8 @@ TEST_F(SurfacesSweepTest, APictureIsSavedInItsSize) {
     QTemporaryDir folder;
     QSignalSpy told(&view, &SurfacesView::told), problem(&view, &SurfacesView::problem);
     const QString path = folder.filePath(QStringLiteral("targets.png"));
-    view.savePicture(path, {4000, 3000});
-    EXPECT_EQ(QImage(path).size(), QSize(4000, 3000));
+    view.savePicture(path, {1700, 1200});
+    EXPECT_EQ(QImage(path).size(), QSize(1700, 1200));
     EXPECT_EQ(told.count(), 1);
     view.savePicture(QStringLiteral("/no/such/folder/targets.png"), {400, 300});
     EXPECT_EQ(problem.count(), 1);

@@ -62,7 +62,12 @@ JointVerdict joint(const std::vector<TargetVerdict>& each) {
 }
 
 Experiment experimentWith(const std::vector<double>& targets_degC) {
-    Experiment experiment = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
+    static const Experiment shipped = readExperiment(BASK_EXAMPLES "/three-objects.json").value();
+    Experiment experiment = shipped;
+    experiment.robot.lower.head<3>() << -0.05, -0.05,
+        0.02; // its surfaces are not looked at here, and come soon
+    experiment.robot.upper.head<3>() << 0.05, 0.05, 0.1;
+    experiment.start[kZ] = 0.08;
     for (std::size_t i = 0; i < 3; ++i)
         experiment.objects[i].target_K = kelvinFromCelsius(targets_degC[i]);
     return experiment;
