@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace bask {
@@ -137,11 +138,22 @@ PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
     m_hot_s_K = kHotShare * most_s_K;
 }
 
+/// View factors where a plan is looked at, in the order of the way: a difference leaves most of them alone.
+struct PlanCost::Places {
+    Places() { q.fill(Vector6d::Constant(std::numeric_limits<double>::quiet_NaN())); }
+
+    static constexpr std::size_t kCount = 3 * (kLegSteps + 1);
+    std::array<Vector6d, kCount> q;
+    std::array<Eigen::VectorXd, kCount> F;
+};
+
 /// Temperatures along a plan, and the residuals that they make.
 class PlanCost::Walk {
 public:
-    explicit Walk(const PlanCost& cost)
-        : m_cost(cost), m_geometry(cost.m_geometry), m_task(cost.m_task), m_at(m_task.from),
+    /// `known`: of a plan like it; `seen`: filled with those of this one.
+    Walk(const PlanCost& cost, const Places* known, Places* seen)
+        : m_cost(cost), m_geometry(cost.m_geometry), m_task(cost.m_task), m_known(known), m_seen(seen),
+          m_at(m_task.from),
           m_T(m_task.temperature_K), m_toGo_s(m_T.size()), m_F(m_T.size()),
           m_residuals(Eigen::VectorXd::Zero(m_T.size() * (3 * kLegSteps + 2 * kStaySteps + 2) + 3)) {
         for (Eigen::Index i = 0; i < m_T.size(); ++i)
@@ -150,13 +162,15 @@ public:
 
     void go(const Vector6d& to) {
         const double time_s = travelTime_s(m_geometry.limits(), m_at, to);
-        if (time_s < kHere_s)
+        if (time_s < kHere_s) {
             m_next += kLegSteps * m_T.size();
-        else
+            m_place += kLegSteps;
+        } else {
             for (int k = 0; k < kLegSteps; ++k) {
-                m_geometry.viewFactorsFast(m_at + (k + 0.5) / kLegSteps * (to - m_at), m_F);
+                lookAt(m_at + (k + 0.5) / kLegSteps * (to - m_at));
                 step(time_s / kLegSteps);
             }
+        }
         m_residuals[m_next++] = std::sqrt(kTravelPrice_s) * time_s;
         m_at = to;
     }
@@ -164,9 +178,10 @@ public:
     void stay(double time_s) {
         if (time_s <= 0.0) {
             m_next += kStaySteps * m_T.size();
+            ++m_place;
             return;
         }
-        m_geometry.viewFactorsFast(m_at, m_F);
+        lookAt(m_at);
         // Short steps first, where temperatures change: what a coarse one leaves out, plans would use.
         for (int k = 0; k < kStaySteps; ++k)
             step(time_s * (2 * k + 1) / (kStaySteps * kStaySteps));
@@ -174,7 +189,7 @@ public:
 
     /// For ever at this pose: errors decay to those of its steady temperatures.
     void rest() {
-        m_geometry.viewFactorsFast(m_at, m_F);
+        lookAt(m_at);
         for (Eigen::Index i = 0; i < m_T.size(); ++i) {
             const HeatRates& rates = m_task.rates[static_cast<std::size_t>(i)];
             const double steady_K = rates.steadyTemperature_K(m_F[i]);
@@ -191,6 +206,18 @@ public:
     Eigen::VectorXd take() { return std::move(m_residuals); }
 
 private:
+    void lookAt(const Vector6d& q) {
+        const std::size_t place = m_place++;
+        if (m_known && m_known->q[place] == q)
+            m_F = m_known->F[place];
+        else
+            m_geometry.viewFactorsFast(q, m_F);
+        if (m_seen) {
+            m_seen->q[place] = q;
+            m_seen->F[place] = m_F;
+        }
+    }
+
     /// How long an object is from its aim, signed: cold, the time to heat it, in which large errors grow as a
     /// root, so that their squares grow linearly; hot, steeply.
     double toGo_s(Eigen::Index i) const {
@@ -231,6 +258,9 @@ private:
     const PlanCost& m_cost;
     const RigGeometry& m_geometry;
     const HeatingTask& m_task;
+    const Places* m_known;
+    Places* m_seen;
+    std::size_t m_place = 0;
     Vector6d m_at;
     Eigen::VectorXd m_T;
     Eigen::VectorXd m_toGo_s; ///< N, at m_T
@@ -240,7 +270,11 @@ private:
 };
 
 Eigen::VectorXd PlanCost::residuals(const HeatingPlan& plan) const {
-    Walk walk(*this);
+    return residuals(plan, nullptr, nullptr);
+}
+
+Eigen::VectorXd PlanCost::residuals(const HeatingPlan& plan, const Places* known, Places* seen) const {
+    Walk walk(*this, known, seen);
     for (const Stay& stay : plan.stays) {
         walk.go(stay.pose);
         walk.stay(stay.time_s);
@@ -253,7 +287,8 @@ Eigen::VectorXd PlanCost::residuals(const HeatingPlan& plan) const {
 PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
     const Variables variables(m_geometry);
     const Eigen::Index n = variables.count();
-    Eigen::VectorXd now = residuals(plan);
+    Places places, tried;
+    Eigen::VectorXd now = residuals(plan, nullptr, &places);
     PricedPlan best{plan, now.squaredNorm()};
     double damping = 1e-2;
     for (int i = 0; i < iterations; ++i) {
@@ -261,7 +296,8 @@ PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
         const Eigen::VectorXd differences = variables.differences(best.plan);
         for (Eigen::Index k = 0; k < n; ++k) {
             const Eigen::VectorXd step = differences[k] * Eigen::VectorXd::Unit(n, k);
-            J.col(k) = (residuals(variables.moved(best.plan, step)) - now) / differences[k];
+            J.col(k) =
+                (residuals(variables.moved(best.plan, step), &places, nullptr) - now) / differences[k];
         }
         Eigen::MatrixXd H = J.transpose() * J;
         Eigen::VectorXd f = -J.transpose() * now;
@@ -276,13 +312,14 @@ PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
             const Eigen::MatrixXd damped = H + damping * Eigen::MatrixXd::Identity(n, n);
             const Eigen::VectorXd step = solveBounded(damped, f, G, h).y;
             const HeatingPlan next = variables.inside(variables.moved(best.plan, step));
-            Eigen::VectorXd there = residuals(next);
+            Eigen::VectorXd there = residuals(next, nullptr, &tried);
             const double cost = there.squaredNorm();
             better = cost < best.cost;
             if (better) {
                 const bool done = cost > 0.999 * best.cost;
                 best = {next, cost};
                 now = std::move(there);
+                std::swap(places, tried);
                 if (done)
                     return best;
             }

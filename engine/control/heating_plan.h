@@ -57,6 +57,8 @@ public:
 
 private:
     class Walk;
+    struct Places;
+    Eigen::VectorXd residuals(const HeatingPlan& plan, const Places* known, Places* seen) const;
 
     const RigGeometry& m_geometry;
     const HeatingTask& m_task;
