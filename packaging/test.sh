@@ -13,13 +13,19 @@ sh packaging/check_format.sh || failed="$failed format-check"
 [ -z "$failed" ] || echo "FAILED before the tests:$failed"
 
 ctest --preset ci -j 2 || failed="$failed ctest"
-# Against real time: where another program on this machine held one up, it is tried once more, and said so.
-ctest --preset ci-device -j 2 || failed="$failed ctest-device"
+# Against real time, four at a time since they mostly wait. A test that fails while this machine holds even a sleeping
+# thread up is tried once more; one that is held up again proves nothing either way: it is skipped, and named below.
+ctest --preset ci-device || failed="$failed ctest-device"
+not_judged=$(grep '^not judged: ' build/ci/Testing/Temporary/LastTest.log || true)
 if echo 'int main() {}' | clang++ -fsanitize=fuzzer-no-link,address -x c++ - -o /dev/null 2>/dev/null; then
     sh packaging/build.sh fuzz
     ctest --preset fuzz || failed="$failed fuzz"
 else
     echo "fuzz: skipped, clang++ with sanitizers is not installed" >&2
+fi
+if [ -n "$not_judged" ]; then
+    echo "Tests against real time, on a machine that did not give it:"
+    echo "$not_judged"
 fi
 if [ -n "$failed" ]; then
     echo "FAILED:$failed" >&2

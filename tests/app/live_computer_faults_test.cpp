@@ -95,7 +95,7 @@ TEST_F(LiveComputerFaults, aFullDiskEndsTheRunAndLeavesItsRecording) {
     EXPECT_GE(seen.off_ms, 0.0);
     EXPECT_LE(seen.off_ms - seen.told_ms, 500.0);
     ASSERT_TRUE(reaches(RunState::Fault, 40000)) << reasons();
-    EXPECT_GT(state().place_m.z(), 0.29) << "taken away: the engine has kept control";
+    EXPECT_GT(state().place_m.z(), kAway_m) << "taken away: the engine has kept control";
     const auto expectReadable = [&] {
         const auto record = readSession(path);
         ASSERT_TRUE(record) << describe(record.error());

@@ -15,8 +15,8 @@ using LiveRigTest = RigProcesses;
 TEST_F(LiveRigTest, aKilledEngineLeavesNoHeatAndNoMotion) {
     startBench();
     startEngine();
-    waitUntilHeating();
-    ::kill(static_cast<pid_t>(engine.processId()), SIGKILL);
+    ASSERT_NO_FATAL_FAILURE(waitUntilHeating());
+    sendSignal(engine, SIGKILL);
     QElapsedTimer dead;
     dead.start();
     ASSERT_TRUE(engine.waitForFinished(5000));
@@ -34,8 +34,8 @@ TEST_F(LiveRigTest, aKilledEngineLeavesNoHeatAndNoMotion) {
 TEST_F(LiveRigTest, aStoppedEngineLeavesNoHeatAndNoMotion) {
     startBench();
     startEngine();
-    waitUntilHeating();
-    ::kill(static_cast<pid_t>(engine.processId()), SIGSTOP);
+    ASSERT_NO_FATAL_FAILURE(waitUntilHeating());
+    sendSignal(engine, SIGSTOP);
     QElapsedTimer dead;
     dead.start();
     ASSERT_TRUE(waitFor([&] { return dead.elapsed() > 1000; }));
@@ -49,14 +49,14 @@ TEST_F(LiveRigTest, aStoppedEngineLeavesNoHeatAndNoMotion) {
 TEST_F(LiveRigTest, anInterruptStopsAndRetreats) {
     startBench();
     startEngine();
-    waitUntilHeating();
+    ASSERT_NO_FATAL_FAILURE(waitUntilHeating());
     QElapsedTimer run;
     run.start();
     ASSERT_TRUE(waitFor([&] { return run.elapsed() > 5000; }));
-    ::kill(static_cast<pid_t>(engine.processId()), SIGINT);
+    sendSignal(engine, SIGINT);
     ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 4000));
     EXPECT_TRUE(ended(60000).has_value());
-    EXPECT_GT(state().place_m.z(), 0.29) << "the top of its workspace";
+    EXPECT_GT(state().place_m.z(), kAway_m) << "the top of its workspace";
     const auto record = readSession(session().toStdString());
     ASSERT_TRUE(record.ok());
     EXPECT_EQ(record->outcome, "stopped");

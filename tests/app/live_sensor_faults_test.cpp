@@ -67,7 +67,7 @@ TEST_F(LiveSensorFaults, holdTheRunAndThenEndIt) {
     EXPECT_GT(held.elapsed(), 4000) << "held first";
     EXPECT_LT(held.elapsed(), 1000 + 8000) << "the held limit of 8 s, and no more than 1 s";
     ASSERT_TRUE(reaches(RunState::Stopped, 30000)) << reasons();
-    EXPECT_GT(state().place_m.z(), std::max(stood_m, 0.29)) << "taken away";
+    EXPECT_GT(state().place_m.z(), std::max(stood_m, kAway_m)) << "taken away";
     expectRecorded("stopped");
 }
 
@@ -78,7 +78,7 @@ TEST_F(LiveSensorFaults, frozenReadingsHoldTheRun) {
     ASSERT_NO_FATAL_FAILURE(beReady());
     live.send(Arm{recording()});
     live.send(Start{true});
-    ASSERT_TRUE(waitFor([&] { return state().plate_degC > 40.0; })) << reasons();
+    ASSERT_TRUE(comesInRun([&] { return state().plate_degC > 40.0; })) << reasons();
     const Reaction seen =
         raise("thermometer frozen", {MessageCode::SafetySensorFrozen, "very same value", 20000.0});
     EXPECT_EQ(live.last.state, RunState::Holding) << reasons();
@@ -149,7 +149,7 @@ TEST_F(LiveSensorFaults, aHotObjectIsHeldAndThenTakenAway) {
     const double at_degC = std::stod(told.substr(told.find(" has ") + 5));
     EXPECT_LT(at_degC, kTrip_degC + 1e-3 * kReaction_ms * (kRise_K_s + 2.0));
     ASSERT_TRUE(reaches(RunState::Fault, 60000)) << reasons();
-    EXPECT_GT(state().place_m.z(), 0.29);
+    EXPECT_GT(state().place_m.z(), kAway_m);
     live.send(Reset{});
     EXPECT_EQ(live.refusal.code, MessageCode::SafetyObjectHot) << "not before it has cooled";
     expectRecorded("fault");

@@ -30,6 +30,8 @@ struct BenchState {
 
 class RigProcesses : public testing::Test {
 protected:
+    static constexpr double kAway_m = 0.19; ///< the retreat ends at 0.2
+
     RigProcesses() {
         QFile source(QStringLiteral(BASK_TEST_DATA "/rig/three-thin-disks.json"));
         EXPECT_TRUE(source.open(QIODevice::ReadOnly));
@@ -55,10 +57,17 @@ protected:
     QString portOf(const char* role) const { return m_folder.filePath(QLatin1String(role)); }
     QString session() const { return m_folder.filePath(QStringLiteral("run.bask")); }
 
+    /// Only to one that runs: the id 0 of one that has ended means all of this test's group, ctest too.
+    static void sendSignal(const QProcess& process, int number) {
+        if (process.processId() > 0)
+            ::kill(static_cast<pid_t>(process.processId()), number);
+        else
+            ADD_FAILURE() << process.program().toStdString() << " has ended";
+    }
     static void endProcess(QProcess& process) {
         if (process.state() == QProcess::NotRunning)
             return;
-        ::kill(static_cast<pid_t>(process.processId()), SIGCONT);
+        sendSignal(process, SIGCONT);
         process.kill();
         process.waitForFinished();
     }
@@ -77,7 +86,10 @@ protected:
     }
     /// The heat is on: the run has begun.
     void waitUntilHeating() {
-        ASSERT_TRUE(waitFor([&] { return state().isHeating; }, 60000)) << engine.readAll().toStdString();
+        ASSERT_TRUE(
+            waitFor([&] { return state().isHeating || engine.state() == QProcess::NotRunning; }, 60000) &&
+            engine.state() != QProcess::NotRunning)
+            << engine.readAll().toStdString();
     }
 
     void tell(const QByteArray& line) {

@@ -93,7 +93,7 @@ protected:
         const QString summary = QFileInfo(session()).path() + QStringLiteral("/summary.json");
         startEngine({QStringLiteral("--duration"), QString::number(duration_s), QStringLiteral("--summary"),
                      summary});
-        waitUntilHeating();
+        ASSERT_NO_FATAL_FAILURE(waitUntilHeating());
         const Hogs busy(hogs);
         BareThread bareThread;
         for (int i = 1; i < duration_s; ++i) {
@@ -153,7 +153,7 @@ protected:
 
 // Catches samples that are lost on their way into the file, and memory that each step costs.
 TEST_F(SoakTest, twentySeconds) {
-    run(20, 0);
+    ASSERT_NO_FATAL_FAILURE(run(20, 0));
     expectComplete();
     EXPECT_GE(samples.size(), 190U);
     EXPECT_LT(growth_MB(10), 1.0);
@@ -161,7 +161,7 @@ TEST_F(SoakTest, twentySeconds) {
 
 // Catches the same over time and under load, and steps that come late.
 TEST_F(SoakTest, tenMinutesBesideTwoBusyThreads) {
-    run(600, 2);
+    ASSERT_NO_FATAL_FAILURE(run(600, 2));
     expectComplete();
     EXPECT_GE(samples.size(), 6000U) << "none that was due is missing";
     EXPECT_LT(late_("late_ms_p99_9"), 20.0);
