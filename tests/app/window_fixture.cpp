@@ -69,6 +69,8 @@ bool WindowTest::waitForState(RunState wanted, int limit_ms) {
 }
 
 void WindowTest::keepPicture(const QString& name) {
+    for (int i = 0; i < 4; ++i) // nested layouts settle one after the other
+        QCoreApplication::processEvents();
     const QString folder = qEnvironmentVariable("BASK_SCREENSHOTS");
     if (folder.isEmpty())
         return;
