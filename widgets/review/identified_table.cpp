@@ -14,7 +14,7 @@
 namespace bask {
 namespace {
 
-enum Column { kName, kIdentified, kController, kMaterial, kColumns };
+enum IdentifiedColumn { kPart, kIdentified, kController, kMaterial, kIdentifiedColumns };
 
 QString number(double value, int digits = 4) {
     return std::isfinite(value) ? QLocale().toString(value, 'g', digits) : QString(kNoValue);
@@ -35,7 +35,7 @@ QString withError(const IdentifiedRow::Value& value) {
 
 } // namespace
 
-IdentifiedTable::IdentifiedTable(QWidget* parent) : QTableWidget(0, kColumns, parent) {
+IdentifiedTable::IdentifiedTable(QWidget* parent) : QTableWidget(0, kIdentifiedColumns, parent) {
     styleObjectTable(*this);
     refresh();
 }
@@ -48,7 +48,7 @@ void IdentifiedTable::setRows(std::vector<IdentifiedRow> rows) {
 void IdentifiedTable::refresh() {
     setAccessibleName(tr("Heat rates from the record"));
     setHorizontalHeaderLabels({tr("Object"), tr("Identified"), tr("Controller"), tr("Material")});
-    horizontalHeaderItem(kName)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    horizontalHeaderItem(kPart)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     horizontalHeaderItem(kIdentified)
         ->setToolTip(tr("\u03bb\u2081 by least squares on the whole record, with its standard error"));
     horizontalHeaderItem(kController)->setToolTip(tr("\u03bb\u2081 that the controller believed at the end"));
@@ -64,10 +64,10 @@ void IdentifiedTable::refresh() {
         const QStringList texts{value.name,
                                 value.unusable.isEmpty() ? withError(value.lambda1) : tr("not usable"),
                                 number(value.controller), number(value.material)};
-        for (int column = 0; column < kColumns; ++column) {
+        for (int column = 0; column < kIdentifiedColumns; ++column) {
             auto* item = new QTableWidgetItem(texts[column]);
-            item->setTextAlignment((column == kName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-            if (column == kName)
+            item->setTextAlignment((column == kPart ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+            if (column == kPart)
                 item->setIcon(QIcon(seriesSwatch(row, isDark(this), {20, 12}, devicePixelRatioF())));
             if (column == kIdentified)
                 item->setToolTip(others);

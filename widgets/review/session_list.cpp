@@ -23,7 +23,7 @@
 namespace bask {
 namespace {
 
-enum Column { kDate, kExperiment, kOutcome, kDuration, kRig, kTags, kColumns };
+enum ListColumn { kDate, kExperiment, kOutcome, kDuration, kRig, kTags, kListColumns };
 constexpr int kSortRole = Qt::UserRole;
 constexpr int kPathRole = Qt::UserRole + 1;
 constexpr int kSearchRole = Qt::UserRole + 2;
@@ -76,7 +76,7 @@ SessionList::SessionList(QWidget* parent)
     m_open->setObjectName(QStringLiteral("sessionOpen"));
     m_compare->setObjectName(QStringLiteral("sessionCompare"));
     m_tree->setObjectName(QStringLiteral("sessionTree"));
-    m_tree->setColumnCount(kColumns);
+    m_tree->setColumnCount(kListColumns);
     m_tree->setRootIsDecorated(false);
     m_tree->setUniformRowHeights(true);
     m_tree->setAlternatingRowColors(true);
@@ -197,7 +197,7 @@ void SessionList::showRows() {
 /// Titles get what the other columns leave.
 void SessionList::fitExperiment() {
     int others = m_tree->header()->minimumSectionSize() + 40; // tags
-    for (const Column column : {kDate, kOutcome, kDuration, kRig})
+    for (const ListColumn column : {kDate, kOutcome, kDuration, kRig})
         others += m_tree->columnWidth(column);
     const int wanted = static_cast<const QAbstractItemView*>(m_tree)->sizeHintForColumn(kExperiment) + 8;
     const int room = m_tree->viewport()->width() - others;
@@ -235,7 +235,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
                              hasTime ? session.end_s : -1.0,
                              rig,
                              tags};
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column < kListColumns; ++column) {
         row->setText(column, texts[column]);
         row->setData(column, kSortRole, keys[column]);
         row->setToolTip(column, text(session.path));

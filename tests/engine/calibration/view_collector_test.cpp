@@ -16,7 +16,7 @@ namespace bask {
 namespace {
 
 using Look = ViewCollector::Look;
-const Board kBoard = *parseBoard("chessboard:9x6:0.025");
+const Board kChessboard = *parseBoard("chessboard:9x6:0.025");
 const Eigen::Vector3d kMiddle(0.1, 0.0625, 0.0);
 
 /// Held with its middle there (m, camera axes), turned.
@@ -28,13 +28,13 @@ Pose held(const Eigen::Vector3d& middle_m, const Eigen::Vector3d& turn_rad) {
 struct ViewCollectorTest : testing::Test {
     CameraModel camera = test::trueCamera();
     std::mt19937 random{4};
-    ViewCollector collector{kBoard, 1280, 720};
+    ViewCollector collector{kChessboard, 1280, 720};
     double time_s = 0.0;
 
     BoardView view(const Pose& X_CB, double noise_px = 0.1) {
-        return test::viewOf(kBoard, X_CB, camera, noise_px, random);
+        return test::viewOf(kChessboard, X_CB, camera, noise_px, random);
     }
-    ViewPlace place(const Pose& X_CB) { return *placeOf(view(X_CB), kBoard, 1280, 720); }
+    ViewPlace place(const Pose& X_CB) { return *placeOf(view(X_CB), kChessboard, 1280, 720); }
     Look look(const Pose& X_CB) { return collector.look(view(X_CB), time_s += 1.0 / 30.0); }
     /// Held there for half a second.
     Look holdAt(const Pose& X_CB) {
@@ -70,7 +70,7 @@ TEST_F(ViewCollectorTest, TheSameBoardFromTheOtherEndIsThereAsWell) {
     const BoardView one = view(held({0.1, -0.05, 0.5}, {0.3, -0.4, 0.2}), 0.0);
     BoardView other = one;
     std::ranges::reverse(other.corners_px);
-    const ViewPlace a = *placeOf(one, kBoard, 1280, 720), b = *placeOf(other, kBoard, 1280, 720);
+    const ViewPlace a = *placeOf(one, kChessboard, 1280, 720), b = *placeOf(other, kChessboard, 1280, 720);
     EXPECT_NEAR(a.x, b.x, 1e-9);
     EXPECT_NEAR(a.size, b.size, 1e-6);
     EXPECT_LT((a.tilt - b.tilt).norm(), 1e-6);
@@ -160,7 +160,7 @@ TEST_F(ViewCollectorTest, APatientOperatorIsDone) {
             enoughAt = collector.views().size();
     }
     EXPECT_EQ(enoughAt, Coverage::kEnoughViews);
-    const auto camera5 = calibrateCamera(collector.used(), kBoard, 1280, 720, 5);
+    const auto camera5 = calibrateCamera(collector.used(), kChessboard, 1280, 720, 5);
     ASSERT_TRUE(camera5);
     EXPECT_NEAR(camera5->camera.fx, camera.fx, 1.5);
     EXPECT_EQ(judged(*camera5, 0.6).verdict, Verdict::Good) << describe(judged(*camera5, 0.6).reason);
@@ -212,7 +212,7 @@ TEST_F(ViewCollectorTest, AnotherBoardIsTold) {
     collector.saw(other);
     EXPECT_EQ(collector.otherBoard(), other);
     for (int k = 0; k < 9; ++k)
-        collector.saw(kBoard);
+        collector.saw(kChessboard);
     EXPECT_FALSE(collector.otherBoard()) << "it was changed back";
 }
 

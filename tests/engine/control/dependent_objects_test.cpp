@@ -19,7 +19,7 @@ struct Held {
 };
 
 /// Disks over a disk of 10 cm, in the workspace of the standard scenarios.
-struct Rig {
+struct DependentRig {
     int axes = X | Y | Z | TurnX;
     Shape source = Disk{0.10};
     Vector6d held = Vector6d{0.0, 0.0, 0.15, 0.0, 0.0, 0.0};
@@ -59,9 +59,9 @@ using Sets = std::vector<std::vector<int>>;
 // Catches a sound arrangement called singular: the triangle, a line (which is a matter of targets, not of
 // rank), and disks mounted at random, as many as the free axes or fewer.
 TEST(DependentObjects, SoundArrangementsHaveNone) {
-    EXPECT_TRUE(Rig{}.dependent(kTriangle).empty());
-    EXPECT_TRUE(Rig{}.dependent({{0.0, -0.065}, {0.0, 0.0}, {0.0, 0.065}}).empty());
-    EXPECT_TRUE(Rig{}.dependent({{0.0, 0.0}}).empty());
+    EXPECT_TRUE(DependentRig{}.dependent(kTriangle).empty());
+    EXPECT_TRUE(DependentRig{}.dependent({{0.0, -0.065}, {0.0, 0.0}, {0.0, 0.065}}).empty());
+    EXPECT_TRUE(DependentRig{}.dependent({{0.0, 0.0}}).empty());
     std::mt19937 random(1);
     std::uniform_real_distribution<double> place(-0.06, 0.06);
     for (int run = 0; run < 200; ++run) {
@@ -74,8 +74,8 @@ TEST(DependentObjects, SoundArrangementsHaveNone) {
                 }))
                 objects.push_back(next);
         }
-        EXPECT_TRUE(Rig{}.dependent(objects).empty()) << "run " << run;
-        EXPECT_TRUE(Rig{.axes = 63}.dependent(objects).empty()) << "run " << run;
+        EXPECT_TRUE(DependentRig{}.dependent(objects).empty()) << "run " << run;
+        EXPECT_TRUE(DependentRig{.axes = 63}.dependent(objects).empty()) << "run " << run;
     }
 }
 
@@ -83,25 +83,25 @@ TEST(DependentObjects, SoundArrangementsHaveNone) {
 // same view factor for ever.
 TEST(DependentObjects, MirrorImagesAreAlike) {
     const std::vector<Held> pair{{-0.04, 0.0}, {0.04, 0.0}};
-    const auto found = Rig{.axes = Y | Z | TurnX}.dependent(pair);
+    const auto found = DependentRig{.axes = Y | Z | TurnX}.dependent(pair);
     ASSERT_EQ(sets(found), (Sets{{0, 1}}));
     EXPECT_TRUE(found.front().alike);
-    EXPECT_TRUE(Rig{.axes = X | Z}.dependent(pair).empty());
+    EXPECT_TRUE(DependentRig{.axes = X | Z}.dependent(pair).empty());
     // The third is not one of them.
-    EXPECT_EQ(sets(Rig{.axes = Y | Z | TurnX}.dependent({{-0.04, 0.0}, {0.0, 0.05}, {0.04, 0.0}})),
+    EXPECT_EQ(sets(DependentRig{.axes = Y | Z | TurnX}.dependent({{-0.04, 0.0}, {0.0, 0.05}, {0.04, 0.0}})),
               (Sets{{0, 2}}));
     // Another size: not alike, and independent.
-    EXPECT_TRUE(Rig{.axes = Y | Z}.dependent({{-0.04, 0.0, 0.01}, {0.04, 0.0, 0.02}}).empty());
+    EXPECT_TRUE(DependentRig{.axes = Y | Z}.dependent({{-0.04, 0.0, 0.01}, {0.04, 0.0, 0.02}}).empty());
 }
 
 // Catches an object that nothing moves: a disk at E's origin, where only the turn about z is free.
 TEST(DependentObjects, AnObjectThatNoAxisMovesIsASetOfOne) {
-    EXPECT_EQ(sets(Rig{.axes = TurnZ}.dependent({{0.0, 0.0}})), (Sets{{0}}));
-    Rig aside{.axes = TurnZ};
+    EXPECT_EQ(sets(DependentRig{.axes = TurnZ}.dependent({{0.0, 0.0}})), (Sets{{0}}));
+    DependentRig aside{.axes = TurnZ};
     aside.held[kX] = 0.06;
     EXPECT_TRUE(aside.dependent({{0.03, 0.0}}).empty());
     // With z free it moves; the turn adds nothing to either, so there is one way for two.
-    const auto found = Rig{.axes = Z | TurnZ}.dependent({{0.0, 0.0}, {0.06, 0.0}});
+    const auto found = DependentRig{.axes = Z | TurnZ}.dependent({{0.0, 0.0}, {0.06, 0.0}});
     ASSERT_EQ(sets(found), (Sets{{0, 1}}));
     EXPECT_FALSE(found.front().alike);
 }
@@ -111,30 +111,30 @@ TEST(DependentObjects, AnObjectThatNoAxisMovesIsASetOfOne) {
 TEST(DependentObjects, TheTurnAboutARoundSourcesAxisServesNoObject) {
     std::vector<Held> four = kTriangle;
     four.push_back({0.01, 0.005, 0.01});
-    EXPECT_EQ(sets(Rig{.axes = X | Y | Z | TurnZ}.dependent(four)), (Sets{{0, 1, 2, 3}}));
-    EXPECT_TRUE(Rig{.axes = X | Y | Z | TurnZ}.dependent(kTriangle).empty());
-    EXPECT_TRUE(Rig{}.dependent(four).empty());
-    Rig square{.axes = X | Y | Z | TurnZ};
+    EXPECT_EQ(sets(DependentRig{.axes = X | Y | Z | TurnZ}.dependent(four)), (Sets{{0, 1, 2, 3}}));
+    EXPECT_TRUE(DependentRig{.axes = X | Y | Z | TurnZ}.dependent(kTriangle).empty());
+    EXPECT_TRUE(DependentRig{}.dependent(four).empty());
+    DependentRig square{.axes = X | Y | Z | TurnZ};
     square.source = Contour{{{-0.1, -0.06}, {0.1, -0.06}, {0.1, 0.06}, {-0.1, 0.06}}};
     EXPECT_TRUE(square.dependent(four).empty());
     std::vector<Held> six = four;
     six.insert(six.end(), {{0.07, 0.04, 0.012}, {-0.08, 0.03, 0.009}});
-    EXPECT_EQ(sets(Rig{.axes = 63}.dependent(six)), (Sets{{0, 1, 2, 3, 4, 5}}));
+    EXPECT_EQ(sets(DependentRig{.axes = 63}.dependent(six)), (Sets{{0, 1, 2, 3, 4, 5}}));
     six.pop_back();
-    EXPECT_TRUE(Rig{.axes = 63}.dependent(six).empty());
+    EXPECT_TRUE(DependentRig{.axes = 63}.dependent(six).empty());
 }
 
 // Catches sets that are told with more members than they need, or only the first of several.
 TEST(DependentObjects, EachLeastSetIsTold) {
-    EXPECT_EQ(
-        sets(Rig{.axes = Y | Z | TurnX}.dependent({{-0.04, 0.0}, {0.04, 0.0}, {-0.04, 0.05}, {0.04, 0.05}})),
-        (Sets{{0, 1}, {2, 3}}));
+    EXPECT_EQ(sets(DependentRig{.axes = Y | Z | TurnX}.dependent(
+                  {{-0.04, 0.0}, {0.04, 0.0}, {-0.04, 0.05}, {0.04, 0.05}})),
+              (Sets{{0, 1}, {2, 3}}));
 }
 
 // Catches a verdict on nothing, and a workspace without any allowed pose told as a singular arrangement.
 TEST(DependentObjects, NoObjectOrNoPoseNoVerdict) {
-    EXPECT_TRUE(Rig{}.dependent({}).empty());
-    Rig low{.axes = X | Y};
+    EXPECT_TRUE(DependentRig{}.dependent({}).empty());
+    DependentRig low{.axes = X | Y};
     low.held[kZ] = 0.005;
     EXPECT_TRUE(low.dependent({{-0.04, 0.0}, {0.04, 0.0}}).empty());
 }

@@ -10,24 +10,25 @@
 namespace bask {
 namespace {
 
-constexpr double kT3_K = 298.15;
+constexpr double kRoom_K = 298.15;
 
 /// Two painted disks of different thickness over a hot disk.
-struct Rig {
+struct PlannedRig {
     std::shared_ptr<const RigGeometry> geometry;
     HeatingTask task;
 
-    Rig() {
+    PlannedRig() {
         Vector6d left = Vector6d::Zero(), right = Vector6d::Zero();
         left[kX] = -0.04;
         right[kX] = 0.04;
         geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}, Disk{0.015}},
                                                  std::vector<Vector6d>{left, right}, RobotLimits());
-        const double J = netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, kT3_K);
+        const double J = netSourcePower_W_m2(SourceModel::Gray, 473.15, 0.25, kRoom_K);
         for (const double thickness_m : {0.0005, 0.001})
-            task.rates.push_back(heatRates({"painted", 0.9, 0.9, 904.0, 2700.0, thickness_m, 1.0}, J, kT3_K));
+            task.rates.push_back(
+                heatRates({"painted", 0.9, 0.9, 904.0, 2700.0, thickness_m, 1.0}, J, kRoom_K));
         task.from[kZ] = 0.2;
-        task.temperature_K = Eigen::Vector2d::Constant(kT3_K);
+        task.temperature_K = Eigen::Vector2d::Constant(kRoom_K);
     }
     /// The task's aim becomes what `pose` holds.
     void aimAt(const Vector6d& pose) {
@@ -63,7 +64,7 @@ Vector6d pose(double x, double z) {
 
 // Catches an optimisation that returns a worse plan, or one outside workspace and clearance.
 TEST(HeatingPlan, ImprovementNeverMakesWorseAndStaysInside) {
-    Rig rig;
+    PlannedRig rig;
     rig.aimAt(pose(0.02, 0.08));
     for (const double x : {-0.2, 0.0, 0.2})
         for (const double z : {0.01, 0.1, 0.3}) {
@@ -80,7 +81,7 @@ TEST(HeatingPlan, ImprovementNeverMakesWorseAndStaysInside) {
 
 // Catches a cost that does not fall along the way: then the argument for stability in level_servo.h is wrong.
 TEST(HeatingPlan, TheCostFallsAsThePlanIsFollowed) {
-    Rig rig;
+    PlannedRig rig;
     const Vector6d rest = pose(0.02, 0.08);
     rig.aimAt(rest);
     const HeatingPlan plan{{Stay{pose(0.03, 0.02), 20.0}, Stay{rest, 10.0}}, rest};
@@ -101,7 +102,7 @@ TEST(HeatingPlan, TheCostFallsAsThePlanIsFollowed) {
 
 // Catches a prediction that is not the heat balance: resting for ever, errors decay from where they are.
 TEST(HeatingPlan, RestingCostsTheDecayOfTheErrors) {
-    Rig rig;
+    PlannedRig rig;
     const Vector6d rest = pose(0.0, 0.1);
     rig.aimAt(rest);
     rig.task.from = rest;

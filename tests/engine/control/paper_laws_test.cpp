@@ -13,24 +13,25 @@
 namespace bask {
 namespace {
 
-constexpr double kT3_K = 298.15;
+constexpr double kPaperT3_K = 298.15;
 
 /// The circle 10 cm over the source (F = 0.5), at its steady state there.
-struct Bench {
+struct PaperBench {
     std::shared_ptr<const RigGeometry> geometry;
     HeatRates rates;
     Vector6d q = Vector6d::Zero();
     double T_K = 0.0;
     double leastF = 1.0, mostF = 0.0;
 
-    explicit Bench(double maxSpeed_m_s = 10.0) {
+    explicit PaperBench(double maxSpeed_m_s = 10.0) {
         RobotLimits limits;
         limits.maxSpeed_m_s = maxSpeed_m_s;
         limits.free = {false, false, true, false, false, false};
         geometry = std::make_shared<RigGeometry>(Disk{0.1}, std::vector<Shape>{Disk{0.015}},
                                                  std::vector<Vector6d>{Vector6d::Zero()}, limits);
         const Material painted{"painted", 0.9, 0.9, 904.0, 2700.0, 0.001, 1.0};
-        rates = heatRates(painted, netSourcePower_W_m2(SourceModel::Paper, 473.15, 0.25, kT3_K), kT3_K);
+        rates =
+            heatRates(painted, netSourcePower_W_m2(SourceModel::Paper, 473.15, 0.25, kPaperT3_K), kPaperT3_K);
         q[kZ] = 0.10;
         T_K = rates.steadyTemperature_K(F());
     }
@@ -50,7 +51,7 @@ struct Bench {
     }
 };
 
-ControllerSettings settingsOf(ControllerKind kind) {
+ControllerSettings paperSettings(ControllerKind kind) {
     ControllerSettings settings;
     settings.kind = kind;
     settings.damping = 0.0;
@@ -66,7 +67,7 @@ double lyapunov(const AdaptiveGains& gains, const HeatRates& truth, const HeatRa
            0.5 * da2 * da2 / gains.gamma2;
 }
 
-Observation moving(const Bench& bench, double T_K, double v_K_s) {
+Observation moving(const PaperBench& bench, double T_K, double v_K_s) {
     return {0.0, bench.q, 1.0, {{T_K, v_K_s}}};
 }
 
@@ -78,8 +79,8 @@ TEST(ModelBasedLaw, FollowsTheAnalyticResponseWithinOnePercentOfTheStep) {
         double step_K;
     } cases[] = {{0.005, 0.2}, {0.05, 0.2}, {0.5, 0.05}};
     for (const auto& [K, step_K] : cases) {
-        Bench bench;
-        ControllerSettings settings = settingsOf(ControllerKind::ModelBased);
+        PaperBench bench;
+        ControllerSettings settings = paperSettings(ControllerKind::ModelBased);
         settings.modelBased = {0.2, K};
         const double target_K = bench.T_K + step_K;
         const auto controller = makeController(settings, {bench.geometry, {bench.rates}, {target_K}});
@@ -102,8 +103,8 @@ TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
         double factor1, factor2; ///< believed over true
     } cases[] = {{1.0, 1.0}, {2.0, 1.0}, {0.5, 1.0}, {1.0, 3.0}, {0.4, 2.5}, {3.0, 0.3}};
     for (const auto& [factor1, factor2] : cases) {
-        Bench bench;
-        ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+        PaperBench bench;
+        ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
         HeatRates believed = bench.rates;
         believed.lambda1 *= factor1;
         believed.lambda2 *= factor2;
@@ -134,8 +135,8 @@ TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
 
 // The rate of H is that of the theory, not only its sign.
 TEST(AdaptiveLaw, ItsLyapunovFunctionFallsAsKZetaSquared) {
-    Bench bench;
-    const ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+    PaperBench bench;
+    const ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
     HeatRates believed = bench.rates;
     believed.lambda1 *= 1.5;
     const double target_K = bench.T_K + 0.6;
@@ -153,8 +154,8 @@ TEST(AdaptiveLaw, ItsLyapunovFunctionFallsAsKZetaSquared) {
 }
 
 TEST(AdaptiveLaw, EstimatesStayWithinTheirFactor) {
-    const Bench bench;
-    ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+    const PaperBench bench;
+    ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
     settings.adaptive.gamma1 = 1e4;
     settings.adaptive.gamma2 = 1e-12;
     for (const double v_K_s : {0.05, -0.05}) {
@@ -175,8 +176,8 @@ TEST(AdaptiveLaw, EstimatesStayWithinTheirFactor) {
 }
 
 TEST(AdaptiveLaw, NoiseBelowTheDeadZoneTeachesNothing) {
-    const Bench bench;
-    const ControllerSettings settings = settingsOf(ControllerKind::Adaptive);
+    const PaperBench bench;
+    const ControllerSettings settings = paperSettings(ControllerKind::Adaptive);
     const auto beliefAfter = [&](double zeta_K_s) {
         const auto controller = makeController(settings, {bench.geometry, {bench.rates}, {bench.T_K}});
         ControlOutput output;
@@ -189,8 +190,8 @@ TEST(AdaptiveLaw, NoiseBelowTheDeadZoneTeachesNothing) {
 }
 
 TEST(AdaptiveLaw, StandsStillWhileALimitHoldsTheCommandBack) {
-    const auto beliefAfter = [](const Bench& bench) {
-        const auto controller = makeController(settingsOf(ControllerKind::Adaptive),
+    const auto beliefAfter = [](const PaperBench& bench) {
+        const auto controller = makeController(paperSettings(ControllerKind::Adaptive),
                                                {bench.geometry, {bench.rates}, {bench.T_K + 20.0}});
         ControlOutput output;
         for (int i = 0; i < 50; ++i)
@@ -198,9 +199,9 @@ TEST(AdaptiveLaw, StandsStillWhileALimitHoldsTheCommandBack) {
         EXPECT_EQ(output.limits.any(), bench.geometry->limits().maxSpeed_m_s < 1.0);
         return output.belief[0].lambda1;
     };
-    const Bench slow(0.001);
+    const PaperBench slow(0.001);
     EXPECT_DOUBLE_EQ(beliefAfter(slow), slow.rates.lambda1);
-    const Bench fast;
+    const PaperBench fast;
     EXPECT_NE(beliefAfter(fast), fast.rates.lambda1);
 }
 

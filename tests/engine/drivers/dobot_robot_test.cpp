@@ -11,11 +11,11 @@
 namespace bask::test {
 namespace {
 
-const std::vector<AxisSpec> kAxes{{'X', 0, false, 0.0}, {'Y', 1, false, 0.0}, {'Z', 2, false, 0.0}};
+const std::vector<AxisSpec> kArmAxes{{'X', 0, false, 0.0}, {'Y', 1, false, 0.0}, {'Z', 2, false, 0.0}};
 
 class DobotRobotTest : public testing::Test {
 protected:
-    void make(const DobotSimulatorConfig& config = {}, std::vector<AxisSpec> axes = kAxes) {
+    void make(const DobotSimulatorConfig& config = {}, std::vector<AxisSpec> axes = kArmAxes) {
         m_robot.reset();
         m_arm = std::make_unique<DobotSimulator>(config);
         m_dashboard = std::make_unique<DeviceLink>(m_arm->dashboard(), m_clock);
@@ -310,7 +310,7 @@ TEST_F(DobotRobotTest, LostPortsAreFoundAgain) {
 TEST(DobotBytes, AnArmThatLeavesItsWayIsStopped) {
     ManualClock clock;
     ScriptedLink dashboard, motion, feedback;
-    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kAxes, Vector6d::Zero()),
+    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kArmAxes, Vector6d::Zero()),
                      [](const Vector6d&) { return true; });
     const auto run = [&](DobotMode mode, double x) {
         for (int i = 0; i < 4; ++i) {
@@ -352,7 +352,7 @@ TEST(DobotBytes, AnArmThatLeavesItsWayIsStopped) {
 TEST(DobotBytes, RefusalsAndMissingReplies) {
     ManualClock clock;
     ScriptedLink dashboard, motion, feedback;
-    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kAxes, Vector6d::Zero()),
+    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kArmAxes, Vector6d::Zero()),
                      [](const Vector6d&) { return true; });
     const auto run = [&](DobotMode mode, int turns = 4) {
         for (int i = 0; i < turns; ++i) {
@@ -393,7 +393,7 @@ TEST(DobotBytes, RefusalsAndMissingReplies) {
 TEST(DobotBytes, AWaitingPacketIsAsOldAsItsClockTells) {
     ManualClock clock;
     ScriptedLink dashboard, motion, feedback;
-    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kAxes, Vector6d::Zero()),
+    DobotRobot robot(dashboard, motion, feedback, clock, AxisMap(kArmAxes, Vector6d::Zero()),
                      [](const Vector6d&) { return true; });
     std::uint64_t time_ms = 1'700'000'000'000;
     const auto say = [&] {

@@ -17,7 +17,7 @@ namespace {
 
 using Registers = std::vector<std::uint16_t>;
 
-const ModbusProfile& shipped(const std::string& name) {
+const ModbusProfile& shippedProfile(const std::string& name) {
     const auto& all = shippedProfiles();
     return *std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
 }
@@ -173,10 +173,10 @@ protected:
 TEST_F(MbpollTest, TalksWithTheSimulatedLine) {
     if (QStandardPaths::findExecutable("mbpoll").isEmpty())
         GTEST_SKIP() << "no mbpoll";
-    sim.addThermometer(3, shipped("modmux-pm6rtd"), 293.15);
+    sim.addThermometer(3, shippedProfile("modmux-pm6rtd"), 293.15);
     sim.setTemperature(3, 1, 333.15);
-    sim.addController(5, shipped("watlow-ez-zone"));
-    sim.addController(6, shipped("pixsys-drr245"));
+    sim.addController(5, shippedProfile("watlow-ez-zone"));
+    sim.addController(6, shippedProfile("pixsys-drr245"));
     const QString path = QString::fromStdString(port);
     const QString read = poll({"-a", "3", "-t", "3", "-r", "1", "-c", "3", path});
     EXPECT_TRUE(read.contains(QRegularExpression("\\[1\\]:\\s+200\\n\\[2\\]:\\s+600\\n\\[3\\]:\\s+200")))

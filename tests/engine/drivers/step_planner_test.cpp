@@ -9,16 +9,16 @@
 namespace bask {
 namespace {
 
-const std::vector<AxisSpec> kAxes{{'X', 0, false, 0.0}, {'Z', 2, false, 0.0}, {'A', 4, false, 0.0}};
+const std::vector<AxisSpec> kPlannedAxes{{'X', 0, false, 0.0}, {'Z', 2, false, 0.0}, {'A', 4, false, 0.0}};
 const Vector6d kRight = (Vector6d() << 0.01, 0, 0, 0, 0, 0).finished();
 
 StepPlanner anywhere() {
-    return {AxisMap(kAxes, Vector6d::Zero()), [](const Vector6d&) { return true; }};
+    return {AxisMap(kPlannedAxes, Vector6d::Zero()), [](const Vector6d&) { return true; }};
 }
 
 // Catches a guard that is asked for another place than the one that is sent, be it by a rounding.
 TEST(StepPlanner, TheVeryTargetWasApproved) {
-    const AxisMap map(kAxes, Vector6d::Constant(0.001));
+    const AxisMap map(kPlannedAxes, Vector6d::Constant(0.001));
     std::vector<Vector6d> approved;
     StepPlanner planner(map, [&](const Vector6d& target) {
         const bool isFine = target[0] < 0.02;
@@ -89,7 +89,7 @@ TEST(StepPlanner, AStepEndsWithItsVelocity) {
 TEST(StepPlanner, ATurnIsApprovedOnItsWay) {
     const Vector6d turn = (Vector6d() << 0, 0, 0, 0, 0.15, 0).finished();
     for (const double bad_rad : {0.25 * 0.075, 0.5 * 0.075, 0.75 * 0.075}) {
-        StepPlanner planner(AxisMap(kAxes, Vector6d::Zero()),
+        StepPlanner planner(AxisMap(kPlannedAxes, Vector6d::Zero()),
                             [&](const Vector6d& target) { return std::abs(target[4] - bad_rad) > 0.001; });
         planner.setTwist(turn, 0.5, 0.0);
         const auto step = planner.next({0.0, 0.0, 0.0}, 0.0);
@@ -137,7 +137,7 @@ TEST(StepPlanner, TurnsAreAboutTheAxesOfTheBase) {
 
 // Catches a refused robot that stays refused when it is asked to turn round.
 TEST(StepPlanner, ARefusalEndsWithAnotherVelocity) {
-    StepPlanner planner(AxisMap(kAxes, Vector6d::Zero()),
+    StepPlanner planner(AxisMap(kPlannedAxes, Vector6d::Zero()),
                         [](const Vector6d& target) { return target[0] <= 0.0; });
     planner.setTwist(kRight, 1.0, 0.0);
     EXPECT_FALSE(planner.next({0.0, 0.0, 0.0}, 0.0));

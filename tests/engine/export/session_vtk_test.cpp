@@ -30,7 +30,7 @@ namespace {
 
 using testing::madeUpSample;
 
-SessionRecord record(int samples) {
+SessionRecord recordOf(int samples) {
     SessionRecord session;
     session.path = "run.bask";
     session.experiment = testing::twoDisks();
@@ -77,7 +77,7 @@ protected:
 };
 
 TEST_F(SessionVtk, TrajectoriesHaveTheSamplesNumbers) {
-    const SessionRecord session = record(25);
+    const SessionRecord session = recordOf(25);
     exported(session);
     const auto ways = poly("trajectories.vtp");
     ASSERT_EQ(ways->GetNumberOfPoints(), 50);
@@ -106,7 +106,7 @@ TEST_F(SessionVtk, TrajectoriesHaveTheSamplesNumbers) {
 }
 
 TEST_F(SessionVtk, OutlinesFollowTheObjectsAndTheCollectionNamesThem) {
-    const SessionRecord session = record(25);
+    const SessionRecord session = recordOf(25);
     exported(session);
     QFile collection(m_folder.filePath("outlines.pvd"));
     ASSERT_TRUE(collection.open(QIODevice::ReadOnly));
@@ -144,7 +144,7 @@ TEST_F(SessionVtk, OutlinesFollowTheObjectsAndTheCollectionNamesThem) {
 
 // Catches: a field over the end-effector's positions that claims to be over the object's own.
 TEST_F(SessionVtk, FieldsAreOverTheObjectsOwnCentresAtTheLastAngles) {
-    const SessionRecord session = record(25);
+    const SessionRecord session = recordOf(25);
     const auto files = exported(session);
     const auto factors = image("view_factor_1_left__the.vti");
     const auto steady = image("steady_temperature_1_left__the.vti");
@@ -172,14 +172,14 @@ TEST_F(SessionVtk, FieldsAreOverTheObjectsOwnCentresAtTheLastAngles) {
 }
 
 TEST_F(SessionVtk, AnEmptyRunHasOutlinesAtItsStartAndFields) {
-    exported(record(0));
+    exported(recordOf(0));
     EXPECT_FALSE(QFile::exists(m_folder.filePath("trajectories.vtp")));
     EXPECT_EQ(poly("outlines/0000.vtp")->GetNumberOfLines(), 4);
     EXPECT_TRUE(QFile::exists(m_folder.filePath("outlines.pvd")));
 }
 
 TEST_F(SessionVtk, LongRunsAreThinnedForTheOutlinesOnly) {
-    exported(record(1001));
+    exported(recordOf(1001));
     EXPECT_EQ(poly("trajectories.vtp")->GetNumberOfPoints(), 2002);
     EXPECT_EQ(QDir(m_folder.filePath("outlines")).entryList(QDir::Files).size(), kMostOutlineSteps);
     EXPECT_NEAR(poly("outlines/0199.vtp")->GetPoint(0)[0], 0.1, 1e-9) << "source";
@@ -189,20 +189,20 @@ TEST_F(SessionVtk, NothingIsWrittenWhereAnothersFileIsInTheWay) {
     QFile mine(m_folder.filePath("outlines.pvd"));
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("<VTKFile type=\"Collection\"/>") > 0);
     mine.close();
-    const auto refused = exportVtk(record(5), m_folder.path().toStdString());
+    const auto refused = exportVtk(recordOf(5), m_folder.path().toStdString());
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::OutputForeign);
     EXPECT_EQ(QDir(m_folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
               QStringList{"outlines.pvd"});
     ASSERT_TRUE(mine.remove());
-    exported(record(5));
-    exported(record(5));
+    exported(recordOf(5));
+    exported(recordOf(5));
 }
 
 TEST_F(SessionVtk, ACancelledOneLeavesNothing) {
     std::stop_source stop;
     stop.request_stop();
-    const auto refused = exportVtk(record(5), m_folder.filePath("new").toStdString(), stop.get_token());
+    const auto refused = exportVtk(recordOf(5), m_folder.filePath("new").toStdString(), stop.get_token());
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::FieldCancelled);
     EXPECT_FALSE(QDir(m_folder.filePath("new")).exists());

@@ -1,5 +1,7 @@
 #include "tests/engine/radiation/area_reference.h"
 
+#include "tests/engine/radiation/face_pairs.h"
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -11,8 +13,6 @@ namespace {
 
 using Complex = std::complex<double>;
 using Height = std::function<double(Complex)>;
-
-constexpr double kPi = std::numbers::pi;
 
 struct Rule {
     std::vector<double> x, w; // on [0, 1]

@@ -5,8 +5,6 @@
 namespace bask::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 Shape mirrored(const Shape& shape) {
     if (const auto* polygon = std::get_if<Contour>(&shape)) {
         Contour result;

@@ -5,9 +5,11 @@
 #include "tests/engine/radiation/random_poses.h"
 
 #include <complex>
+#include <numbers>
 
 namespace bask::test {
 
+inline constexpr double kPi = std::numbers::pi;
 inline constexpr int kKinds = 3;
 inline const char* const kKindNames[] = {"disk", "fourier", "polygon"};
 

@@ -15,12 +15,11 @@ namespace {
 
 using test::Draw;
 using test::FacePair;
+using test::kPi;
 using test::kSharp;
 using test::poseAt;
 
-constexpr double kPi = std::numbers::pi;
-
-ViewFactor factorOf(const FacePair& pair, const ViewFactorOptions& options = kSharp) {
+ViewFactor piercedFactor(const FacePair& pair, const ViewFactorOptions& options = kSharp) {
     return viewFactor(RadiatingContour(pair.source), RadiatingContour(pair.object), pair.X_SO, options);
 }
 
@@ -90,7 +89,7 @@ TEST(ViewFactorHoles, coaxialRingsMeetTheClosedForm) {
             SCOPED_TRACE(testing::Message() << r1 << ' ' << R1 << ' ' << r2 << ' ' << R2 << ' ' << height);
             const double area = kPi * (R2 * R2 - r2 * r2);
             const ViewFactor f =
-                factorOf({ring(r1, R1), ring(r2, R2), poseAt(0, 0, height)}, {.tolerance = 1e-10});
+                piercedFactor({ring(r1, R1), ring(r2, R2), poseAt(0, 0, height)}, {.tolerance = 1e-10});
             EXPECT_NEAR(f.value, ringsExchange(r1, R1, r2, R2, height) / area, 1e-8);
             EXPECT_EQ(f.visibility, Visibility::Full);
         }
@@ -139,7 +138,7 @@ TEST(ViewFactorHoles, offCentreHolesAndCutsMeetPointFactors) {
                 for (int k = 0; k < 3; ++k)
                     if (const double from = std::max(ys[k], one.cut); !(i == 1 && k == 1) && from < ys[k + 1])
                         exchange += exchangeByPoints(source, one.X_SO, {xs[i], from}, {xs[i + 1], ys[k + 1]});
-            const ViewFactor f = factorOf({source, object, one.X_SO});
+            const ViewFactor f = piercedFactor({source, object, one.X_SO});
             EXPECT_EQ(f.visibility, one.visibility);
             EXPECT_GT(f.value, 1e-3);
             EXPECT_NEAR(f.value, exchange / shapeArea(object), 1e-8);
@@ -152,9 +151,9 @@ TEST(ViewFactorHoles, toleranceHoldsAndTheEstimateIsHonest) {
     for (int i = 0; i < 400; ++i) {
         SCOPED_TRACE(i);
         const FacePair pair = drawPair(draw, i);
-        const ViewFactor sharp = factorOf(pair);
+        const ViewFactor sharp = piercedFactor(pair);
         for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
-            const ViewFactor f = factorOf(pair, {.tolerance = tolerance});
+            const ViewFactor f = piercedFactor(pair, {.tolerance = tolerance});
             const double error = std::abs(f.value - sharp.value);
             EXPECT_GE(f.value, 0.0);
             EXPECT_LE(f.value, 1.0);
@@ -176,7 +175,7 @@ TEST(ViewFactorHoles, isReciprocal) {
     for (int i = 0; i < 400; ++i) {
         SCOPED_TRACE(i);
         const FacePair pair = drawPair(draw, i);
-        const ViewFactor there = factorOf(pair), here = factorOf(test::exchanged(pair));
+        const ViewFactor there = piercedFactor(pair), here = piercedFactor(test::exchanged(pair));
         const double a2 = shapeArea(pair.object), a1 = shapeArea(pair.source);
         EXPECT_NEAR(a2 * there.value, a1 * here.value,
                     a2 * std::min(there.errorEstimate, 1e-9) + a1 * std::min(here.errorEstimate, 1e-9));
@@ -193,7 +192,7 @@ TEST(ViewFactorHoles, gradientIsTheDerivativeOfTheValue) {
     for (int i = 0; i < 300; ++i) {
         SCOPED_TRACE(i);
         const FacePair pair = drawPair(draw, i);
-        const ViewFactor f = factorOf(pair);
+        const ViewFactor f = piercedFactor(pair);
         if (f.visibility == Visibility::Hidden || f.value < 1e-4 || test::runThroughEachOther(pair))
             continue;
         for (int k = 0; k < 6; ++k) {
@@ -204,7 +203,7 @@ TEST(ViewFactorHoles, gradientIsTheDerivativeOfTheValue) {
                     at.X_SO.translation()[k] += by;
                 else
                     at.X_SO.linear() = Eigen::AngleAxisd(by, Eigen::Vector3d::Unit(k - 3)) * at.X_SO.linear();
-                return factorOf(at).value;
+                return piercedFactor(at).value;
             };
             const double slope =
                 (8.0 * (moved(step) - moved(-step)) - (moved(2 * step) - moved(-2 * step))) / (12.0 * step);
@@ -230,18 +229,18 @@ TEST(ViewFactorHoles, inOnePlaneOnlyWhatIsCoveredIsRefused) {
     EXPECT_TRUE(overlaps(washer, plug, 0.07));
     EXPECT_TRUE(overlaps(washer, washer, 0.0));
     EXPECT_TRUE(overlaps(washer, withHoles(Disk{0.05}, {roundHole(0.03, 64)}), 0.0));
-    EXPECT_EQ(factorOf({washer, plug, poseAt(0, 0, 0)}).value, 0.0);
-    EXPECT_THROW(factorOf({washer, plug, poseAt(0.03, 0, 0)}), std::invalid_argument);
+    EXPECT_EQ(piercedFactor({washer, plug, poseAt(0, 0, 0)}).value, 0.0);
+    EXPECT_THROW(piercedFactor({washer, plug, poseAt(0.03, 0, 0)}), std::invalid_argument);
 }
 
 // Catches: the limits: a hair over a washer its plug sees nothing, what lies on the face sees nothing else.
 TEST(ViewFactorHoles, nearContactGoesToItsLimits) {
     const Shape washer = withHoles(Disk{0.1}, {roundHole(0.04, 64)});
     for (const double height : {1e-4, 1e-6, 1e-8}) {
-        EXPECT_NEAR(factorOf({washer, Disk{0.03}, poseAt(0, 0, height)}, {.tolerance = 1e-9}).value, 0.0,
+        EXPECT_NEAR(piercedFactor({washer, Disk{0.03}, poseAt(0, 0, height)}, {.tolerance = 1e-9}).value, 0.0,
                     10.0 * height);
-        EXPECT_NEAR(factorOf({washer, Disk{0.01}, poseAt(0.07, 0, height)}, {.tolerance = 1e-9}).value, 1.0,
-                    1e3 * height);
+        EXPECT_NEAR(piercedFactor({washer, Disk{0.01}, poseAt(0.07, 0, height)}, {.tolerance = 1e-9}).value,
+                    1.0, 1e3 * height);
     }
 }
 
@@ -256,8 +255,8 @@ TEST(ViewFactorHoles, otherMethodsKnowThemOrRefuse) {
     const Shape frame = withHoles(rectangle(-0.1, -0.1, 0.1, 0.1), {rectangle(-0.02, -0.02, 0.02, 0.02)});
     EXPECT_THROW(pointFactor(frame, {0.02, 0, 0}, down), std::invalid_argument); // the hole's edge
     const Pose X_SO = poseAt(0.02, 0.01, 0.08, 0.3, 0.2, 0.0);
-    EXPECT_NEAR(discreteSurfaceIntegral(washer, frame, X_SO, 3000), factorOf({washer, frame, X_SO}).value,
-                5e-3);
+    EXPECT_NEAR(discreteSurfaceIntegral(washer, frame, X_SO, 3000),
+                piercedFactor({washer, frame, X_SO}).value, 5e-3);
     EXPECT_THROW(simpsonViewFactor(Disk{0.1}, washer, X_SO, 64), std::invalid_argument);
     EXPECT_THROW(simpsonViewFactor(washer, Disk{0.1}, X_SO, 64), std::invalid_argument);
 }

@@ -14,20 +14,19 @@ namespace {
 
 using test::Draw;
 using test::FacePair;
+using test::kPi;
 using test::kSharp;
 using test::poseAt;
 
-constexpr double kPi = std::numbers::pi;
-
-ViewFactor factorOf(const FacePair& pair, const ViewFactorOptions& options = kSharp) {
+ViewFactor factorOfPair(const FacePair& pair, const ViewFactorOptions& options = kSharp) {
     return viewFactor(RadiatingContour(pair.source), RadiatingContour(pair.object), pair.X_SO, options);
 }
 
 double valueOf(const Shape& source, const Shape& object, const Pose& X_SO) {
-    return factorOf({source, object, X_SO}).value;
+    return factorOfPair({source, object, X_SO}).value;
 }
 
-Contour rectangle(double x0, double x1, double y0, double y1) {
+Contour rectangleBetween(double x0, double x1, double y0, double y1) {
     return {{{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}};
 }
 
@@ -90,17 +89,17 @@ TEST(ViewFactorCatalogue, parallelRectangles) {
     EXPECT_NEAR(alignedRectangles(1, 1, 1), 0.199824895698387, 1e-14); // the book's table: 0.1998
     for (const double c : {1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0})
         for (const auto& [a, b] : {std::pair(0.1, 0.1), {0.1, 0.03}, {0.02, 0.5}}) {
-            const Contour face = rectangle(-a / 2, a / 2, -b / 2, b / 2);
+            const Contour face = rectangleBetween(-a / 2, a / 2, -b / 2, b / 2);
             const double expected = alignedRectangles(a, b, c);
             EXPECT_NEAR(valueOf(face, face, poseAt(0, 0, c)), expected, 1e-10) << a << ' ' << b << ' ' << c;
         }
     for (const double z : {1e-3, 1e-2, 0.1})
         for (const double shift : {0.0, 0.03, 0.1, 0.4}) { // edges above each other, apart by half a hair
-            const Contour object = rectangle(-0.02, 0.03, -0.05, 0.01);
+            const Contour object = rectangleBetween(-0.02, 0.03, -0.05, 0.01);
             const double expected = parallelRectangles({-0.02 + shift, 0.03 + shift}, {-0.05, 0.01},
                                                        {-0.1, 0.1}, {-0.05, 0.05}, z);
-            EXPECT_NEAR(valueOf(rectangle(-0.1, 0.1, -0.05, 0.05), object, poseAt(shift, 0, z)), expected,
-                        1e-10)
+            EXPECT_NEAR(valueOf(rectangleBetween(-0.1, 0.1, -0.05, 0.05), object, poseAt(shift, 0, z)),
+                        expected, 1e-10)
                 << z << ' ' << shift;
         }
 }
@@ -111,14 +110,14 @@ TEST(ViewFactorCatalogue, perpendicularRectanglesWithACommonEdge) {
     EXPECT_NEAR(perpendicularRectangles(1, 1), 0.200043776075405, 1e-14); // the book's table: 0.2000
     for (const auto& [h, w] : {std::pair(1.0, 1.0), {0.3, 1.0}, {1.0, 0.2}, {2.0, 5.0}}) {
         // The object stands at the edge x = 0 of the source and looks along +x.
-        const Contour source = rectangle(0.0, w, -0.5, 0.5);
-        const Contour object = rectangle(0.0, h, -0.5, 0.5);
+        const Contour source = rectangleBetween(0.0, w, -0.5, 0.5);
+        const Contour object = rectangleBetween(0.0, h, -0.5, 0.5);
         Pose X_SO = Pose::Identity();
         X_SO.linear() << 0, 0, -1, 0, 1, 0, 1, 0, 0; // O's x upwards, its -z along S's x
         const auto expectAt = [&](const Contour& face, double x, double z, double expected, double change) {
             SCOPED_TRACE(testing::Message() << h << ' ' << w << " at " << x << ' ' << z);
             X_SO.translation() = Eigen::Vector3d(x, 0, z);
-            const ViewFactor f = factorOf({face, object, X_SO}, {});
+            const ViewFactor f = factorOfPair({face, object, X_SO}, {});
             EXPECT_NEAR(f.value, expected, f.errorEstimate + change);
             EXPECT_NEAR(f.value, expected, change > 0.0 ? 1e-6 + change : 1e-9);
         };
@@ -127,7 +126,7 @@ TEST(ViewFactorCatalogue, perpendicularRectanglesWithACommonEdge) {
         for (const double lift : {-1e-12, 1e-12, 1e-9})
             expectAt(source, -lift, lift, expected, 10.0 * std::abs(lift));
         // Standing in the middle of a source twice as wide it sees one half.
-        expectAt(rectangle(-w, w, -0.5, 0.5), 0, 0, expected, 0.0);
+        expectAt(rectangleBetween(-w, w, -0.5, 0.5), 0, 0, expected, 0.0);
         // Sunk to the half, the upper half sees what a lower wall sees.
         expectAt(source, 0, -0.5 * h, perpendicularRectangles(0.5 * h, w) / h, 0.0);
     }
@@ -176,9 +175,9 @@ TEST(ViewFactorNearContact, agreesWithTheDoubleContourIntegral) {
                 const double shift = i < 2 ? 0.0 : 0.1 - 0.02 * i;
                 const FacePair pair{source, object, poseAt(shift, 0, gap + lean * size, 0, lean, 0)};
                 const double expected = test::contourViewFactor(source, object, pair.X_SO, 0.8 * gap);
-                const ViewFactor sharp = factorOf(pair);
+                const ViewFactor sharp = factorOfPair(pair);
                 EXPECT_NEAR(sharp.value, expected, 1e-10);
-                const ViewFactor f = factorOf(pair, {});
+                const ViewFactor f = factorOfPair(pair, {});
                 EXPECT_NEAR(f.value, expected, 1e-9);
                 EXPECT_LE(f.errorEstimate, 2e-9);
                 EXPECT_LE((f.gradient - sharp.gradient).norm(), 1e-5 * (1.0 + sharp.gradient.norm()));
@@ -196,7 +195,7 @@ TEST(ViewFactorNearContact, takesNoAgreementByChance) {
           Case{0.43212885856951788, poseAt(0.077031282865467884, 0.046178143163227214, 0.039001929983612009,
                                            0, 0.079252897661736099, 0)}}) {
         const FacePair pair{Disk{0.1}, Disk{one.radius}, one.X_SO};
-        const ViewFactor f = factorOf(pair, {}), sharp = factorOf(pair);
+        const ViewFactor f = factorOfPair(pair, {}), sharp = factorOfPair(pair);
         EXPECT_LE(std::abs(f.value - sharp.value), f.errorEstimate + sharp.errorEstimate);
         EXPECT_NEAR(f.value, sharp.value, 1e-9);
     }
@@ -268,8 +267,10 @@ TEST(ViewFactorRefuses, outlinesWithoutArea) {
     EXPECT_THROW(RadiatingContour{FourierContour{}}, std::invalid_argument);
     // A repeated point is no crossing; the numbers must not suffer.
     const Contour twice{{{0, 0}, {1, 0}, {1, 0}, {1, 1}, {0, 1}}};
-    EXPECT_NEAR(valueOf(twice, rectangle(0, 1, 0, 1), poseAt(0, 0, 1)), alignedRectangles(1, 1, 1), 1e-10);
-    EXPECT_NEAR(valueOf(rectangle(0, 1, 0, 1), twice, poseAt(0, 0, 1)), alignedRectangles(1, 1, 1), 1e-10);
+    EXPECT_NEAR(valueOf(twice, rectangleBetween(0, 1, 0, 1), poseAt(0, 0, 1)), alignedRectangles(1, 1, 1),
+                1e-10);
+    EXPECT_NEAR(valueOf(rectangleBetween(0, 1, 0, 1), twice, poseAt(0, 0, 1)), alignedRectangles(1, 1, 1),
+                1e-10);
 }
 
 // Catches: 1 or 0 by a rounding error where one face lies on the other, for every two kinds.
@@ -305,22 +306,22 @@ TEST(ViewFactorExtremes, aSpeckAndAPlain) {
                 return Disk{radius};
             if (kind == 1)
                 return FourierContour({0.0, 0.0, radius});
-            return rectangle(-radius, radius, -radius, radius);
+            return rectangleBetween(-radius, radius, -radius, radius);
         };
         for (const double ratio : {1e3, 1e6}) {
             const double height = 0.1;
             // A speck below a plain, and a plain that sees a speck: reciprocal.
-            const ViewFactor speck = factorOf({disk(0.1), disk(0.1 / ratio), poseAt(0, 0, height)}, {});
+            const ViewFactor speck = factorOfPair({disk(0.1), disk(0.1 / ratio), poseAt(0, 0, height)}, {});
             const double expected =
                 kind == 2 ? 4.0 / (kPi * std::sqrt(2.0)) * std::atan(1 / std::sqrt(2.0)) : 0.5;
             EXPECT_NEAR(speck.value, expected, 1.0 / (ratio * ratio) + 1e-9 * ratio / 1e3);
             EXPECT_LE(std::abs(speck.value - expected), 1.0 / (ratio * ratio) + speck.errorEstimate);
-            const ViewFactor plain = factorOf({disk(0.1 / ratio), disk(0.1), poseAt(0, 0, height)}, {});
+            const ViewFactor plain = factorOfPair({disk(0.1 / ratio), disk(0.1), poseAt(0, 0, height)}, {});
             EXPECT_LE(std::abs(plain.value - expected / (ratio * ratio)),
                       2.0 / std::pow(ratio, 4) + plain.errorEstimate);
             EXPECT_LE(plain.errorEstimate, 1e-9);
         }
-        const ViewFactor far = factorOf({disk(0.1), disk(0.1), poseAt(0, 0, 1e6)}, {});
+        const ViewFactor far = factorOfPair({disk(0.1), disk(0.1), poseAt(0, 0, 1e6)}, {});
         EXPECT_NEAR(far.value, shapeArea(disk(0.1)) / (kPi * 1e12), 1e-15);
     }
 }

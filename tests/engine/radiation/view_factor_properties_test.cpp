@@ -13,10 +13,9 @@ namespace {
 
 using test::Draw;
 using test::FacePair;
+using test::kPi;
 using test::kSharp;
 using test::poseAt;
-
-constexpr double kPi = std::numbers::pi;
 
 ViewFactor factorOf(const FacePair& pair, const ViewFactorOptions& options = kSharp) {
     return viewFactor(RadiatingContour(pair.source), RadiatingContour(pair.object), pair.X_SO, options);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSetPoint_K = kelvinFromCelsius(100.0);
 
-Experiment fastDisks() {
+Experiment quickDisks() {
     Experiment experiment = twoDisks(40.0);
     experiment.sampling = {0.1, 30, 2};
     return experiment;
@@ -44,7 +44,7 @@ struct DeafSource final : HeatSource {
 TEST(HeatByHand, ATripSwitchesItOffForTheWholeRetreat) {
     for (const SimulatedFault fault : {SimulatedFault::ObjectHot, SimulatedFault::SourceOverheats}) {
         for (const bool isArmed : {false, true}) {
-            LoopOnRig rig(fastDisks());
+            LoopOnRig rig(quickDisks());
             rig.periods(40);
             ASSERT_TRUE(rig.loop.setHeat(kSetPoint_K));
             rig.periods(5);
@@ -68,7 +68,7 @@ TEST(HeatByHand, ATripSwitchesItOffForTheWholeRetreat) {
 
 // Catches a plate that is heated for ever while nobody sees how hot the objects are.
 TEST(HeatByHand, EndsWhenASensorIsLostForLong) {
-    LoopOnRig rig(fastDisks());
+    LoopOnRig rig(quickDisks());
     rig.periods(40);
     ASSERT_TRUE(rig.loop.setHeat(kSetPoint_K));
     setFault(rig.rig, SimulatedFault::SensorOpen, 0, true);
@@ -86,7 +86,7 @@ TEST(HeatByHand, EndsWhenASensorIsLostForLong) {
 
 // Catches an Off that is swallowed by a state.
 TEST(HeatByHand, OffIsOffInEveryState) {
-    LoopOnRig rig(fastDisks());
+    LoopOnRig rig(quickDisks());
     rig.periods(40);
     ASSERT_TRUE(rig.loop.setHeat(kSetPoint_K));
     ASSERT_TRUE(rig.loop.arm());
@@ -105,7 +105,7 @@ TEST(HeatByHand, OffIsOffInEveryState) {
 
 // Catches an order that is refused only after it was given, told to nobody and never given again.
 TEST(HeatByHand, AnOrderThatIsRefusedLaterIsRepeatedAndTold) {
-    const Experiment experiment = fastDisks();
+    const Experiment experiment = quickDisks();
     SimulatedRig rig(simulatedRigConfig(experiment));
     DeafSource source(rig.heatSource());
     ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), source, {}}, rig.clock());

@@ -31,7 +31,7 @@ Experiment movedSource(bool tracked) {
     return experiment;
 }
 
-double worstError_K(const RunOutcome& outcome) {
+double largestError_K(const RunOutcome& outcome) {
     double worst_K = 0.0;
     for (const ObjectOutcome& object : outcome.objects)
         worst_K = std::max(worst_K, std::abs(object.final_K - object.target_K));
@@ -85,7 +85,7 @@ TEST(MovingSource, IsFollowedThroughNoiseAndDelay) {
     const auto outcome = runSimulated(experiment, {800.0, {}, {}});
     ASSERT_TRUE(outcome) << describe(outcome.error());
     EXPECT_FALSE(has(*outcome, MessageCode::ReasonSourcePoseLost));
-    EXPECT_LT(worstError_K(*outcome), 0.5);
+    EXPECT_LT(largestError_K(*outcome), 0.5);
 }
 
 // Catches a source that moves by another clock than the run's.

@@ -13,7 +13,7 @@
 namespace bask::testing {
 namespace {
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 bool same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
@@ -48,11 +48,11 @@ TraceSample madeUpSample(const Experiment& experiment, int k) {
         const double x = k + 0.1 * static_cast<double>(i);
         ObjectSample o;
         o.measured_K = 300.0 + std::sqrt(x);
-        o.estimated_K = k < 10 ? kNaN : o.measured_K + 1e-3 / 3.0;
-        o.rate_K_s = k < 10 ? kNaN : std::sin(x);
+        o.estimated_K = k < 10 ? kNotMeasured : o.measured_K + 1e-3 / 3.0;
+        o.rate_K_s = k < 10 ? kNotMeasured : std::sin(x);
         o.target_K = experiment.objects[i].target_K;
         o.viewFactor = 1.0 / (1.5 + x);
-        o.lambda1 = i == 0 ? 0.1 / (1.0 + x) : kNaN;
+        o.lambda1 = i == 0 ? 0.1 / (1.0 + x) : kNotMeasured;
         o.lambda2 = 1e-11 / (1.0 + x);
         o.true_K = o.measured_K - 0.01;
         o.valid = k % 7 != 0;

@@ -40,7 +40,7 @@ Result<Contour> readPicture(const cv::Mat& image, double scale = 1.0, const char
     return readContourImage(test::writeFile(ending, encoded(image, ending)), scale);
 }
 
-MessageCode codeOf(const Result<Contour>& result) {
+MessageCode pictureCode(const Result<Contour>& result) {
     if (result)
         return MessageCode::None;
     EXPECT_FALSE(describe(result.error()).empty());
@@ -170,35 +170,37 @@ TEST(ContourImage, RaggedSilhouettesNeverGiveACrossingOutline) {
         picture.setTo(0, ~mask);
         const auto contour = readPicture(picture);
         read += contour.ok();
-        EXPECT_NE(codeOf(contour), MessageCode::ContourCrossing) << trial;
+        EXPECT_NE(pictureCode(contour), MessageCode::ContourCrossing) << trial;
     }
     EXPECT_GT(read, 20);
 }
 
 TEST(ContourImage, RefusesPicturesWithoutASilhouette) {
-    const auto code = [](const char* name) { return codeOf(readContourImage(test::dataPath(name), 10.0)); };
+    const auto code = [](const char* name) {
+        return pictureCode(readContourImage(test::dataPath(name), 10.0));
+    };
     EXPECT_EQ(code("coins.png"), MessageCode::SilhouetteAtBorder) << "its ground grows dark towards one side";
     EXPECT_EQ(code("tiny_indexed_3x5.png"), MessageCode::NoSilhouette);
     EXPECT_EQ(code("hand_photo_border.jpg"), MessageCode::SilhouetteAtBorder);
     EXPECT_NE(code("fruits.jpg"), MessageCode::None);
     EXPECT_NE(code("detect_blob.png"), MessageCode::None);
-    EXPECT_EQ(codeOf(readPicture(cv::Mat(80, 90, CV_8U, cv::Scalar(77)))), MessageCode::NoSilhouette);
-    EXPECT_EQ(codeOf(readPicture(cv::Mat(80, 90, CV_8UC4, cv::Scalar(9, 9, 9, 0)))),
+    EXPECT_EQ(pictureCode(readPicture(cv::Mat(80, 90, CV_8U, cv::Scalar(77)))), MessageCode::NoSilhouette);
+    EXPECT_EQ(pictureCode(readPicture(cv::Mat(80, 90, CV_8UC4, cv::Scalar(9, 9, 9, 0)))),
               MessageCode::NoSilhouette);
-    EXPECT_EQ(codeOf(readPicture(cv::Mat(1, 1, CV_8U, cv::Scalar(0)))), MessageCode::NoSilhouette);
+    EXPECT_EQ(pictureCode(readPicture(cv::Mat(1, 1, CV_8U, cv::Scalar(0)))), MessageCode::NoSilhouette);
     cv::Mat noise(200, 200, CV_8U), speckle;
     cv::RNG random(5);
     random.fill(noise, cv::RNG::NORMAL, 128, 40);
-    EXPECT_EQ(codeOf(readPicture(noise)), MessageCode::NoSilhouette);
+    EXPECT_EQ(pictureCode(readPicture(noise)), MessageCode::NoSilhouette);
     cv::threshold(noise, speckle, 200, 255, cv::THRESH_BINARY);
-    EXPECT_EQ(codeOf(readPicture(speckle)), MessageCode::NoSilhouette);
+    EXPECT_EQ(pictureCode(readPicture(speckle)), MessageCode::NoSilhouette);
     cv::Mat cut(100, 100, CV_8U, cv::Scalar(255));
     cv::circle(cut, {50, 85}, 20, cv::Scalar(0), cv::FILLED);
-    EXPECT_EQ(codeOf(readPicture(cut)), MessageCode::SilhouetteAtBorder);
+    EXPECT_EQ(pictureCode(readPicture(cut)), MessageCode::SilhouetteAtBorder);
 }
 
 TEST(ContourImage, RefusesWhatIsNoPicture) {
-    const auto code = [](const std::string& path) { return codeOf(readContourImage(path, 10.0)); };
+    const auto code = [](const std::string& path) { return pictureCode(readContourImage(path, 10.0)); };
     EXPECT_EQ(code(test::dataPath("empty.png")), MessageCode::FileEmpty);
     EXPECT_EQ(code(test::dataPath("truncated.jpg")), MessageCode::ImageUnreadable);
     EXPECT_EQ(code(test::dataPath("earcut_dude.csv")), MessageCode::ImageUnreadable);
@@ -208,7 +210,7 @@ TEST(ContourImage, RefusesWhatIsNoPicture) {
     EXPECT_EQ(code(test::writeFile(".jpg", photo.substr(0, photo.size() / 2))), MessageCode::ImageUnreadable)
         << "a decoder fills the lost half with grey";
     for (const double scale : {0.0, -3.0, std::nan(""), HUGE_VAL})
-        EXPECT_EQ(codeOf(readContourImage(test::examplePath("bunny_1200.png"), scale)),
+        EXPECT_EQ(pictureCode(readContourImage(test::examplePath("bunny_1200.png"), scale)),
                   MessageCode::ScaleNotPositive);
 }
 
@@ -216,18 +218,18 @@ TEST(ContourImage, RefusesAnAbsurdSizeBeforeItIsUnpacked) {
     std::string png = fileBytes(test::dataPath("horse.png"));
     png[16] = png[20] = 0;
     png[17] = png[21] = 1; // more than 65536 x 65536
-    EXPECT_EQ(codeOf(readContourImage(test::writeFile(".png", png), 1.0)), MessageCode::FileTooLarge);
+    EXPECT_EQ(pictureCode(readContourImage(test::writeFile(".png", png), 1.0)), MessageCode::FileTooLarge);
     std::string bmp = encoded(cv::Mat(8, 8, CV_8U, cv::Scalar(0)), ".bmp");
     bmp[20] = bmp[24] = 1;
-    EXPECT_EQ(codeOf(readContourImage(test::writeFile(".bmp", bmp), 1.0)), MessageCode::FileTooLarge);
+    EXPECT_EQ(pictureCode(readContourImage(test::writeFile(".bmp", bmp), 1.0)), MessageCode::FileTooLarge);
     std::string jpeg = encoded(cv::Mat(8, 8, CV_8U, cv::Scalar(0)), ".jpg");
     const std::size_t frame = jpeg.find("\xFF\xC0");
     ASSERT_NE(frame, std::string::npos);
     for (const std::size_t k : {5U, 6U, 7U, 8U})
         jpeg[frame + k] = '\x7F';
-    EXPECT_EQ(codeOf(readContourImage(test::writeFile(".jpg", jpeg), 1.0)), MessageCode::FileTooLarge);
+    EXPECT_EQ(pictureCode(readContourImage(test::writeFile(".jpg", jpeg), 1.0)), MessageCode::FileTooLarge);
     // Another format under a known ending would be unpacked by its own words.
-    EXPECT_EQ(codeOf(readContourImage(test::writeFile(".png", "P6\n30000 30000\n255\nabc"), 1.0)),
+    EXPECT_EQ(pictureCode(readContourImage(test::writeFile(".png", "P6\n30000 30000\n255\nabc"), 1.0)),
               MessageCode::ImageUnreadable);
 }
 

@@ -18,7 +18,7 @@ using test::Points;
 
 const Points kSquare{{0, 0}, {2, 0}, {2, 2}, {0, 2}};
 
-MessageCode codeOf(const Points& points) {
+MessageCode refusalOf(const Points& points) {
     const auto contour = makeContour(points, "here");
     if (contour)
         return MessageCode::None;
@@ -80,27 +80,27 @@ TEST(MakeContour, KeepsPointsInTheMiddleOfEdges) {
 }
 
 TEST(MakeContour, RefusesTooFewPoints) {
-    EXPECT_EQ(codeOf({}), MessageCode::ContourTooFewPoints);
-    EXPECT_EQ(codeOf({{1, 1}}), MessageCode::ContourTooFewPoints);
-    EXPECT_EQ(codeOf({{1, 1}, {2, 2}}), MessageCode::ContourTooFewPoints);
-    EXPECT_EQ(codeOf({{1, 1}, {2, 2}, {1, 1}, {1, 1}}), MessageCode::ContourTooFewPoints);
-    EXPECT_EQ(codeOf(Points(50, Eigen::Vector2d(3, 4))), MessageCode::ContourTooFewPoints);
+    EXPECT_EQ(refusalOf({}), MessageCode::ContourTooFewPoints);
+    EXPECT_EQ(refusalOf({{1, 1}}), MessageCode::ContourTooFewPoints);
+    EXPECT_EQ(refusalOf({{1, 1}, {2, 2}}), MessageCode::ContourTooFewPoints);
+    EXPECT_EQ(refusalOf({{1, 1}, {2, 2}, {1, 1}, {1, 1}}), MessageCode::ContourTooFewPoints);
+    EXPECT_EQ(refusalOf(Points(50, Eigen::Vector2d(3, 4))), MessageCode::ContourTooFewPoints);
 }
 
 TEST(MakeContour, RefusesWhatIsNotFiniteOrAbsurd) {
     Points bad = kSquare;
     bad[2].y() = std::numeric_limits<double>::quiet_NaN();
-    EXPECT_EQ(codeOf(bad), MessageCode::ContourNotFinite);
+    EXPECT_EQ(refusalOf(bad), MessageCode::ContourNotFinite);
     EXPECT_NE(describe(makeContour(bad).error()).find("point 3"), std::string::npos);
     bad[2].y() = std::numeric_limits<double>::infinity();
-    EXPECT_EQ(codeOf(bad), MessageCode::ContourNotFinite);
+    EXPECT_EQ(refusalOf(bad), MessageCode::ContourNotFinite);
     bad[2].y() = 1e300;
-    EXPECT_EQ(codeOf(bad), MessageCode::ValueOutOfRange);
+    EXPECT_EQ(refusalOf(bad), MessageCode::ValueOutOfRange);
 }
 
 TEST(MakeContour, RefusesALine) {
-    EXPECT_EQ(codeOf({{0, 0}, {1, 2}, {2, 4}}), MessageCode::ContourZeroArea);
-    EXPECT_EQ(codeOf({{0, 0}, {0.1, 0.1}, {0.7, 0.7}, {0.3, 0.3}}), MessageCode::ContourZeroArea);
+    EXPECT_EQ(refusalOf({{0, 0}, {1, 2}, {2, 4}}), MessageCode::ContourZeroArea);
+    EXPECT_EQ(refusalOf({{0, 0}, {0.1, 0.1}, {0.7, 0.7}, {0.3, 0.3}}), MessageCode::ContourZeroArea);
 }
 
 TEST(MakeContour, NamesTheEdgesThatCrossByTheInputsNumbers) {
@@ -113,16 +113,16 @@ TEST(MakeContour, NamesTheEdgesThatCrossByTheInputsNumbers) {
 }
 
 TEST(MakeContour, RefusesEveryKindOfTouch) {
-    EXPECT_EQ(codeOf({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), MessageCode::ContourCrossing)
+    EXPECT_EQ(refusalOf({{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}), MessageCode::ContourCrossing)
         << "vertex on edge";
-    EXPECT_EQ(codeOf({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}), MessageCode::ContourCrossing)
+    EXPECT_EQ(refusalOf({{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}, {2, 2}}), MessageCode::ContourCrossing)
         << "two vertices in one place";
-    EXPECT_EQ(codeOf({{0, 0}, {4, 0}, {4, 4}, {6, 4}, {4, 4.0}, {0, 4}}), MessageCode::ContourCrossing)
+    EXPECT_EQ(refusalOf({{0, 0}, {4, 0}, {4, 4}, {6, 4}, {4, 4.0}, {0, 4}}), MessageCode::ContourCrossing)
         << "a hair that folds back";
-    EXPECT_EQ(codeOf({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 0}, {2, 0}, {2, 2}, {0, 2}}),
+    EXPECT_EQ(refusalOf({{0, 0}, {6, 0}, {6, 2}, {4, 2}, {4, 0}, {2, 0}, {2, 2}, {0, 2}}),
               MessageCode::ContourCrossing)
         << "edges on each other";
-    EXPECT_EQ(codeOf({{0, 0}, {0, 4}, {2, 4}, {2, 3}, {0, 3}, {0, 1}, {3, 1}, {3, 0}}),
+    EXPECT_EQ(refusalOf({{0, 0}, {0, 4}, {2, 4}, {2, 3}, {0, 3}, {0, 1}, {3, 1}, {3, 0}}),
               MessageCode::ContourCrossing)
         << "upright edges on each other";
 }
@@ -132,8 +132,8 @@ TEST(MakeContour, RefusesStarsAndEights) {
     for (int k = 0; k < 7; ++k)
         star.emplace_back(std::cos(3 * 2 * std::numbers::pi * k / 7),
                           std::sin(3 * 2 * std::numbers::pi * k / 7));
-    EXPECT_EQ(codeOf(star), MessageCode::ContourCrossing);
-    EXPECT_EQ(codeOf({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), MessageCode::ContourCrossing)
+    EXPECT_EQ(refusalOf(star), MessageCode::ContourCrossing);
+    EXPECT_EQ(refusalOf({{0, 0}, {1, 1}, {1, 0}, {0, 1}}), MessageCode::ContourCrossing)
         << "eight of no net area";
 }
 
@@ -182,7 +182,7 @@ TEST(MakeContour, IsNotMisledByUprightAndLevelEdges) {
 TEST(MakeContour, TakesSixtyThousandPointsAtOnce) {
     const auto takes = [](const Points& points, MessageCode expected) {
         const double before_s = test::threadTime_s();
-        EXPECT_EQ(codeOf(points), expected);
+        EXPECT_EQ(refusalOf(points), expected);
         EXPECT_LT(test::threadTime_s() - before_s, 2.0);
     };
     takes(test::wavy(60000, 40), MessageCode::None);

@@ -17,7 +17,6 @@ namespace bask {
 namespace {
 
 constexpr double kTolerance_m = 1e-5;
-constexpr double kPi = std::numbers::pi;
 
 std::string dataPath(const std::string& name) {
     return BASK_TEST_DATA "/contours/dxf/" + name;
@@ -176,29 +175,30 @@ TEST(DxfOutlines, CrossingOutlineIsReadButNoContour) {
 
 // Catches a wrong centre, radius, direction of sweep or flattening of each kind, against its exact area.
 TEST(DxfOutlines, EachKindHasItsExactAreaAndBox) {
-    expectOne(outlinesOf("0 CIRCLE 10 3 20 4 40 2"), 4 * kPi, 1, 2, 5, 6);
+    expectOne(outlinesOf("0 CIRCLE 10 3 20 4 40 2"), 4 * std::numbers::pi, 1, 2, 5, 6);
     // an arc over the seam of its angle, closed by two lines: three quarters of a disk
     expectOne(outlinesOf("0 ARC 10 0 20 0 40 10 50 180 51 90 0 LINE 10 0 20 0 11 -10 21 0 "
                          "0 LINE 10 0 20 0 11 0 21 10"),
-              75 * kPi, -10, -10, 10, 10);
+              75 * std::numbers::pi, -10, -10, 10, 10);
     // half an ellipse with its long axis up, from parameter 0 to pi: the left half
     expectOne(outlinesOf("0 ELLIPSE 10 0 20 0 11 0 21 6 40 0.5 41 0 42 3.14159265358979 "
                          "0 LINE 10 0 20 6 11 0 21 -6"),
-              9 * kPi, -3, -6, 0, 6);
+              9 * std::numbers::pi, -3, -6, 0, 6);
     expectOne(outlinesOf("0 ELLIPSE 10 0 20 0 11 0 21 6 40 0.5 210 0 220 0 230 -1 41 0 42 3.14159265358979 "
                          "0 LINE 10 0 20 6 11 0 21 -6"),
-              9 * kPi, 0, -6, 3, 6);
+              9 * std::numbers::pi, 0, -6, 3, 6);
     // a stadium: bulge 1 is half a circle, to the right of the way up
     const std::string stadium = "10 0 20 0 10 8 20 0 42 1 10 8 20 4 10 0 20 4 42 1";
-    expectOne(outlinesOf("0 LWPOLYLINE 90 4 70 1 " + stadium), 32 + 4 * kPi, -2, 0, 10, 4);
+    expectOne(outlinesOf("0 LWPOLYLINE 90 4 70 1 " + stadium), 32 + 4 * std::numbers::pi, -2, 0, 10, 4);
     expectOne(outlinesOf("0 POLYLINE 70 1 0 VERTEX 10 0 20 0 0 VERTEX 10 8 20 0 42 1 0 VERTEX 10 8 20 4 "
                          "0 VERTEX 10 0 20 4 42 1 0 SEQEND"),
-              32 + 4 * kPi, -2, 0, 10, 4);
+              32 + 4 * std::numbers::pi, -2, 0, 10, 4);
     // a disk of two bulges, and one of bulges that are not halves: 90 degrees have tan(22.5 degrees)
-    expectOne(outlinesOf("0 LWPOLYLINE 90 2 70 1 10 -1 20 0 42 1 10 1 20 0 42 1"), kPi, -1, -1, 1, 1);
+    expectOne(outlinesOf("0 LWPOLYLINE 90 2 70 1 10 -1 20 0 42 1 10 1 20 0 42 1"), std::numbers::pi, -1, -1,
+              1, 1);
     expectOne(outlinesOf("0 LWPOLYLINE 90 4 70 1 10 1 20 0 42 .414213562 10 0 20 1 42 .414213562 "
                          "10 -1 20 0 42 .414213562 10 0 20 -1 42 .414213562"),
-              kPi, -1, -1, 1, 1);
+              std::numbers::pi, -1, -1, 1, 1);
 }
 
 // Catches weights ignored (a unit disk as a rational quadratic), a wrong knot span, a closed flag ignored.
@@ -210,7 +210,7 @@ TEST(DxfOutlines, SplinesAreExact) {
     const int x[] = {1, 1, 0, -1, -1, -1, 0, 1, 1}, y[] = {0, 1, 1, 1, 0, -1, -1, -1, 0};
     for (int k = 0; k < 9; ++k)
         disk << "10 " << x[k] << " 20 " << y[k] << " 41 " << (k % 2 ? "0.70710678118" : "1") << ' ';
-    expectOne(outlinesOf(disk.str()), kPi, -1, -1, 1, 1);
+    expectOne(outlinesOf(disk.str()), std::numbers::pi, -1, -1, 1, 1);
 
     // parabola y = x (2 - x) as a Bezier curve, flagged closed: 2/3 of the box of 2 x 1
     const std::string arch = "71 2 72 6 73 3 40 0 40 0 40 0 40 1 40 1 40 1 10 0 20 0 10 1 20 2 10 2 20 0";
@@ -225,9 +225,10 @@ TEST(DxfOutlines, SplineRunsThroughItsFitPoints) {
     std::ostringstream ring;
     ring << "0 SPLINE 70 11 71 3 72 0 73 0 74 24 ";
     for (int k = 0; k < 24; ++k)
-        ring << "11 " << 10 * std::cos(k * kPi / 12) << " 21 " << 10 * std::sin(k * kPi / 12) << ' ';
+        ring << "11 " << 10 * std::cos(k * std::numbers::pi / 12) << " 21 "
+             << 10 * std::sin(k * std::numbers::pi / 12) << ' ';
     const auto file = outlinesOf(ring.str());
-    expectOne(file, 100 * kPi, -10, -10, 10, 10);
+    expectOne(file, 100 * std::numbers::pi, -10, -10, 10, 10);
     for (const Eigen::Vector2d& p : file.outlines[0].points_m)
         EXPECT_NEAR(p.norm(), 0.010, 2e-5);
 
@@ -237,7 +238,7 @@ TEST(DxfOutlines, SplineRunsThroughItsFitPoints) {
     ASSERT_EQ(arch.outlines.size(), 1u);
     const auto& points = arch.outlines[0].points_m;
     EXPECT_GT((points[1] - points[0]).normalized().y(), 0.98);
-    EXPECT_NEAR(arch.outlines[0].perimeter_m() * 1e3, kPi, 0.1);
+    EXPECT_NEAR(arch.outlines[0].perimeter_m() * 1e3, std::numbers::pi, 0.1);
     // steps so unlike that a sum swallows the short ones
     const auto uneven = outlinesOf("0 SPLINE 70 1 71 3 11 1e15 21 0 11 1 21 0 11 1 21 1");
     ASSERT_EQ(uneven.outlines.size(), 1u);
@@ -256,17 +257,18 @@ TEST(DxfOutlines, BlocksAreCopied) {
     expectOne(outlinesOf("0 INSERT 2 tri 10 0 20 0 41 -1", triangle), 4, -4, 0, 0, 2);
     // seen from below: x runs to the left
     expectOne(outlinesOf("0 INSERT 2 tri 10 10 20 0 230 -1", triangle), 4, -14, 0, -10, 2);
-    expectOne(outlinesOf("0 CIRCLE 10 5 20 0 40 1 210 0 220 0 230 -1"), kPi, -6, -1, -4, 1);
+    expectOne(outlinesOf("0 CIRCLE 10 5 20 0 40 1 210 0 220 0 230 -1"), std::numbers::pi, -6, -1, -4, 1);
     // from below a bulge turns the other way
-    expectOne(outlinesOf("0 LWPOLYLINE 90 2 70 1 10 0 20 0 42 1 10 0 20 2 230 -1"), kPi / 2, -1, 0, 0, 2);
+    expectOne(outlinesOf("0 LWPOLYLINE 90 2 70 1 10 0 20 0 42 1 10 0 20 2 230 -1"), std::numbers::pi / 2, -1,
+              0, 0, 2);
 
     // a disk squeezed to an ellipse, turned, within a block of a block
     const std::string nested = triangle + "0 BLOCK 2 disk 0 CIRCLE 10 0 20 0 40 1 0 ENDBLK "
                                           "0 BLOCK 2 both 0 INSERT 2 disk 41 3 0 ENDBLK ";
-    expectOne(outlinesOf("0 INSERT 2 both 10 5 50 90", nested), 3 * kPi, 4, -3, 6, 3);
+    expectOne(outlinesOf("0 INSERT 2 both 10 5 50 90", nested), 3 * std::numbers::pi, 4, -3, 6, 3);
 
     // a block without its end
-    expectOne(outlinesOf("0 CIRCLE 40 1", "0 BLOCK 2 b 0 CIRCLE 40 2"), kPi, -1, -1, 1, 1);
+    expectOne(outlinesOf("0 CIRCLE 40 1", "0 BLOCK 2 b 0 CIRCLE 40 2"), std::numbers::pi, -1, -1, 1, 1);
 
     // 3 columns and 2 rows, 10 and 20 apart, turned by 90 degrees: rows go left, columns up
     const auto grid = outlinesOf("0 INSERT 2 disk 41 0.5 42 0.5 50 90 70 3 71 2 44 10 45 20", nested);
@@ -343,7 +345,7 @@ TEST(DxfOutlines, WhatIsHiddenOrNoCurveIsLeftOutAndTold) {
                                  "0 TEXT 8 on 1 words 0 HATCH 8 on 0 TEXT 1 more 0 INSERT 2 nowhere "
                                  "0 CIRCLE 40 6 210 0 220 1 230 0 0 POLYLINE 70 16 0 VERTEX 10 1 20 1",
                                  "", layers);
-    expectOne(file, kPi, -1, -1, 1, 1);
+    expectOne(file, std::numbers::pi, -1, -1, 1, 1);
     ASSERT_EQ(file.warnings.size(), 2u);
     EXPECT_EQ(file.warnings[0],
               (Message{MessageCode::ElementsUnread, {"1 CIRCLE, 1 HATCH, 1 INSERT, 1 MESH, 2 TEXT"}}));
@@ -478,10 +480,10 @@ TEST(DxfOutlines, LongPolylinesAreWhole) {
     std::ostringstream text;
     text << "0 LWPOLYLINE 70 1 ";
     for (int k = 0; k < 100'000; ++k)
-        text << "10 " << 100 * std::cos(2 * kPi * k / 1e5) << " 20 " << 100 * std::sin(2 * kPi * k / 1e5)
-             << ' ';
+        text << "10 " << 100 * std::cos(2 * std::numbers::pi * k / 1e5) << " 20 "
+             << 100 * std::sin(2 * std::numbers::pi * k / 1e5) << ' ';
     const std::clock_t start = std::clock();
-    expectOne(outlinesOf(text.str()), 1e4 * kPi, -100, -100, 100, 100);
+    expectOne(outlinesOf(text.str()), 1e4 * std::numbers::pi, -100, -100, 100, 100);
     const double took_s = cpu_s(start);
     EXPECT_LT(took_s, 6.0);
 }
@@ -493,7 +495,7 @@ TEST(DxfOutlines, ManyPiecesAreJoinedSoon) {
     for (int k = 0; k < kCount; ++k) {
         const int from = static_cast<int>((k * 7919LL) % kCount); // in no order
         for (const int end : {0, 1}) {
-            const double t = 2 * kPi * ((from + end) % kCount) / kCount;
+            const double t = 2 * std::numbers::pi * ((from + end) % kCount) / kCount;
             text << (end ? "11 " : "0 LINE 10 ") << 100 * std::cos(t) << (end ? " 21 " : " 20 ")
                  << 100 * std::sin(t) << ' ';
         }
@@ -503,7 +505,7 @@ TEST(DxfOutlines, ManyPiecesAreJoinedSoon) {
     const auto file = read(bytes);
     const double took_s = cpu_s(start);
     ASSERT_TRUE(file.ok()) << describe(file.error());
-    EXPECT_NEAR(file->outlines[0].area_m2(), 1e-2 * kPi, 1e-5);
+    EXPECT_NEAR(file->outlines[0].area_m2(), 1e-2 * std::numbers::pi, 1e-5);
     EXPECT_LT(took_s, 6.0);
 }
 

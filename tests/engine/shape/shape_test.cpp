@@ -12,20 +12,18 @@
 namespace bask {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 TEST(Shape, DiskAndItsSeriesAgree) {
     const Shape disk = Disk{0.015}, series = FourierContour({0.0, 0.0, 0.015});
     for (const Shape& shape : {disk, series}) {
-        EXPECT_NEAR(shapeArea(shape), kPi * 0.015 * 0.015, 1e-15);
-        EXPECT_NEAR(shapePerimeter(shape), 2 * kPi * 0.015, 1e-12);
+        EXPECT_NEAR(shapeArea(shape), std::numbers::pi * 0.015 * 0.015, 1e-15);
+        EXPECT_NEAR(shapePerimeter(shape), 2 * std::numbers::pi * 0.015, 1e-12);
         EXPECT_NEAR(shapeRadius(shape), 0.015, 1e-15);
     }
     const auto a = shapeOutline(disk, 12), b = shapeOutline(series, 12);
     ASSERT_EQ(a.size(), 12U);
     for (std::size_t k = 0; k < a.size(); ++k)
         EXPECT_NEAR((a[k] - b[k]).norm(), 0.0, 1e-15);
-    EXPECT_NEAR(contourArea(*makeContour(a)), 6 * 0.015 * 0.015 * std::sin(kPi / 6), 1e-12);
+    EXPECT_NEAR(contourArea(*makeContour(a)), 6 * 0.015 * 0.015 * std::sin(std::numbers::pi / 6), 1e-12);
 }
 
 TEST(Shape, RadiusOfASeriesIsItsFarthestPointNotASample) {

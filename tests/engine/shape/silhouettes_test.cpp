@@ -11,7 +11,6 @@ namespace bask {
 namespace {
 
 using Vec = Eigen::Vector2d;
-constexpr double kPi = std::numbers::pi;
 
 bool inDisk(double x, double y, double cx, double cy, double r) {
     return std::hypot(x - cx, y - cy) < r;
@@ -46,9 +45,10 @@ TEST(Silhouettes, SeveralWithHolesAndIslands) {
         ASSERT_EQ(file->outlines.size(), 4U);
         const double radii[] = {80, 50, 40, 25};
         for (std::size_t k = 0; k < 4; ++k) {
-            const double area = kPi * radii[k] * radii[k];
+            const double area = std::numbers::pi * radii[k] * radii[k];
             EXPECT_NEAR(area_px(file->outlines[k]), area, 5e-3 * area) << k;
-            EXPECT_NEAR(file->outlines[k].perimeter_m() * 1e3, 2 * kPi * radii[k], 0.01 * 2 * kPi * radii[k]);
+            EXPECT_NEAR(file->outlines[k].perimeter_m() * 1e3, 2 * std::numbers::pi * radii[k],
+                        0.01 * 2 * std::numbers::pi * radii[k]);
             EXPECT_EQ(file->outlines[k].hole, k == 1) << k;
             EXPECT_EQ(file->outlines[k].holeIn.has_value(), k == 1) << k;
         }
@@ -56,7 +56,8 @@ TEST(Silhouettes, SeveralWithHolesAndIslands) {
         ASSERT_TRUE(picked);
         ASSERT_EQ(picked->warnings.size(), 1U);
         ASSERT_EQ(picked->holes.size(), 1U);
-        EXPECT_NEAR(contourArea(picked->holes[0]) * 1e6, kPi * 50 * 50, 5e-3 * kPi * 50 * 50);
+        EXPECT_NEAR(contourArea(picked->holes[0]) * 1e6, std::numbers::pi * 50 * 50,
+                    5e-3 * std::numbers::pi * 50 * 50);
         EXPECT_EQ(picked->warnings[0], (Message{MessageCode::OutlinesSeveral, {"3"}}));
         const auto island = pickOutline(*file, 3, "");
         ASSERT_TRUE(island);
@@ -93,7 +94,7 @@ cv::Mat colourful() {
 // Catches a colour compared in RGB's order, a tolerance left out, and a silhouette made of a colour not
 // there.
 TEST(Silhouettes, ByTheColourPicked) {
-    const double area = kPi * 50 * 50;
+    const double area = std::numbers::pi * 50 * 50;
     const PickedColour red{{204, 51, 38}, {}};
     EXPECT_FALSE(read(colourful()));
     for (const auto& colour : {red, PickedColour{{190, 60, 50}, 40.0}})
@@ -122,7 +123,7 @@ TEST(Silhouettes, ByTheColourPickedOnAMottledGround) {
     cv::circle(image, {150, 150}, 50, cv::Scalar(38, 51, 204), cv::FILLED, cv::LINE_AA);
     const auto file = read(image, PickedColour{{204, 51, 38}, {}});
     ASSERT_TRUE(file) << describe(file.error());
-    EXPECT_NEAR(area_px(file->outlines.at(0)), kPi * 50 * 50, 0.03 * kPi * 50 * 50);
+    EXPECT_NEAR(area_px(file->outlines.at(0)), std::numbers::pi * 50 * 50, 0.03 * std::numbers::pi * 50 * 50);
 }
 
 // Catches a picked colour found where the picture is transparent.
@@ -132,7 +133,8 @@ TEST(Silhouettes, WhatIsTransparentHasNoColour) {
     image.colRange(0, 120).setTo(cv::Scalar(38, 51, 204, 0));
     const auto file = read(image, PickedColour{{204, 51, 38}, {}});
     ASSERT_TRUE(file) << describe(file.error());
-    EXPECT_NEAR(area_px(file->outlines.at(0)), 0.5 * kPi * 50 * 50, 0.03 * 0.5 * kPi * 50 * 50);
+    EXPECT_NEAR(area_px(file->outlines.at(0)), 0.5 * std::numbers::pi * 50 * 50,
+                0.03 * 0.5 * std::numbers::pi * 50 * 50);
 }
 
 // A JPEG with an EXIF block that says how the camera was held.

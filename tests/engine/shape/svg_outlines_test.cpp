@@ -27,7 +27,7 @@ nlohmann::json expectedFiles() {
     return nlohmann::json::parse(in);
 }
 
-Eigen::AlignedBox2d boxOf(const FileOutline& outline) {
+Eigen::AlignedBox2d outlineBox(const FileOutline& outline) {
     Eigen::AlignedBox2d box;
     for (const Eigen::Vector2d& p : outline.points_m)
         box.extend(p);
@@ -56,7 +56,7 @@ Eigen::Vector4d onlyBox_mm(const std::string& bytes) {
     EXPECT_EQ(file.outlines.size(), 1U);
     if (file.outlines.empty())
         return Eigen::Vector4d::Zero();
-    const Eigen::AlignedBox2d box = boxOf(file.outlines.front());
+    const Eigen::AlignedBox2d box = outlineBox(file.outlines.front());
     return 1e3 * Eigen::Vector4d(box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y());
 }
 
@@ -77,7 +77,7 @@ bool fits(const FileOutline& outline, const nlohmann::json& expected, double hei
     const double length = expected["perimeter"].get<double>() * kPixel_m;
     const double area = expected.value("area", 0.0) * kPixel_m * kPixel_m;
     const auto box = expected["box"].get<std::vector<double>>();
-    const Eigen::AlignedBox2d got = boxOf(outline);
+    const Eigen::AlignedBox2d got = outlineBox(outline);
     const Eigen::Vector4d want(box[0], height_px - box[3], box[2], height_px - box[1]);
     const Eigen::Vector4d have(got.min().x(), got.min().y(), got.max().x(), got.max().y());
     const double size = std::max(box[2] - box[0], box[3] - box[1]) * kPixel_m;

@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 30.0;
+constexpr double kPartFrame_s = 1.0 / 30.0;
 
 const Pose kStart = test::facingFrom({-0.03, 0.02, 0.6}, {0.35, 0.2, 0.1});
 
@@ -29,17 +29,17 @@ Pose bySteadyHand(double t) {
                  radFromDeg(20.0) * share * Eigen::Vector3d(0.2, 0.3, 0.93).normalized());
 }
 
-struct Bench {
+struct PartBench {
     MarkerLayout layout; ///< as it is
     test::MarkerPictures pictures{test::plainCamera()};
     PartTracker tracker;
     double t = 0.0;
 
-    explicit Bench(const MarkerLayout& is = test::fourOnTheSource())
+    explicit PartBench(const MarkerLayout& is = test::fourOnTheSource())
         : layout(is), tracker(is, Part::Source, test::plainCamera()) {}
 
     TrackStep show(GreyPicture picture) {
-        t += kFrame_s;
+        t += kPartFrame_s;
         return tracker.step({t, 0.0, static_cast<std::uint64_t>(std::lround(30.0 * t)), std::move(picture)});
     }
     TrackStep show(const Pose& X_CP) { return show(pictures.of(layout, X_CP)); }
@@ -66,11 +66,11 @@ MarkerLayout oneOf60mm() {
 // Catches a pose that lags behind the hand or is promised surer than it is, and a search of the whole picture
 // where one near the last place will do.
 TEST(PartTracker, FollowsACarriedSource) {
-    Bench bench;
+    PartBench bench;
     int searchedAll = 0, frames = 0, within = 0;
     double worst_m = 0.0, worst_deg = 0.0;
     while (bench.t < 10.0) {
-        const TrackStep step = bench.show(bySteadyHand(bench.t + kFrame_s));
+        const TrackStep step = bench.show(bySteadyHand(bench.t + kPartFrame_s));
         ASSERT_EQ(step.state, TrackState::Tracking) << bench.t;
         EXPECT_EQ(step.found.size(), 4U);
         EXPECT_TRUE(step.left_out.empty());
@@ -90,9 +90,9 @@ TEST(PartTracker, FollowsACarriedSource) {
 
 // Catches a pose that stays where the last frame was instead of being carried on to now.
 TEST(PartTracker, CarriesThePoseOnToNow) {
-    Bench bench;
+    PartBench bench;
     while (bench.t < 5.0)
-        bench.show(bySteadyHand(bench.t + kFrame_s));
+        bench.show(bySteadyHand(bench.t + kPartFrame_s));
     const double later_s = bench.t + 0.1; // at 1.9 cm/s and 3.7 degrees/s
     const auto pose = bench.tracker.at(later_s);
     ASSERT_TRUE(pose);
@@ -106,9 +106,9 @@ TEST(PartTracker, CarriesThePoseOnToNow) {
 // Catches: nothing told while a hand passes, a prediction that gets no less sure, one without end, and a
 // source that is not found again where it went meanwhile.
 TEST(PartTracker, PredictsForASecondAndFindsAgain) {
-    Bench bench;
+    PartBench bench;
     while (bench.t < 5.0)
-        bench.show(bySteadyHand(bench.t + kFrame_s));
+        bench.show(bySteadyHand(bench.t + kPartFrame_s));
     const double seen_s = bench.t, before_m = spreadOf(bench.tracker.at(seen_s)->covariance).position_m;
     while (bench.t < seen_s + 0.5)
         EXPECT_EQ(bench.hide().state, TrackState::Predicting);
@@ -117,7 +117,7 @@ TEST(PartTracker, PredictsForASecondAndFindsAgain) {
     EXPECT_EQ(predicted->seen_s, seen_s);
     EXPECT_GT(spreadOf(predicted->covariance).position_m, 5.0 * before_m);
     EXPECT_LT(bench.off_m(bySteadyHand(bench.t)), 5e-3);
-    EXPECT_EQ(bench.show(bySteadyHand(bench.t + kFrame_s)).state, TrackState::Tracking);
+    EXPECT_EQ(bench.show(bySteadyHand(bench.t + kPartFrame_s)).state, TrackState::Tracking);
     EXPECT_LT(bench.off_m(bySteadyHand(bench.t)), 5e-4);
 
     const double hidden_s = bench.t;
@@ -142,7 +142,7 @@ TEST(PartTracker, PredictsForASecondAndFindsAgain) {
 TEST(PartTracker, AJumpIsFollowedWithinFrames) {
     for (const double hidden_s : {0.0, 0.4})
         for (const double way_m : {0.005, 0.02, 0.1}) {
-            Bench bench;
+            PartBench bench;
             for (int k = 0; k < 15; ++k)
                 bench.show(kStart);
             const double from_s = bench.t;
@@ -162,7 +162,7 @@ TEST(PartTracker, AJumpIsFollowedWithinFrames) {
 // Catches a marker that was stuck elsewhere or has another's number drawing the pose away, from the first
 // frame and in the midst, and one that is not told.
 TEST(PartTracker, AWrongMarkerIsLeftOutAndTold) {
-    Bench bench;
+    PartBench bench;
     MarkerLayout wrong = bench.layout;
     wrong.markers[1].X_PM = Pose(Eigen::Translation3d(0.1, 0.09, 0.0)); // 1 cm off
     for (int k = 0; k < 20; ++k) {
@@ -177,7 +177,7 @@ TEST(PartTracker, AWrongMarkerIsLeftOutAndTold) {
 
 // Catches covered markers taken for a loss, and a search of the whole picture in every frame for them.
 TEST(PartTracker, TwoCoveredMarkersAreNoLossAndCostLittle) {
-    Bench bench;
+    PartBench bench;
     for (int k = 0; k < 5; ++k)
         bench.show(kStart);
     bench.layout.markers.resize(2);
@@ -194,10 +194,10 @@ TEST(PartTracker, TwoCoveredMarkersAreNoLossAndCostLittle) {
 
 // Catches a source that is told to be where it left the picture, and a crash at the border.
 TEST(PartTracker, LeavesThePictureAndComesBack) {
-    Bench bench;
+    PartBench bench;
     const auto at = [](double t) { return moved({0.6 * test::carriedShare(t / 3.0), 0.0, 0.0}, {0, 0, 0}); };
     int lost = 0;
-    for (double t = 0.0; t < 3.0; t += kFrame_s) { // out at the right, 20 cm/s
+    for (double t = 0.0; t < 3.0; t += kPartFrame_s) { // out at the right, 20 cm/s
         const TrackStep step = bench.show(at(t));
         if (step.state == TrackState::Tracking) {
             EXPECT_LT(bench.off_m(at(t)), 2e-3) << t;
@@ -209,7 +209,7 @@ TEST(PartTracker, LeavesThePictureAndComesBack) {
     while (bench.t < 6.0)
         bench.show(at(3.0));
     EXPECT_FALSE(bench.tracker.at(bench.t));
-    for (double t = 3.0; t > 0.0; t -= kFrame_s)
+    for (double t = 3.0; t > 0.0; t -= kPartFrame_s)
         bench.show(at(t));
     EXPECT_LT(bench.off_m(at(0.0)), 1e-2);
     EXPECT_TRUE(bench.tracker.at(bench.t));
@@ -218,7 +218,7 @@ TEST(PartTracker, LeavesThePictureAndComesBack) {
 // Catches a crash, or a pose, by pictures that show nothing; and one of another size taken for the camera's.
 TEST(PartTracker, PicturesOfNothing) {
     std::mt19937 random(7);
-    Bench bench;
+    PartBench bench;
     GreyPicture noise = bench.pictures.blank();
     for (int k = 0; k < 5; ++k) {
         for (std::uint8_t& value : noise.values)
@@ -246,7 +246,7 @@ TEST(PartTracker, PicturesOfNothing) {
 
 // Catches one marker that is seen once, by mistake perhaps, told as a pose.
 TEST(PartTracker, OneMarkerIsBelievedOnceASecondFrameAgrees) {
-    Bench bench(oneOf60mm());
+    PartBench bench(oneOf60mm());
     EXPECT_EQ(bench.show(kStart).state, TrackState::Searching);
     EXPECT_FALSE(bench.tracker.at(bench.t));
     EXPECT_EQ(bench.hide().state, TrackState::Searching);
@@ -266,7 +266,7 @@ TEST(PartTracker, AMirroredPoseIsToldOrKnownFromBefore) {
     const auto turned = [](double deg) {
         return test::facingFrom({0.05, 0.02, 1.2}, {radFromDeg(deg), 0.0, 0.1});
     };
-    Bench unsure(layout);
+    PartBench unsure(layout);
     unsure.show(turned(10.0));
     unsure.show(turned(10.0));
     const auto guess = unsure.tracker.at(unsure.t);
@@ -276,7 +276,7 @@ TEST(PartTracker, AMirroredPoseIsToldOrKnownFromBefore) {
     const Vector6d off = unsure.off(turned(10.0));
     EXPECT_LT(off.dot(guess->covariance.ldlt().solve(off)), 22.5);
 
-    Bench sure(layout);
+    PartBench sure(layout);
     for (double deg = 45.0; deg >= 10.0; deg -= 0.5) {
         sure.show(turned(deg));
         const auto pose = sure.tracker.at(sure.t);
@@ -293,7 +293,7 @@ TEST(PartTracker, AMirroredPoseIsToldOrKnownFromBefore) {
 TEST(PartTracker, AMarkerThatFacedTheCameraMayTurnEitherWay) {
     for (const double rest_deg : {0.0, 3.0})
         for (const double end_deg : {30.0, -30.0}) {
-            Bench bench(oneOf60mm());
+            PartBench bench(oneOf60mm());
             int beyond = 0, ambiguous = 0;
             Pose X_CS;
             for (int k = 0; k < 240; ++k) {
@@ -317,7 +317,7 @@ TEST(PartTracker, AMarkerThatFacedTheCameraMayTurnEitherWay) {
 
 // Catches a tracker that waits for time to catch up: a film that begins again.
 TEST(PartTracker, BeginsAnewWhenTimeGoesBack) {
-    Bench bench;
+    PartBench bench;
     bench.t = 100.0;
     bench.show(kStart);
     bench.t = 0.0;

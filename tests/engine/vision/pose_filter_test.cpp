@@ -11,7 +11,7 @@
 namespace bask {
 namespace {
 
-constexpr double kFrame_s = 1.0 / 30.0;
+constexpr double kFilterFrame_s = 1.0 / 30.0;
 using Path = std::function<Pose(double)>;
 
 /// The source of rig_scene.h at X_CS, 0.62 m before the camera.
@@ -77,8 +77,8 @@ struct Errors {
 void run(Scene& scene, const Path& path, double duration_s, Errors& errors) {
     constexpr double kDelta_s = 1e-4;
     PoseFilter filter = scene.begun(path(0.0));
-    for (int k = 1; k * kFrame_s < duration_s; ++k) {
-        const double t = k * kFrame_s;
+    for (int k = 1; k * kFilterFrame_s < duration_s; ++k) {
+        const double t = k * kFilterFrame_s;
         errors.unbelieved += filter.take(t, scene.corners(path(t)), scene.camera).believed ? 0 : 1;
         if (t < 1.0)
             continue;
@@ -157,19 +157,19 @@ TEST(PoseFilter, WhatDoesNotFitIsLeftOutAndTold) {
         for (int k = 1; k <= 100; ++k) {
             std::vector<SeenCorner> corners = scene.corners(X_CS);
             if (k <= 15) { // so little tells from one frame only which of four markers it is
-                ASSERT_TRUE(filter.take(k * kFrame_s, corners, scene.camera).believed);
+                ASSERT_TRUE(filter.take(k * kFilterFrame_s, corners, scene.camera).believed);
                 continue;
             }
             for (std::size_t c = 4; c < 4 + wrong; ++c)
                 corners[c].seen_px.x() += wrong == 1 ? 2.0 : 6.0;
-            const FilterStep step = filter.take(k * kFrame_s, corners, scene.camera);
+            const FilterStep step = filter.take(k * kFilterFrame_s, corners, scene.camera);
             ASSERT_TRUE(step.believed);
             for (std::size_t c = 4; c < 4 + wrong; ++c)
                 ASSERT_TRUE(std::ranges::count(step.left_out, c) == 1) << c << " in frame " << k;
             falselyOut += static_cast<int>(step.left_out.size() - wrong);
         }
         EXPECT_LE(falselyOut, 5);
-        const MotionState state = filter.at(100 * kFrame_s);
+        const MotionState state = filter.at(100 * kFilterFrame_s);
         EXPECT_LT(test::normalisedError(state.X_CP, state.covariance.topLeftCorner<6, 6>(), X_CS), 22.5);
     }
 }
@@ -182,10 +182,10 @@ TEST(PoseFilter, HalfOfTheCornersElsewhereIsNotBelieved) {
     std::vector<SeenCorner> corners = scene.corners(X_CS);
     for (std::size_t c = 0; c < 8; ++c)
         corners[c].seen_px += Eigen::Vector2d(60.0, 30.0);
-    const MotionState before = filter.at(kFrame_s);
-    EXPECT_FALSE(filter.take(kFrame_s, corners, scene.camera).believed);
-    EXPECT_TRUE(filter.at(kFrame_s).X_CP.isApprox(before.X_CP, 0.0));
-    EXPECT_FALSE(filter.take(2 * kFrame_s, {}, scene.camera).believed);
+    const MotionState before = filter.at(kFilterFrame_s);
+    EXPECT_FALSE(filter.take(kFilterFrame_s, corners, scene.camera).believed);
+    EXPECT_TRUE(filter.at(kFilterFrame_s).X_CP.isApprox(before.X_CP, 0.0));
+    EXPECT_FALSE(filter.take(2 * kFilterFrame_s, {}, scene.camera).believed);
 }
 
 // Catches markers glued 0.3 mm off (0.5 px) that are left out for ever: the noise is learnt from what they
@@ -207,10 +207,10 @@ TEST(PoseFilter, BadlyPlacedMarkersMakeItLessSure) {
             std::vector<SeenCorner> corners = scene.corners(X_CS);
             for (std::size_t c = 0; c < corners.size(); ++c)
                 corners[c].p_PQ = believed.markers[c / 4].corners()[c % 4];
-            unbelieved += filter.take(k * kFrame_s, corners, scene.camera).believed ? 0 : 1;
+            unbelieved += filter.take(k * kFilterFrame_s, corners, scene.camera).believed ? 0 : 1;
         }
         EXPECT_EQ(unbelieved, 0) << seed;
-        EXPECT_LT(displacementBetween(filter.at(kFrames * kFrame_s).X_CP, X_CS).head<3>().norm(), 2e-3);
+        EXPECT_LT(displacementBetween(filter.at(kFrames * kFilterFrame_s).X_CP, X_CS).head<3>().norm(), 2e-3);
         corner_px += filter.corner_px() / kRuns;
     }
     EXPECT_GT(corner_px, 0.25);
@@ -226,7 +226,7 @@ TEST(PoseFilter, APredictionIsAsSureAsItSays) {
         PoseFilter filter = scene.begun(path(0.0));
         const double from_s = 2.0 + 0.1 * seed;
         double t = 0.0;
-        for (int k = 1; (t = k * kFrame_s) < from_s; ++k)
+        for (int k = 1; (t = k * kFilterFrame_s) < from_s; ++k)
             filter.take(t, scene.corners(path(t)), scene.camera);
         const MotionState state = filter.at(t + 0.5);
         EXPECT_LT(displacementBetween(state.X_CP, path(t + 0.5)).head<3>().norm(), 0.01);

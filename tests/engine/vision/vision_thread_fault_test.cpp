@@ -58,18 +58,18 @@ VisionTask followed() {
     return task;
 }
 
-struct Bench {
+struct FaultBench {
     ManualClock clock;
     HeldCamera camera;
     VisionThread thread{camera, "test", clock};
 
-    Bench() { clock.advanceTo(1.2); }
+    FaultBench() { clock.advanceTo(1.2); }
 };
 
 } // namespace
 
 TEST(VisionThreadFault, FollowsTheSource) {
-    Bench bench;
+    FaultBench bench;
     bench.thread.setTask(followed());
     bench.camera.awaitAsked(4);
     const PoseReading reading = *bench.thread.read();
@@ -80,7 +80,7 @@ TEST(VisionThreadFault, FollowsTheSource) {
 // Catches a pose by markers and camera of before, told after they were changed while a picture was looked at;
 // it was told in the base by a pose of the camera that was not there any more.
 TEST(VisionThreadFault, TellsNoPoseOfTheTaskBefore) {
-    Bench bench;
+    FaultBench bench;
     bench.thread.setTask(followed());
     bench.camera.awaitAsked(2);
     bench.camera.set(true);
@@ -96,7 +96,7 @@ TEST(VisionThreadFault, TellsNoPoseOfTheTaskBefore) {
 
 // Catches a program that ends, in the middle of a run, by what one picture threw on the thread.
 TEST(VisionThreadFault, LivesOnAfterAPictureThatThrows) {
-    Bench bench;
+    FaultBench bench;
     VisionTask task = followed();
     task.show = true;
     bench.thread.setTask(task);

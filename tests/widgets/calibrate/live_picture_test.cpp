@@ -18,7 +18,7 @@
 namespace bask {
 namespace {
 
-const Board kBoard = *parseBoard("chessboard:9x6:0.025");
+const Board kChessboard = *parseBoard("chessboard:9x6:0.025");
 
 QImage drawn(LivePicture& picture) {
     QImage image(picture.size(), QImage::Format_RGB32);
@@ -42,7 +42,7 @@ ViewedMarker markerAt(const Pose& X_CM, int id, std::optional<Part> part, const 
 
 // Catches: a picture that is stretched, and an overlay that is shifted against it.
 TEST(LivePicture, KeepsItsShapeAndTheOverlayLiesOnIt) {
-    test::VisionScene scene(kBoard);
+    test::VisionScene scene(kChessboard);
     GreyPicture grey{1280, 720, std::vector<std::uint8_t>(std::size_t{1280} * 720, 40)};
     for (int v = 300; v < 400; ++v) // a light square, its corners at 599.5 | 699.5, 299.5 | 399.5
         for (int u = 600; u < 700; ++u)
@@ -78,7 +78,7 @@ TEST(LivePicture, KeepsItsShapeAndTheOverlayLiesOnIt) {
 
 // Catches: a line below the picture that leaves out what it is to tell.
 TEST(LivePicture, TellsRateLatencyAndAge) {
-    test::VisionScene scene(kBoard);
+    test::VisionScene scene(kChessboard);
     LivePicture picture;
     EXPECT_TRUE(picture.sentence().contains("No picture"));
     EXPECT_TRUE(picture.statusText().isEmpty());
@@ -98,7 +98,7 @@ TEST(LivePicture, TellsRateLatencyAndAge) {
 // Catches: painting that copies or converts the frame in a costly way. The least of several, for other
 // programs take their share.
 TEST(LivePicture, IsPaintedInAMoment) {
-    test::VisionScene scene(kBoard);
+    test::VisionScene scene(kChessboard);
     LivePicture picture;
     picture.resize(1000, 640);
     VisionView view = scene.look(test::patientPoses()[8]);
@@ -107,7 +107,7 @@ TEST(LivePicture, IsPaintedInAMoment) {
             markerAt(poseFromRotationVector({-0.2 + 0.06 * id, 0.05, 0.6}, {2.7, 0.3, 0.2}), id, Part::Source,
                      scene.camera));
     picture.setCamera(scene.camera);
-    picture.setBoard(kBoard);
+    picture.setBoard(kChessboard);
     picture.setView(view);
     QImage image(picture.size(), QImage::Format_ARGB32_Premultiplied);
     qint64 least_ns = 1000000000;
@@ -124,7 +124,7 @@ TEST(LivePicture, IsPaintedInAMoment) {
 
 // Keeps pictures: markers with axes, a lost camera, in both themes. Catches hostile looks that crash it.
 TEST(LivePicture, PicturesInBothThemes) {
-    test::VisionScene scene(kBoard);
+    test::VisionScene scene(kChessboard);
     CameraModel camera = scene.camera;
     camera.distortion.assign(5, 0.0);
     GreyPicture grey = test::flat(1280, 720, 150);
