@@ -153,8 +153,7 @@ public:
     /// `known`: of a plan like it; `seen`: filled with those of this one.
     Walk(const PlanCost& cost, const Places* known, Places* seen)
         : m_cost(cost), m_geometry(cost.m_geometry), m_task(cost.m_task), m_known(known), m_seen(seen),
-          m_at(m_task.from),
-          m_T(m_task.temperature_K), m_toGo_s(m_T.size()), m_F(m_T.size()),
+          m_at(m_task.from), m_T(m_task.temperature_K), m_toGo_s(m_T.size()), m_F(m_T.size()),
           m_residuals(Eigen::VectorXd::Zero(m_T.size() * (3 * kLegSteps + 2 * kStaySteps + 2) + 3)) {
         for (Eigen::Index i = 0; i < m_T.size(); ++i)
             m_toGo_s[i] = toGo_s(i);
@@ -296,8 +295,7 @@ PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
         const Eigen::VectorXd differences = variables.differences(best.plan);
         for (Eigen::Index k = 0; k < n; ++k) {
             const Eigen::VectorXd step = differences[k] * Eigen::VectorXd::Unit(n, k);
-            J.col(k) =
-                (residuals(variables.moved(best.plan, step), &places, nullptr) - now) / differences[k];
+            J.col(k) = (residuals(variables.moved(best.plan, step), &places, nullptr) - now) / differences[k];
         }
         Eigen::MatrixXd H = J.transpose() * J;
         Eigen::VectorXd f = -J.transpose() * now;
