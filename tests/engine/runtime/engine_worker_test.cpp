@@ -176,12 +176,14 @@ TEST(EngineWorker, AHoldIsNotFastForwarded) {
     rig.send(Arm{});
     rig.send(Start{});
     ASSERT_TRUE(rig.reaches(RunState::Running));
+    QElapsedTimer timer;
+    timer.start();
     rig.send(SimulateFault{SimulatedFault::SensorLost});
     ASSERT_TRUE(rig.reaches(RunState::Holding));
     EXPECT_EQ(rig.last.simulationSpeed, 1.0);
     const double held_s = rig.last.latest.time_s;
     EXPECT_FALSE(rig.waitFor([&] { return rig.last.state != RunState::Holding; }, 2000));
-    EXPECT_LT(rig.last.latest.time_s - held_s, 6.0);
+    EXPECT_LT(rig.last.latest.time_s - held_s, 2.0 + 1e-3 * static_cast<double>(timer.elapsed()));
     rig.send(SimulateFault{SimulatedFault::None});
     ASSERT_TRUE(rig.waitFor([&] { return rig.last.latest.objects[0].valid; }));
     rig.send(Resume{});
@@ -369,7 +371,7 @@ TEST(EngineWorker, OfExperimentsThatComeWhileARigIsClosedTheNewestCounts) {
         (void)rig.waitFor([&] { return timer.elapsed() > 60; });
     }
     rig.send(EmergencyStop{});
-    (void)rig.waitFor([&] { return !rig.last.targets_K.empty() && rig.last.targets_K[0] == 305.0; }, 5000);
+    (void)rig.waitFor([&] { return !rig.last.targets_K.empty() && rig.last.targets_K[0] == 305.0; });
     ASSERT_FALSE(rig.last.targets_K.empty());
     EXPECT_EQ(rig.last.targets_K[0], 305.0);
     EXPECT_TRUE(rig.waitFor([&] {
