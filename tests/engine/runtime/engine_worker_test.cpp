@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "tests/engine/runtime/engine_thread.h"
+#include "tests/engine/runtime/half_size.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -82,7 +83,7 @@ TEST(EngineWorker, ChangesNoCameraWhileARunIsOn) {
 // Catches a run that is held and ended by a look at the Calibrate page, whose board hid the source.
 TEST(EngineWorker, HoldsNoBoardBeforeTheSourceInARun) {
     Rig rig;
-    Experiment still = readExperiment(BASK_EXAMPLES "/moving-source.json").value();
+    Experiment still = withHalfSizePictures(readExperiment(BASK_EXAMPLES "/moving-source.json").value());
     still.simulation.sourceMotion.clear();
     rig.send(LoadExperiment{still});
     rig.send(SetSimulationSpeed{4.0});
@@ -103,7 +104,7 @@ TEST(EngineWorker, HoldsNoBoardBeforeTheSourceInARun) {
 // Catches a run that is held for a source not seen, because simulated time outruns the pictures.
 TEST(EngineWorker, FollowsTheSourceWhenTimeIsSpedUp) {
     Rig rig;
-    Experiment carried = readExperiment(BASK_EXAMPLES "/moving-source.json").value();
+    Experiment carried = withHalfSizePictures(readExperiment(BASK_EXAMPLES "/moving-source.json").value());
     Vector6d away = carried.source.pose;
     away[kX] += 0.1;
     carried.simulation.sourceMotion = {{0.0, carried.source.pose}, {5.0, carried.source.pose}, {25.0, away}};
