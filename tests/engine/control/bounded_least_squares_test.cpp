@@ -25,7 +25,7 @@ TEST(BoundedLeastSquares, RandomProgramsSatisfyTheOptimalityConditions) {
     // Compared with projected gradient descent on the dual, a wholly different method.
     std::mt19937 random(11);
     std::normal_distribution<double> normal;
-    for (int trial = 0; trial < 300; ++trial) {
+    for (int trial = 0; trial < 90; ++trial) {
         const int n = 1 + trial % 6;
         const int m = 2 * n + 3;
         Eigen::MatrixXd A(n, n);

@@ -95,7 +95,7 @@ TEST(JointFeasibility, WhatARandomPoseHoldsIsFeasible) {
     const Contour square{{{-0.02, -0.02}, {0.02, -0.02}, {0.02, 0.02}, {-0.02, 0.02}}};
     const Contour hole{{{-0.01, -0.01}, {0.01, -0.01}, {0.01, 0.01}, {-0.01, 0.01}}};
     int asked = 0, feasible = 0, disagreeing = 0;
-    for (int rig = 0; rig < 60; ++rig) {
+    for (int rig = 0; rig < 18; ++rig) {
         RobotLimits limits;
         limits.lower.tail<3>().setConstant(rig % 2 == 0 ? -0.6 : -1.5);
         limits.upper.tail<3>() = -limits.lower.tail<3>();
@@ -155,7 +155,7 @@ TEST(JointFeasibility, WhatARandomPoseHoldsIsFeasible) {
                 EXPECT_NEAR(there_K[i], verdict.steady_K[static_cast<std::size_t>(i)], 1e-9);
         }
     }
-    EXPECT_GE(asked, 250);
+    EXPECT_GE(asked, 75);
     EXPECT_EQ(feasible, asked);
     EXPECT_EQ(disagreeing, 0);
 }

@@ -111,12 +111,12 @@ TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
         believed.lambda3 *= factor2;
         const double target_K = bench.T_K + 0.6;
         const auto controller = makeController(settings, {bench.geometry, {believed}, {target_K}});
-        const double dt_s = 0.002;
+        const double dt_s = 0.005;
         double before = lyapunov(settings.adaptive, bench.rates, believed,
                                  bench.v() + settings.adaptive.mu * (bench.T_K - target_K));
         const double start = before;
         int judged = 0;
-        for (int i = 0; i < 100000; ++i) {
+        for (int i = 0; i < 40000; ++i) {
             const double zeta = bench.v() + settings.adaptive.mu * (bench.T_K - target_K);
             const ControlOutput output = bench.step(*controller, dt_s);
             const double after = lyapunov(settings.adaptive, bench.rates, output.belief[0],
@@ -128,7 +128,7 @@ TEST(AdaptiveLaw, ItsLyapunovFunctionNeverIncreases) {
             }
             before = after;
         }
-        EXPECT_GT(judged, 1000);
+        EXPECT_GT(judged, 400);
         EXPECT_LT(std::abs(bench.T_K - target_K), 0.3) << factor1 << " " << factor2;
     }
 }

@@ -213,7 +213,8 @@ TEST(PoseOffSource, GoesAlongTheSourcesNormalToTheEndOfTheWorkspace) {
 // Catches a controller that goes on with the geometry that it was made with.
 TEST(Controllers, GoByTheNewGeometryAsIfTheyHadBeenMadeWithIt) {
     Draw draw(7);
-    const Rig rig(draw);
+    Rig rig(draw);
+    rig.source = Disk{0.1}; // the controllers look at many poses
     const auto here = std::make_shared<RigGeometry>(rig.at(Pose::Identity()));
     const auto there = here->withSourceAt(Pose(Eigen::Translation3d(0.04, 0.0, 0.01)));
     for (const ControllerKind kind :

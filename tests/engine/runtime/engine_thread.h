@@ -39,7 +39,7 @@ public:
     void send(const Command& command) {
         QMetaObject::invokeMethod(&m_worker, [this, command] { m_worker.post(command); });
     }
-    template <class Condition> bool waitFor(Condition condition, int limit_ms = 20000) {
+    template <class Condition> bool waitFor(Condition condition, int limit_ms = 60000) {
         QElapsedTimer timer;
         timer.start();
         while (!condition() && timer.elapsed() < limit_ms)

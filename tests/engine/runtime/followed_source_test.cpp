@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/runtime/simulated_run.h"
 #include "engine/vision/camera_source_tracker.h"
+#include "tests/engine/runtime/half_size.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 
 #include <cmath>
@@ -13,7 +14,7 @@ namespace bask {
 namespace {
 
 Experiment movingSource() {
-    return readExperiment(BASK_EXAMPLES "/moving-source.json").value();
+    return withHalfSizePictures(readExperiment(BASK_EXAMPLES "/moving-source.json").value());
 }
 
 double worstError_K(const RunOutcome& outcome) {
@@ -63,7 +64,7 @@ TEST(FollowedSource, IsServoedToWhileItIsCarriedAwayTurnedAndBroughtBack) {
             experiment.safety.warming_K = 1000.0; // or the run is ended, see below
         double away_K = 0.0; // at the end of its time 10 cm away and turned by 20 degrees
         SimulatedRunOptions options;
-        options.duration_s = 900.0;
+        options.duration_s = isFollowed ? 720.0 : 600.0; // all that is judged of the other
         options.progress = [&](double time_s, const TraceSample& sample) {
             if (time_s < 590.0 || time_s > 599.0)
                 return;

@@ -1,4 +1,5 @@
-// The numbers on the shipped examples, by whole runs on the simulated clock.
+// The numbers on the shipped examples, by whole runs on the simulated clock. Twenty seeds only by
+// hand (`ctest -L soak`).
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
@@ -33,14 +34,13 @@ bool toldOfCompromise(const RunOutcome& outcome) {
     });
 }
 
-} // namespace
-
-TEST(Example, SettlesAllThreeInUnder120SecondsFor20SeedsOfWrongBeliefs) {
+/// Each seed has wrong beliefs of its own.
+void expectAllSettled(std::uint64_t seeds) {
     Experiment experiment = example("three-objects.json");
     ASSERT_GE(experiment.controller.believedRateErrorFactor, 4.0);
-    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
         experiment.simulation.seed = seed;
-        const RunOutcome outcome = run(experiment);
+        const RunOutcome outcome = run(experiment, 120.0 + kHeldFor_s + 5.0);
         EXPECT_TRUE(outcome.settled) << "seed " << seed;
         for (const ObjectOutcome& object : outcome.objects) {
             ASSERT_TRUE(object.settlingTime_s) << object.name << ", seed " << seed;
@@ -50,10 +50,20 @@ TEST(Example, SettlesAllThreeInUnder120SecondsFor20SeedsOfWrongBeliefs) {
     }
 }
 
+} // namespace
+
+TEST(SettlesAllThreeInUnder120Seconds, fiveSeeds) {
+    expectAllSettled(5);
+}
+
+TEST(SettlesAllThreeInUnder120Seconds, twentySeeds) {
+    expectAllSettled(20);
+}
+
 // Catches a servo that chases the noise of its thermometers when there is nothing left to do.
 TEST(Example, TheRobotComesToRestAtTheTargets) {
     Experiment experiment = example("three-objects.json");
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
         experiment.simulation.seed = seed;
         double way_m = 0.0;
         SimulatedRunOptions options;
@@ -90,33 +100,13 @@ TEST(SimulatedRun, CommandsKeepTheAcceleration) {
     EXPECT_GT(fastest_m_s, 0.0079); // it has gathered speed over several periods
 }
 
-TEST(Example, OtherReachableTargetsSettleToo) {
-    const struct {
-        std::vector<double> targets_degC;
-        double within_s; ///< the physical bound of the slowest object, times 1.3
-    } cases[] = {{{50, 40, 40}, 169},
-                 {{50, 50, 35}, 169},
-                 {{60, 60, 30}, 259},
-                 {{40, 45, 50}, 94},
-                 {{45, 45, 45}, 130}};
-    for (const auto& [targets_degC, within_s] : cases) {
-        Experiment experiment = example("three-objects.json");
-        for (std::size_t i = 0; i < 3; ++i)
-            experiment.objects[i].target_K = kelvinFromCelsius(targets_degC[i]);
-        const RunOutcome outcome = run(experiment);
-        EXPECT_TRUE(outcome.settled) << targets_degC[0] << " " << targets_degC[1] << " " << targets_degC[2];
-        for (const ObjectOutcome& object : outcome.objects)
-            EXPECT_LT(object.settlingTime_s.value_or(1e9), within_s) << object.name;
-    }
-}
-
 // Catches a source that is no disk lost on the way to the controller or to the simulated rig.
 TEST(Example, OverARectangularPlateBothSettleInUnder180Seconds) {
     Experiment experiment = example("rectangular-plate.json");
     ASSERT_TRUE(std::holds_alternative<Contour>(experiment.source.shape));
-    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 2; ++seed) {
         experiment.simulation.seed = seed;
-        const RunOutcome outcome = run(experiment);
+        const RunOutcome outcome = run(experiment, 180.0 + kHeldFor_s + 5.0);
         EXPECT_TRUE(outcome.settled) << "seed " << seed;
         for (const ObjectOutcome& object : outcome.objects)
             EXPECT_LT(object.settlingTime_s.value_or(1e9), 180.0) << object.name << ", seed " << seed;
@@ -124,7 +114,7 @@ TEST(Example, OverARectangularPlateBothSettleInUnder180Seconds) {
 }
 
 TEST(Example, InALineItEndsAtTheBestCompromiseAndSaysSo) {
-    const RunOutcome outcome = run(example("three-objects-in-line.json"), 900.0);
+    const RunOutcome outcome = run(example("three-objects-in-line.json"), 450.0);
     EXPECT_FALSE(outcome.settled);
     EXPECT_TRUE(toldOfCompromise(outcome));
     // Least squares over the workspace gives 39.41, 40.97, 39.40 degC (computed from 600 starts); sensor
@@ -163,13 +153,12 @@ TEST(SimulatedRun, UnknownConvectionIsTakenUpByTheServo) {
     Material metal = experiment.objects[0].material;
     metal.emittance = metal.absorptance = 0.3;
     experiment.objects[0].simulatedMaterial = metal;
-    for (const std::vector<double>& targets_degC :
-         {std::vector<double>{40, 40, 40}, {45, 45, 45}, {50, 45, 35}}) {
+    for (const std::vector<double>& targets_degC : {std::vector<double>{40, 40, 40}, {50, 45, 35}}) {
         for (std::size_t i = 0; i < 3; ++i)
             experiment.objects[i].target_K = kelvinFromCelsius(targets_degC[i]);
         std::vector<double> fromAxis_m;
         SimulatedRunOptions options;
-        options.duration_s = 1000.0;
+        options.duration_s = 600.0;
         options.progress = [&](double, const TraceSample& sample) {
             fromAxis_m.clear();
             for (const ObjectSpec& object : experiment.objects)
@@ -190,18 +179,21 @@ TEST(SimulatedRun, UnknownConvectionIsTakenUpByTheServo) {
 TEST(Example, ThePapersTargetsSettleNearThePhysicalBoundWithoutOvershoot) {
     const struct {
         std::vector<double> targets_degC;
-        double paper_s, gray_s; ///< time of the slowest object at F = 1
-    } cases[] = {{{40, 40, 40}, 185, 72},  {{50, 40, 40}, 394, 130}, {{50, 50, 35}, 394, 130},
-                 {{60, 60, 30}, 991, 199}, {{50, 45, 35}, 394, 130}, {{40, 45, 50}, 185, 72},
-                 {{45, 45, 45}, 275, 100}};
+        double paper_s, gray_s; ///< time of the slowest object at F = 1; 0: not run
+    } cases[] = {{{40, 40, 40}, 185, 72}, {{50, 40, 40}, 0, 130},   {{50, 50, 35}, 0, 130},
+                 {{60, 60, 30}, 0, 199},  {{50, 45, 35}, 394, 130}, {{40, 45, 50}, 185, 72},
+                 {{45, 45, 45}, 0, 100}};
     for (const auto& [targets_degC, paper_s, gray_s] : cases)
-        for (const SourceModel model : {SourceModel::Paper, SourceModel::Gray}) {
+        for (const double bound_s : {paper_s, gray_s}) {
+            if (bound_s == 0.0)
+                continue;
             Experiment experiment = example("three-objects.json");
-            experiment.source.model = model;
+            experiment.source.model = bound_s == paper_s ? SourceModel::Paper : SourceModel::Gray;
             for (std::size_t i = 0; i < 3; ++i)
                 experiment.objects[i].target_K = kelvinFromCelsius(targets_degC[i]);
             double overshoot_K = 0.0;
             SimulatedRunOptions options;
+            options.duration_s = 1.25 * bound_s + kHeldFor_s + 10.0;
             options.progress = [&](double, const TraceSample& sample) {
                 for (const ObjectSample& object : sample.objects)
                     overshoot_K = std::max(overshoot_K, object.true_K - object.target_K);
@@ -211,7 +203,6 @@ TEST(Example, ThePapersTargetsSettleNearThePhysicalBoundWithoutOvershoot) {
             EXPECT_TRUE(outcome->settled)
                 << targets_degC[0] << " " << targets_degC[1] << " " << targets_degC[2];
             EXPECT_LT(overshoot_K, 0.5); // of the true temperature; the sensors' zero is off by up to 0.2 K
-            const double bound_s = model == SourceModel::Paper ? paper_s : gray_s;
             for (const ObjectOutcome& object : outcome->objects)
                 EXPECT_LT(object.settlingTime_s.value_or(1e9), 1.25 * bound_s) << object.name;
         }
@@ -229,7 +220,7 @@ TEST(Example, ARampAndAMovingSourceAreFollowed) {
         if (!experiment.simulation.sourceMotion.empty())
             change_s = std::max(change_s, experiment.simulation.sourceMotion.back().time_s);
         SimulatedRunOptions options;
-        options.duration_s = change_s + 200.0;
+        options.duration_s = change_s + 60.0;
         double afterwards_K = 0.0;
         options.progress = [&](double time_s, const TraceSample& sample) {
             double off_K = 0.0;

@@ -41,7 +41,7 @@ struct TryDeviceTest : testing::Test {
         server = std::move(*made);
     }
     /// While the device works.
-    template <class Condition> bool sees(Condition condition, int limit_ms = 20000) {
+    template <class Condition> bool sees(Condition condition, int limit_ms = 60000) {
         return engine.waitFor(
             [&] {
                 if (server)

