@@ -26,7 +26,7 @@ QPolygonF polygon_mm(const Contour& contour) {
     return polygon;
 }
 
-QPainterPath rings_mm(const std::vector<std::vector<Eigen::Vector2d>>& rings_m) {
+QPainterPath face_mm(const std::vector<std::vector<Eigen::Vector2d>>& rings_m) {
     QPainterPath face;
     for (const std::vector<Eigen::Vector2d>& ring : rings_m) {
         face.addPolygon(polygon_mm(Contour{ring}));
