@@ -6,6 +6,7 @@
 #include "engine/calibration/projection.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -72,6 +73,11 @@ public:
         Eigen::Matrix3d toPicture;
         toPicture << X_CM.linear().col(0), X_CM.linear().col(1), X_CM.translation();
         const Eigen::Matrix3d toMarker = toPicture.inverse();
+        std::array<Eigen::Vector3d, 9> offsets; // a pixel is the mean of nine rays
+        for (int k = 0; k < 9; ++k)
+            offsets[static_cast<std::size_t>(k)] =
+                toMarker *
+                Eigen::Vector3d((k % 3 - 1) / (3.0 * m_camera.fx), (k / 3 - 1) / (3.0 * m_camera.fy), 0.0);
         const std::vector<std::string> cells = markerCells(dictionary, marker.id);
         const int left = std::max(0, static_cast<int>(least.x()) - 1);
         const int right = std::min(picture.width - 1, static_cast<int>(most.x()) + 2);
@@ -80,10 +86,13 @@ public:
             for (int u = left; u <= right; ++u) {
                 std::uint8_t& value = picture.values[static_cast<std::size_t>(v * picture.width + u)];
                 int sum = 0;
-                for (int k = 0; k < 9; ++k) {
-                    const Eigen::Vector3d ray((u + (k % 3 - 1) / 3.0 - m_camera.cx) / m_camera.fx,
-                                              (v + (k / 3 - 1) / 3.0 - m_camera.cy) / m_camera.fy, 1.0);
-                    sum += brightness((toMarker * ray).hnormalized() / marker.side_m, cells, value);
+                const Eigen::Vector3d middle =
+                    toMarker *
+                    Eigen::Vector3d((u - m_camera.cx) / m_camera.fx, (v - m_camera.cy) / m_camera.fy, 1.0);
+                for (const Eigen::Vector3d& offset : offsets) {
+                    const Eigen::Vector3d at = middle + offset;
+                    const double scale = 1.0 / (at.z() * marker.side_m);
+                    sum += brightness({scale * at.x(), scale * at.y()}, cells, value);
                 }
                 value = static_cast<std::uint8_t>(sum / 9);
             }
@@ -92,9 +101,11 @@ public:
     void addNoise(GreyPicture& picture) {
         for (int v = 0; v < picture.height; ++v) {
             std::size_t k = m_random() % m_noise.size();
-            for (int u = 0; u < picture.width; ++u, k = (k + 1) % m_noise.size()) {
+            for (int u = 0; u < picture.width; ++u) {
                 std::uint8_t& value = picture.values[static_cast<std::size_t>(v * picture.width + u)];
                 value = static_cast<std::uint8_t>(std::clamp(value + m_noise[k], 0, 255));
+                if (++k == m_noise.size()) // a remainder for each pixel takes longer than all else
+                    k = 0;
             }
         }
     }

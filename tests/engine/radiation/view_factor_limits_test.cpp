@@ -333,7 +333,7 @@ TEST(ViewFactorKernels, allProcessorsAgree) {
     Draw draw(203);
     for (int source = 0; source < test::kKinds; ++source)
         for (int object = 0; object < test::kKinds; ++object)
-            for (int i = 0; i < 60; ++i) {
+            for (int i = 0; i < 20; ++i) {
                 SCOPED_TRACE(testing::Message()
                              << test::kKindNames[object] << " over " << test::kKindNames[source] << ' ' << i);
                 const FacePair pair = test::drawPair(draw, source, object, i);

@@ -51,7 +51,7 @@ Pose nudged(const Pose& X_SO, int k, double step) {
 // (tabulated, panels, tried out), with and without moments.
 TEST(ViewFactorProperties, toleranceHoldsAndTheEstimateIsHonest) {
     std::map<Visibility, int> seen;
-    forPairs(101, 160, [&](const FacePair& pair, Draw&, int) {
+    forPairs(101, 80, [&](const FacePair& pair, Draw&, int) {
         const ViewFactor sharp = factorOf(pair);
         ++seen[sharp.visibility];
         EXPECT_LE(sharp.errorEstimate, 1e-10);
@@ -70,16 +70,16 @@ TEST(ViewFactorProperties, toleranceHoldsAndTheEstimateIsHonest) {
             EXPECT_NEAR(value, sharp.value, tolerance + sharp.errorEstimate);
         }
     });
-    EXPECT_GT(seen[Visibility::Full], 200);
-    EXPECT_GT(seen[Visibility::Partial], 400);
-    EXPECT_GT(seen[Visibility::Hidden], 100);
+    EXPECT_GT(seen[Visibility::Full], 100);
+    EXPECT_GT(seen[Visibility::Partial], 200);
+    EXPECT_GT(seen[Visibility::Hidden], 50);
 }
 
 // Catches: anything wrong alike in all evaluations of the engine: sign, frame, cut, pieces. The reference
 // says itself where it is good: three counts of nodes agree.
 TEST(ViewFactorProperties, agreesWithLambertsLawOverBothVisibleAreas) {
     std::map<Visibility, int> compared;
-    forPairs(102, 24, [&](const FacePair& pair, Draw&, int) {
+    forPairs(102, 12, [&](const FacePair& pair, Draw&, int) {
         const ViewFactor f = factorOf(pair);
         if (f.visibility == Visibility::Hidden)
             return;
@@ -95,15 +95,15 @@ TEST(ViewFactorProperties, agreesWithLambertsLawOverBothVisibleAreas) {
         ++compared[f.visibility];
         EXPECT_NEAR(f.value, fine, error + 1e-12);
     });
-    EXPECT_GT(compared[Visibility::Full], 25);
-    EXPECT_GT(compared[Visibility::Partial], 25);
+    EXPECT_GT(compared[Visibility::Full], 12);
+    EXPECT_GT(compared[Visibility::Partial], 12);
 }
 
 // Catches: either cut treated otherwise than the other, or a pair of kinds otherwise than the pair turned
 // round: the two go different ways through the engine.
 TEST(ViewFactorProperties, isReciprocal) {
     std::map<Visibility, int> seen;
-    forPairs(103, 100, [&](const FacePair& pair, Draw&, int) {
+    forPairs(103, 50, [&](const FacePair& pair, Draw&, int) {
         const FacePair back = test::exchanged(pair);
         const ViewFactor there = factorOf(pair), here = factorOf(back);
         const double a2 = shapeArea(pair.object), a1 = shapeArea(pair.source);
@@ -112,7 +112,7 @@ TEST(ViewFactorProperties, isReciprocal) {
         EXPECT_EQ(there.visibility, here.visibility);
         ++seen[there.visibility];
     });
-    EXPECT_GT(seen[Visibility::Partial], 200);
+    EXPECT_GT(seen[Visibility::Partial], 100);
 }
 
 // Two parts of a polygon that is star-shaped about a point near its origin, parted there.
@@ -132,7 +132,7 @@ TEST(ViewFactorProperties, partsAddUpToTheWhole) {
     Draw draw(104);
     int partial = 0;
     for (int kind = 0; kind < test::kKinds; ++kind)
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < 50; ++i) {
             SCOPED_TRACE(testing::Message() << test::kKindNames[kind] << ", pose " << i);
             FacePair pair = test::drawPair(draw, 2, kind, i);
             const Contour whole = i % 2 == 0 ? test::star(0.1, 5, 0.35) : draw.polygon(0.1, 8);
@@ -159,13 +159,13 @@ TEST(ViewFactorProperties, partsAddUpToTheWhole) {
             EXPECT_NEAR(all.first, left.first + right.first,
                         all.second + left.second + right.second + 1e-13 * contourArea(object));
         }
-    EXPECT_GT(partial, 80);
+    EXPECT_GT(partial, 40);
 }
 
 // Catches: an outline taken for one about its own origin, an axis preferred to another, a lever from the
 // wrong point.
 TEST(ViewFactorProperties, isUnchangedByACommonMotion) {
-    forPairs(105, 40, [&](const FacePair& pair, Draw& draw, int) {
+    forPairs(105, 20, [&](const FacePair& pair, Draw& draw, int) {
         const ViewFactor f = factorOf(pair);
         const double angle = draw.between(-kPi, kPi);
         const double scale = 1.0 + f.gradient.norm();
@@ -196,7 +196,7 @@ TEST(ViewFactorProperties, isUnchangedByACommonMotion) {
 
 // Catches: a length that is not in proportion (an absolute threshold): a nanometre and a thousand kilometres.
 TEST(ViewFactorProperties, dependsOnNoUnitOfLength) {
-    forPairs(106, 24, [&](const FacePair& pair, Draw&, int) {
+    forPairs(106, 12, [&](const FacePair& pair, Draw&, int) {
         const ViewFactor f = factorOf(pair);
         for (const double factor : {1e-8, 1e-3, 1e4, 1e7}) {
             FacePair other{test::scaled(pair.source, factor), test::scaled(pair.object, factor), pair.X_SO};
@@ -216,7 +216,7 @@ TEST(ViewFactorProperties, dependsOnNoUnitOfLength) {
 // face runs through the other, which no plate can.
 TEST(ViewFactorProperties, gradientIsTheDerivativeOfTheValue) {
     int checked = 0, partial = 0, unsaid = 0;
-    forPairs(107, 40, [&](const FacePair& pair, Draw&, int) {
+    forPairs(107, 20, [&](const FacePair& pair, Draw&, int) {
         const ViewFactor f = factorOf(pair);
         if (f.value < 1e-4 || test::runThroughEachOther(pair))
             return;
@@ -242,8 +242,8 @@ TEST(ViewFactorProperties, gradientIsTheDerivativeOfTheValue) {
             EXPECT_NEAR(f.gradient[k], narrow, unsure + roundoff + 1e-9 * f.gradient.norm()) << k;
         }
     });
-    EXPECT_GT(checked, 800);
-    EXPECT_GT(partial, 400);
+    EXPECT_GT(checked, 400);
+    EXPECT_GT(partial, 200);
     EXPECT_LT(unsaid, checked / 20);
 }
 
@@ -252,7 +252,7 @@ TEST(ViewFactorProperties, gradientIsTheDerivativeOfTheValue) {
 // touch each other the gradient grows with the root of the way, elsewhere more slowly.
 TEST(ViewFactorProperties, isContinuousThroughEveryChangeOfVisibility) {
     std::map<std::pair<Visibility, Visibility>, int> changes;
-    forPairs(108, 40, [&](const FacePair& pair, Draw& draw, int) {
+    forPairs(108, 20, [&](const FacePair& pair, Draw& draw, int) {
         const RadiatingContour source(pair.source), object(pair.object);
         const Eigen::Vector3d shift = draw.vector(2.0 * std::max(shapeRadius(pair.object), 0.1));
         const Eigen::Vector3d turn = draw.vector(1.5);
@@ -274,12 +274,13 @@ TEST(ViewFactorProperties, isContinuousThroughEveryChangeOfVisibility) {
             }
             const ViewFactor before = at(a, 1e-9), after = at(b, 1e-9);
             ++changes[std::minmax(before.visibility, after.visibility)];
-            EXPECT_NEAR(before.value, after.value, sure(before) + sure(after));
+            const double between = (b - a) * before.gradient.norm() * (shift.norm() + turn.norm());
+            EXPECT_NEAR(before.value, after.value, sure(before) + sure(after) + between);
             EXPECT_LE((before.gradient - after.gradient).norm(), 1e-3 * (1.0 + before.gradient.norm()));
         }
     });
-    EXPECT_GT((changes[{Visibility::Full, Visibility::Partial}]), 50);
-    EXPECT_GT((changes[{Visibility::Partial, Visibility::Hidden}]), 50);
+    EXPECT_GT((changes[{Visibility::Full, Visibility::Partial}]), 25);
+    EXPECT_GT((changes[{Visibility::Partial, Visibility::Hidden}]), 25);
 }
 
 // Catches: a factor of area or a facing sign that only shows against the other solver. The object's outline
@@ -289,7 +290,7 @@ TEST(ViewFactorProperties, aSmallObjectHasThePointFactor) {
     int seen = 0;
     for (int source = 0; source < test::kKinds; ++source)
         for (int kind = 0; kind < test::kKinds; ++kind)
-            for (int i = 0; i < 30; ++i) {
+            for (int i = 0; i < 15; ++i) {
                 SCOPED_TRACE(testing::Message()
                              << test::kKindNames[kind] << " over " << test::kKindNames[source] << ' ' << i);
                 const Shape shape = test::drawShape(draw, source, 0.1);
@@ -309,7 +310,7 @@ TEST(ViewFactorProperties, aSmallObjectHasThePointFactor) {
                 }
                 seen += point > 0.01;
             }
-    EXPECT_GT(seen, 100);
+    EXPECT_GT(seen, 50);
 }
 
 // Catches: digits lost where the two faces are far apart: A1 cos cos / (pi d^2), relatively.

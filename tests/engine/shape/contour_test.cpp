@@ -141,7 +141,7 @@ TEST(MakeContour, AgreesWithAllPairsOnRandomPolygons) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> number(0.0, 1.0);
     int simple = 0;
-    for (int trial = 0; trial < 4000; ++trial) {
+    for (int trial = 0; trial < 1200; ++trial) {
         const int n = 4 + trial % 9;
         Points p;
         for (int k = 0; k < n;
@@ -156,7 +156,7 @@ TEST(MakeContour, AgreesWithAllPairsOnRandomPolygons) {
         simple += !crossing;
         EXPECT_EQ(findCrossing(p).has_value(), crossing) << "trial " << trial;
     }
-    EXPECT_GT(simple, 1000);
+    EXPECT_GT(simple, 300);
 }
 
 TEST(MakeContour, IsNotMisledByUprightAndLevelEdges) {
