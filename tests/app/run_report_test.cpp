@@ -26,7 +26,7 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// A warming to the targets in two minutes, on a simulated or a real rig.
 TraceSample warming(const Experiment& experiment, int k, bool simulated) {
-    TraceSample sample = testing::madeUpSample(experiment, k);
+    TraceSample sample = test::madeUpSample(experiment, k);
     sample.time_s = 0.5 * k;
     sample.coordinates << 0.03 * std::cos(0.02 * k), 0.03 * std::sin(0.02 * k), 0.1, 0.0, 0.0, 0.0;
     sample.source.setZero();
@@ -83,7 +83,7 @@ protected:
 };
 
 TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
-    const QString session = recorded(testing::twoDisks(), 240, "settled");
+    const QString session = recorded(test::twoDisks(), 240, "settled");
     const QByteArray html = report(session);
     const QString text = readable(html);
     for (const char* section : {"two disks, \"quoted\", with a comma", "Metrics", "Definitions",
@@ -108,7 +108,7 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
 
 // Catches: a report that needs other files or the network, or that runs what somebody noted.
 TEST_F(RunReport, IsSelfContainedAndEscapesWhatWasTyped) {
-    const QByteArray html = report(recorded(testing::twoDisks(), 240, "settled"));
+    const QByteArray html = report(recorded(test::twoDisks(), 240, "settled"));
     EXPECT_FALSE(html.contains("<script"));
     EXPECT_TRUE(html.contains("&lt;script&gt;"));
     int figures = 0;
@@ -125,7 +125,7 @@ TEST_F(RunReport, IsSelfContainedAndEscapesWhatWasTyped) {
 }
 
 TEST_F(RunReport, APdfHasPages) {
-    const QByteArray pdf = report(recorded(testing::twoDisks(), 240, "settled"), "report.pdf");
+    const QByteArray pdf = report(recorded(test::twoDisks(), 240, "settled"), "report.pdf");
     EXPECT_TRUE(pdf.startsWith("%PDF"));
     EXPECT_TRUE(pdf.trimmed().endsWith("%%EOF"));
     const auto pages = QString::fromLatin1(pdf).count(QRegularExpression("/Type /Page\\b"));
@@ -134,26 +134,26 @@ TEST_F(RunReport, APdfHasPages) {
 }
 
 TEST_F(RunReport, ARealRigIsNotCalledSimulated) {
-    const QString text = readable(report(recorded(testing::twoDisks(), 240, "stopped", false)));
+    const QString text = readable(report(recorded(test::twoDisks(), 240, "stopped", false)));
     EXPECT_FALSE(text.contains("SIMULATED"));
     EXPECT_TRUE(text.contains("LIVE"));
     EXPECT_TRUE(text.contains("Stopped by the operator."));
 }
 
 TEST_F(RunReport, SaysWhatAnInterruptedOrEmptyRunLacks) {
-    const QString interrupted = readable(report(recorded(testing::twoDisks(), 20, "")));
+    const QString interrupted = readable(report(recorded(test::twoDisks(), 20, "")));
     EXPECT_TRUE(interrupted.contains("Interrupted: the recording ended without a Stop."));
     EXPECT_TRUE(interrupted.contains("not settled"));
-    const QString empty = readable(report(recorded(testing::twoDisks(), 0, "fault")));
+    const QString empty = readable(report(recorded(test::twoDisks(), 0, "fault")));
     EXPECT_TRUE(empty.contains("No samples were recorded"));
     EXPECT_TRUE(empty.contains("Ended by a fault."));
     EXPECT_FALSE(empty.contains("Traces and trajectories"));
-    EXPECT_TRUE(report(recorded(testing::twoDisks(), 1, "fault"), "one.pdf").startsWith("%PDF"));
-    EXPECT_TRUE(report(recorded(testing::twoDisks(), 0, ""), "none.pdf").startsWith("%PDF"));
+    EXPECT_TRUE(report(recorded(test::twoDisks(), 1, "fault"), "one.pdf").startsWith("%PDF"));
+    EXPECT_TRUE(report(recorded(test::twoDisks(), 0, ""), "none.pdf").startsWith("%PDF"));
 }
 
 TEST_F(RunReport, TellsTargetsThatCannotBeHeld) {
-    Experiment experiment = testing::twoDisks();
+    Experiment experiment = test::twoDisks();
     experiment.objects[0].target_K = 380.0;
     const QString text = readable(report(recorded(experiment, 240, "not-settled")));
     EXPECT_TRUE(text.contains("The targets cannot be held together")) << text.toStdString();
@@ -163,7 +163,7 @@ TEST_F(RunReport, TellsTargetsThatCannotBeHeld) {
 TEST_F(RunReport, CountsTheEventsThatItLeavesOut) {
     SessionRecord session;
     session.path = "run.bask";
-    session.experiment = testing::twoDisks();
+    session.experiment = test::twoDisks();
     for (int k = 0; k < 5000; ++k)
         session.events.push_back({0.1 * k, {MessageCode::EventHeld, {}}});
     const QString text = readable(runReportHtml(reportInput(session, TemperatureUnit::Celsius)));
@@ -171,7 +171,7 @@ TEST_F(RunReport, CountsTheEventsThatItLeavesOut) {
 }
 
 TEST_F(RunReport, RefusesInWordsAndLeavesNothingBehind) {
-    const QString session = recorded(testing::twoDisks(), 5, "settled");
+    const QString session = recorded(test::twoDisks(), 5, "settled");
     QFile mine(path("mine.html"));
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("<html>my own</html>") > 0);
     mine.close();
@@ -194,7 +194,7 @@ TEST_F(RunReport, RefusesInWordsAndLeavesNothingBehind) {
 }
 
 TEST_F(RunReport, FiguresAreDrawnInThreeFormatsWithChineseLetters) {
-    Experiment experiment = testing::twoDisks();
+    Experiment experiment = test::twoDisks();
     experiment.objects[0].name = "\xE9\x93\x9D\xE7\x89\x87";
     const QString session = recorded(experiment, 240, "settled");
     const auto done = test::captured(exportCommand, {session, "--figures", path("figures")});
@@ -215,7 +215,7 @@ TEST_F(RunReport, FiguresAreDrawnInThreeFormatsWithChineseLetters) {
 }
 
 TEST_F(RunReport, EveryFormOfExportAtOnce) {
-    const QString session = recorded(testing::twoDisks(), 12, "settled");
+    const QString session = recorded(test::twoDisks(), 12, "settled");
     const auto done = test::captured(exportCommand, {session, "--csv", path("out"), "--nexus", path("out"),
                                                      "--vtk", path("out"), "--figures", path("out")});
     ASSERT_EQ(done.code, kExitDone) << done.err;

@@ -18,8 +18,8 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
-using testing::twoDisks;
+using test::madeUpSample;
+using test::twoDisks;
 
 SessionRecord record(int samples) {
     SessionRecord session;

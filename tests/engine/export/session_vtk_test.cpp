@@ -28,12 +28,12 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
+using test::madeUpSample;
 
 SessionRecord recordOf(int samples) {
     SessionRecord session;
     session.path = "run.bask";
-    session.experiment = testing::twoDisks();
+    session.experiment = test::twoDisks();
     const Contour hole{{{0.002, 0.0}, {0.0, 0.002}, {-0.002, 0.0}, {0.0, -0.002}}};
     session.experiment.objects[1].shape = withHoles(Disk{0.015}, {hole});
     RobotLimits& robot = session.experiment.robot;

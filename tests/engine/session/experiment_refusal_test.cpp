@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 json base() {
-    return json::parse(experimentToJson(testing::twoDisks()));
+    return json::parse(experimentToJson(test::twoDisks()));
 }
 
 Error refused(const std::string& text, const std::string& folder = "/nowhere") {
@@ -346,25 +346,25 @@ TEST(Refusal, HugeArraysTakeSecondsAtMost) {
 }
 
 TEST(Refusal, NumbersOutOfReachInTheValue) {
-    Experiment e = testing::twoDisks();
+    Experiment e = test::twoDisks();
     e.objects[0].material.emittance = std::nan("");
     EXPECT_EQ(validate(e).error().where, "objects[0].material.emittance");
-    e = testing::twoDisks();
+    e = test::twoDisks();
     e.objects[0].shape = FourierContour();
     EXPECT_EQ(validate(e).error().code(), HarmonicsOutOfRange);
-    e = testing::twoDisks();
+    e = test::twoDisks();
     e.source.shape = Contour{{{0.1, 0.0}, {0.0, std::nan("")}, {-0.1, 0.0}}};
     EXPECT_EQ(validate(e).error().where, "source.contour.points_m");
-    e = testing::twoDisks();
+    e = test::twoDisks();
     e.objects[1].mounting[kY] = std::numeric_limits<double>::infinity();
     EXPECT_EQ(validate(e).error().where, "objects[1].mounting.y_cm");
-    e = testing::twoDisks();
+    e = test::twoDisks();
     e.robot.lower[kX] = std::nan("");
     EXPECT_FALSE(validate(e));
 }
 
 TEST(Refusal, ATiltedDiskTooCloseAtTheStart) {
-    Experiment e = testing::twoDisks();
+    Experiment e = test::twoDisks();
     e.start[kZ] = 0.02;
     ASSERT_TRUE(validate(e));
     e.start[kThetaX] = 0.6; // the rim comes down by 15 mm sin 0.6 = 8.5 mm more than is allowed with 10 mm
@@ -385,12 +385,12 @@ TEST(Refusal, FilesThatAreNone) {
     ASSERT_TRUE(file.resize(40 << 20));
     EXPECT_EQ(readExperiment(file.fileName().toStdString()).error().code(), FileTooLarge);
     EXPECT_EQ(readExperiment("").error().code(), FileNotFound);
-    EXPECT_EQ(writeExperiment(testing::twoDisks(), "/nowhere/e.json").error().code(), FileUnwritable);
+    EXPECT_EQ(writeExperiment(test::twoDisks(), "/nowhere/e.json").error().code(), FileUnwritable);
 }
 
 // Catches crashes, hangs and throws on any damaged text.
 TEST(Fuzz, DamagedTextsAreAcceptedOrRefusedInWords) {
-    const std::string whole = experimentToJson(testing::twoDisks());
+    const std::string whole = experimentToJson(test::twoDisks());
     std::mt19937 random(20260101);
     const auto below = [&](std::size_t n) {
         return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);

@@ -18,8 +18,8 @@ TEST(ExportCommand, WritesTheTablesAndNamesThem) {
     const QTemporaryDir folder;
     const QString session = folder.filePath("run.bask");
     {
-        auto writer = SessionWriter::create(session.toStdString(), testing::twoDisks(), true);
-        ASSERT_TRUE((*writer)->add(testing::madeUpSample(testing::twoDisks(), 0)));
+        auto writer = SessionWriter::create(session.toStdString(), test::twoDisks(), true);
+        ASSERT_TRUE((*writer)->add(test::madeUpSample(test::twoDisks(), 0)));
     }
     const test::Captured outcome = run({session, "--csv", folder.filePath("csv")});
     EXPECT_EQ(outcome.code, kExitDone) << outcome.err;
@@ -36,7 +36,7 @@ TEST(ExportCommand, WritesTheTablesAndNamesThem) {
 TEST(ExportCommand, ReplacesNothingButItsOwnTables) {
     const QTemporaryDir folder;
     const QString session = folder.filePath("run.bask");
-    ASSERT_TRUE(SessionWriter::create(session.toStdString(), testing::twoDisks(), true));
+    ASSERT_TRUE(SessionWriter::create(session.toStdString(), test::twoDisks(), true));
     QFile mine(folder.filePath("sample.csv"));
     ASSERT_TRUE(mine.open(QIODevice::WriteOnly) && mine.write("my own figures\n") > 0);
     mine.close();

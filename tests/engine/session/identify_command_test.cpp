@@ -220,13 +220,13 @@ TEST(IdentifyCommand, ARunThatTellsNothingIsANegativeVerdict) {
     const QTemporaryDir folder;
     const QString session = folder.filePath("run.bask"), next = folder.filePath("next.json");
     {
-        auto writer = SessionWriter::create(session.toStdString(), testing::twoDisks(), true);
+        auto writer = SessionWriter::create(session.toStdString(), test::twoDisks(), true);
         ASSERT_TRUE(writer);
         const test::Captured empty = identify({session}); // being recorded, no sample yet
         EXPECT_EQ(empty.code, kExitNegative);
         EXPECT_NE(empty.out.find("too few"), std::string::npos) << empty.out;
         for (int k = 0; k < 20; ++k)
-            ASSERT_TRUE((*writer)->add(testing::madeUpSample(testing::twoDisks(), k)));
+            ASSERT_TRUE((*writer)->add(test::madeUpSample(test::twoDisks(), k)));
     }
     const test::Captured outcome = identify({session, "--json", "-o", next});
     EXPECT_EQ(outcome.code, kExitNegative);

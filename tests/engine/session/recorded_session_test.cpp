@@ -15,9 +15,9 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
-using testing::sameSample;
-using testing::twoDisks;
+using test::madeUpSample;
+using test::sameSample;
+using test::twoDisks;
 
 constexpr int kSamples = 3000; // some rows of the overview, and the beginning of one
 

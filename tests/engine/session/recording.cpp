@@ -10,7 +10,7 @@
 #include <limits>
 #include <random>
 
-namespace bask::testing {
+namespace bask::test {
 namespace {
 
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
@@ -122,4 +122,4 @@ int recordAndAcknowledge(const std::string& path, unsigned seed) {
     }
 }
 
-} // namespace bask::testing
+} // namespace bask::test

@@ -5,7 +5,7 @@
 
 #include <string>
 
-namespace bask::testing {
+namespace bask::test {
 
 /// The experiment of two disks that the tests record.
 Experiment twoDisks();
@@ -25,4 +25,4 @@ int recordUntilKilled(const std::string& path);
 /// samples are safe after each commit.
 int recordAndAcknowledge(const std::string& path, unsigned seed);
 
-} // namespace bask::testing
+} // namespace bask::test

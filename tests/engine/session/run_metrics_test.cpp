@@ -17,7 +17,7 @@ constexpr double kTarget_K = 320.0;
 /// One sample every half second of T(t), without motion.
 template <class Temperature> SessionRecord recordOf(double duration_s, const Temperature& T_K) {
     SessionRecord record;
-    record.experiment = testing::twoDisks();
+    record.experiment = test::twoDisks();
     record.experiment.objects.resize(1);
     for (int k = 0; 0.5 * k <= duration_s; ++k) {
         TraceSample sample;
@@ -118,7 +118,7 @@ TEST(RunMetrics, LeaveUnknownTemperaturesOut) {
 
 TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
     SessionRecord record;
-    record.experiment = testing::twoDisks();
+    record.experiment = test::twoDisks();
     record.experiment.objects[0].mounting << 0.1, 0, 0, 0, 0, 0;
     for (int k = 0; k <= 20; ++k) {
         TraceSample sample;
@@ -155,7 +155,7 @@ TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
 std::optional<double> settledFrom_s(const std::vector<double>& errors_K, bool truth = true,
                                     double band_K = kSettledBand_K, double firstTarget_K = kTarget_K) {
     SessionRecord record;
-    record.experiment = testing::twoDisks();
+    record.experiment = test::twoDisks();
     record.experiment.objects.resize(1);
     for (const double error_K : errors_K) {
         ObjectSample object;

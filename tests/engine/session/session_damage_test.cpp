@@ -21,8 +21,8 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
-using testing::twoDisks;
+using test::madeUpSample;
+using test::twoDisks;
 
 class DamagedSession : public ::testing::Test {
 protected:

@@ -26,9 +26,9 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
-using testing::sameSample;
-using testing::twoDisks;
+using test::madeUpSample;
+using test::sameSample;
+using test::twoDisks;
 
 class SessionFile : public ::testing::Test {
 protected:

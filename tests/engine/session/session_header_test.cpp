@@ -21,8 +21,8 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
-using testing::twoDisks;
+using test::madeUpSample;
+using test::twoDisks;
 
 class SessionHeaderTest : public ::testing::Test {
 protected:
@@ -111,7 +111,7 @@ TEST_F(SessionHeaderTest, TagsChangeNothingElse) {
     ASSERT_TRUE(after) << describe(after.error());
     ASSERT_EQ(after->samples.size(), before->samples.size());
     for (std::size_t k = 0; k < after->samples.size(); ++k)
-        EXPECT_TRUE(testing::sameSample(after->samples[k], before->samples[k])) << k;
+        EXPECT_TRUE(test::sameSample(after->samples[k], before->samples[k])) << k;
     EXPECT_EQ(after->outcome, "stopped");
     EXPECT_EQ(after->created, before->created);
     EXPECT_FALSE(QFile::exists(QString::fromStdString(path + "-wal")));
@@ -155,7 +155,7 @@ TEST_F(SessionHeaderTest, AKilledRecordingIsClosedWithAllItHad) {
     ASSERT_TRUE(after) << describe(after.error());
     EXPECT_EQ(after->outcome, kOutcomeInterrupted);
     ASSERT_EQ(after->samples.size(), before->samples.size());
-    EXPECT_TRUE(testing::sameSample(after->samples.back(), before->samples.back()));
+    EXPECT_TRUE(test::sameSample(after->samples.back(), before->samples.back()));
     EXPECT_EQ(after->events.size(), before->events.size());
     EXPECT_TRUE(closeInterrupted(path)) << "once more changes nothing";
     EXPECT_TRUE(writeSessionTags(path, {"x"}));

@@ -19,9 +19,9 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
-using testing::sameSample;
-using testing::twoDisks;
+using test::madeUpSample;
+using test::sameSample;
+using test::twoDisks;
 
 class SessionKills : public ::testing::Test {
 protected:
@@ -96,7 +96,7 @@ TEST_F(SessionKills, thousand) {
 int main(int argc, char** argv) {
     const QCoreApplication app(argc, argv);
     if (argc == 4 && std::string_view(argv[1]) == "--record-and-acknowledge")
-        return bask::testing::recordAndAcknowledge(argv[2], static_cast<unsigned>(std::stoul(argv[3])));
+        return bask::test::recordAndAcknowledge(argv[2], static_cast<unsigned>(std::stoul(argv[3])));
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

@@ -10,7 +10,7 @@
 int main(int argc, char** argv) {
     QCoreApplication app(argc, argv);
     if (argc == 3 && std::string_view(argv[1]) == "--record-until-killed")
-        return bask::testing::recordUntilKilled(argv[2]);
+        return bask::test::recordUntilKilled(argv[2]);
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

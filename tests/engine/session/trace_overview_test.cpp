@@ -9,8 +9,8 @@
 namespace bask {
 namespace {
 
-using testing::madeUpSample;
-using testing::twoDisks;
+using test::madeUpSample;
+using test::twoDisks;
 
 /// As TraceOverview should have it, from all samples.
 Extremes bruteForce(const std::vector<TraceSample>& samples, Quantity quantity, std::size_t series,

@@ -9,7 +9,7 @@
 #include <limits>
 #include <numbers>
 
-namespace bask::testing {
+namespace bask::test {
 
 namespace {
 
@@ -143,4 +143,4 @@ void keepScreenshot(const QImage& image, const QString& name) {
         image.save(QDir(folder).filePath(name + QStringLiteral(".png")));
 }
 
-} // namespace bask::testing
+} // namespace bask::test

@@ -10,7 +10,7 @@
 
 #include <vector>
 
-namespace bask::testing {
+namespace bask::test {
 
 /// A disk, a Fourier outline and a non-convex polygon on a triangle of 5 cm; targets 50, 40 and 35 C.
 Experiment threeObjects();
@@ -28,4 +28,4 @@ int coloursIn(const QImage& image);
 /// Keeps a picture in the folder that BASK_SCREENSHOTS names, if it is set.
 void keepScreenshot(const QImage& image, const QString& name);
 
-} // namespace bask::testing
+} // namespace bask::test

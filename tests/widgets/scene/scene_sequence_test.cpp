@@ -32,7 +32,7 @@ std::vector<SurfaceFrame> nineTilts() {
 }
 
 Experiment oneDisk() {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.objects.resize(1);
     experiment.objects[0].mounting.setZero();
     return experiment;
@@ -71,7 +71,7 @@ TEST_F(SceneSequenceTest, WritesEveryFrameAndTheSheet) {
     for (int i = 1; i <= 9; ++i) {
         const QImage frame(folder.filePath(QStringLiteral("frame-%1.png").arg(i)));
         ASSERT_EQ(frame.size(), QSize(400, 300)) << i;
-        EXPECT_GT(testing::differentPixels(frame, last), 200) << i;
+        EXPECT_GT(test::differentPixels(frame, last), 200) << i;
         last = frame;
     }
     // Catches a frame that does not say which it is: the caption is at its upper edge, the rest as drawn.
@@ -79,16 +79,16 @@ TEST_F(SceneSequenceTest, WritesEveryFrameAndTheSheet) {
     const QImage bare = scene.image({400, 300});
     const QImage first(folder.filePath(QStringLiteral("frame-1.png")));
     const QRect upper(100, 0, 200, 25), lower(0, 25, 400, 275);
-    EXPECT_GT(testing::differentPixels(bare.copy(upper), first.copy(upper)), 50);
-    EXPECT_LT(testing::differentPixels(bare.copy(lower), first.copy(lower)), 20);
-    testing::keepScreenshot(first, QStringLiteral("targets-frame-1"));
+    EXPECT_GT(test::differentPixels(bare.copy(upper), first.copy(upper)), 50);
+    EXPECT_LT(test::differentPixels(bare.copy(lower), first.copy(lower)), 20);
+    test::keepScreenshot(first, QStringLiteral("targets-frame-1"));
     sequence.show(2);
     const QImage sheet(folder.filePath(QStringLiteral("panels.png")));
-    testing::keepScreenshot(sheet, QStringLiteral("targets-nine-panels"));
+    test::keepScreenshot(sheet, QStringLiteral("targets-nine-panels"));
     EXPECT_EQ(sheet.width(), 1200);
     EXPECT_GT(sheet.height(), 900);
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 10);
-    EXPECT_LT(testing::differentPixels(before, const_cast<VtkView*>(picture)->grabFramebuffer()), 20);
+    EXPECT_LT(test::differentPixels(before, const_cast<VtkView*>(picture)->grabFramebuffer()), 20);
 }
 
 // Catches: an export that cannot be ended, tells of an end that it had not, or leaves the scene half-way.

@@ -18,7 +18,7 @@
 namespace bask {
 namespace {
 
-using testing::keepScreenshot;
+using test::keepScreenshot;
 
 const QColor kSource(0xff, 0xb4, 0x5c); // the glow in the middle of the source
 
@@ -45,7 +45,7 @@ protected:
             before = pictureOf(view)->frames();
     }
     static TraceSample sampleAt(double x_m, double z_m) {
-        TraceSample sample = testing::spiral(1).front();
+        TraceSample sample = test::spiral(1).front();
         sample.coordinates << x_m, 0.0, z_m, 0.0, 0.0, 0.0;
         return sample;
     }
@@ -55,39 +55,39 @@ protected:
 TEST_F(SceneViewTest, DrawsSourceAndObjectsInTheirColours) {
     SceneView view;
     view.resize(1000, 700);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     show(view);
     const QImage image = grab(view);
     EXPECT_EQ(image.size(), QSize(1000, 700) * view.devicePixelRatioF());
-    EXPECT_GT(testing::pixelsOf(image, kSource), 200);
+    EXPECT_GT(test::pixelsOf(image, kSource), 200);
     for (int i = 0; i < 3; ++i)
-        EXPECT_GT(testing::pixelsOf(image, seriesColor(i, false)), 60) << "outline of object " << i;
-    EXPECT_GT(testing::pixelsOf(image, unknownColour(false), 4), 500) << "objects with no temperature yet";
-    EXPECT_GT(testing::pixelsOf(image, QApplication::palette().color(QPalette::Base), 2), 200000);
+        EXPECT_GT(test::pixelsOf(image, seriesColor(i, false)), 60) << "outline of object " << i;
+    EXPECT_GT(test::pixelsOf(image, unknownColour(false), 4), 500) << "objects with no temperature yet";
+    EXPECT_GT(test::pixelsOf(image, QApplication::palette().color(QPalette::Base), 2), 200000);
 }
 
 // Catches a trail that is not drawn, and temperatures that do not reach the colours.
 TEST_F(SceneViewTest, ATraceColoursObjectsAndTrail) {
     SceneView view;
     view.resize(1000, 700);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     show(view);
     const QImage before = grab(view);
-    view.setSamples(testing::spiral(600));
+    view.setSamples(test::spiral(600));
     const QImage after = grab(view);
-    EXPECT_GT(testing::differentPixels(before, after), 5000);
-    EXPECT_LT(testing::pixelsOf(after, unknownColour(false), 2),
-              testing::pixelsOf(before, unknownColour(false), 2) / 4);
+    EXPECT_GT(test::differentPixels(before, after), 5000);
+    EXPECT_LT(test::pixelsOf(after, unknownColour(false), 2),
+              test::pixelsOf(before, unknownColour(false), 2) / 4);
     view.clearTrace();
-    EXPECT_LT(testing::pixelsOf(grab(view), mapColour(0.3, false), 6),
-              testing::pixelsOf(after, mapColour(0.3, false), 6));
+    EXPECT_LT(test::pixelsOf(grab(view), mapColour(0.3, false), 6),
+              test::pixelsOf(after, mapColour(0.3, false), 6));
 }
 
 // Catches a pose that moves numbers but not the picture, or moves it the wrong way.
 TEST_F(SceneViewTest, PoseMovesTheObjectsOnScreen) {
     SceneView view;
     view.resize(1000, 700);
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.objects.resize(1);
     view.setExperiment(experiment);
     view.viewAlongMinusZ();
@@ -96,11 +96,11 @@ TEST_F(SceneViewTest, PoseMovesTheObjectsOnScreen) {
     Vector6d left = Vector6d::Zero();
     left << -0.1, 0.0, 0.1, 0.0, 0.0, 0.0;
     view.setPose(left);
-    const QPointF first = testing::middleOf(grab(view), outline);
+    const QPointF first = test::middleOf(grab(view), outline);
     Vector6d right = left;
     right[kX] = 0.1;
     view.setPose(right);
-    const QPointF second = testing::middleOf(grab(view), outline);
+    const QPointF second = test::middleOf(grab(view), outline);
     EXPECT_GT(second.x(), first.x() + 150.0);
     EXPECT_NEAR(second.y(), first.y(), 25.0);
 }
@@ -110,21 +110,21 @@ TEST_F(SceneViewTest, PoseMovesTheObjectsOnScreen) {
 TEST_F(SceneViewTest, TheSourceIsDrawnWhereItLies) {
     SceneView view;
     view.resize(1000, 700);
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.objects.clear(); // nothing in the way
     experiment.source.pose[kX] = -0.1;
     view.setExperiment(experiment);
     view.viewAlongMinusZ();
     show(view);
-    const QPointF first = testing::middleOf(grab(view), kSource);
+    const QPointF first = test::middleOf(grab(view), kSource);
     Vector6d place = Vector6d::Zero();
     place[kY] = 0.1;
     view.setSourcePose(place);
-    const QPointF second = testing::middleOf(grab(view), kSource);
+    const QPointF second = test::middleOf(grab(view), kSource);
     TraceSample sample;
     sample.source[kX] = 0.1;
     view.appendSamples({sample});
-    const QPointF third = testing::middleOf(grab(view), kSource);
+    const QPointF third = test::middleOf(grab(view), kSource);
     EXPECT_GT(second.x(), first.x() + 80.0);
     EXPECT_LT(second.y(), first.y() - 80.0);
     EXPECT_NEAR(third.x() - second.x(), second.x() - first.x(), 3.0);
@@ -135,10 +135,10 @@ TEST_F(SceneViewTest, TheSourceIsDrawnWhereItLies) {
 TEST_F(SceneViewTest, AMovedAndTiltedSourceLooksSo) {
     SceneView view;
     view.resize(1000, 700);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     show(view);
-    const int flat = testing::pixelsOf(grab(view), kSource, 60);
-    std::vector<TraceSample> samples = testing::spiral(300);
+    const int flat = test::pixelsOf(grab(view), kSource, 60);
+    std::vector<TraceSample> samples = test::spiral(300);
     for (TraceSample& sample : samples) {
         sample.source[kX] = 0.08;
         sample.source[kY] = -0.05;
@@ -148,14 +148,14 @@ TEST_F(SceneViewTest, AMovedAndTiltedSourceLooksSo) {
     view.setSamples(samples);
     const QImage image = grab(view);
     keepScreenshot(image, QStringLiteral("scene-moved-source"));
-    EXPECT_GT(testing::pixelsOf(image, kSource, 60), 1.2 * flat);
+    EXPECT_GT(test::pixelsOf(image, kSource, 60), 1.2 * flat);
 }
 
 // Catches a fill that spills over between the fingers of a non-convex outline.
 TEST_F(SceneViewTest, NonConvexShapesAreFilledTruly) {
     SceneView view;
     view.resize(1000, 1000);
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.objects = {experiment.objects[2]};
     experiment.objects[0].mounting.setZero();
     experiment.source.shape = Disk{0.01}; // out of the way, under the palm
@@ -185,8 +185,7 @@ TEST_F(SceneViewTest, NonConvexShapesAreFilledTruly) {
     }
     const double pixelsPerMetre = (wrist + 1) / 0.028;
     const double expected = area_m2 * pixelsPerMetre * pixelsPerMetre;
-    const int filled =
-        testing::pixelsOf(image, unknownColour(false), 3) + testing::pixelsOf(image, outline, 3) / 2;
+    const int filled = test::pixelsOf(image, unknownColour(false), 3) + test::pixelsOf(image, outline, 3) / 2;
     EXPECT_NEAR(filled, expected, 0.06 * expected);
 }
 
@@ -220,7 +219,7 @@ int glowingPixels(const QImage& image) {
 TEST_F(SceneViewTest, SourcesOfEveryShapeGlowOverTheirWholeArea) {
     SceneView view;
     view.resize(900, 900);
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.objects.clear();
     view.viewAlongMinusZ();
     show(view);
@@ -233,7 +232,7 @@ TEST_F(SceneViewTest, SourcesOfEveryShapeGlowOverTheirWholeArea) {
         if (pixelsPerArea == 0.0)
             pixelsPerArea = ratio;
         EXPECT_NEAR(ratio, pixelsPerArea, 0.04 * pixelsPerArea) << name.toStdString();
-        EXPECT_GT(testing::pixelsOf(image, kSource), 500) << name.toStdString();
+        EXPECT_GT(test::pixelsOf(image, kSource), 500) << name.toStdString();
     }
     EXPECT_GT(pixelsPerArea, 1e6);
 }
@@ -242,7 +241,7 @@ TEST_F(SceneViewTest, SourcesOfEveryShapeGlowOverTheirWholeArea) {
 TEST_F(SceneViewTest, ASourceThatCrossesItselfStillGlows) {
     SceneView view;
     view.resize(900, 900);
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.objects.clear();
     std::vector<std::complex<double>> cusps(9);
     cusps[1] = {0.035, 0.0}; // loops from 0.1 / 3 on
@@ -253,7 +252,7 @@ TEST_F(SceneViewTest, ASourceThatCrossesItselfStillGlows) {
     show(view);
     const QImage image = grab(view);
     keepScreenshot(image, QStringLiteral("scene-source-crossing"));
-    EXPECT_GT(testing::pixelsOf(image, kSource), 500);
+    EXPECT_GT(test::pixelsOf(image, kSource), 500);
 }
 
 // The pictures of other sources that a designer looks at; fails when two of them are the same.
@@ -261,7 +260,7 @@ TEST_F(SceneViewTest, SourcesLightAndDark) {
     SceneView view;
     view.resize(1000, 700);
     show(view);
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     QImage last;
     for (const auto& [name, shape] : plates())
         for (const bool dark : {false, true}) {
@@ -269,12 +268,12 @@ TEST_F(SceneViewTest, SourcesLightAndDark) {
             QCoreApplication::processEvents();
             experiment.source.shape = shape;
             view.setExperiment(experiment);
-            view.setSamples(testing::spiral(600));
+            view.setSamples(test::spiral(600));
             const QImage image = grab(view);
             keepScreenshot(image, QStringLiteral("scene-source-%1-%2")
                                       .arg(name, dark ? QStringLiteral("dark") : QStringLiteral("light")));
-            EXPECT_GT(testing::pixelsOf(image, kSource), 100);
-            EXPECT_GT(testing::differentPixels(image, last), 2000) << name.toStdString() << dark;
+            EXPECT_GT(test::pixelsOf(image, kSource), 100);
+            EXPECT_GT(test::differentPixels(image, last), 2000) << name.toStdString() << dark;
             last = image;
         }
 }
@@ -283,11 +282,11 @@ TEST_F(SceneViewTest, SourcesLightAndDark) {
 TEST_F(SceneViewTest, SettersDrawNothingAndAHiddenViewStaysIdle) {
     SceneView view;
     view.resize(600, 400);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     show(view);
     drawPending(view);
     const int shown = pictureOf(view)->frames();
-    for (const TraceSample& sample : testing::spiral(200))
+    for (const TraceSample& sample : test::spiral(200))
         view.appendSamples({sample});
     EXPECT_EQ(pictureOf(view)->frames(), shown);
     drawPending(view);
@@ -296,7 +295,7 @@ TEST_F(SceneViewTest, SettersDrawNothingAndAHiddenViewStaysIdle) {
 
     view.hide();
     const int hidden = pictureOf(view)->frames();
-    view.appendSamples(testing::spiral(50));
+    view.appendSamples(test::spiral(50));
     drawPending(view);
     EXPECT_EQ(pictureOf(view)->frames(), hidden);
 }
@@ -305,7 +304,7 @@ TEST_F(SceneViewTest, SettersDrawNothingAndAHiddenViewStaysIdle) {
 TEST_F(SceneViewTest, WhatIsShownAlreadyIsNotDrawnAgain) {
     SceneView view;
     view.resize(400, 300);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     show(view);
     Vector6d pose = Vector6d::Zero(), source = Vector6d::Zero();
     std::vector<double> temperatures_K{300.0, std::nan(""), 310.0};
@@ -336,7 +335,7 @@ TEST_F(SceneViewTest, WhatIsShownAlreadyIsNotDrawnAgain) {
 TEST_F(SceneViewTest, DataAsksForAtMostFifteenFramesASecond) {
     SceneView view;
     view.resize(400, 300);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     show(view);
     drawPending(view);
     const int before = pictureOf(view)->frames();
@@ -357,19 +356,19 @@ TEST_F(SceneViewTest, DataAsksForAtMostFifteenFramesASecond) {
 TEST_F(SceneViewTest, SurvivesTabsOtherWindowsAndTinySizes) {
     QTabWidget tabs;
     auto* view = new SceneView;
-    view->setExperiment(testing::threeObjects());
-    view->setSamples(testing::spiral(300));
+    view->setExperiment(test::threeObjects());
+    view->setSamples(test::spiral(300));
     tabs.addTab(view, QStringLiteral("scene"));
     tabs.addTab(new QWidget, QStringLiteral("other"));
     tabs.resize(800, 600);
     show(tabs);
     const QImage first = grab(*view);
-    ASSERT_GT(testing::pixelsOf(first, kSource), 100);
+    ASSERT_GT(test::pixelsOf(first, kSource), 100);
     tabs.setCurrentIndex(1);
     QCoreApplication::processEvents();
     tabs.setCurrentIndex(0);
     QCoreApplication::processEvents();
-    EXPECT_LT(testing::differentPixels(first, grab(*view)), 300);
+    EXPECT_LT(test::differentPixels(first, grab(*view)), 300);
 
     QWidget other;
     auto* layout = new QVBoxLayout(&other);
@@ -377,9 +376,9 @@ TEST_F(SceneViewTest, SurvivesTabsOtherWindowsAndTinySizes) {
     view->show();
     other.resize(900, 650);
     show(other);
-    EXPECT_GT(testing::pixelsOf(grab(*view), kSource), 100);
+    EXPECT_GT(test::pixelsOf(grab(*view), kSource), 100);
     for (int i = 0; i < 3; ++i)
-        EXPECT_GT(testing::pixelsOf(grab(*view), seriesColor(i, false)), 40) << i;
+        EXPECT_GT(test::pixelsOf(grab(*view), seriesColor(i, false)), 40) << i;
 
     pictureOf(*view)->setMinimumSize(1, 1);
     view->setMinimumSize(1, 1);
@@ -388,7 +387,7 @@ TEST_F(SceneViewTest, SurvivesTabsOtherWindowsAndTinySizes) {
         QCoreApplication::processEvents();
         EXPECT_FALSE(grab(*view).isNull());
     }
-    EXPECT_GT(testing::pixelsOf(grab(*view), kSource), 100);
+    EXPECT_GT(test::pixelsOf(grab(*view), kSource), 100);
 
     delete view; // while its window lives on
     QCoreApplication::processEvents();
@@ -404,14 +403,14 @@ TEST_F(SceneViewTest, TwoViewsInOneWindowAreIndependent) {
     auto* b = new SceneView;
     layout->addWidget(a);
     layout->addWidget(b);
-    a->setExperiment(testing::threeObjects());
+    a->setExperiment(test::threeObjects());
     window->resize(1100, 500);
     show(*window);
-    EXPECT_GT(testing::pixelsOf(grab(*a), kSource), 50);
-    EXPECT_EQ(testing::pixelsOf(grab(*b), kSource), 0);
+    EXPECT_GT(test::pixelsOf(grab(*a), kSource), 50);
+    EXPECT_EQ(test::pixelsOf(grab(*b), kSource), 0);
     delete a;
-    b->setExperiment(testing::threeObjects());
-    EXPECT_GT(testing::pixelsOf(grab(*b), kSource), 50);
+    b->setExperiment(test::threeObjects());
+    EXPECT_GT(test::pixelsOf(grab(*b), kSource), 50);
     window.reset();
 }
 
@@ -420,14 +419,14 @@ TEST_F(SceneViewTest, NoExperimentAndNoObjectsAreCalmPictures) {
     SceneView view;
     view.resize(600, 400);
     show(view);
-    EXPECT_EQ(testing::coloursIn(grab(view)), 1);
-    view.appendSamples(testing::spiral(3));
+    EXPECT_EQ(test::coloursIn(grab(view)), 1);
+    view.appendSamples(test::spiral(3));
     view.setPose(Vector6d::Zero());
-    EXPECT_EQ(testing::coloursIn(grab(view)), 1);
-    Experiment empty = testing::threeObjects();
+    EXPECT_EQ(test::coloursIn(grab(view)), 1);
+    Experiment empty = test::threeObjects();
     empty.objects.clear();
     view.setExperiment(empty);
-    EXPECT_GT(testing::pixelsOf(grab(view), kSource), 50);
+    EXPECT_GT(test::pixelsOf(grab(view), kSource), 50);
     keepScreenshot(grab(view), QStringLiteral("scene-no-objects"));
 }
 
@@ -435,15 +434,15 @@ TEST_F(SceneViewTest, NoExperimentAndNoObjectsAreCalmPictures) {
 TEST_F(SceneViewTest, ThirtyThousandSamplesStayQuick) {
     SceneView view;
     view.resize(1000, 700);
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.source.shape = plates().back().second;
     view.setExperiment(experiment);
     show(view);
-    const std::vector<TraceSample> samples = testing::spiral(30000);
+    const std::vector<TraceSample> samples = test::spiral(30000);
     view.setSamples(samples);
     const QImage image = grab(view);
     keepScreenshot(image, QStringLiteral("scene-30000"));
-    EXPECT_GT(testing::coloursIn(image), 200);
+    EXPECT_GT(test::coloursIn(image), 200);
 
     const std::clock_t begin = std::clock();
     for (int i = 0; i < 1000; ++i)
@@ -467,7 +466,7 @@ TEST_F(SceneViewTest, ThirtyThousandSamplesStayQuick) {
 TEST_F(SceneViewTest, MouseWheelAndKeysMoveTheCameraAndPresetsBringItBack) {
     SceneView view;
     view.resize(700, 500);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     show(view);
     const QImage home = grab(view);
     VtkView* picture = pictureOf(view);
@@ -478,36 +477,36 @@ TEST_F(SceneViewTest, MouseWheelAndKeysMoveTheCameraAndPresetsBringItBack) {
     QApplication::sendEvent(picture, &move);
     QTest::mouseRelease(picture, Qt::LeftButton, {}, {380, 280});
     const QImage turned = grab(view);
-    EXPECT_GT(testing::differentPixels(home, turned), 2000);
+    EXPECT_GT(test::differentPixels(home, turned), 2000);
     QWheelEvent wheel(QPointF(350, 250), picture->mapToGlobal(QPointF(350, 250)), {}, {0, 240}, Qt::NoButton,
                       Qt::NoModifier, Qt::NoScrollPhase, false);
     QApplication::sendEvent(picture, &wheel);
-    EXPECT_GT(testing::differentPixels(turned, grab(view)), 2000);
+    EXPECT_GT(test::differentPixels(turned, grab(view)), 2000);
     QTest::keyClick(picture, Qt::Key_Home);
-    EXPECT_LT(testing::differentPixels(home, grab(view)), 100);
+    EXPECT_LT(test::differentPixels(home, grab(view)), 100);
     for (const auto key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Plus}) {
         const QImage before = grab(view);
         QTest::keyClick(picture, key);
-        EXPECT_GT(testing::differentPixels(before, grab(view)), 1000) << key;
+        EXPECT_GT(test::differentPixels(before, grab(view)), 1000) << key;
     }
     view.viewIsometric();
-    EXPECT_LT(testing::differentPixels(home, grab(view)), 100);
+    EXPECT_LT(test::differentPixels(home, grab(view)), 100);
     // VTK's own keys would switch to wireframe or leave the program.
     for (const auto key : {Qt::Key_W, Qt::Key_E, Qt::Key_3})
         QTest::keyClick(picture, key);
-    EXPECT_LT(testing::differentPixels(home, grab(view)), 100);
+    EXPECT_LT(test::differentPixels(home, grab(view)), 100);
 }
 
 // Catches a view in the old colours, units or language after a switch.
 TEST_F(SceneViewTest, FollowsPaletteAndUnit) {
     SceneView view;
     view.resize(700, 500);
-    view.setExperiment(testing::threeObjects());
-    view.setSamples(testing::spiral(100));
+    view.setExperiment(test::threeObjects());
+    view.setSamples(test::spiral(100));
     show(view);
     const QImage light = grab(view);
     view.setTemperatureUnit(TemperatureUnit::Fahrenheit);
-    EXPECT_GT(testing::differentPixels(light, grab(view)), 100);
+    EXPECT_GT(test::differentPixels(light, grab(view)), 100);
     QApplication::setPalette(themePalette(true));
     QCoreApplication::processEvents();
     EXPECT_EQ(QColor(grab(view).pixel(3, 3)), themePalette(true).color(QPalette::Base));
@@ -517,8 +516,8 @@ TEST_F(SceneViewTest, FollowsPaletteAndUnit) {
 TEST_F(SceneViewTest, PresetsLightAndDark) {
     SceneView view;
     view.resize(1000, 700);
-    view.setExperiment(testing::threeObjects());
-    view.setSamples(testing::spiral(600));
+    view.setExperiment(test::threeObjects());
+    view.setSamples(test::spiral(600));
     show(view);
     for (const bool dark : {false, true}) {
         QApplication::setPalette(themePalette(dark));
@@ -533,8 +532,8 @@ TEST_F(SceneViewTest, PresetsLightAndDark) {
         keepScreenshot(top, QStringLiteral("scene-top-") + suffix);
         keepScreenshot(side, QStringLiteral("scene-side-") + suffix);
         keepScreenshot(isometric, QStringLiteral("scene-isometric-") + suffix);
-        EXPECT_GT(testing::differentPixels(top, side), 20000);
-        EXPECT_GT(testing::differentPixels(side, isometric), 20000);
+        EXPECT_GT(test::differentPixels(top, side), 20000);
+        EXPECT_GT(test::differentPixels(side, isometric), 20000);
     }
     QApplication::setPalette(themePalette(false));
     view.resize(420, 320);

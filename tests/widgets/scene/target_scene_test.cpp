@@ -20,7 +20,7 @@
 namespace bask {
 namespace {
 
-using testing::keepScreenshot;
+using test::keepScreenshot;
 
 using Fields = std::vector<std::shared_ptr<const Field>>;
 
@@ -127,7 +127,7 @@ struct Above {
 
 /// From the source's middle and rim, which a scene without surfaces shows.
 Above scaleOf(const QImage& image) {
-    const QPointF middle = testing::middleOf(image, QColor(0xff, 0xb4, 0x5c), 40);
+    const QPointF middle = test::middleOf(image, QColor(0xff, 0xb4, 0x5c), 40);
     int left = image.width(), right = 0;
     const int y = static_cast<int>(std::lround(middle.y()));
     for (int x = 0; x < image.width(); ++x) {
@@ -142,7 +142,7 @@ Above scaleOf(const QImage& image) {
 
 // Catches: surfaces that are not drawn, drawn elsewhere than their points, or not in their objects' colours.
 TEST_F(TargetSceneTest, SurfacesStandWhereTheyAreInTheirColours) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.start.head<3>() << 0.0, -0.15, 0.2; // the ghost out of the way
     TargetScene scene;
     scene.setExperiment(experiment);
@@ -174,7 +174,7 @@ TEST_F(TargetSceneTest, SurfacesStandWhereTheyAreInTheirColours) {
 
 // Catches: translucency that depends on the order in which surfaces are handed over or drawn.
 TEST_F(TargetSceneTest, OverlappingSurfacesLookTheSameInAnyOrder) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.start.head<3>() << 0.0, -0.15, 0.2;
     const Isosurface low = square(0.0, 0.14, 0.1, 0.03), high = square(0.0, 0.14, 0.2, 0.03);
     TargetScene scene;
@@ -201,12 +201,12 @@ TEST_F(TargetSceneTest, OverlappingSurfacesLookTheSameInAnyOrder) {
     scene.setSurfaces({both}, experiment.start);
     const QImage first = grab(scene);
     scene.setSurfaces({swapped}, experiment.start);
-    EXPECT_LT(testing::differentPixels(first, grab(scene)), 20);
+    EXPECT_LT(test::differentPixels(first, grab(scene)), 20);
 }
 
 // Catches: a whole example that does not show its three surfaces; kept in light and dark to be looked at.
 TEST_F(TargetSceneTest, ShowsAnExamplesSurfaces) {
-    const Experiment experiment = testing::threeObjects();
+    const Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     scene.setSurfaces(surfacesOf(experiment), experiment.start);
@@ -217,7 +217,7 @@ TEST_F(TargetSceneTest, ShowsAnExamplesSurfaces) {
     show(scene);
     const QImage light = grab(scene);
     keepScreenshot(light, QStringLiteral("targets-feasible-light"));
-    EXPECT_GT(testing::coloursIn(light), 3000);
+    EXPECT_GT(test::coloursIn(light), 3000);
     QApplication::setPalette(themePalette(true));
     QCoreApplication::processEvents();
     const QImage dark = grab(scene);
@@ -231,7 +231,7 @@ TEST_F(TargetSceneTest, ShowsAnExamplesSurfaces) {
     scene.setVerdictPoint(verdict);
     const QImage apartPicture = grab(scene);
     keepScreenshot(apartPicture, QStringLiteral("targets-infeasible-light"));
-    EXPECT_GT(testing::differentPixels(light, apartPicture), 300);
+    EXPECT_GT(test::differentPixels(light, apartPicture), 300);
     scene.viewAlongX();
     keepScreenshot(grab(scene), QStringLiteral("targets-infeasible-side"));
 }
@@ -239,7 +239,7 @@ TEST_F(TargetSceneTest, ShowsAnExamplesSurfaces) {
 // Catches: a common point that is not marked, is hidden behind surfaces, or stands elsewhere; a closest
 // approach without its line.
 TEST_F(TargetSceneTest, MarksTheCommonPointOrTheClosestApproach) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.start.head<3>() << 0.0, -0.15, 0.2;
     TargetScene scene;
     scene.setExperiment(experiment);
@@ -274,7 +274,7 @@ TEST_F(TargetSceneTest, MarksTheCommonPointOrTheClosestApproach) {
 
 // Catches: an old picture that looks like a new one, and a hatch that stays.
 TEST_F(TargetSceneTest, StaleIsSeen) {
-    const Experiment experiment = testing::threeObjects();
+    const Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     scene.setSurfaces(surfacesOf(experiment), experiment.start);
@@ -283,14 +283,14 @@ TEST_F(TargetSceneTest, StaleIsSeen) {
     scene.setStale(true);
     const QImage stale = grab(scene);
     keepScreenshot(stale, QStringLiteral("targets-stale-light"));
-    EXPECT_GT(testing::differentPixels(fresh, stale), fresh.width() * fresh.height() / 10);
+    EXPECT_GT(test::differentPixels(fresh, stale), fresh.width() * fresh.height() / 10);
     scene.setStale(false);
-    EXPECT_LT(testing::differentPixels(fresh, grab(scene)), 20);
+    EXPECT_LT(test::differentPixels(fresh, grab(scene)), 20);
 }
 
 // Catches: surfaces that vanish while a target is typed, and ones that stay when the objects are others.
 TEST_F(TargetSceneTest, AnotherTargetKeepsThePicture) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     show(scene);
@@ -299,18 +299,18 @@ TEST_F(TargetSceneTest, AnotherTargetKeepsThePicture) {
     const QImage before = grab(scene);
     experiment.objects[0].target_K += 0.04; // shown to a tenth
     scene.setExperiment(experiment);
-    EXPECT_LT(testing::differentPixels(before, grab(scene)), 20);
+    EXPECT_LT(test::differentPixels(before, grab(scene)), 20);
     experiment.objects[0].target_K += 3.0;
     scene.setExperiment(experiment);
-    EXPECT_GT(testing::differentPixels(before, grab(scene)), 10) << "the label";
+    EXPECT_GT(test::differentPixels(before, grab(scene)), 10) << "the label";
     experiment.objects[0].shape = Disk{0.0151};
     scene.setExperiment(experiment);
-    EXPECT_LT(testing::differentPixels(bare, grab(scene)), 800);
+    EXPECT_LT(test::differentPixels(bare, grab(scene)), 800);
 }
 
 // Catches: a cut in the wrong place or of the wrong numbers, and a bar in another unit than the operator's.
 TEST_F(TargetSceneTest, TheCutHasTheFieldsColours) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     const auto fields = fieldsOf(experiment);
     TargetScene scene;
     scene.setExperiment(experiment);
@@ -342,7 +342,7 @@ TEST_F(TargetSceneTest, TheCutHasTheFieldsColours) {
     keepScreenshot(temperatures, QStringLiteral("targets-cut-T-light"));
     scene.setTemperatureUnit(TemperatureUnit::Fahrenheit);
     const QImage fahrenheit = grab(scene);
-    EXPECT_GT(testing::differentPixels(temperatures, fahrenheit), 500);
+    EXPECT_GT(test::differentPixels(temperatures, fahrenheit), 500);
     QApplication::setPalette(themePalette(true));
     QCoreApplication::processEvents();
     keepScreenshot(grab(scene), QStringLiteral("targets-cut-T-dark"));
@@ -354,7 +354,7 @@ TEST_F(TargetSceneTest, TheCutHasTheFieldsColours) {
 // Catches: a click that picks another point than the one under it, or words of another pose; a drag that
 // picks.
 TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.start[kThetaX] = 0.2;
     TargetScene scene;
     scene.setExperiment(experiment);
@@ -381,16 +381,16 @@ TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
         << words[0].toStdString();
     const QImage picked = grab(scene);
     keepScreenshot(picked, QStringLiteral("targets-picked"));
-    EXPECT_GT(testing::differentPixels(before, picked), 100) << "neither mark nor arrows";
+    EXPECT_GT(test::differentPixels(before, picked), 100) << "neither mark nor arrows";
     for (int i = 0; i < 3; ++i)
-        EXPECT_GT(testing::pixelsOf(picked, seriesColor(i, false), 8),
-                  testing::pixelsOf(before, seriesColor(i, false), 8) + 40)
+        EXPECT_GT(test::pixelsOf(picked, seriesColor(i, false), 8),
+                  test::pixelsOf(before, seriesColor(i, false), 8) + 40)
             << "no arrow of object " << i;
     QSignalSpy dropped(&scene, &TargetScene::pickDropped);
     scene.clearPick();
     scene.clearPick();
     EXPECT_EQ(dropped.count(), 1);
-    EXPECT_LT(testing::differentPixels(before, grab(scene)), 20);
+    EXPECT_LT(test::differentPixels(before, grab(scene)), 20);
 
     QTest::mouseClick(pictureOf(scene), Qt::LeftButton, {}, place(-0.15, 0.13));
     EXPECT_EQ(spy.count(), 1) << "there is nothing";
@@ -403,7 +403,7 @@ TEST_F(TargetSceneTest, AClickPicksWhatIsUnderIt) {
 
 // Catches: a picked point's arrows under a label, in a view so small that labels are close.
 TEST_F(TargetSceneTest, NoLabelHidesAPickedPointsArrows) {
-    const Experiment experiment = testing::threeObjects();
+    const Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     scene.setSurfaces(surfacesOf(experiment), experiment.start);
@@ -418,8 +418,8 @@ TEST_F(TargetSceneTest, NoLabelHidesAPickedPointsArrows) {
         const QImage picked = grab(scene);
         int more = 0;
         for (int i = 0; i < 3; ++i)
-            more += testing::pixelsOf(picked, seriesColor(i, false), 8) -
-                    testing::pixelsOf(before, seriesColor(i, false), 8);
+            more += test::pixelsOf(picked, seriesColor(i, false), 8) -
+                    test::pixelsOf(before, seriesColor(i, false), 8);
         EXPECT_GT(more, 60) << y;
     }
     EXPECT_EQ(spy.count(), 5);
@@ -427,7 +427,7 @@ TEST_F(TargetSceneTest, NoLabelHidesAPickedPointsArrows) {
 
 // Catches: a clearance plane that is not where an object would be too near: here a palm's width under E.
 TEST_F(TargetSceneTest, TheClearancePlaneIsTheEndEffectorsLowest) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.robot.clearance_m = 0.12;
     TargetScene scene;
     scene.setExperiment(experiment);
@@ -437,12 +437,12 @@ TEST_F(TargetSceneTest, TheClearancePlaneIsTheEndEffectorsLowest) {
     keepScreenshot(high, QStringLiteral("targets-clearance"));
     experiment.robot.clearance_m = 0.02;
     scene.setExperiment(experiment);
-    EXPECT_GT(testing::differentPixels(high, grab(scene)), 500);
+    EXPECT_GT(test::differentPixels(high, grab(scene)), 500);
 }
 
 // Catches: a saved picture of another size, or without the surfaces; a view that stays at the picture's size.
 TEST_F(TargetSceneTest, SavesPicturesOfAnySize) {
-    const Experiment experiment = testing::threeObjects();
+    const Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     scene.setSurfaces(surfacesOf(experiment), experiment.start);
@@ -454,7 +454,7 @@ TEST_F(TargetSceneTest, SavesPicturesOfAnySize) {
         ASSERT_TRUE(scene.saveImage(path, size));
         const QImage image(path);
         EXPECT_EQ(image.size(), size);
-        EXPECT_GT(testing::coloursIn(image), 1500);
+        EXPECT_GT(test::coloursIn(image), 1500);
         keepScreenshot(image, QStringLiteral("targets-saved-%1").arg(size.width()));
     }
     EXPECT_EQ(pictureOf(scene)->size(), before);
@@ -465,7 +465,7 @@ TEST_F(TargetSceneTest, SavesPicturesOfAnySize) {
 
 // Catches: a picture that is cut off, or of the view's size, because the page was left while it is made.
 TEST_F(TargetSceneTest, APictureIsWholeWhileTheSceneIsHidden) {
-    const Experiment experiment = testing::threeObjects();
+    const Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     scene.setSurfaces(surfacesOf(experiment), experiment.start);
@@ -475,15 +475,15 @@ TEST_F(TargetSceneTest, APictureIsWholeWhileTheSceneIsHidden) {
     scene.hide();
     const QImage hidden = scene.image(size);
     ASSERT_EQ(hidden.size(), size);
-    EXPECT_LT(testing::differentPixels(shown, hidden), 50);
+    EXPECT_LT(test::differentPixels(shown, hidden), 50);
     show(scene);
-    EXPECT_LT(testing::differentPixels(shown, scene.image(size)), 50);
+    EXPECT_LT(test::differentPixels(shown, scene.image(size)), 50);
 }
 
 // Catches: angles drawn as positions, on axes of centimetres, with a source that is nowhere in that space; a
 // pick there that gives positions.
 TEST_F(TargetSceneTest, OverTheAnglesTheAxesAreAngles) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.start.head<3>() << 0.02, 0.0, 0.14;
     TargetScene scene;
     scene.setExperiment(experiment);
@@ -493,8 +493,8 @@ TEST_F(TargetSceneTest, OverTheAnglesTheAxesAreAngles) {
     scene.setCut(SceneCut{fieldsOf(experiment, PoseSubset::Rotation)[0], 0, kThetaZ, -1.2, true});
     const QImage angles = grab(scene);
     keepScreenshot(angles, QStringLiteral("targets-angles-light"));
-    EXPECT_GT(testing::pixelsOf(positions, QColor(0xff, 0xb4, 0x5c), 40), 500);
-    EXPECT_LT(testing::pixelsOf(angles, QColor(0xff, 0xb4, 0x5c), 40), 20) << "the source is still there";
+    EXPECT_GT(test::pixelsOf(positions, QColor(0xff, 0xb4, 0x5c), 40), 500);
+    EXPECT_LT(test::pixelsOf(angles, QColor(0xff, 0xb4, 0x5c), 40), 20) << "the source is still there";
     EXPECT_THROW(scene.setCut(SceneCut{fieldsOf(experiment)[0], 0}), std::invalid_argument);
 
     scene.setCut(std::nullopt);
@@ -535,7 +535,7 @@ int longestLine(const QImage& image) {
 // Catches: angles that the robot cannot turn to and that look as if it could: the range of its angle is a
 // line as long as it, seen through a surface, and in words; an angle that it does not move has none.
 TEST_F(TargetSceneTest, OverTheAnglesTheRobotsOwnAreShown) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.viewAlongMinusZ();
     show(scene);
@@ -557,7 +557,7 @@ TEST_F(TargetSceneTest, OverTheAnglesTheRobotsOwnAreShown) {
 // Catches: an object without a surface that says nothing of it, in any space; and one that says so of a
 // target whose surface is not known yet.
 TEST_F(TargetSceneTest, ALabelSaysThatATargetIsNowhere) {
-    const Experiment experiment = testing::threeObjects();
+    const Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     show(scene);
@@ -567,18 +567,18 @@ TEST_F(TargetSceneTest, ALabelSaysThatATargetIsNowhere) {
         scene.setSurfaces({Isosurface(), Isosurface(), Isosurface()}, experiment.start, subset);
         const QImage nowhere = grab(scene);
         keepScreenshot(nowhere, QStringLiteral("targets-nowhere-%1").arg(static_cast<int>(subset)));
-        EXPECT_GT(testing::differentPixels(unknown, nowhere), 300);
+        EXPECT_GT(test::differentPixels(unknown, nowhere), 300);
     }
     scene.setSurfaces({}, experiment.start);
     scene.setStale(true);
     const QImage unknown = grab(scene);
     scene.setSurfaces({Isosurface(), Isosurface(), Isosurface()}, experiment.start);
-    EXPECT_LT(testing::differentPixels(unknown, grab(scene)), 20);
+    EXPECT_LT(test::differentPixels(unknown, grab(scene)), 20);
 }
 
 // Catches: a colour bar that does not say whose field it is.
 TEST_F(TargetSceneTest, TheBarNamesTheObject) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     const auto fields = fieldsOf(experiment);
     TargetScene scene;
     scene.setExperiment(experiment);
@@ -590,7 +590,7 @@ TEST_F(TargetSceneTest, TheBarNamesTheObject) {
         for (const int object : {0, 1}) {
             scene.setCut(SceneCut{fields[0], object, kZ, 0.1, asTemperature});
             const QImage now = grab(scene).copy(title);
-            EXPECT_GT(testing::differentPixels(before, now), 20) << asTemperature << object;
+            EXPECT_GT(test::differentPixels(before, now), 20) << asTemperature << object;
             before = now;
         }
 }
@@ -598,7 +598,7 @@ TEST_F(TargetSceneTest, TheBarNamesTheObject) {
 // Catches: objects that do not stand on their own surfaces, axes that say nothing of whose positions they
 // are, a mark where nothing meets, and a pick there that puts the end-effector where the object is.
 TEST_F(TargetSceneTest, OverTheirOwnPositionsObjectsStandOnTheirSurfaces) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     experiment.objects[0].mounting.head<3>() << 0.05, 0.0, 0.0;
     experiment.start[kThetaZ] = 1.5707963267948966; // the circle stands towards +y
     TargetScene scene;
@@ -612,11 +612,11 @@ TEST_F(TargetSceneTest, OverTheirOwnPositionsObjectsStandOnTheirSurfaces) {
     scene.setVerdictPoint(verdict);
     scene.setSurfaces({}, experiment.start);
     const QColor mark = QApplication::palette().color(QPalette::Text);
-    const int marked = testing::pixelsOf(grab(scene), mark, 20);
+    const int marked = test::pixelsOf(grab(scene), mark, 20);
     scene.setSurfaces({square(0.1, 0.1, 0.1, 0.03)}, experiment.start, PoseSubset::OwnTranslation);
     const QImage own = grab(scene);
     keepScreenshot(own, QStringLiteral("targets-own-square"));
-    EXPECT_LT(testing::pixelsOf(own, mark, 20), marked - 100) << "the common point is still marked";
+    EXPECT_LT(test::pixelsOf(own, mark, 20), marked - 100) << "the common point is still marked";
 
     // The square's middle is where the circle's is: a click there picks the verdict's pose.
     const QColor ground = QApplication::palette().color(QPalette::Base);
@@ -640,7 +640,7 @@ TEST_F(TargetSceneTest, OverTheirOwnPositionsObjectsStandOnTheirSurfaces) {
 
 // Catches: a point marked as common to surfaces that are held elsewhere and do not meet there.
 TEST_F(TargetSceneTest, MarksNothingOnSurfacesHeldElsewhere) {
-    Experiment experiment = testing::threeObjects();
+    Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     show(scene);
@@ -651,16 +651,16 @@ TEST_F(TargetSceneTest, MarksNothingOnSurfacesHeldElsewhere) {
     scene.setVerdictPoint(verdict);
     scene.setSurfaces({}, verdict.pose);
     const QColor mark = QApplication::palette().color(QPalette::Text);
-    const int marked = testing::pixelsOf(grab(scene), mark, 20);
+    const int marked = test::pixelsOf(grab(scene), mark, 20);
     Vector6d tilted = verdict.pose;
     tilted[kThetaX] = -0.2;
     scene.setSurfaces({}, tilted);
-    EXPECT_LT(testing::pixelsOf(grab(scene), mark, 20), marked - 100);
+    EXPECT_LT(test::pixelsOf(grab(scene), mark, 20), marked - 100);
 }
 
 // Catches: a large picture whose text and lines stay as small as on the screen.
 TEST_F(TargetSceneTest, ALargePictureLooksAsASmallOne) {
-    const Experiment experiment = testing::threeObjects();
+    const Experiment experiment = test::threeObjects();
     TargetScene scene;
     scene.setExperiment(experiment);
     scene.setSurfaces(surfacesOf(experiment), experiment.start);

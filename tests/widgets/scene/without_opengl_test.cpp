@@ -17,12 +17,12 @@ namespace {
 TEST(SceneWithoutOpenGL, SaysSoAndTakesEverySetter) {
     SceneView view;
     view.resize(640, 480);
-    view.setExperiment(testing::threeObjects());
+    view.setExperiment(test::threeObjects());
     view.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&view));
     if (view.hasPicture())
         GTEST_SKIP() << "this platform has OpenGL";
-    view.setSamples(testing::spiral(50));
+    view.setSamples(test::spiral(50));
     view.setPose(Vector6d::Zero());
     view.setTemperatures({300.0});
     view.setTemperatureUnit(TemperatureUnit::Kelvin);
@@ -35,13 +35,13 @@ TEST(SceneWithoutOpenGL, SaysSoAndTakesEverySetter) {
     ASSERT_NE(notice, nullptr);
     EXPECT_TRUE(notice->isVisible());
     EXPECT_TRUE(notice->text().contains(QStringLiteral("OpenGL")));
-    testing::keepScreenshot(view.grab().toImage(), QStringLiteral("scene-without-opengl"));
+    test::keepScreenshot(view.grab().toImage(), QStringLiteral("scene-without-opengl"));
 }
 
 TEST(SceneWithoutOpenGL, TheTargetsSceneDoesSoToo) {
     TargetScene scene;
     scene.resize(640, 480);
-    scene.setExperiment(testing::threeObjects());
+    scene.setExperiment(test::threeObjects());
     scene.show();
     ASSERT_TRUE(QTest::qWaitForWindowExposed(&scene));
     if (scene.hasPicture())
