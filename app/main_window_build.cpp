@@ -20,6 +20,17 @@
 #include <QVBoxLayout>
 
 namespace bask {
+namespace {
+
+/// Moves or heats the rig outside of a run.
+bool isManual(const Command& command) {
+    if (const auto* heat = std::get_if<SetHeat>(&command))
+        return heat->setPoint_K.has_value();
+    return std::holds_alternative<MoveTo>(command) || std::holds_alternative<Jog>(command) ||
+           std::holds_alternative<HomeRobot>(command) || std::holds_alternative<ClearRobotAlarm>(command);
+}
+
+} // namespace
 
 void MainWindow::buildLayout() {
     setObjectName(QStringLiteral("mainWindow"));
@@ -114,7 +125,13 @@ void MainWindow::connectParts() {
     connect(&m_engine, &EngineClient::answeringChanged, m_stateBar, &StateBar::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_dock, &BottomDock::setAnswering);
-    connect(m_pages, &PageHost::commandIssued, &m_engine, &EngineClient::send);
+    connect(m_pages, &PageHost::commandIssued, this, [this](const Command& command) {
+        if (isManual(command))
+            m_recipe->takeOverAtRest();
+        else if (std::holds_alternative<Hold>(command))
+            m_recipe->takeOver();
+        m_engine.send(command);
+    });
     connect(m_pages, &PageHost::manualRequested, this, &MainWindow::showManual);
     connect(m_pages, &PageHost::pageChanged, this, [this](Page page) {
         m_actions.showPage(static_cast<int>(page));

@@ -7,6 +7,7 @@
 #include "widgets/common/display.h"
 #include "widgets/recipe/recipe_panel.h"
 #include "widgets/recipe/recipe_words.h"
+#include "widgets/rig/way_up_question.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -19,6 +20,7 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kMostShown = 12; ///< steps in the question
+const QString kQuestion = QStringLiteral("recipeQuestion");
 
 const RecipeStep& of(const RecipeRunner& runner) {
     return runner.recipe().steps[runner.step()];
@@ -192,6 +194,9 @@ void RecipeControl::ask(RecipeExperiments experiments) {
                 tr("Step %1 is for another rig than the present one: a recipe runs on one rig, which "
                    "has been looked at.")
                     .arg(i + 1));
+    if (isKeptHotByHand(rig))
+        return emit problem(
+            tr("The source is heated by hand: a recipe cannot switch it off between its steps."));
     if (isOn() || m_files.refusedByRun() || !m_files.mayDiscard())
         return;
     QStringList lines;
@@ -206,7 +211,7 @@ void RecipeControl::ask(RecipeExperiments experiments) {
     }
     if (m_recipe.steps.size() > kMostShown)
         lines << tr("and %n more", nullptr, static_cast<int>(m_recipe.steps.size() - kMostShown));
-    delete m_window->findChild<QMessageBox*>(QStringLiteral("recipeQuestion"));
+    dropQuestion(m_window, kQuestion);
     auto* box =
         new QMessageBox(rig ? QMessageBox::Warning : QMessageBox::Question, tr("Start the recipe"),
                         tr("It takes at most %1 and its retreats:").arg(formatDuration(atMost_s(m_recipe))) +
@@ -217,7 +222,7 @@ void RecipeControl::ask(RecipeExperiments experiments) {
                  "everybody and everything out of the way for so long? An alarm, a hold or a stop ends the "
                  "recipe.")
             : tr("An alarm, a hold or a stop ends the recipe."));
-    box->setObjectName(QStringLiteral("recipeQuestion"));
+    box->setObjectName(kQuestion);
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* go = box->addButton(tr("Start"), QMessageBox::AcceptRole);
     QPushButton* stay = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
@@ -235,10 +240,15 @@ void RecipeControl::ask(RecipeExperiments experiments) {
 }
 
 void RecipeControl::begin(RecipeExperiments experiments) {
-    if (isOn() || m_files.refusedByRun())
+    if (isOn() || !m_isStartable || m_files.refusedByRun())
         return;
-    m_runner.emplace(m_recipe, std::move(experiments),
-                     [this](std::size_t) { return m_files.nextRecordingPath().toStdString(); });
+    m_runner.emplace(m_recipe, std::move(experiments), [this](std::size_t) -> Result<std::string> {
+        const QString path = m_files.nextRecordingPath();
+        if (path.isEmpty())
+            return Error(MessageCode::FileUnwritable, {},
+                         {SessionActions::tr("the folder cannot be made").toStdString()});
+        return path.toStdString();
+    });
     post(m_runner->begin(m_last));
     showPanel();
 }
@@ -253,7 +263,10 @@ void RecipeControl::post(const std::vector<Command>& commands) {
 
 void RecipeControl::apply(const Snapshot& snapshot) {
     m_last = snapshot;
-    m_panel.setStartable(allowsEdits(snapshot.state) && snapshot.state != RunState::Fault);
+    m_isStartable = allowsEdits(snapshot.state) && snapshot.state != RunState::Fault;
+    m_panel.setStartable(m_isStartable);
+    if (!m_isStartable)
+        dropQuestion(m_window, kQuestion);
     if (!isOn())
         return;
     m_runner->setKeepsExperiment(m_document.modified());
@@ -263,11 +276,18 @@ void RecipeControl::apply(const Snapshot& snapshot) {
 }
 
 void RecipeControl::takeOver() {
+    dropQuestion(m_window, kQuestion);
     if (!isOn())
         return;
     m_runner->takeOver();
     showPanel();
     tellEnd();
+}
+
+void RecipeControl::takeOverAtRest() {
+    if (isOn() &&
+        (m_runner->phase() == RecipeRunner::Phase::Load || m_runner->phase() == RecipeRunner::Phase::Wait))
+        takeOver();
 }
 
 void RecipeControl::tellEnd() {

@@ -28,6 +28,8 @@ public:
     void apply(const Snapshot& snapshot);
     /// A person is about to stop or hold the rig.
     void takeOver();
+    /// A person is about to move or heat the rig by hand, which a run under way refuses.
+    void takeOverAtRest();
     bool isOn() const { return m_runner && !m_runner->isOver(); }
 
 signals:
@@ -62,6 +64,7 @@ private:
     bool m_isModified = false;
     std::optional<RecipeRunner> m_runner; ///< of the recipe as it is: an edit forgets it
     Snapshot m_last;
+    bool m_isStartable = false; ///< no run is armed or on, nothing is latched
     LatestJob<Result<RecipeExperiments>> m_read;
 };
 

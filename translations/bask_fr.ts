@@ -7935,5 +7935,9 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>The experiment has unsaved edits.</source>
             <translation>L’expérience a des modifications non enregistrées.</translation>
         </message>
+        <message>
+            <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
+            <translation>La source est chauffée à la main : une recette ne peut pas l’éteindre entre ses étapes.</translation>
+        </message>
     </context>
 </TS>

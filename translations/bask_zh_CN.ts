@@ -7924,5 +7924,9 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>The experiment has unsaved edits.</source>
             <translation>实验有未保存的编辑。</translation>
         </message>
+        <message>
+            <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
+            <translation>热源由人工加热：配方无法在各步骤之间将其关闭。</translation>
+        </message>
     </context>
 </TS>

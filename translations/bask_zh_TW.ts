@@ -7924,5 +7924,9 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>The experiment has unsaved edits.</source>
             <translation>實驗有未儲存的編輯。</translation>
         </message>
+        <message>
+            <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
+            <translation>熱源由人工加熱：配方無法在各步驟之間將其關閉。</translation>
+        </message>
     </context>
 </TS>

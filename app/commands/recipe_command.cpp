@@ -169,6 +169,8 @@ std::optional<std::string> otherRig(const RecipeExperiments& experiments) {
         const std::string place = "steps[" + std::to_string(i) + "]: ";
         if (!experiments[i]->rig)
             return place + describe(Message{MessageCode::RigMissing, {}});
+        if (isKeptHotByHand(experiments[i]->rig))
+            return place + "its source is heated by hand; a recipe cannot switch it off between its steps";
         if (experiments[i]->rig != experiments.front()->rig)
             return place + "its rig is another than the first step's; a recipe runs on one rig";
     }

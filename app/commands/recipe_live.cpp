@@ -5,6 +5,8 @@
 #include <QCoreApplication>
 #include <QTimer>
 
+#include <utility>
+
 namespace bask {
 namespace {
 
@@ -29,13 +31,15 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch) {
     int seen = 0;
     QTimer look;
     QObject::connect(&look, &QTimer::timeout, &here, [&] {
-        if (signalCount.now() == seen)
+        const int before = std::exchange(seen, signalCount.now());
+        if (seen == before)
             return;
-        seen = signalCount.now();
-        if (seen == 1)
+        if (seen == 1) {
             post(runner.stopNow());
-        else
+        } else {
+            runner.takeOver(); // by what the engine told before, it would go on
             engine.post(EmergencyStop{});
+        }
         if (runner.isOver())
             QCoreApplication::exit();
     });

@@ -118,4 +118,8 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
     return out;
 }
 
+bool isKeptHotByHand(const std::optional<RigSpec>& rig) {
+    return rig && rig->source && rig->source->driver == HeatSourceDriver::ByHand;
+}
+
 } // namespace bask

@@ -67,4 +67,7 @@ using RecipeExperiments = std::vector<std::shared_ptr<const Experiment>>;
 /// cannot be read, objects that an experiment does not have.
 Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleReader& readExample);
 
+/// A person switches its source, so that no recipe can take the heat off between its steps.
+bool isKeptHotByHand(const std::optional<RigSpec>& rig);
+
 } // namespace bask

@@ -25,6 +25,11 @@ Message firstOf(const Snapshot& snapshot) {
     return snapshot.reasons.empty() ? Message{} : snapshot.reasons.front();
 }
 
+/// By jog, by its own controls, or heated by hand: a recipe has no part in that.
+bool isInHand(const Snapshot& snapshot) {
+    return snapshot.isMoving || snapshot.heatSetPoint_K.has_value();
+}
+
 bool isHeldByPerson(const Snapshot& snapshot) {
     return std::ranges::any_of(snapshot.reasons, [](const Message& reason) {
         return reason.code == MessageCode::ReasonHeldByOperator;
@@ -48,6 +53,7 @@ RecipeRunner::RecipeRunner(Recipe recipe, RecipeExperiments experiments, Recordi
 std::vector<Command> RecipeRunner::begin(const Snapshot& now) {
     m_orders.clear();
     m_loadId = now.loadId;
+    remember(now.alarms);
     enter(0);
     return std::move(m_orders);
 }
@@ -118,7 +124,8 @@ void RecipeRunner::enter(std::size_t step) {
 
 void RecipeRunner::loading(const Snapshot& snapshot) {
     if (snapshot.loadId == m_loadId && !m_isAnswered) { // from before
-        if (snapshot.refusal.code != MessageCode::None)
+        const MessageCode refusal = snapshot.refusal.code;
+        if (refusal != MessageCode::None && refusal != MessageCode::CommandNotNow) // which no load is told
             failed(snapshot.refusal);
         return;
     }
@@ -127,7 +134,7 @@ void RecipeRunner::loading(const Snapshot& snapshot) {
         m_loadId = snapshot.loadId;
         m_since_s = snapshot.clock_s;
         m_reset_s = -HUGE_VAL;
-    } else if (snapshot.loadId != m_loadId) {
+    } else if (snapshot.loadId != m_loadId || isInHand(snapshot)) {
         return finishAll(State::Stopped, RecipeEnd::TakenOver);
     }
     const SamplingSpec& sampling = m_loaded->sampling;
@@ -141,6 +148,8 @@ void RecipeRunner::loading(const Snapshot& snapshot) {
             m_reset_s = snapshot.clock_s;
             m_orders.emplace_back(Reset{});
         }
+    } else if (const Alarm* alarm = newAlarm(snapshot)) {
+        endBy(snapshot, RecipeEnd::Alarm, alarm->message);
     } else if (now().isRun() ? snapshot.state == RunState::Ready : isAtRest(snapshot.state)) {
         ready(snapshot);
     } else if (isLate) {
@@ -155,15 +164,18 @@ void RecipeRunner::ready(const Snapshot& snapshot) {
         m_phase = Phase::Wait;
         return;
     }
-    m_progress[m_step].recording = m_recordingPath(m_step);
+    const auto recording = m_recordingPath(m_step);
+    if (!recording)
+        return failed(recording.error().message);
+    m_progress[m_step].recording = *recording;
     m_isAnswered = false;
     m_phase = Phase::Arm;
     m_orders.emplace_back(Arm{m_progress[m_step].recording});
 }
 
 void RecipeRunner::arming(const Snapshot& snapshot) {
-    if (snapshot.state == RunState::Fault)
-        return finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
+    if (isEndedBefore(snapshot))
+        return;
     if (snapshot.loadId != m_loadId)
         return finishAll(State::Stopped, RecipeEnd::TakenOver);
     if (snapshot.state == RunState::Armed) {
@@ -184,8 +196,8 @@ void RecipeRunner::arming(const Snapshot& snapshot) {
 }
 
 void RecipeRunner::starting(const Snapshot& snapshot) {
-    if (snapshot.state == RunState::Fault)
-        return finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
+    if (isEndedBefore(snapshot))
+        return;
     if (snapshot.state == RunState::Running) {
         m_phase = Phase::Run;
         return running(snapshot);
@@ -196,6 +208,22 @@ void RecipeRunner::starting(const Snapshot& snapshot) {
         m_orders.emplace_back(Stop{}); // disarms
         failed(snapshot.refusal);
     }
+}
+
+/// By a fault, a retreat of the engine's own, or an alarm, before its run was on.
+bool RecipeRunner::isEndedBefore(const Snapshot& snapshot) {
+    const Alarm* alarm = newAlarm(snapshot);
+    if (snapshot.state == RunState::Fault) {
+        finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
+    } else if (snapshot.state == RunState::Stopping && !snapshot.reasons.empty()) {
+        endBy(snapshot, RecipeEnd::Fault, firstOf(snapshot));
+    } else if (alarm != nullptr && snapshot.state != RunState::Running) {
+        m_end = RecipeEnd::Alarm;
+        stopRun(State::Failed, alarm->message); // disarms; a start that is on its way is stopped
+    } else {
+        return false;
+    }
+    return true;
 }
 
 void RecipeRunner::running(const Snapshot& snapshot) {
@@ -260,7 +288,7 @@ void RecipeRunner::waiting(const Snapshot& snapshot) {
         return finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
     if (const Alarm* alarm = newAlarm(snapshot))
         return endBy(snapshot, RecipeEnd::Alarm, alarm->message);
-    if (!isAtRest(snapshot.state) || snapshot.loadId != m_loadId)
+    if (!isAtRest(snapshot.state) || snapshot.loadId != m_loadId || isInHand(snapshot))
         return finishAll(State::Stopped, RecipeEnd::TakenOver);
     if (isReached(snapshot.latest, progress.elapsed_s))
         finish(State::Done);
@@ -292,10 +320,15 @@ bool RecipeRunner::isReached(const TraceSample& sample, double time_s) {
     return step.until == Until::Above ? measured_K >= step.temperature_K : measured_K <= step.temperature_K;
 }
 
+/// Also one that is over again: the load of the next experiment takes an alarm's cause out of sight.
 const Alarm* RecipeRunner::newAlarm(const Snapshot& snapshot) const {
-    const auto it = std::ranges::find_if(snapshot.alarms, [this](const Alarm& alarm) {
-        return alarm.isActive && alarm.priority <= kLeastUrgent &&
-               !m_knownAlarms.contains({alarm.id, alarm.count});
+    const auto isAllowed = [this](MessageCode code) {
+        return code == MessageCode::SafetyNoWatchdog || // the rig's "unattended_heat" says so
+               (m_phase == Phase::Load && isNotThereYet(code));
+    };
+    const auto it = std::ranges::find_if(snapshot.alarms, [&](const Alarm& alarm) {
+        return alarm.priority <= kLeastUrgent && !m_knownAlarms.contains({alarm.id, alarm.count}) &&
+               !isAllowed(alarm.message.code);
     });
     return it == snapshot.alarms.end() ? nullptr : &*it;
 }

@@ -48,8 +48,8 @@ bool isNotThereYet(MessageCode code);
 /// recipe. Commands go to the engine in their order.
 class RecipeRunner {
 public:
-    /// The session file for a step's run; empty: it is not recorded.
-    using RecordingPath = std::function<std::string(std::size_t step)>;
+    /// The session file for a step's run; empty: it is not recorded. An error fails the step.
+    using RecordingPath = std::function<Result<std::string>(std::size_t step)>;
 
     /// A recipe with at least one run, with its experiments (readExperiments).
     RecipeRunner(Recipe recipe, RecipeExperiments experiments, RecordingPath recordingPath);
@@ -86,6 +86,7 @@ private:
     void ready(const Snapshot& snapshot);
     void arming(const Snapshot& snapshot);
     void starting(const Snapshot& snapshot);
+    bool isEndedBefore(const Snapshot& snapshot);
     void running(const Snapshot& snapshot);
     void stopping(const Snapshot& snapshot);
     void waiting(const Snapshot& snapshot);

@@ -141,6 +141,30 @@ TEST_F(RecipeTest, stopEndsItInAWaitToo) {
     EXPECT_EQ(stateOf(1), "To come");
 }
 
+// Catches a question, asked before STOP, whose answer takes the latch off.
+TEST_F(RecipeTest, stopTakesTheQuestionBack) {
+    ASSERT_NO_FATAL_FAILURE(openAndAsk());
+    click("stopButton");
+    EXPECT_EQ(question(), nullptr);
+    ASSERT_TRUE(waitForState(RunState::Fault));
+    EXPECT_FALSE(find<QPushButton>("recipeStart")->isEnabled());
+    EXPECT_FALSE(window->recipe().isOn());
+}
+
+// Catches a rig that starts by itself while somebody moves it by hand.
+TEST_F(RecipeTest, aMoveByHandEndsIt) {
+    write(R"({"wait": {"time_s": 30}}, {"run_example": "two-circles", "until": {"time_s": 15}})");
+    ASSERT_NO_FATAL_FAILURE(openAndAsk());
+    ASSERT_NO_FATAL_FAILURE(go());
+    ASSERT_TRUE(waitFor([this] { return bar().startsWith("Step 1 of 2: waiting"); })) << bar().toStdString();
+    Vector6d goal = window->lastSnapshot().latest.coordinates;
+    goal[2] += 0.01;
+    emit window->pages().commandIssued(MoveTo{goal});
+    EXPECT_FALSE(window->recipe().isOn());
+    EXPECT_EQ(stateOf(0), "Stopped");
+    ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().latest.coordinates.isApprox(goal, 1e-6); }));
+}
+
 TEST_F(RecipeTest, isEditedSavedAndAskedAbout) {
     ASSERT_NO_FATAL_FAILURE(openWindow({1280, 800}, path)); // as by a double click on the file
     ASSERT_EQ(tree()->topLevelItemCount(), 3);

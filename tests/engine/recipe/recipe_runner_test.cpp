@@ -196,6 +196,8 @@ TEST_F(Runner, aRunThatIsRefusedFailsItsStep) {
     RecipeStep first = run("a");
     first.goesOn = true;
     begin({first, first, first, run("b")});
+    snapshot.refusal = {MessageCode::CommandNotNow, {"Set targets", "Stopping"}}; // a person's, before
+    EXPECT_EQ(take(RunState::Ready), "");
     snapshot.refusal = refusal; // the load
     EXPECT_EQ(take(RunState::Ready), "load");
     EXPECT_EQ(at(0).reason, refusal);
@@ -347,6 +349,86 @@ TEST_F(Runner, theEnginesOwnRetreatIsWaitedFor) {
     EXPECT_EQ(take(RunState::Stopped), "");
     EXPECT_EQ(runner->end(), RecipeEnd::Alarm);
     EXPECT_EQ(at(1).state, State::Failed);
+}
+
+TEST_F(Runner, aRetreatOrAnAlarmBeforeTheStartEndsIt) {
+    for (const bool isStarted : {false, true}) {
+        snapshot.reasons.clear();
+        snapshot.alarms.clear();
+        begin({run("a"), run("b")});
+        load();
+        take(RunState::Ready);
+        take(RunState::Armed);
+        EXPECT_EQ(take(RunState::Armed, isStarted ? 1.1 : 0.1), isStarted ? "start" : "");
+        snapshot.reasons = {{MessageCode::SafetySourceHot, {"310", "305"}}};
+        EXPECT_EQ(take(RunState::Stopping), "");
+        EXPECT_FALSE(runner->isOver());
+        EXPECT_EQ(take(RunState::Fault), "");
+        EXPECT_EQ(runner->end(), RecipeEnd::Fault);
+        EXPECT_EQ(at(0).state, State::Failed);
+
+        snapshot.reasons.clear();
+        begin({run("a"), run("b")});
+        load();
+        take(RunState::Ready);
+        take(RunState::Armed);
+        EXPECT_EQ(take(RunState::Armed, isStarted ? 1.1 : 0.1), isStarted ? "start" : "");
+        raise(1, MessageCode::SafetyHeatNotOff);
+        EXPECT_EQ(take(RunState::Armed), "stop");
+        EXPECT_EQ(take(RunState::Ready), "");
+        EXPECT_EQ(runner->end(), RecipeEnd::Alarm);
+    }
+}
+
+// Catches a recipe that goes on to heat although the source could not be switched off: the next experiment's
+// load ends that alarm.
+TEST_F(Runner, anAlarmWhileTheNextIsLoadedEndsIt) {
+    begin({run("a"), run("b")});
+    load();
+    raise(1, MessageCode::LinkLost); // not there yet
+    raise(2, MessageCode::SafetyNoWatchdog);
+    EXPECT_EQ(take(RunState::NotReady), "");
+    EXPECT_EQ(take(RunState::Ready), "arm");
+    take(RunState::Armed);
+    EXPECT_EQ(take(RunState::Armed, 1.1), "start");
+    take(RunState::Running);
+    EXPECT_EQ(sample(100.0, 0.0), "stop");
+    EXPECT_EQ(take(RunState::Stopped), "load");
+    raise(1, MessageCode::SafetyHeatNotOff);
+    snapshot.alarms.back().isActive = false;
+    EXPECT_EQ(load(), "");
+    EXPECT_EQ(runner->end(), RecipeEnd::Alarm);
+    EXPECT_EQ(at(1).state, State::Failed);
+}
+
+// Catches a rig that arms and starts by itself while somebody works at it.
+TEST_F(Runner, endsWhereThePersonMovesOrHeatsByHand) {
+    begin({wait(Until::Time), run("a")});
+    load();
+    EXPECT_EQ(take(RunState::Ready), "");
+    snapshot.isMoving = true;
+    EXPECT_EQ(take(RunState::Ready), "");
+    EXPECT_EQ(runner->end(), RecipeEnd::TakenOver);
+    snapshot.isMoving = false;
+    begin({run("a")});
+    load();
+    snapshot.heatSetPoint_K = 400.0;
+    EXPECT_EQ(take(RunState::NotReady), "");
+    EXPECT_EQ(runner->end(), RecipeEnd::TakenOver);
+}
+
+// Catches runs that are not recorded, unseen, where the folder has gone.
+TEST_F(Runner, aRunThatCannotBeRecordedFails) {
+    begin({run("a")});
+    const auto one = std::make_shared<const Experiment>();
+    RecipeRunner other(runner->recipe(), {one}, [](std::size_t) {
+        return Error(MessageCode::FileUnwritable, "gone", {"it is gone"});
+    });
+    (void)other.begin(snapshot);
+    ++snapshot.loadId;
+    EXPECT_EQ(words(other.take(snapshot)), "");
+    EXPECT_EQ(other.end(), RecipeEnd::StepFailed);
+    EXPECT_EQ(other.reason().code, MessageCode::FileUnwritable);
 }
 
 TEST_F(Runner, whatAPersonStopsStaysStopped) {

@@ -101,7 +101,7 @@ TEST_F(SimulatedRecipe, aSessionThatCannotBeWrittenFailsItsStep) {
     const auto shared =
         std::make_shared<const Experiment>(*readExperiment(BASK_EXAMPLES "/two-circles.json"));
     RecipeRunner made({"", {step(Until::Time, 20.0)}}, {shared},
-                      [](std::size_t) { return "/nowhere/at-all.bask"; });
+                      [](std::size_t) { return std::string("/nowhere/at-all.bask"); });
     runSimulated(made);
     EXPECT_EQ(made.end(), RecipeEnd::StepFailed);
     EXPECT_EQ(made.reason().code, MessageCode::FileUnwritable) << describe(made.reason());
