@@ -11,23 +11,23 @@
 namespace bask {
 namespace {
 
-struct Verb {
+struct VerbText {
     const char* name; ///< as the engine gives it
     const char* text;
 };
-constexpr std::array kVerbs{
-    Verb{"Arm", QT_TRANSLATE_NOOP("Verb", "Arm")},
-    Verb{"Disarm", QT_TRANSLATE_NOOP("Verb", "Disarm")},
-    Verb{"Start", QT_TRANSLATE_NOOP("Verb", "Start")},
-    Verb{"Hold", QT_TRANSLATE_NOOP("Verb", "Hold")},
-    Verb{"Resume", QT_TRANSLATE_NOOP("Verb", "Resume")},
-    Verb{"Stop", QT_TRANSLATE_NOOP("Verb", "Stop")},
-    Verb{"Reset", QT_TRANSLATE_NOOP("Verb", "Reset")},
-    Verb{"Connecting", QT_TRANSLATE_NOOP("Verb", "Connecting")}, // no run's state
+constexpr std::array kVerbTexts{
+    VerbText{"Arm", QT_TRANSLATE_NOOP("Verb", "Arm")},
+    VerbText{"Disarm", QT_TRANSLATE_NOOP("Verb", "Disarm")},
+    VerbText{"Start", QT_TRANSLATE_NOOP("Verb", "Start")},
+    VerbText{"Hold", QT_TRANSLATE_NOOP("Verb", "Hold")},
+    VerbText{"Resume", QT_TRANSLATE_NOOP("Verb", "Resume")},
+    VerbText{"Stop", QT_TRANSLATE_NOOP("Verb", "Stop")},
+    VerbText{"Reset", QT_TRANSLATE_NOOP("Verb", "Reset")},
+    VerbText{"Connecting", QT_TRANSLATE_NOOP("Verb", "Connecting")}, // no run's state
 };
 
 std::string translatedVerb(const std::string& name) {
-    for (const Verb& verb : kVerbs)
+    for (const VerbText& verb : kVerbTexts)
         if (name == verb.name)
             return QCoreApplication::translate("Verb", verb.text).toStdString();
     return name;

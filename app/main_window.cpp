@@ -63,15 +63,15 @@ void MainWindow::begin(const QString& path) {
     m_recovery->begin(unsavedFolder());
     if (!m_settings.isCoachAnswered() && path.isEmpty())
         m_coach->offer();
-    const bool isRig = isRigFile(path.toStdString());
-    if (isRig) // it is put into the example, once that is there
+    const bool isExperiment = !path.isEmpty() && !SessionActions::isSession(path) &&
+                              !isRigFile(path.toStdString()) && !isRecipeFile(path.toStdString());
+    if (isExperiment)
+        return m_files.open(path);
+    if (!path.isEmpty()) // over the example, or the example's own opening would clear what is said of it
         connect(
             &m_document, &Document::opened, this, [this, path] { m_files.open(path); },
             Qt::SingleShotConnection);
-    else if (!path.isEmpty())
-        m_files.open(path);
-    if (path.isEmpty() || isRig || SessionActions::isSession(path) || isRecipeFile(path.toStdString()))
-        m_files.openExample(QStringLiteral("three-objects"), false);
+    m_files.openExample(QStringLiteral("three-objects"), false);
 }
 
 void MainWindow::apply(const Snapshot& snapshot) {
@@ -87,12 +87,13 @@ void MainWindow::apply(const Snapshot& snapshot) {
         refuse(snapshot.refusal);
     m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
+    closeAtRest();
 }
 
 void MainWindow::perform(Verb verb) {
     // Before the order goes out: no reset or load of the recipe's may follow it.
     if (verb == Verb::Hold || verb == Verb::Stop || verb == Verb::EmergencyStop)
-        m_recipe->takeOver();
+        m_recipe->takeOver(verb == Verb::Hold);
     switch (verb) {
     case Verb::Arm:
         return m_last.simulated ? arm() : askArm();
@@ -284,30 +285,46 @@ void MainWindow::restyle() {
                 .arg(bar == m_navigation ? QStringLiteral("right") : QStringLiteral("bottom"), line));
 }
 
+/// Also in its retreat.
 bool MainWindow::runIsOn() const {
     return m_last.state == RunState::Running || m_last.state == RunState::Holding ||
-           m_last.state == RunState::Settled;
+           m_last.state == RunState::Settled || m_last.state == RunState::Stopping;
 }
 
-bool MainWindow::mayEndRun() {
-    if (m_closeQuestion)
-        return m_closeQuestion();
-    QMessageBox box(
-        QMessageBox::Warning, tr("A run is on"),
-        tr("Closing ends the run: the heat goes off and the robot stands still. What is recorded stays."),
-        QMessageBox::NoButton, this);
-    box.setObjectName(QStringLiteral("closeQuestion"));
-    QPushButton* end = box.addButton(tr("End the run and close"), QMessageBox::DestructiveRole);
-    QPushButton* keep = box.addButton(tr("Keep running"), QMessageBox::RejectRole);
-    box.setDefaultButton(keep);
-    box.setEscapeButton(keep);
-    box.exec();
-    return box.clickedButton() == end;
+/// What a person ends here ends before any question about unsaved work: nothing may begin behind it.
+bool MainWindow::mayClose() {
+    if (!runIsOn() && !m_recipe->isOn())
+        return true;
+    const Closing closing =
+        m_closeQuestion ? m_closeQuestion() : askToClose(this, runIsOn(), m_recipe->isOn());
+    m_closesAtRest = closing == Closing::Stop;
+    if (closing == Closing::Stop) {
+        m_recipe->isOn() ? m_recipe->stopNow() : endRun();
+        closeAtRest(); // the run may have ended behind the question
+        if (m_closesAtRest)
+            m_pages->showNote(tr("Bask closes when the objects are away from the source."));
+        return false;
+    }
+    if (closing == Closing::Now)
+        runIsOn() ? perform(Verb::EmergencyStop) : m_recipe->stopNow();
+    return closing == Closing::Now;
+}
+
+void MainWindow::endRun() {
+    if (runIsOn() && m_last.state != RunState::Stopping)
+        perform(Verb::Stop);
+}
+
+void MainWindow::closeAtRest() {
+    if (!m_closesAtRest || runIsOn() || m_recipe->isOn())
+        return;
+    m_closesAtRest = false;
+    if (m_last.state != RunState::Fault) // which a person should see
+        QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (((runIsOn() || m_recipe->isOn()) && !mayEndRun()) || !m_files.mayDiscard() ||
-        !m_recipe->mayDiscard()) {
+    if (!mayClose() || !m_files.mayDiscard() || !m_recipe->mayDiscard()) {
         event->ignore();
         return;
     }

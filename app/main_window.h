@@ -4,6 +4,7 @@
 
 #include "app/actions.h"
 #include "app/autosave.h"
+#include "app/close_question.h"
 #include "app/document.h"
 #include "app/engine_client.h"
 #include "app/page_host.h"
@@ -43,8 +44,8 @@ public:
     Actions& actions() { return m_actions; }
     const Snapshot& lastSnapshot() const { return m_last; }
     RecipeControl& recipe() { return *m_recipe; }
-    /// Asks the person, unless a test answers: may a run that is on be ended by closing?
-    void setCloseQuestion(std::function<bool()> question) { m_closeQuestion = std::move(question); }
+    /// Asks the person, unless a test answers.
+    void setCloseQuestion(std::function<Closing()> question) { m_closeQuestion = std::move(question); }
 
     void setLanguage(const QString& code);
     void setTheme(Theme theme);
@@ -84,7 +85,9 @@ private:
     void retranslate();
     void restyle();
     bool runIsOn() const;
-    bool mayEndRun();
+    bool mayClose();
+    void endRun();
+    void closeAtRest();
 
     SettingsStore m_settings;
     const int m_textSize_percent = m_settings.textSize_percent(); ///< as it was at the start
@@ -106,7 +109,8 @@ private:
     ManualWindow* m_manual = nullptr;
 
     Snapshot m_last;
-    std::function<bool()> m_closeQuestion;
+    std::function<Closing()> m_closeQuestion;
+    bool m_closesAtRest = false; ///< a person has said so
 };
 
 } // namespace bask

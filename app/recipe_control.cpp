@@ -57,11 +57,7 @@ RecipeControl::RecipeControl(Document& document, SessionActions& files, RecipePa
             m_runner->setStopAfterStep(isWanted);
         showPanel();
     });
-    connect(&m_panel, &RecipePanel::stopNowRequested, this, [this] {
-        if (m_runner)
-            post(m_runner->stopNow());
-        showPanel();
-    });
+    connect(&m_panel, &RecipePanel::stopNowRequested, this, &RecipeControl::stopNow);
     connect(&m_document, &Document::changed, this, [this] {
         QStringList names;
         for (const ObjectSpec& object : m_document.experiment().objects)
@@ -275,11 +271,17 @@ void RecipeControl::apply(const Snapshot& snapshot) {
     tellEnd();
 }
 
-void RecipeControl::takeOver() {
+void RecipeControl::stopNow() {
+    if (m_runner)
+        post(m_runner->stopNow());
+    showPanel();
+}
+
+void RecipeControl::takeOver(bool isHold) {
     dropQuestion(m_window, kQuestion);
     if (!isOn())
         return;
-    m_runner->takeOver();
+    m_runner->takeOver(isHold);
     showPanel();
     tellEnd();
 }
@@ -296,6 +298,8 @@ void RecipeControl::tellEnd() {
         QString text = endWords(m_runner->end());
         if (m_runner->reason().code != MessageCode::None)
             text += u' ' + sentenceText(m_runner->reason());
+        else if (m_runner->progress()[m_runner->step()].state == RecipeProgress::State::Held)
+            text += u' ' + tr("Its run is held, not ended: nothing but a person resumes or stops it now.");
         else if (m_document.modified())
             text += u' ' + tr("The experiment has unsaved edits.");
         isDone ? emit told(text) : emit problem(text);

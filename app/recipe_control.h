@@ -27,7 +27,9 @@ public:
     bool mayDiscard();
     void apply(const Snapshot& snapshot);
     /// A person is about to stop or hold the rig.
-    void takeOver();
+    void takeOver(bool isHold = false);
+    /// Ends it and its run, as asked for.
+    void stopNow();
     /// A person is about to move or heat the rig by hand, which a run under way refuses.
     void takeOverAtRest();
     bool isOn() const { return m_runner && !m_runner->isOver(); }

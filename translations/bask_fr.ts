@@ -3021,22 +3021,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Pages</translation>
         </message>
         <message>
-            <source>A run is on</source>
-            <translation>Un essai est en cours</translation>
-        </message>
-        <message>
-            <source>Closing ends the run: the heat goes off and the robot stands still. What is recorded stays.</source>
-            <translation>Fermer termine l’essai : le chauffage est coupé et le robot s’immobilise. Ce qui est enregistré reste.</translation>
-        </message>
-        <message>
-            <source>End the run and close</source>
-            <translation>Terminer l’essai et fermer</translation>
-        </message>
-        <message>
-            <source>Keep running</source>
-            <translation>Continuer l’essai</translation>
-        </message>
-        <message>
             <source>Arm the real rig</source>
             <translation>Armer le banc réel</translation>
         </message>
@@ -3071,6 +3055,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>The window will then be larger than this screen.</source>
             <translation>La fenêtre sera alors plus grande que cet écran.</translation>
+        </message>
+        <message>
+            <source>Bask closes when the objects are away from the source.</source>
+            <translation>Bask se ferme quand les objets sont loin de la source.</translation>
         </message>
     </context>
     <context>
@@ -7558,6 +7546,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>The recipe was ended by a fault.</source>
             <translation>Un défaut a mis fin à la recette.</translation>
         </message>
+        <message>
+            <source>Held</source>
+            <translation>En pause</translation>
+        </message>
     </context>
 <context>
     <name>bask::RecipeStepDialog</name>
@@ -7938,6 +7930,49 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
             <translation>La source est chauffée à la main : une recette ne peut pas l’éteindre entre ses étapes.</translation>
+        </message>
+        <message>
+            <source>Its run is held, not ended: nothing but a person resumes or stops it now.</source>
+            <translation>Son essai est en pause, non terminé : seule une personne le reprend ou l’arrête désormais.</translation>
+        </message>
+    </context>
+<context>
+    <name>CloseQuestion</name>
+        <message>
+            <source>"Stop, then close" switches the heat off, takes the objects away from the source, and closes when they are there. "Close now" switches the heat off and leaves the objects where they are, perhaps close to a hot source. What is recorded stays.</source>
+            <translation>« Arrêter, puis fermer » coupe la chauffe, éloigne les objets de la source, et ferme quand ils y sont. « Fermer maintenant » coupe la chauffe et laisse les objets où ils sont, peut-être près d’une source brûlante. Ce qui est enregistré reste.</translation>
+        </message>
+        <message>
+            <source>A recipe is on, with nothing heated or moved just now.</source>
+            <translation>Une recette est en cours, sans chauffe ni mouvement en ce moment.</translation>
+        </message>
+        <message>
+            <source>The recipe ends, and its other steps are not run.</source>
+            <translation>La recette prend fin, ses autres étapes n’ont pas lieu.</translation>
+        </message>
+        <message>
+            <source>A run is on</source>
+            <translation>Un essai est en cours</translation>
+        </message>
+        <message>
+            <source>A recipe is on</source>
+            <translation>Une recette est en cours</translation>
+        </message>
+        <message>
+            <source>Stop, then close</source>
+            <translation>Arrêter, puis fermer</translation>
+        </message>
+        <message>
+            <source>Close now</source>
+            <translation>Fermer maintenant</translation>
+        </message>
+        <message>
+            <source>End the recipe and close</source>
+            <translation>Terminer la recette et fermer</translation>
+        </message>
+        <message>
+            <source>Stay</source>
+            <translation>Rester</translation>
         </message>
     </context>
 </TS>

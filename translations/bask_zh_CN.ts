@@ -3017,22 +3017,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>页面</translation>
         </message>
         <message>
-            <source>A run is on</source>
-            <translation>正在运行</translation>
-        </message>
-        <message>
-            <source>Closing ends the run: the heat goes off and the robot stands still. What is recorded stays.</source>
-            <translation>关闭会结束运行：加热关闭，机器人静止。已记录的内容会保留。</translation>
-        </message>
-        <message>
-            <source>End the run and close</source>
-            <translation>结束运行并关闭</translation>
-        </message>
-        <message>
-            <source>Keep running</source>
-            <translation>继续运行</translation>
-        </message>
-        <message>
             <source>Arm the real rig</source>
             <translation>使实际装置进入待命</translation>
         </message>
@@ -3067,6 +3051,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>The window will then be larger than this screen.</source>
             <translation>届时窗口将大于此屏幕。</translation>
+        </message>
+        <message>
+            <source>Bask closes when the objects are away from the source.</source>
+            <translation>物体离开热源后，Bask 即关闭。</translation>
         </message>
     </context>
     <context>
@@ -7543,6 +7531,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>The recipe was ended by a fault.</source>
             <translation>配方因故障而结束。</translation>
         </message>
+        <message>
+            <source>Held</source>
+            <translation>已保持</translation>
+        </message>
     </context>
     <context>
         <name>bask::RecipeStepDialog</name>
@@ -7927,6 +7919,49 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
             <translation>热源由人工加热：配方无法在各步骤之间将其关闭。</translation>
+        </message>
+        <message>
+            <source>Its run is held, not ended: nothing but a person resumes or stops it now.</source>
+            <translation>其运行处于保持状态，并未结束：现在只能由人来继续或停止它。</translation>
+        </message>
+    </context>
+    <context>
+        <name>CloseQuestion</name>
+        <message>
+            <source>"Stop, then close" switches the heat off, takes the objects away from the source, and closes when they are there. "Close now" switches the heat off and leaves the objects where they are, perhaps close to a hot source. What is recorded stays.</source>
+            <translation>“停止后关闭”会关闭加热，使物体离开热源，到位后再关闭程序。“立即关闭”会关闭加热，并使物体停在原处，可能就在灼热的热源附近。已记录的内容会保留。</translation>
+        </message>
+        <message>
+            <source>A recipe is on, with nothing heated or moved just now.</source>
+            <translation>配方正在进行，此刻没有加热或移动。</translation>
+        </message>
+        <message>
+            <source>The recipe ends, and its other steps are not run.</source>
+            <translation>配方随之结束，其余步骤不再运行。</translation>
+        </message>
+        <message>
+            <source>A run is on</source>
+            <translation>运行正在进行</translation>
+        </message>
+        <message>
+            <source>A recipe is on</source>
+            <translation>配方正在进行</translation>
+        </message>
+        <message>
+            <source>Stop, then close</source>
+            <translation>停止后关闭</translation>
+        </message>
+        <message>
+            <source>Close now</source>
+            <translation>立即关闭</translation>
+        </message>
+        <message>
+            <source>End the recipe and close</source>
+            <translation>结束配方并关闭</translation>
+        </message>
+        <message>
+            <source>Stay</source>
+            <translation>留下</translation>
         </message>
     </context>
 </TS>

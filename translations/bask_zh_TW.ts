@@ -3017,22 +3017,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>頁面</translation>
         </message>
         <message>
-            <source>A run is on</source>
-            <translation>正在運轉</translation>
-        </message>
-        <message>
-            <source>Closing ends the run: the heat goes off and the robot stands still. What is recorded stays.</source>
-            <translation>關閉會結束運轉：加熱關閉，機器人靜止。已記錄的內容會保留。</translation>
-        </message>
-        <message>
-            <source>End the run and close</source>
-            <translation>結束運轉並關閉</translation>
-        </message>
-        <message>
-            <source>Keep running</source>
-            <translation>繼續運轉</translation>
-        </message>
-        <message>
             <source>Arm the real rig</source>
             <translation>使實際實驗台進入待命</translation>
         </message>
@@ -3067,6 +3051,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>The window will then be larger than this screen.</source>
             <translation>屆時視窗將大於此螢幕。</translation>
+        </message>
+        <message>
+            <source>Bask closes when the objects are away from the source.</source>
+            <translation>物體離開熱源後，Bask 即關閉。</translation>
         </message>
     </context>
     <context>
@@ -7543,6 +7531,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>The recipe was ended by a fault.</source>
             <translation>配方因故障而結束。</translation>
         </message>
+        <message>
+            <source>Held</source>
+            <translation>已保持</translation>
+        </message>
     </context>
     <context>
         <name>bask::RecipeStepDialog</name>
@@ -7927,6 +7919,49 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
             <translation>熱源由人工加熱：配方無法在各步驟之間將其關閉。</translation>
+        </message>
+        <message>
+            <source>Its run is held, not ended: nothing but a person resumes or stops it now.</source>
+            <translation>其運轉處於保持狀態，並未結束：現在只能由人來繼續或停止它。</translation>
+        </message>
+    </context>
+    <context>
+        <name>CloseQuestion</name>
+        <message>
+            <source>"Stop, then close" switches the heat off, takes the objects away from the source, and closes when they are there. "Close now" switches the heat off and leaves the objects where they are, perhaps close to a hot source. What is recorded stays.</source>
+            <translation>「停止後關閉」會關閉加熱，使物體離開熱源，到位後再關閉程式。「立即關閉」會關閉加熱，並使物體停在原處，可能就在灼熱的熱源附近。已記錄的內容會保留。</translation>
+        </message>
+        <message>
+            <source>A recipe is on, with nothing heated or moved just now.</source>
+            <translation>配方正在進行，此刻沒有加熱或移動。</translation>
+        </message>
+        <message>
+            <source>The recipe ends, and its other steps are not run.</source>
+            <translation>配方隨之結束，其餘步驟不再執行。</translation>
+        </message>
+        <message>
+            <source>A run is on</source>
+            <translation>運轉正在進行</translation>
+        </message>
+        <message>
+            <source>A recipe is on</source>
+            <translation>配方正在進行</translation>
+        </message>
+        <message>
+            <source>Stop, then close</source>
+            <translation>停止後關閉</translation>
+        </message>
+        <message>
+            <source>Close now</source>
+            <translation>立即關閉</translation>
+        </message>
+        <message>
+            <source>End the recipe and close</source>
+            <translation>結束配方並關閉</translation>
+        </message>
+        <message>
+            <source>Stay</source>
+            <translation>留下</translation>
         </message>
     </context>
 </TS>

@@ -1,6 +1,7 @@
 #include "app/commands/recipe_command.h"
 
 #include "app/commands/command_line.h"
+#include "app/commands/engine_thread.h"
 #include "app/commands/output_file.h"
 #include "app/commands/recipe_live.h"
 #include "app/examples.h"
@@ -65,6 +66,8 @@ const char* wordOf(State state) {
         return "failed";
     case State::Stopped:
         return "stopped";
+    case State::Held:
+        return "held";
     }
     return "";
 }
@@ -177,6 +180,17 @@ std::optional<std::string> otherRig(const RecipeExperiments& experiments) {
     return std::nullopt;
 }
 
+void runUntilSignal(RecipeRunner& runner, const RecipeWatch& watch) {
+    const SignalCount signalCount;
+    std::stop_source stop;
+    const RecipeWatch look = [&](const RecipeRunner& on, const Snapshot& snapshot) {
+        if (signalCount.now() > 0)
+            stop.request_stop();
+        watch(on, snapshot);
+    };
+    runSimulated(runner, look, stop.get_token());
+}
+
 } // namespace
 
 int runRecipe(const RecipeRequest& request) {
@@ -225,7 +239,7 @@ int runRecipe(const RecipeRequest& request) {
     if (request.isLive)
         runLive(runner, watch);
     else
-        runSimulated(runner, watch);
+        runUntilSignal(runner, watch);
     teller.look(runner);
     const double wall_s = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     printOutcome(runner, wall_s);

@@ -1,6 +1,7 @@
 #include "app/commands/command_line.h"
 #include "engine/base/message_code.h"
 
+#include "app/commands/engine_thread.h"
 #include "app/commands/experiment_arguments.h"
 #include "app/commands/live_run.h"
 #include "app/commands/output_file.h"
@@ -135,6 +136,20 @@ void printProgress(double time_s, const TraceSample& sample) {
     std::fprintf(stderr, " degC ");
 }
 
+Result<RunOutcome> runUntilSignal(const Experiment& experiment, const SimulatedRunOptions& options) {
+    const SignalCount signalCount;
+    std::stop_source stop;
+    SimulatedRunOptions watched = options;
+    watched.stop = stop.get_token();
+    watched.progress = [&](double time_s, const TraceSample& sample) {
+        if (signalCount.now() > 0)
+            stop.request_stop();
+        if (options.progress)
+            options.progress(time_s, sample);
+    };
+    return runSimulated(experiment, watched);
+}
+
 int refuseWords(const QString& words) {
     std::fprintf(stderr, "bask run: %s\n", qPrintable(words));
     return kExitBadInput;
@@ -193,7 +208,7 @@ int runExperimentCommand(const QStringList& arguments) {
     timer.start();
     const bool isLive = parser.isSet("live");
     const auto outcome = isLive ? runLive(request->experiment, request->options)
-                                : runSimulated(request->experiment, request->options);
+                                : runUntilSignal(request->experiment, request->options);
     if (terminal)
         std::fputc('\n', stderr);
     if (!outcome)

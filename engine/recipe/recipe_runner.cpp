@@ -100,9 +100,9 @@ std::vector<Command> RecipeRunner::stopNow() {
     return std::move(m_orders);
 }
 
-void RecipeRunner::takeOver() {
+void RecipeRunner::takeOver(bool isHold) {
     if (m_phase != Phase::Over)
-        finishAll(State::Stopped, RecipeEnd::TakenOver);
+        finishAll(isHold && m_phase == Phase::Run ? State::Held : State::Stopped, RecipeEnd::TakenOver);
 }
 
 void RecipeRunner::enter(std::size_t step) {
@@ -240,7 +240,8 @@ void RecipeRunner::running(const Snapshot& snapshot) {
     if (!isOn && !snapshot.reasons.empty() && !isHeldByPerson(snapshot)) // the engine's own retreat
         return endBy(snapshot, RecipeEnd::Fault, firstOf(snapshot));
     if (!isOn)
-        return finishAll(State::Stopped, RecipeEnd::TakenOver);
+        return finishAll(snapshot.state == RunState::Holding ? State::Held : State::Stopped,
+                         RecipeEnd::TakenOver);
     if (alarm != nullptr) {
         m_end = RecipeEnd::Alarm;
         return stopRun(State::Failed, alarm->message);

@@ -22,6 +22,7 @@ struct RecipeProgress {
         NotReached, ///< not within at_most_s
         Failed,     ///< it could not be begun, or a fault or an alarm ended it: `reason`
         Stopped,    ///< by a person
+        Held,       ///< by a person: its run is not ended, and not watched any more
     };
     State state = State::Waiting;
     double elapsed_s = 0.0; ///< since Start, or of the wait
@@ -60,7 +61,7 @@ public:
     std::vector<Command> stopNow();
     /// A person stops or holds the rig in this moment: nothing is asked of the engine any more, also not by
     /// what it told before.
-    void takeOver();
+    void takeOver(bool isHold = false);
     void setStopAfterStep(bool isWanted) { m_isLast = isWanted; }
     bool stopsAfterStep() const { return m_isLast; }
     /// What is open must not be replaced: ends where another experiment would be loaded.

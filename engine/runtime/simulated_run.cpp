@@ -94,7 +94,10 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
         outcome.settled = outcome.settled && watch.since_s(i) && last.time_s - *watch.since_s(i) >= heldFor_s;
     }
     if (writer) {
-        const char* words = outcome.fault ? "fault" : outcome.settled ? "settled" : "not-settled";
+        const char* words = outcome.fault                   ? "fault"
+                            : outcome.settled               ? "settled"
+                            : options.stop.stop_requested() ? "stopped"
+                                                            : "not-settled";
         if (const auto finished = writer->finish(words); !finished)
             return finished.error();
     }

@@ -3,8 +3,11 @@
 #include <QFile>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <QThread>
 
 #include <gtest/gtest.h>
+
+#include <csignal>
 
 namespace bask::test {
 namespace {
@@ -132,6 +135,39 @@ TEST(CommandLine, RunReplacesNothingButItsOwnOutputs) {
     EXPECT_EQ(run({"-o", summary}).exitCode, 2) << "a summary is no session";
     EXPECT_EQ(run({"--summary", session}).exitCode, 2) << "a session is no summary";
     EXPECT_EQ(QFile(experiment).size(), QFile(BASK_EXAMPLES "/two-circles.json").size());
+}
+
+// Catches a simulated run or recipe that Ctrl+C kills: no outcome, and a recording without its end.
+TEST(CommandLine, CtrlCEndsARunInOrder) {
+    for (const bool isRecipe : {false, true}) {
+        const QTemporaryDir folder;
+        const QString summary = folder.filePath("summary.json"),
+                      session = folder.filePath("01-two-circles.bask");
+        QFile recipe(folder.filePath("recipe.json"));
+        ASSERT_TRUE(recipe.open(QIODevice::WriteOnly));
+        recipe.write(R"({"format": "bask-recipe", "version": 1, "steps": [
+            {"run_example": "two-circles", "until": {"time_s": 1e6}}, {"wait": {"time_s": 5}}]})");
+        recipe.close();
+        QStringList arguments{"run", "--summary", summary};
+        if (isRecipe)
+            arguments << "--recipe" << recipe.fileName() << "--out" << folder.path();
+        else
+            arguments << BASK_EXAMPLES "/two-circles.json"
+                      << "--duration"
+                      << "1e6"
+                      << "-o" << session;
+        QProcess process;
+        process.start(QStringLiteral(BASK_PROGRAM), arguments);
+        for (int i = 0; i < 6000 && !QFile::exists(session); ++i)
+            QThread::msleep(10);
+        ASSERT_EQ(process.state(), QProcess::Running) << process.readAllStandardError().toStdString();
+        ASSERT_EQ(::kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
+        ASSERT_TRUE(process.waitForFinished(60000));
+        EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+        EXPECT_EQ(process.exitCode(), 3) << process.readAllStandardError().toStdString();
+        EXPECT_TRUE(QFile::exists(summary));
+        EXPECT_FALSE(QFile::exists(session + "-wal"));
+    }
 }
 
 TEST(CommandLine, AMissingFileIsBadInput) {

@@ -316,6 +316,37 @@ TEST_F(MainWindowTest, ClosingDuringARunAsks) {
     EXPECT_EQ(state(), RunState::Running);
 }
 
+// Catches objects that are left standing over a hot source by a window that closes at once.
+TEST_F(MainWindowTest, ClosingCanWaitForTheRetreat) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(goFast());
+    ASSERT_NO_FATAL_FAILURE(arm());
+    click("startButton");
+    ASSERT_TRUE(waitForState(RunState::Running));
+    window->setCloseQuestion([] { return Closing::Keep; });
+    EXPECT_FALSE(window->close());
+    EXPECT_EQ(state(), RunState::Running);
+    window->setCloseQuestion([] { return Closing::Stop; });
+    EXPECT_FALSE(window->close());
+    EXPECT_TRUE(window->isVisible());
+    ASSERT_TRUE(waitFor([this] { return !window->isVisible(); }));
+    EXPECT_EQ(state(), RunState::Stopped);
+    EXPECT_FALSE(window->lastSnapshot().heatOn);
+}
+
+// Catches a file of the command line that is refused without a word, since the example is opened after it.
+TEST_F(MainWindowTest, ADamagedSessionOfTheCommandLineIsTold) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("cut.bask");
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(QByteArray(1000, 'x')) == 1000);
+    file.close();
+    openWindow({1280, 800}, path);
+    ASSERT_TRUE(waitFor(
+        [this] { return find<MessageBar>("messageBar")->sentence().contains(QStringLiteral("cut.bask")); }));
+    EXPECT_FALSE(window->document().experiment().objects.empty());
+}
+
 // Catches: an undone or refused edit that the engine still has, and edits that are possible while armed.
 TEST_F(MainWindowTest, ObjectsCannotBeChangedWhileArmed) {
     openWindow();

@@ -42,7 +42,7 @@ void WindowTest::openWindow(QSize size, const QString& file) {
 }
 
 void WindowTest::closeWindow() {
-    window->setCloseQuestion([] { return true; });
+    window->setCloseQuestion([] { return Closing::Now; });
     window->document().markSaved(window->document().path()); // no question about changes
     EXPECT_TRUE(window->close());
     window.reset();

@@ -60,6 +60,8 @@ QString stateWord(State state) {
         return Words::tr("Failed");
     case State::Stopped:
         return Words::tr("Stopped");
+    case State::Held:
+        return Words::tr("Held");
     }
     return {};
 }
@@ -81,6 +83,8 @@ QPixmap statePixmap(State state, bool dark, int size, double devicePixelRatio) {
         painter.drawEllipse(QRectF(at(0.2, 0.2), at(0.8, 0.8)));
     else if (state == State::Stopped) // square
         painter.drawRect(QRectF(at(0.24, 0.24), at(0.76, 0.76)));
+    else if (state == State::Held) // two bars
+        painter.drawLines({QLineF(at(0.34, 0.22), at(0.34, 0.78)), QLineF(at(0.66, 0.22), at(0.66, 0.78))});
     painter.setBrush(colour);
     if (state == State::Underway) // arrow
         painter.drawPolygon(QPolygonF{at(0.28, 0.2), at(0.8, 0.5), at(0.28, 0.8)});

@@ -318,6 +318,7 @@ TEST_F(Runner, aHoldEndsItAndIsStoppedUnlessItIsAPersons) {
     snapshot.reasons = {{MessageCode::ReasonHeldByOperator, {}}};
     EXPECT_EQ(take(RunState::Holding), "");
     EXPECT_EQ(runner->end(), RecipeEnd::TakenOver);
+    EXPECT_EQ(at(0).state, State::Held);
     begin({run("a"), run("b")});
     snapshot.reasons.clear();
     start();

@@ -1,0 +1,49 @@
+#include "app/close_question.h"
+
+#include <QCoreApplication>
+#include <QMessageBox>
+#include <QPushButton>
+
+namespace bask {
+namespace {
+
+struct ClosingText {
+    Q_DECLARE_TR_FUNCTIONS(CloseQuestion)
+};
+
+} // namespace
+
+Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn) {
+    QString text =
+        isRunOn
+            ? ClosingText::tr("\"Stop, then close\" switches the heat off, takes the objects away from "
+                              "the source, and closes when they are there. \"Close now\" switches the heat "
+                              "off and leaves the objects where they are, perhaps close to a hot source. "
+                              "What is recorded stays.")
+            : ClosingText::tr("A recipe is on, with nothing heated or moved just now.");
+    if (isRecipeOn)
+        text += u' ' + ClosingText::tr("The recipe ends, and its other steps are not run.");
+    QMessageBox box(QMessageBox::Warning,
+                    isRunOn ? ClosingText::tr("A run is on") : ClosingText::tr("A recipe is on"), text,
+                    QMessageBox::NoButton, window);
+    box.setObjectName(QStringLiteral("closeQuestion"));
+    const QPushButton* stop = nullptr;
+    if (isRunOn) {
+        QPushButton* button = box.addButton(ClosingText::tr("Stop, then close"), QMessageBox::AcceptRole);
+        button->setObjectName(QStringLiteral("closeStop"));
+        stop = button;
+    }
+    QPushButton* now =
+        box.addButton(isRunOn ? ClosingText::tr("Close now") : ClosingText::tr("End the recipe and close"),
+                      QMessageBox::DestructiveRole);
+    now->setObjectName(QStringLiteral("closeNow"));
+    QPushButton* keep = box.addButton(ClosingText::tr("Stay"), QMessageBox::RejectRole);
+    box.setDefaultButton(keep);
+    box.setEscapeButton(keep);
+    box.exec();
+    if (stop != nullptr && box.clickedButton() == stop)
+        return Closing::Stop;
+    return box.clickedButton() == now ? Closing::Now : Closing::Keep;
+}
+
+} // namespace bask
