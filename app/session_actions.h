@@ -79,6 +79,9 @@ public:
     bool refusedByRun();
     /// Neither of the two stands against another experiment.
     bool mayReplace() { return !refusedByRun() && mayDiscard(); }
+    /// What was asked for at generation `since` of the document has been read; there are unsaved edits of
+    /// after that, and it is told that `name` is not opened over them.
+    bool refusedByEdits(int since, const QString& name);
 
     /// File for the run that is armed next; its folder is made. Empty when that is impossible (said as a
     /// problem).
@@ -96,7 +99,8 @@ signals:
     void recordingChanged();
 
 private:
-    void adopt(const Result<Experiment>& read, const QString& path);
+    bool isEditedSince(int since) const { return m_document.modified() && m_document.generation() != since; }
+    void adopt(const Result<Experiment>& read, const QString& path, const QString& name, int since);
     void openExperiment(const QString& path);
     void openSession(const QString& path);
     void forgetMissing(const QString& path);

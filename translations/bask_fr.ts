@@ -4759,6 +4759,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>HTML (*.html)</source>
             <translation>HTML (*.html)</translation>
         </message>
+        <message>
+            <source>"%1" was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
+            <translation>« %1 » n’a pas été ouvert : des modifications ont été faites ou récupérées pendant sa lecture. Ouvrez-le à nouveau pour les remplacer.</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>

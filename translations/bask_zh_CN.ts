@@ -4754,6 +4754,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>HTML (*.html)</source>
             <translation>HTML (*.html)</translation>
         </message>
+        <message>
+            <source>"%1" was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
+            <translation>未打开“%1”：读取期间有新的编辑或已恢复的编辑。如要替换这些编辑，请重新打开。</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>

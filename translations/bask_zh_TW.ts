@@ -4754,6 +4754,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>HTML (*.html)</source>
             <translation>HTML (*.html)</translation>
         </message>
+        <message>
+            <source>"%1" was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
+            <translation>未開啟「%1」：讀取期間有新的編輯或已復原的編輯。如要取代這些編輯，請重新開啟。</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>
