@@ -31,6 +31,7 @@ bool SessionActions::isSession(const QString& path) {
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {
+    m_export.setDrawGuard([this] { return !refusedToDraw(); });
     connect(&m_export, &SessionExport::problem, this, &SessionActions::problem);
     connect(&m_export, &SessionExport::told, this, &SessionActions::told);
 }
@@ -258,8 +259,17 @@ void SessionActions::saveSession() {
                });
 }
 
+bool SessionActions::refusedToDraw() {
+    if ((!m_runIsOn || !m_runIsOn()) && (!m_recipeIsOn || !m_recipeIsOn()))
+        return false;
+    emit problem(
+        tr("Figures and reports are drawn only while no run and no recipe is on: the window, with its "
+           "STOP, would have to wait for them. Nothing was written."));
+    return true;
+}
+
 void SessionActions::exportSession(SessionForm form) {
-    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedByRun()))
+    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDraw()))
         return;
     const QString from = m_openSession; // another may be opened meanwhile
     QString to;
