@@ -4,7 +4,9 @@
 
 namespace bask {
 
-Document::Document(QObject* parent) : QObject(parent), m_shared(std::make_shared<Experiment>()) {}
+Document::Document(QObject* parent) : QObject(parent), m_shared(std::make_shared<Experiment>()) {
+    connect(this, &Document::changed, this, [this] { ++m_generation; });
+}
 
 QString Document::displayName() const {
     if (!m_path.isEmpty())

@@ -25,6 +25,8 @@ public:
     QString path() const { return m_path; }
     /// Not as it was opened or saved last; true again or not after an undo, as it happens.
     bool modified() const { return !m_history.isSaved(); }
+    /// Grows with every change: what is read for its place later asks whether it is still the same.
+    int generation() const { return m_generation; }
     /// File name, else title, else a word for "untitled".
     QString displayName() const;
 
@@ -69,6 +71,7 @@ private:
     std::shared_ptr<const Experiment> m_shared; ///< the same, as the history has it
     QString m_path;
     EditHistory m_history;
+    int m_generation = 0;
 };
 
 } // namespace bask

@@ -173,6 +173,7 @@ void MainWindow::connectRecipe() {
     connect(m_recipe, &RecipeControl::problem, m_pages, &PageHost::showProblem);
     connect(m_recipe, &RecipeControl::told, m_pages, &PageHost::showNote);
     connect(m_recipe, &RecipeControl::showWanted, m_dock, &BottomDock::showRecipe);
+    m_files.setRecipeGuard([this] { return m_recipe->isOn(); });
     connect(&m_files, &SessionActions::recipeChosen, m_recipe, &RecipeControl::open);
     connect(m_dock, &BottomDock::heightWanted, this, [this](int height) {
         resizeDocks({m_dock}, {std::max(height, m_dock->height())}, Qt::Vertical);

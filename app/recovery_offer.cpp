@@ -37,10 +37,11 @@ void RecoveryOffer::recover() {
     if (m_left.empty() || m_read.busy() || !m_files.mayReplace())
         return;
     m_read.run([file = m_left.front()] { return file->read(); },
-               [this](const Result<UnsavedEdits>& read) {
+               [this, since = m_document.generation()](const Result<UnsavedEdits>& read) {
                    if (!read)
                        return emit m_files.problem(sentence(read.error()));
-                   if (m_files.refusedByRun()) // one may have begun while the file was read
+                   if (m_files.refusedByRun() || // which may have begun while the file was read
+                       m_files.refusedByEdits(since, m_left.front()->name()))
                        return;
                    m_autosave.adopt(m_left.front());
                    m_left.clear(); // the others at the next start

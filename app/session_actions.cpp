@@ -31,6 +31,7 @@ bool SessionActions::isSession(const QString& path) {
 
 SessionActions::SessionActions(Document& document, SettingsStore& settings, QWidget* window)
     : QObject(window), m_document(document), m_settings(settings), m_window(window) {
+    m_export.setDrawGuard([this] { return !refusedToDraw(); });
     connect(&m_export, &SessionExport::problem, this, &SessionActions::problem);
     connect(&m_export, &SessionExport::told, this, &SessionActions::told);
 }
@@ -99,7 +100,11 @@ void SessionActions::openExample(const QString& name, bool remember) {
     if (refusedByRun() || (remember && !mayDiscard()))
         return;
     m_readExperiment.run([name] { return readExample(name); },
-                         [this](const Result<Experiment>& read) { adopt(read, {}); });
+                         [this, name, remember, since = m_document.generation()](const auto& read) {
+                             if (!remember && isEditedSince(since))
+                                 return; // nobody has asked for it
+                             adopt(read, {}, name, since);
+                         });
 }
 
 void SessionActions::askAndOpen() {
@@ -150,16 +155,28 @@ void SessionActions::open(const QString& path) {
 
 void SessionActions::openExperiment(const QString& path) {
     m_readExperiment.run([file = path.toStdString()] { return readExperiment(file); },
-                         [this, path](const Result<Experiment>& read) { adopt(read, path); });
+                         [this, path, since = m_document.generation()](const auto& read) {
+                             adopt(read, path, QFileInfo(path).fileName(), since);
+                         });
 }
 
-void SessionActions::adopt(const Result<Experiment>& read, const QString& path) {
+bool SessionActions::refusedByEdits(int since, const QString& name) {
+    if (!isEditedSince(since))
+        return false;
+    emit problem(tr("\"%1\" was not opened: edits were made or recovered while it was read. Open it again to "
+                    "replace them.")
+                     .arg(name));
+    return true;
+}
+
+void SessionActions::adopt(const Result<Experiment>& read, const QString& path, const QString& name,
+                           int since) {
     if (!read) {
         emit problem(sentence(read.error()));
         forgetMissing(path);
         return;
     }
-    if (refusedByRun()) // one may have begun while the file was read
+    if (refusedByRun() || refusedByEdits(since, name)) // which may have begun while the file was read
         return;
     m_document.open(*read, path);
     if (!path.isEmpty()) {
@@ -242,8 +259,17 @@ void SessionActions::saveSession() {
                });
 }
 
+bool SessionActions::refusedToDraw() {
+    if ((!m_runIsOn || !m_runIsOn()) && (!m_recipeIsOn || !m_recipeIsOn()))
+        return false;
+    emit problem(
+        tr("Figures and reports are drawn only while no run and no recipe is on: the window, with its "
+           "STOP, would have to wait for them. Nothing was written."));
+    return true;
+}
+
 void SessionActions::exportSession(SessionForm form) {
-    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedByRun()))
+    if (m_openSession.isEmpty() || (SessionExport::isDrawn(form) && refusedToDraw()))
         return;
     const QString from = m_openSession; // another may be opened meanwhile
     QString to;

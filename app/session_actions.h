@@ -43,6 +43,8 @@ public:
     }
     /// Whether a run forbids another experiment, asked before it is put in.
     void setRunGuard(std::function<bool()> runIsOn) { m_runIsOn = std::move(runIsOn); }
+    /// Whether a recipe is on: between its runs, too, nothing is drawn that takes long.
+    void setRecipeGuard(std::function<bool()> recipeIsOn) { m_recipeIsOn = std::move(recipeIsOn); }
     void setRecording(const QString& path);
     /// Empty: cancelled.
     QString ask(const FileQuestion& question);
@@ -64,7 +66,7 @@ public:
     bool saveAs();
     void saveSession();
     /// The open session in another form, into a folder or file that is asked for. Figures and reports not
-    /// during a run: drawing them takes the window's time.
+    /// during a run or recipe, whether it is on or begins meanwhile: drawing them takes the window's time.
     void exportSession(SessionForm form);
     static bool isSession(const QString& path);
     /// The devices of a rig file; the open experiment's into one.
@@ -79,6 +81,9 @@ public:
     bool refusedByRun();
     /// Neither of the two stands against another experiment.
     bool mayReplace() { return !refusedByRun() && mayDiscard(); }
+    /// What was asked for at generation `since` of the document has been read; there are unsaved edits of
+    /// after that, and it is told that `name` is not opened over them.
+    bool refusedByEdits(int since, const QString& name);
 
     /// File for the run that is armed next; its folder is made. Empty when that is impossible (said as a
     /// problem).
@@ -96,18 +101,20 @@ signals:
     void recordingChanged();
 
 private:
-    void adopt(const Result<Experiment>& read, const QString& path);
+    bool isEditedSince(int since) const { return m_document.modified() && m_document.generation() != since; }
+    void adopt(const Result<Experiment>& read, const QString& path, const QString& name, int since);
     void openExperiment(const QString& path);
     void openSession(const QString& path);
     void forgetMissing(const QString& path);
     void readRig(const QString& path);
     bool write(const QString& path);
+    bool refusedToDraw();
 
     Document& m_document;
     SettingsStore& m_settings;
     QWidget* m_window;
     std::function<QString(const FileQuestion&)> m_chooser;
-    std::function<bool()> m_runIsOn;
+    std::function<bool()> m_runIsOn, m_recipeIsOn;
     QString m_recording;
     QString m_openSession;
     LatestJob<Result<Experiment>> m_readExperiment;

@@ -53,6 +53,8 @@ void SessionExport::start(SessionForm form, const QString& session, const QStrin
         [this, form, to, language](Result<RunReportInput> input) {
             if (!input)
                 return tell(input.error(), to);
+            if (m_mayDraw && !m_mayDraw())
+                return;
             input->language = language;
             QGuiApplication::setOverrideCursor(Qt::WaitCursor);
             const Files files = drawn(form, *input, to.toStdString());

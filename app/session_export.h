@@ -7,7 +7,9 @@
 
 #include <QObject>
 
+#include <functional>
 #include <map>
+#include <utility>
 
 namespace bask {
 
@@ -23,6 +25,9 @@ public:
     /// Drawn on the GUI thread.
     static bool isDrawn(SessionForm form) { return form == SessionForm::Figures || isReport(form); }
 
+    /// Asked when all is read, before drawing; false: nothing is drawn, and whoever says so tells it.
+    void setDrawGuard(std::function<bool()> mayDraw) { m_mayDraw = std::move(mayDraw); }
+
     /// To a folder, or of a report to a file that ends in .html or .pdf. `language` is the window's.
     /// Different forms may be on their way at the same time.
     void start(SessionForm form, const QString& session, const QString& to, TemperatureUnit unit,
@@ -36,6 +41,7 @@ private:
     using Files = Result<std::vector<std::string>>;
     void tell(const Files& files, const QString& to);
 
+    std::function<bool()> m_mayDraw;
     std::map<SessionForm, LatestJob<Files>> m_files;
     std::map<SessionForm, LatestJob<Result<RunReportInput>>> m_inputs;
 };

@@ -4747,6 +4747,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>HTML (*.html)</source>
             <translation>HTML (*.html)</translation>
         </message>
+        <message>
+            <source>"%1" was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
+            <translation>« %1 » n’a pas été ouvert : des modifications ont été faites ou récupérées pendant sa lecture. Ouvrez-le à nouveau pour les remplacer.</translation>
+        </message>
+        <message>
+            <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+            <translation>Les figures et rapports ne sont dessinés que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>

@@ -4742,6 +4742,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>HTML (*.html)</source>
             <translation>HTML (*.html)</translation>
         </message>
+        <message>
+            <source>"%1" was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
+            <translation>未打开“%1”：读取期间有新的编辑或已恢复的编辑。如要替换这些编辑，请重新打开。</translation>
+        </message>
+        <message>
+            <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+            <translation>只有在没有运行、也没有配方进行时才绘制图和报告：否则窗口及其“软件停止”都要等待绘制完成。未写入任何文件。</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>

@@ -4742,6 +4742,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>HTML (*.html)</source>
             <translation>HTML (*.html)</translation>
         </message>
+        <message>
+            <source>"%1" was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
+            <translation>未開啟「%1」：讀取期間有新的編輯或已復原的編輯。如要取代這些編輯，請重新開啟。</translation>
+        </message>
+        <message>
+            <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+            <translation>只有在沒有運轉、也沒有配方進行時才繪製圖和報告：否則視窗及其「軟體停止」都要等待繪製完成。未寫入任何檔案。</translation>
+        </message>
     </context>
     <context>
         <name>bask::SheetPanel</name>

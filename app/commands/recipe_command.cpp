@@ -166,6 +166,28 @@ int refuse(const Error& error) {
     return kExitBadInput;
 }
 
+/// For the session of a step's run.
+std::string recordingOf(const Recipe& recipe, std::size_t step, const QDir& folder) {
+    return folder
+        .filePath(QStringLiteral("%1-%2.bask")
+                      .arg(step + 1, 2, 10, QLatin1Char('0'))
+                      .arg(QString::fromStdString(nameOf(recipe.steps[step]))))
+        .toStdString();
+}
+
+/// The first that is there already: each run would put its own in the place of an earlier one.
+std::optional<std::string> earlierRecording(const Recipe& recipe, const QDir& folder) {
+    for (std::size_t i = 0; i < recipe.steps.size(); ++i) {
+        if (!recipe.steps[i].isRun())
+            continue;
+        std::string path = recordingOf(recipe, i, folder);
+        const QFileInfo there(QString::fromStdString(path));
+        if (there.exists() || there.isSymbolicLink())
+            return path;
+    }
+    return std::nullopt;
+}
+
 /// All of one rig, which a person has looked at.
 std::optional<std::string> otherRig(const RecipeExperiments& experiments) {
     for (std::size_t i = 0; i < experiments.size(); ++i) {
@@ -213,18 +235,20 @@ int runRecipe(const RecipeRequest& request) {
             !fits)
             return refuse(fits.error());
     const QDir folder(request.folder);
+    if (const auto there = request.folder.isEmpty() ? std::nullopt : earlierRecording(*recipe, folder)) {
+        std::fprintf(
+            stderr,
+            "bask run: %s: it is there already and is not replaced; name another folder by --out, or "
+            "move it away\n",
+            there->c_str());
+        return kExitBadInput;
+    }
     if (!request.folder.isEmpty() && !folder.mkpath(QStringLiteral(".")))
         return refuse(
             Error(MessageCode::FileUnwritable, request.folder.toStdString(), {"the folder cannot be made"}));
     announce(*recipe);
     RecipeRunner runner(*recipe, std::move(*experiments), [&](std::size_t step) {
-        if (request.folder.isEmpty())
-            return std::string();
-        return folder
-            .filePath(QStringLiteral("%1-%2.bask")
-                          .arg(step + 1, 2, 10, QLatin1Char('0'))
-                          .arg(QString::fromStdString(nameOf(recipe->steps[step]))))
-            .toStdString();
+        return request.folder.isEmpty() ? std::string() : recordingOf(*recipe, step, folder);
     });
     Teller teller;
     const RecipeWatch watch = [&](const RecipeRunner& on, const Snapshot& snapshot) {

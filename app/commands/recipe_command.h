@@ -7,7 +7,7 @@ namespace bask {
 
 struct RecipeRequest {
     QString recipe;
-    QString folder;  ///< for the sessions; empty: none are recorded
+    QString folder;  ///< for the sessions, none of which may be there yet; empty: none are recorded
     QString summary; ///< JSON; empty: none
     bool isLive = false;
 };

@@ -182,7 +182,8 @@ int runExperimentCommand(const QStringList& arguments) {
           "Instead of one experiment those of a recipe, one after another with its waits. Exit code: 0 only\n"
           "where every step got there, 1 a fault or an alarm.",
           "RECIPE.json"},
-         {"out", "Folder for the recipe's sessions, one a run.", "DIR"}});
+         {"out", "Folder for the recipe's sessions, one a run: 01-NAME.bask. None of them may be there yet.",
+          "DIR"}});
     const bool isRecipe = std::ranges::any_of(arguments, [](const QString& argument) {
         return argument.startsWith(QLatin1String("--recipe")) ||
                argument.startsWith(QLatin1String("-recipe"));

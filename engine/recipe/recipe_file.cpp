@@ -46,7 +46,7 @@ void readStep(const json& j, const std::string& path, const std::string& folder,
     if (failure)
         return;
     const bool isWait = j.contains("wait");
-    if (j.contains("run_example"))
+    if (!isWait && j.contains("run_example"))
         fields.read("run_example", step.example);
     else if (!isWait)
         fields.read("run", step.experiment, true);

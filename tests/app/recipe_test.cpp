@@ -106,6 +106,19 @@ TEST_F(RecipeTest, goesThroughItsStepsUntilItIsStopped) {
     EXPECT_EQ(opened->facts().experiment.objects.size(), 2u);
     EXPECT_FALSE(opened->facts().interrupted());
     EXPECT_EQ(window->pages().page(), Page::Review);
+
+    // A window that draws for a minute cannot watch over a recipe.
+    window->pages().show(Page::Run);
+    window->files().open(path);
+    click("recipeStart");
+    ASSERT_TRUE(waitFor([this] { return question() != nullptr; }));
+    ASSERT_NO_FATAL_FAILURE(go());
+    QStringList problems;
+    QObject::connect(&window->files(), &SessionActions::problem, window.get(),
+                     [&](const QString& sentence) { problems << sentence; });
+    window->files().setFileChooser([](const FileQuestion&) { return QString(); });
+    window->files().exportSession(SessionForm::Figures);
+    EXPECT_EQ(problems.size(), 1) << "nothing has been armed yet, but the recipe is on";
 }
 
 // Catches a recipe that goes on after a person has taken the run in hand.

@@ -4,6 +4,7 @@
 #include "app/settings_store.h"
 #include "tests/support/wait_for.h"
 
+#include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QTemporaryDir>
@@ -189,13 +190,46 @@ TEST_F(SessionActionsTest, TheOpenSessionIsExportedInEveryForm) {
     ASSERT_TRUE(waitFor([&] { return problems.size() == 6; })) << problems.join('\n').toStdString();
     for (const QString& problem : problems)
         EXPECT_TRUE(problem.contains(QStringLiteral("/proc/no-such-place"))) << problem.toStdString();
+}
 
-    problems.clear();
-    asked.clear();
-    files.setRunGuard([] { return true; });
-    files.exportSession(SessionForm::ReportPdf);
-    EXPECT_EQ(problems.size(), 1) << "drawing takes the window's time";
-    EXPECT_TRUE(asked.isEmpty());
+// Catches: a window that draws for a minute, its STOP dead, under a run or recipe that was on or has begun
+// while the session was read.
+TEST_F(SessionActionsTest, NothingIsDrawnUnderARunOrRecipe) {
+    const QTemporaryDir folder, out;
+    int opened = 0, asked = 0;
+    QStringList told;
+    bool runIsOn = false, recipeIsOn = false;
+    QObject::connect(&files, &SessionActions::sessionOpened, [&] { ++opened; });
+    QObject::connect(&files, &SessionActions::told, [&](const QString& text) { told << text; });
+    files.setRunGuard([&] { return runIsOn; });
+    files.setRecipeGuard([&] { return recipeIsOn; });
+    files.setFileChooser([&](const FileQuestion& question) {
+        ++asked;
+        return question.kind == FileQuestion::Kind::Folder ? out.path() : out.filePath(QStringLiteral("run"));
+    });
+    files.open(recorded(folder));
+    ASSERT_TRUE(waitFor([&] { return opened == 1; }));
+    constexpr std::array kDrawn{SessionForm::Figures, SessionForm::ReportPdf, SessionForm::ReportHtml};
+    for (bool* isOn : {&runIsOn, &recipeIsOn}) {
+        asked = 0;
+        problems.clear();
+        for (const SessionForm form : kDrawn)
+            files.exportSession(form);
+        *isOn = true; // before the first is read
+        ASSERT_TRUE(waitFor([&] { return problems.size() + told.size() == 3; }));
+        EXPECT_EQ(asked, 3);
+        for (const SessionForm form : kDrawn)
+            files.exportSession(form);
+        EXPECT_EQ(asked, 3) << "a question whose answer is of no use";
+        EXPECT_EQ(problems.size(), 6);
+        *isOn = false;
+    }
+    EXPECT_TRUE(told.isEmpty()) << told.join('\n').toStdString();
+    EXPECT_TRUE(QDir(out.path()).isEmpty());
+
+    recipeIsOn = true; // the other forms need no more of the window than their answer
+    files.exportSession(SessionForm::Csv);
+    EXPECT_TRUE(waitFor([&] { return told.size() == 1; }));
 }
 
 } // namespace

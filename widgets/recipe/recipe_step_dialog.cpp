@@ -7,17 +7,42 @@
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLocale>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace bask {
 
 using Until = RecipeStep::Until;
 
+namespace {
+
+/// Milliseconds are kept, and shown where there are any.
+class SecondsSpinBox : public QDoubleSpinBox {
+public:
+    explicit SecondsSpinBox(QWidget* parent) : QDoubleSpinBox(parent) {
+        setDecimals(3);
+        setSingleStep(10.0);
+        setSuffix(QStringLiteral(" s"));
+        setMinimumWidth(140);
+    }
+
+protected:
+    QString textFromValue(double value) const override {
+        QLocale plain = locale();
+        plain.setNumberOptions(QLocale::OmitGroupSeparator);
+        return plain.toString(value, 'f', QLocale::FloatingPointShortest);
+    }
+};
+
+} // namespace
+
 RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& objects, TemperatureUnit unit,
                                    QWidget* parent)
     : QDialog(parent), m_step(step), m_form(new QFormLayout), m_until(new QComboBox(this)),
-      m_duration(new QDoubleSpinBox(this)), m_object(new QComboBox(this)),
-      m_temperature(new QuantitySpinBox(this)), m_atMost(new QDoubleSpinBox(this)),
+      m_duration(new SecondsSpinBox(this)), m_object(new QComboBox(this)),
+      m_temperature(new QuantitySpinBox(this)), m_atMost(new SecondsSpinBox(this)),
       m_otherwise(new QComboBox(this)) {
     setObjectName(QStringLiteral("recipeStepDialog"));
     setWindowTitle(step.isRun() ? tr("Run %1").arg(stepWords(step)) : tr("Wait"));
@@ -29,15 +54,12 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
     m_until->addItem(tr("An object is so hot or hotter"), static_cast<int>(Until::Above));
     m_until->addItem(tr("An object is so cold or colder"), static_cast<int>(Until::Below));
     m_until->setCurrentIndex(m_until->findData(static_cast<int>(step.until)));
-    for (QDoubleSpinBox* seconds : {m_duration, m_atMost}) {
-        seconds->setRange(seconds == m_duration ? 0.0 : 1.0, kLongestStep_s);
-        seconds->setDecimals(0);
-        seconds->setSingleStep(10.0);
-        seconds->setSuffix(QStringLiteral(" s"));
-        seconds->setMinimumWidth(140);
-    }
+    m_duration->setRange(0.0, kLongestStep_s);
+    m_atMost->setRange(1.0, kLongestStep_s);
     m_duration->setValue(step.duration_s);
     m_atMost->setValue(step.atMost_s);
+    m_shownDuration_s = m_duration->value();
+    m_shownAtMost_s = m_atMost->value();
     m_object->setEditable(true);
     m_object->addItems(objects);
     if (!step.object.empty())
@@ -94,13 +116,19 @@ void RecipeStepDialog::showFields() {
     adjustSize();
 }
 
+/// What nobody has changed stays as it was given, with more digits than are shown.
 RecipeStep RecipeStepDialog::step() const {
     RecipeStep made = m_step;
     made.until = static_cast<Until>(m_until->currentData().toInt());
-    made.duration_s = m_duration->value();
-    made.object = m_object->currentText().trimmed().toStdString();
-    made.temperature_K = m_temperature->value_K();
-    made.atMost_s = m_atMost->value();
+    if (m_duration->value() != m_shownDuration_s)
+        made.duration_s = m_duration->value();
+    made.duration_s = std::max(made.duration_s, m_duration->minimum());
+    if (m_atMost->value() != m_shownAtMost_s)
+        made.atMost_s = m_atMost->value();
+    if (made.until == Until::Above || made.until == Until::Below) {
+        made.object = m_object->currentText().trimmed().toStdString();
+        made.temperature_K = m_temperature->value_K();
+    }
     made.goesOn = m_otherwise->currentData().toBool();
     return made;
 }

@@ -32,7 +32,8 @@ private:
     void addRow(const QString& label, QWidget* field, const char* name);
     void showFields();
 
-    RecipeStep m_step; ///< as given
+    RecipeStep m_step;                                     ///< as given
+    double m_shownDuration_s = 0.0, m_shownAtMost_s = 0.0; ///< the same, rounded
     QFormLayout* m_form;
     QComboBox* m_until;
     QDoubleSpinBox* m_duration;

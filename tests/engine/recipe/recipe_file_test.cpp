@@ -105,6 +105,7 @@ TEST_F(RecipeFile, refusesWhatIsWrongAndSaysWhere) {
         {R"({"run": "a.json", "run_example": "b", "until": {"time_s": 5}})", MessageCode::JsonUnknownKey,
          "steps[0]"},
         {R"({"run": "a.json", "wait": {"time_s": 5}})", MessageCode::JsonUnknownKey, "steps[0]"},
+        {R"({"run_example": "a", "wait": {"time_s": 5}})", MessageCode::JsonUnknownKey, "steps[0]"},
         {R"({"run": "a.json", "until": {"settled_for_s": 5}})", MessageCode::JsonMissingKey, "steps[0]"},
         {R"({"run": "a.json", "until": {"settled_for_s": 50}, "at_most_s": 20})",
          MessageCode::ValueOutOfRange, "steps[0].until.settled_for_s"},
