@@ -22,7 +22,8 @@ namespace {
 constexpr qsizetype kChunk = 1 << 20;      // bytes held before they are written
 constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
 
-/// RFC 4180: quoted when the text holds a comma, a quote or a line break.
+/// RFC 4180: quoted when the text holds a comma, a quote or a line break. What a spreadsheet would take for a
+/// formula gets a ' before it.
 void appendField(QByteArray& out, const SqlValue& value) {
     std::array<char, 32> digits{};
     if (const auto* number = std::get_if<double>(&value)) {
@@ -34,8 +35,13 @@ void appendField(QByteArray& out, const SqlValue& value) {
         out.append(digits.data(), end - digits.data());
     } else if (const auto* text = std::get_if<std::string>(&value)) {
         QByteArray field = QByteArray::fromStdString(*text);
-        if (text->find_first_of(",\"\r\n") != std::string::npos)
-            field = '"' + field.replace("\"", "\"\"") + '"';
+        const bool isQuoted = text->find_first_of(",\"\r\n") != std::string::npos;
+        if (isQuoted)
+            field.replace("\"", "\"\"");
+        if (text->find_first_of("=+-@\t\r") == 0)
+            field.prepend('\'');
+        if (isQuoted)
+            field = '"' + field + '"';
         out.append(field);
     }
 }
