@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
 #include "engine/base/units.h"
 #include "engine/session/recorded_session.h"
 #include "engine/session/session_facts.h"
@@ -207,15 +208,22 @@ Result<std::vector<std::string>> writeAll(const std::string& path, const std::st
         done = writeTraces(*facts, traces);
     if (done)
         done = writeTables(**store, *tables, files);
-    if (done)
-        done = traces.commit();
-    std::vector<std::string> names{traces.path()};
-    for (const auto& file : files) {
-        if (done)
-            done = file->commit();
-        names.push_back(file->path());
-    }
-    return done ? Result<std::vector<std::string>>(names) : done.error();
+    if (!done)
+        return done.error();
+    ReplacedFiles old;
+    std::vector<std::string> names;
+    const auto commit = [&](CsvFile& file) {
+        names.push_back(file.path());
+        auto kept = old.setAside(file.path());
+        return kept ? file.commit() : kept;
+    };
+    done = commit(traces);
+    for (std::size_t i = 0; i < files.size() && done; ++i)
+        done = commit(*files[i]);
+    if (!done)
+        return done.error();
+    old.keepNew();
+    return names;
 }
 
 } // namespace
