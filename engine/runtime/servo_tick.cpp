@@ -318,6 +318,7 @@ void ServoLoop::standStill() {
     (void)m_devices.robot.halt();
     m_rates.setZero();
     m_latest.twist.setZero();
+    m_latest.limits = {}; // nothing is held back
 }
 
 void ServoLoop::noteSettling() {
@@ -380,7 +381,9 @@ void ServoLoop::retreat() {
         m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
         return;
     }
-    move(velocityTowards(*m_geometry, m_coordinates, goal, period_s, m_rates).rates);
+    const VelocitySolution way = velocityTowards(*m_geometry, m_coordinates, goal, period_s, m_rates);
+    m_latest.limits = way.limits;
+    move(way.rates);
 }
 
 void ServoLoop::trace() {

@@ -76,6 +76,20 @@ TEST_F(ServoLoopTest, HoldStandsStillAndResumeGoesOn) {
     EXPECT_NE(rig.simulatedRobot().coordinates(), at);
 }
 
+// Catches: limits of the last command in the samples of a robot that is told to stand.
+TEST_F(ServoLoopTest, WhileItStandsNothingHoldsItBack) {
+    startRun();
+    periods(3);
+    ASSERT_TRUE(loop.latest().limits.any()) << "on the way from the start";
+    ASSERT_TRUE(loop.hold());
+    (void)loop.takeRecord();
+    periods(2);
+    const LoopRecord rows = loop.takeRecord();
+    ASSERT_EQ(rows.samples.size(), 2U);
+    for (const TraceSample& sample : rows.samples)
+        EXPECT_FALSE(sample.limits.any());
+}
+
 TEST_F(ServoLoopTest, ALostSensorHoldsAndThenEndsTheRunWithARetreat) {
     startRun();
     periods(5);
