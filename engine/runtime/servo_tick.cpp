@@ -207,7 +207,8 @@ void ServoLoop::watch() {
         (void)hold();
         m_heldBySafety = true;
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
-        (void)stop(); // whoever holds: nobody sees how hot the object is, or where the source
+        stopFor(m_safety.lost()
+                    ->message); // whoever holds: nobody sees how hot the object is, or where the source
     } else if (const SafetyFinding* lost = m_safety.lostSensor();
                lost != nullptr && m_safety.isLostTooLong() && isHeatedByHand()) {
         stopFor(lost->message);

@@ -107,6 +107,9 @@ TEST_F(ServoLoopTest, ALostSensorHoldsAndThenEndsTheRunWithARetreat) {
     EXPECT_FALSE(loop.heatOn());
     for (const TraceEvent& event : loop.takeRecord().events)
         EXPECT_EQ(describe(event.message).find("nan"), std::string::npos) << describe(event.message);
+    periods(40);
+    EXPECT_EQ(loop.outcome(), "fault") << "no operator has stopped it";
+    EXPECT_TRUE(reasonGiven(MessageCode::ReasonSensorInvalid));
 }
 
 TEST_F(ServoLoopTest, ASensorThatComesBackAllowsResume) {
