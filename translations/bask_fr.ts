@@ -3917,10 +3917,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Tous les objets ne sont pas stabilisés</translation>
         </message>
         <message>
-            <source>Stopped by the operator</source>
-            <translation>Arrêté par l’opérateur</translation>
-        </message>
-        <message>
             <source>Ended by a fault</source>
             <translation>Terminé par un défaut</translation>
         </message>
@@ -4047,6 +4043,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
             <translation>Ni grandeurs, ni valeurs finales, ni coefficients thermiques : l’enregistrement ne peut pas être lu jusqu’au bout.</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>Arrêté</translation>
+        </message>
+        <message>
+            <source>Ended by STOP</source>
+            <translation>Terminé par STOP</translation>
         </message>
     </context>
     <context>
@@ -6726,6 +6730,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <source>Unreadable</source>
             <translation>Illisible</translation>
         </message>
+        <message>
+            <source>STOP</source>
+            <translation>STOP</translation>
+        </message>
     </context>
     <context>
         <name>bask::ReplayView</name>
@@ -7220,10 +7228,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Permanente, toutes ensemble</translation>
         </message>
         <message>
-            <source>Stopped by the operator.</source>
-            <translation>Arrêté par l’opérateur.</translation>
-        </message>
-        <message>
             <source>Surroundings</source>
             <translation>Environnement</translation>
         </message>
@@ -7468,6 +7472,18 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>%1 to %2</source>
             <translation>%1 à %2</translation>
+        </message>
+        <message>
+            <source>Stopped.</source>
+            <translation>Arrêté.</translation>
+        </message>
+        <message>
+            <source>Ended by STOP.</source>
+            <translation>Terminé par STOP.</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
+            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est rapporté.</translation>
         </message>
     </context>
     <context>

@@ -3912,10 +3912,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>并非所有物体都已稳定</translation>
         </message>
         <message>
-            <source>Stopped by the operator</source>
-            <translation>由操作员停止</translation>
-        </message>
-        <message>
             <source>Ended by a fault</source>
             <translation>因故障结束</translation>
         </message>
@@ -4042,6 +4038,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
             <translation>无指标、最终值和热速率：记录无法读取到结尾。</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>已停止</translation>
+        </message>
+        <message>
+            <source>Ended by STOP</source>
+            <translation>因软件停止结束</translation>
         </message>
     </context>
     <context>
@@ -6721,6 +6725,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>Unreadable</source>
             <translation>无法读取</translation>
         </message>
+        <message>
+            <source>STOP</source>
+            <translation>软件停止</translation>
+        </message>
     </context>
     <context>
         <name>bask::ReplayView</name>
@@ -7212,10 +7220,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>稳态，同时保持</translation>
         </message>
         <message>
-            <source>Stopped by the operator.</source>
-            <translation>由操作员停止。</translation>
-        </message>
-        <message>
             <source>Surroundings</source>
             <translation>周围环境</translation>
         </message>
@@ -7454,6 +7458,18 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>%1 to %2</source>
             <translation>%1 至 %2</translation>
+        </message>
+        <message>
+            <source>Stopped.</source>
+            <translation>已停止。</translation>
+        </message>
+        <message>
+            <source>Ended by STOP.</source>
+            <translation>因软件停止结束。</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
+            <translation>已中断：记录未经“停止”而结束，后来才关闭。本报告为已写入的内容。</translation>
         </message>
     </context>
     <context>

@@ -3912,10 +3912,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>並非所有物體都已穩定</translation>
         </message>
         <message>
-            <source>Stopped by the operator</source>
-            <translation>由操作員停止</translation>
-        </message>
-        <message>
             <source>Ended by a fault</source>
             <translation>因故障結束</translation>
         </message>
@@ -4042,6 +4038,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
             <translation>無指標、最終值和熱速率：記錄無法讀取到結尾。</translation>
+        </message>
+        <message>
+            <source>Stopped</source>
+            <translation>已停止</translation>
+        </message>
+        <message>
+            <source>Ended by STOP</source>
+            <translation>因軟體停止結束</translation>
         </message>
     </context>
     <context>
@@ -6721,6 +6725,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <source>Unreadable</source>
             <translation>無法讀取</translation>
         </message>
+        <message>
+            <source>STOP</source>
+            <translation>軟體停止</translation>
+        </message>
     </context>
     <context>
         <name>bask::ReplayView</name>
@@ -7212,10 +7220,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>穩態，同時保持</translation>
         </message>
         <message>
-            <source>Stopped by the operator.</source>
-            <translation>由操作員停止。</translation>
-        </message>
-        <message>
             <source>Surroundings</source>
             <translation>周圍環境</translation>
         </message>
@@ -7454,6 +7458,18 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>%1 to %2</source>
             <translation>%1 至 %2</translation>
+        </message>
+        <message>
+            <source>Stopped.</source>
+            <translation>已停止。</translation>
+        </message>
+        <message>
+            <source>Ended by STOP.</source>
+            <translation>因軟體停止結束。</translation>
+        </message>
+        <message>
+            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
+            <translation>已中斷：記錄未經「停止」而結束，後來才關閉。本報告為已寫入的內容。</translation>
         </message>
     </context>
     <context>

@@ -4,6 +4,7 @@
 #include "app/report/report_figures.h"
 #include "engine/base/message_code.h"
 #include "engine/exchange/vtk_version.h"
+#include "engine/session/session_header.h"
 #include "widgets/common/display.h"
 #include "widgets/common/metric_words.h"
 
@@ -96,12 +97,18 @@ QString outcomeWords(const SessionRecord& session) {
     if (session.interrupted())
         return RecordText::tr(
             "Interrupted: the recording ended without a Stop. What had been written is reported.");
+    if (session.outcome == kOutcomeInterrupted)
+        return RecordText::tr(
+            "Interrupted: the recording ended without a Stop, and was closed later. What had been "
+            "written is reported.");
     if (session.outcome == "settled")
         return RecordText::tr("All objects settled.");
     if (session.outcome == "not-settled")
         return RecordText::tr("Not all objects settled.");
     if (session.outcome == "stopped")
-        return RecordText::tr("Stopped by the operator.");
+        return RecordText::tr("Stopped."); // by whom is not recorded
+    if (session.outcome == "emergency-stop")
+        return RecordText::tr("Ended by STOP.");
     if (session.outcome == "fault")
         return RecordText::tr("Ended by a fault.");
     return QString::fromStdString(session.outcome);

@@ -42,7 +42,7 @@ constexpr ObjectColumn kObjectColumns[]{
     {"measured_K", [](const TraceSample&, const ObjectSample& o) { return o.measured_K; }},
     {"estimated_K", [](const TraceSample&, const ObjectSample& o) { return o.estimated_K; }},
     {"target_K", [](const TraceSample&, const ObjectSample& o) { return o.target_K; }},
-    {"error_K", [](const TraceSample&, const ObjectSample& o) { return temperature_K(o) - o.target_K; }},
+    {"error_K", [](const TraceSample&, const ObjectSample& o) { return o.measured_K - o.target_K; }},
     {"view_factor", [](const TraceSample&, const ObjectSample& o) { return o.viewFactor; }},
     {"reading_valid", [](const TraceSample&, const ObjectSample& o) { return o.valid ? 1.0 : 0.0; }},
     {"time_s", [](const TraceSample& s, const ObjectSample&) { return s.time_s; }},

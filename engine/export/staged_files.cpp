@@ -1,6 +1,7 @@
 #include "engine/export/staged_files.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
 
 #include <atomic>
 #include <cerrno>
@@ -103,12 +104,16 @@ Result<std::vector<std::string>> StagedFiles::commit() {
         return unwritable(target(name), failed ? failed.message() : "it is a folder");
     }
     std::vector<std::string> files;
+    ReplacedFiles old;
     for (const std::string& name : m_names) {
+        if (auto kept = old.setAside(target(name)); !kept)
+            return kept.error();
         fs::rename(fs::path(m_stage) / name, target(name), failed);
         if (failed)
             return unwritable(target(name), failed.message());
         files.push_back(target(name));
     }
+    old.keepNew();
     return files;
 }
 

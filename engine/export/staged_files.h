@@ -25,7 +25,7 @@ public:
     Result<void> write(const std::string& name, const std::string& contents);
     /// Its path when all is done.
     std::string target(const std::string& name) const;
-    /// Moves all; their paths. Error: FileUnwritable, and nothing new stays.
+    /// Moves all; their paths. Error: FileUnwritable; then all is as it was.
     Result<std::vector<std::string>> commit();
 
 private:

@@ -379,9 +379,10 @@ const SafetyFinding* SafetyMonitor::forbidsReset() const {
     return isGrave ? &m_active.front() : nullptr;
 }
 
-bool SafetyMonitor::isLost() const {
-    return std::ranges::any_of(
+const SafetyFinding* SafetyMonitor::lost() const {
+    const auto found = std::ranges::find_if(
         m_active, [](const SafetyFinding& finding) { return safetyRow(finding.condition).isEnding; });
+    return found == m_active.end() ? nullptr : &*found;
 }
 
 bool SafetyMonitor::isLostTooLong() const {

@@ -130,8 +130,9 @@ public:
     /// The gravest that forbids a reset; null: none.
     const SafetyFinding* forbidsReset() const;
 
-    /// A sensor's value, or the source's place, is lost.
-    bool isLost() const;
+    /// A sensor's value, or the source's place, is lost; null: none.
+    const SafetyFinding* lost() const;
+    bool isLost() const { return lost() != nullptr; }
     /// For longer than the held limit: what comes back and goes again is one loss.
     bool isLostTooLong() const;
     /// A sensor that is lost, not the source's place; null: none.

@@ -207,7 +207,8 @@ void ServoLoop::watch() {
         (void)hold();
         m_heldBySafety = true;
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
-        (void)stop(); // whoever holds: nobody sees how hot the object is, or where the source
+        stopFor(m_safety.lost()
+                    ->message); // whoever holds: nobody sees how hot the object is, or where the source
     } else if (const SafetyFinding* lost = m_safety.lostSensor();
                lost != nullptr && m_safety.isLostTooLong() && isHeatedByHand()) {
         stopFor(lost->message);
@@ -318,6 +319,7 @@ void ServoLoop::standStill() {
     (void)m_devices.robot.halt();
     m_rates.setZero();
     m_latest.twist.setZero();
+    m_latest.limits = {}; // nothing is held back
 }
 
 void ServoLoop::noteSettling() {
@@ -380,7 +382,9 @@ void ServoLoop::retreat() {
         m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
         return;
     }
-    move(velocityTowards(*m_geometry, m_coordinates, goal, period_s, m_rates).rates);
+    const VelocitySolution way = velocityTowards(*m_geometry, m_coordinates, goal, period_s, m_rates);
+    m_latest.limits = way.limits;
+    move(way.rates);
 }
 
 void ServoLoop::trace() {

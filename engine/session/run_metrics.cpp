@@ -1,5 +1,6 @@
 #include "engine/session/run_metrics.h"
 
+#include "engine/base/message_code.h"
 #include "engine/session/recorded_session.h"
 
 #include <algorithm>
@@ -136,6 +137,14 @@ RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
     m_metrics.band_K = band_K;
     for (const ObjectSpec& object : facts.experiment.objects)
         m_objects.emplace_back(poseFromCoordinates(object.mounting));
+    constexpr double kOpen_s = std::numeric_limits<double>::infinity();
+    for (const TraceEvent& event : facts.events) {
+        const bool isHeld = !m_holds_s.empty() && m_holds_s.back().second == kOpen_s;
+        if (event.message.code == MessageCode::EventHeld && !isHeld)
+            m_holds_s.emplace_back(event.time_s, kOpen_s);
+        else if (event.message.code == MessageCode::EventResumed && isHeld)
+            m_holds_s.back().second = event.time_s;
+    }
 }
 
 RunMetricsCount::~RunMetricsCount() = default;
@@ -163,7 +172,11 @@ void RunMetricsCount::addMotion(const TraceSample& sample) {
     }
     const double lasts_s = sample.time_s - before.time_s;
     const ActiveLimits& limits = before.limits;
-    if (!limits.any() || !(lasts_s > 0.0))
+    while (!m_holds_s.empty() && m_holds_s.front().second < before.time_s)
+        m_holds_s.pop_front();
+    // Older files keep the limits of the last command throughout a hold.
+    const bool isHeld = !m_holds_s.empty() && m_holds_s.front().first <= before.time_s;
+    if (!limits.any() || isHeld || !(lasts_s > 0.0))
         return;
     m_metrics.heldBack_s += lasts_s;
     for (int l = 0; l < static_cast<int>(m_metrics.atLimit_s.size()); ++l) {

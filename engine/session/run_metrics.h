@@ -4,7 +4,9 @@
 #include "engine/session/session_file.h"
 
 #include <array>
+#include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace bask {
@@ -72,6 +74,7 @@ private:
     void addMotion(const TraceSample& sample);
 
     double m_until_s;
+    std::deque<std::pair<double, double>> m_holds_s; ///< from, until; those over are left out
     RunMetrics m_metrics;
     std::vector<ObjectCount> m_objects;
 };

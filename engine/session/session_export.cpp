@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
 #include "engine/base/units.h"
 #include "engine/session/recorded_session.h"
 #include "engine/session/session_facts.h"
@@ -22,7 +23,8 @@ namespace {
 constexpr qsizetype kChunk = 1 << 20;      // bytes held before they are written
 constexpr std::uintmax_t kFull = 64 << 10; // bytes; with less a disk counts as full
 
-/// RFC 4180: quoted when the text holds a comma, a quote or a line break.
+/// RFC 4180: quoted when the text holds a comma, a quote or a line break. What a spreadsheet would take for a
+/// formula gets a ' before it.
 void appendField(QByteArray& out, const SqlValue& value) {
     std::array<char, 32> digits{};
     if (const auto* number = std::get_if<double>(&value)) {
@@ -34,8 +36,13 @@ void appendField(QByteArray& out, const SqlValue& value) {
         out.append(digits.data(), end - digits.data());
     } else if (const auto* text = std::get_if<std::string>(&value)) {
         QByteArray field = QByteArray::fromStdString(*text);
-        if (text->find_first_of(",\"\r\n") != std::string::npos)
-            field = '"' + field.replace("\"", "\"\"") + '"';
+        const bool isQuoted = text->find_first_of(",\"\r\n") != std::string::npos;
+        if (isQuoted)
+            field.replace("\"", "\"\"");
+        if (text->find_first_of("=+-@\t\r") == 0)
+            field.prepend('\'');
+        if (isQuoted)
+            field = '"' + field + '"';
         out.append(field);
     }
 }
@@ -201,15 +208,22 @@ Result<std::vector<std::string>> writeAll(const std::string& path, const std::st
         done = writeTraces(*facts, traces);
     if (done)
         done = writeTables(**store, *tables, files);
-    if (done)
-        done = traces.commit();
-    std::vector<std::string> names{traces.path()};
-    for (const auto& file : files) {
-        if (done)
-            done = file->commit();
-        names.push_back(file->path());
-    }
-    return done ? Result<std::vector<std::string>>(names) : done.error();
+    if (!done)
+        return done.error();
+    ReplacedFiles old;
+    std::vector<std::string> names;
+    const auto commit = [&](CsvFile& file) {
+        names.push_back(file.path());
+        auto kept = old.setAside(file.path());
+        return kept ? file.commit() : kept;
+    };
+    done = commit(traces);
+    for (std::size_t i = 0; i < files.size() && done; ++i)
+        done = commit(*files[i]);
+    if (!done)
+        return done.error();
+    old.keepNew();
+    return names;
 }
 
 } // namespace

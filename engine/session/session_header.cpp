@@ -22,6 +22,13 @@ using Row = SessionStore::Row;
 constexpr int kTries = 10;
 constexpr std::chrono::milliseconds kBetweenTries(200);
 
+// A list reads whatever lies in its folder: no more of it than fits the memory.
+constexpr const char* kSelectMeta = "SELECT key, substr(value, 1, 65536) FROM meta "
+                                    "WHERE key IN ('created', 'simulated', 'outcome', 'tags') LIMIT 4";
+constexpr const char* kSelectExperiment =
+    "SELECT json FROM experiment WHERE length(json) < 16777216 ORDER BY rowid LIMIT 1";
+constexpr const char* kSelectNotes = "SELECT substr(text, 1, 4096) FROM note ORDER BY rowid LIMIT 1000";
+
 std::vector<std::string> textsOf(const nlohmann::json& list) {
     std::vector<std::string> texts;
     for (const auto& entry : list)
@@ -50,7 +57,7 @@ Result<void> readInto(SessionHeader& header) {
         return store.error();
     auto done = (*store)->execute("BEGIN"); // all of one moment
     if (done)
-        done = (*store)->select("SELECT key, value FROM meta", [&](Row row) {
+        done = (*store)->select(kSelectMeta, [&](Row row) {
             const std::string key = textOf(row[0]), value = textOf(row[1]);
             if (key == "created")
                 header.created = value;
@@ -62,8 +69,7 @@ Result<void> readInto(SessionHeader& header) {
                 header.tags = textsOf(nlohmann::json::parse(value, nullptr, false));
         });
     if (done)
-        done = (*store)->select("SELECT json FROM experiment",
-                                [&](Row row) { takeExperiment(header, textOf(row[0])); });
+        done = (*store)->select(kSelectExperiment, [&](Row row) { takeExperiment(header, textOf(row[0])); });
     if (done)
         done = (*store)->select((*store)->version() < 2
                                     ? "SELECT rowid, time_s FROM pose ORDER BY rowid DESC LIMIT 1"
@@ -73,8 +79,7 @@ Result<void> readInto(SessionHeader& header) {
                                     header.end_s = numberOf(row[1]);
                                 });
     if (done)
-        done = (*store)->select("SELECT text FROM note ORDER BY rowid",
-                                [&](Row row) { header.notes.push_back(textOf(row[0])); });
+        done = (*store)->select(kSelectNotes, [&](Row row) { header.notes.push_back(textOf(row[0])); });
     return done;
 }
 

@@ -5,6 +5,7 @@
 
 #include <QFile>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QSqlDatabase>
 #include <QSqlError>
 #include <QSqlField>
@@ -171,6 +172,32 @@ Result<std::unique_ptr<SessionStore>> SessionStore::create(const std::string& pa
 
 namespace {
 
+/// Is it one of the views that Bask makes: columns of `step`, for each object or once?
+bool isOwnView(const QString& sql) {
+    static const QRegularExpression kBegin(QStringLiteral(
+        R"(\ACREATE VIEW (sample|object_state|truth|pose|motion|source|source_pose) AS SELECT [\w ,.+)-]+\z)"));
+    static const QRegularExpression kEnd(QStringLiteral(R"(FROM step( CROSS JOIN object)?( WHERE 0)?\z)"));
+    const QRegularExpressionMatch end = kEnd.match(sql);
+    QString columns = sql.left(end.capturedStart());
+    columns.remove(QStringLiteral("ifnull("));
+    return end.hasMatch() && kBegin.match(columns).hasMatch() &&
+           !columns.contains(QStringLiteral("FROM"), Qt::CaseInsensitive);
+}
+
+/// A file from elsewhere must not compute when it is read: a view may never end, a generated column fill the
+/// memory.
+bool isHarmless(const SqlValue& schemaSql, int version) {
+    static const QRegularExpression kGenerated(QStringLiteral(R"(\bAS\b)"),
+                                               QRegularExpression::CaseInsensitiveOption);
+    if (std::holds_alternative<std::monostate>(schemaSql)) // SQLite's own index
+        return true;
+    const QString sql = QString::fromStdString(textOf(schemaSql));
+    if (sql.startsWith(QStringLiteral("CREATE TABLE ")))
+        return !kGenerated.match(sql).hasMatch();
+    return sql.startsWith(QStringLiteral("CREATE INDEX ")) ||
+           sql.startsWith(QStringLiteral("CREATE UNIQUE INDEX ")) || (version > 1 && isOwnView(sql));
+}
+
 /// Says in words that a database without a log beside it is shorter than its own header says. A file that has
 /// a log is not looked at: closing it here would drop the locks of a connection that records into it.
 Result<void> checkHeader(const std::string& path) {
@@ -252,7 +279,17 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
         return Error(MessageCode::VersionTooNew, path,
                      {std::to_string(*version), std::to_string(kSessionVersion)});
     impl->version = static_cast<int>(*version);
-    return std::unique_ptr<SessionStore>(new SessionStore(std::move(impl)));
+    std::unique_ptr<SessionStore> store(new SessionStore(std::move(impl)));
+    std::string foreign;
+    auto read = store->select("SELECT sql, type, name FROM sqlite_master", [&](Row row) {
+        if (!isHarmless(row[0], store->version()))
+            foreign = textOf(row[1]) + ' ' + textOf(row[2]);
+    });
+    if (read && !foreign.empty())
+        read = Error(MessageCode::SessionDamaged, path, {"Bask does not make this: " + foreign});
+    if (!read)
+        return read.error();
+    return store;
 }
 
 Result<void> SessionStore::execute(const std::string& sql) {

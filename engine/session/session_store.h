@@ -37,8 +37,8 @@ public:
     /// Opens a file that is new or empty, for writing.
     static Result<std::unique_ptr<SessionStore>> create(const std::string& path);
     /// Opens an existing session for reading only: one that is being written, one left by a killed process,
-    /// one in a folder that cannot be written. Refuses what is no session, is cut short, or is newer than
-    /// this program.
+    /// one in a folder that cannot be written. Refuses what is no session, is cut short, is newer than this
+    /// program, or computes something when it is read.
     static Result<std::unique_ptr<SessionStore>> open(const std::string& path);
     ~SessionStore();
 

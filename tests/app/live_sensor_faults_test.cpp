@@ -66,9 +66,9 @@ TEST_F(LiveSensorFaults, holdTheRunAndThenEndIt) {
     ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 12000)) << reasons();
     EXPECT_GT(held.elapsed(), 4000) << "held first";
     EXPECT_LT(held.elapsed(), 1000 + 8000) << "the held limit of 8 s, and no more than 1 s";
-    ASSERT_TRUE(reaches(RunState::Stopped, 30000)) << reasons();
+    ASSERT_TRUE(reaches(RunState::Fault, 30000)) << reasons();
     EXPECT_GT(state().place_m.z(), std::max(stood_m, kAway_m)) << "taken away";
-    expectRecorded("stopped");
+    expectRecorded("fault");
 }
 
 // While plate and objects warm. Catches a robot that goes nearer and nearer by readings that stay.

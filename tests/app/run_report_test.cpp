@@ -2,7 +2,9 @@
 
 #include "app/commands/command_line.h"
 #include "app/commands/session_outputs.h"
+#include "app/report/report_record.h"
 #include "engine/base/message_code.h"
+#include "engine/session/session_header.h"
 #include "tests/engine/session/recording.h"
 #include "tests/support/captured_command.h"
 
@@ -137,7 +139,25 @@ TEST_F(RunReport, ARealRigIsNotCalledSimulated) {
     const QString text = readable(report(recorded(test::twoDisks(), 240, "stopped", false)));
     EXPECT_FALSE(text.contains("SIMULATED"));
     EXPECT_TRUE(text.contains("LIVE"));
-    EXPECT_TRUE(text.contains("Stopped by the operator."));
+    EXPECT_TRUE(text.contains("Stopped."));
+    EXPECT_FALSE(text.contains("operator")) << "may have been a recipe's Stop";
+}
+
+// Catches: an outcome in the file's own English word.
+TEST_F(RunReport, EveryOutcomeHasItsWords) {
+    SessionRecord session;
+    for (const auto& [outcome, words] : std::vector<std::pair<const char*, const char*>>{
+             {"settled", "All objects settled."},
+             {"not-settled", "Not all objects settled."},
+             {"stopped", "Stopped."},
+             {"emergency-stop", "Ended by STOP."},
+             {"fault", "Ended by a fault."},
+             {"", "Interrupted: the recording ended without a Stop. What had been written is reported."},
+             {kOutcomeInterrupted, "Interrupted: the recording ended without a Stop, and was closed later. "
+                                   "What had been written is reported."}}) {
+        session.outcome = outcome;
+        EXPECT_EQ(outcomeWords(session), QString(words));
+    }
 }
 
 TEST_F(RunReport, SaysWhatAnInterruptedOrEmptyRunLacks) {

@@ -24,6 +24,8 @@ Outcome outcomeOf(const std::string& recorded) {
         return Outcome::NotSettled;
     if (recorded == "stopped")
         return Outcome::Stopped;
+    if (recorded == "emergency-stop")
+        return Outcome::EmergencyStop;
     return recorded == "fault" ? Outcome::Fault : Outcome::Other;
 }
 
@@ -35,6 +37,8 @@ QString outcomeWord(Outcome outcome) {
         return Words::tr("Not settled");
     case Outcome::Stopped:
         return Words::tr("Stopped");
+    case Outcome::EmergencyStop:
+        return Words::tr("STOP");
     case Outcome::Fault:
         return Words::tr("Fault");
     case Outcome::Interrupted:
@@ -57,7 +61,8 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
     pixmap.fill(Qt::transparent);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QColor colour = outcome == Outcome::Unreadable ? alarmColor(1, dark) : secondaryText(dark);
+    const bool isAlarm = outcome == Outcome::Unreadable || outcome == Outcome::EmergencyStop;
+    const QColor colour = isAlarm ? alarmColor(1, dark) : secondaryText(dark);
     painter.setPen(QPen(colour, size * 0.13, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const auto at = [size](double x, double y) { return QPointF(x * size, y * size); };
     switch (outcome) {
@@ -69,6 +74,10 @@ QPixmap outcomePixmap(Outcome outcome, bool dark, int size, double devicePixelRa
         break;
     case Outcome::Stopped: // square
         painter.drawRect(QRectF(at(0.24, 0.24), at(0.76, 0.76)));
+        break;
+    case Outcome::EmergencyStop: // octagon
+        painter.drawPolygon(QPolygonF{at(0.33, 0.1), at(0.67, 0.1), at(0.9, 0.33), at(0.9, 0.67),
+                                      at(0.67, 0.9), at(0.33, 0.9), at(0.1, 0.67), at(0.1, 0.33)});
         break;
     case Outcome::Interrupted: // a line that breaks off
         painter.drawLine(at(0.1, 0.5), at(0.5, 0.5));

@@ -8,7 +8,17 @@
 
 namespace bask {
 
-enum class Outcome { Settled, NotSettled, Stopped, Fault, Interrupted, Recording, Unreadable, Other };
+enum class Outcome {
+    Settled,
+    NotSettled,
+    Stopped,
+    EmergencyStop,
+    Fault,
+    Interrupted,
+    Recording,
+    Unreadable,
+    Other
+};
 
 /// Of what stands in the file; empty is a recording without its end.
 Outcome outcomeOf(const std::string& recorded);

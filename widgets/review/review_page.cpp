@@ -355,7 +355,9 @@ QString ReviewPage::outcomeText() const {
     if (outcome == "not-settled")
         return tr("Not all objects settled");
     if (outcome == "stopped")
-        return tr("Stopped by the operator");
+        return tr("Stopped"); // by whom is not recorded
+    if (outcome == "emergency-stop")
+        return tr("Ended by STOP");
     if (outcome == "fault")
         return tr("Ended by a fault");
     return QString::fromStdString(outcome);

@@ -96,6 +96,8 @@ TEST_F(SessionVtk, TrajectoriesHaveTheSamplesNumbers) {
         };
         EXPECT_EQ(value("measured_K"), sample.objects[1].measured_K);
         EXPECT_EQ(value("true_K"), sample.objects[1].true_K);
+        EXPECT_EQ(value("error_K"), sample.objects[1].measured_K - sample.objects[1].target_K)
+            << "as in traces.csv";
         EXPECT_EQ(value("view_factor"), sample.objects[1].viewFactor);
         EXPECT_EQ(value("time_s"), sample.time_s);
         EXPECT_EQ(std::isnan(value("estimated_K")), k < 10);

@@ -58,6 +58,32 @@ TEST(StagedFiles, LeaveNothingHiddenBehind) {
     EXPECT_EQ(everythingIn(folder.path()), QStringList{"one.txt"});
 }
 
+// Catches: older files that are gone when a later one cannot be moved; here one of the same name.
+TEST(StagedFiles, PutOlderOnesBackWhenTheLastFails) {
+    const QTemporaryDir folder;
+    QFile old(folder.filePath("one.txt"));
+    ASSERT_TRUE(old.open(QIODevice::WriteOnly) && old.write("old") == 3);
+    old.close();
+    {
+        auto files = StagedFiles::into(folder.path().toStdString());
+        ASSERT_TRUE(files->write("new.txt", "2"));
+        ASSERT_TRUE(files->write("one.txt", "1"));
+        ASSERT_TRUE(files->write("one.txt", "1"));
+        const auto paths = files->commit();
+        ASSERT_FALSE(paths);
+        EXPECT_EQ(paths.error().code(), MessageCode::FileUnwritable);
+    }
+    ASSERT_TRUE(old.open(QIODevice::ReadOnly));
+    EXPECT_EQ(old.readAll(), "old");
+    EXPECT_EQ(everythingIn(folder.path()), QStringList{"one.txt"});
+    auto files = StagedFiles::into(folder.path().toStdString());
+    ASSERT_TRUE(files->write("one.txt", "1"));
+    ASSERT_TRUE(files->commit());
+    old.close();
+    ASSERT_TRUE(old.open(QIODevice::ReadOnly));
+    EXPECT_EQ(old.readAll(), "1");
+}
+
 TEST(StagedFiles, TellWhatCannotBeWritten) {
     const QTemporaryDir folder;
     QFile blocked(folder.filePath("file"));

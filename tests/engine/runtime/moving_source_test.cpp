@@ -125,6 +125,9 @@ TEST(MovingSource, LostFromViewHoldsAndThenEndsTheRun) {
     run.periods(21);
     EXPECT_EQ(run.loop.state(), RunState::Stopping);
     EXPECT_FALSE(run.loop.heatOn());
+    run.periods(60);
+    EXPECT_EQ(run.loop.outcome(), "fault") << "no operator has stopped it";
+    EXPECT_EQ(run.loop.reasons().front().code, MessageCode::ReasonSourcePoseLost);
 }
 
 // Catches a prediction that keeps a run going for ever: poses of now, of a source that is hidden.

@@ -76,6 +76,20 @@ TEST_F(ServoLoopTest, HoldStandsStillAndResumeGoesOn) {
     EXPECT_NE(rig.simulatedRobot().coordinates(), at);
 }
 
+// Catches: limits of the last command in the samples of a robot that is told to stand.
+TEST_F(ServoLoopTest, WhileItStandsNothingHoldsItBack) {
+    startRun();
+    periods(3);
+    ASSERT_TRUE(loop.latest().limits.any()) << "on the way from the start";
+    ASSERT_TRUE(loop.hold());
+    (void)loop.takeRecord();
+    periods(2);
+    const LoopRecord rows = loop.takeRecord();
+    ASSERT_EQ(rows.samples.size(), 2U);
+    for (const TraceSample& sample : rows.samples)
+        EXPECT_FALSE(sample.limits.any());
+}
+
 TEST_F(ServoLoopTest, ALostSensorHoldsAndThenEndsTheRunWithARetreat) {
     startRun();
     periods(5);
@@ -93,6 +107,9 @@ TEST_F(ServoLoopTest, ALostSensorHoldsAndThenEndsTheRunWithARetreat) {
     EXPECT_FALSE(loop.heatOn());
     for (const TraceEvent& event : loop.takeRecord().events)
         EXPECT_EQ(describe(event.message).find("nan"), std::string::npos) << describe(event.message);
+    periods(40);
+    EXPECT_EQ(loop.outcome(), "fault") << "no operator has stopped it";
+    EXPECT_TRUE(reasonGiven(MessageCode::ReasonSensorInvalid));
 }
 
 TEST_F(ServoLoopTest, ASensorThatComesBackAllowsResume) {

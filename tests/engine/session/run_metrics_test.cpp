@@ -151,6 +151,21 @@ TEST(RunMetrics, PathsTurnsAndLimitsUntilStop) {
     EXPECT_NEAR(metrics.objects[0].pathLength_m, way_m, 1e-12);
 }
 
+// Catches: a robot told to stand that is counted as held back, by the limits of its last command. One that
+// cannot move for its limits is.
+TEST(RunMetrics, AHoldIsAtNoLimit) {
+    SessionRecord record = recordOf(20.0, [](double) { return 300.0; });
+    for (TraceSample& sample : record.samples)
+        sample.limits.add(Limit::Speed);
+    EXPECT_EQ(runMetrics(record).atVelocityLimit_s, 20.0);
+    record.events = {{5.0, {MessageCode::EventHeld, {}}},
+                     {8.0, {MessageCode::EventResumed, {}}},
+                     {12.25, {MessageCode::EventHeld, {}}}};
+    const RunMetrics metrics = runMetrics(record);
+    EXPECT_EQ(metrics.heldBack_s, 5.0 + 4.0); // the first command after a Resume comes with the next sample
+    EXPECT_EQ(metrics.atVelocityLimit_s, 5.0 + 4.0);
+}
+
 /// Since when an object with these errors, one sample a second, is settled.
 std::optional<double> settledFrom_s(const std::vector<double>& errors_K, bool truth = true,
                                     double band_K = kSettledBand_K, double firstTarget_K = kTarget_K) {

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/session/session_file.h"
+#include "engine/session/session_header.h"
 #include "tests/engine/session/recording.h"
 #include "tests/support/first_version.h"
 
@@ -138,6 +139,53 @@ TEST_F(DamagedSession, AHostileTableNameIsNotExported) {
     const auto files = exportSessionCsv(path, file("csv"));
     ASSERT_TRUE(files) << describe(files.error());
     EXPECT_FALSE(QFile::exists(m_folder.filePath("evil.csv")));
+}
+
+// Catches a file from elsewhere that computes when it is read, without end or until the memory is full; here
+// each computes little.
+TEST_F(DamagedSession, WhatComputesIsRefused) {
+    const auto refusals = [&](const char* from, const std::vector<std::string>& statements) {
+        const std::string path = file("computes.bask");
+        QFile::remove(QString::fromStdString(path));
+        ASSERT_TRUE(QFile::copy(QString::fromStdString(file(from)), QString::fromStdString(path)));
+        for (const std::string& sql : statements) {
+            const auto store = SessionStore::create(path);
+            ASSERT_TRUE((*store)->execute(sql)) << sql;
+        }
+        const SessionHeader header = readSessionHeader(path);
+        ASSERT_TRUE(header.error) << statements.back();
+        EXPECT_EQ(header.error->code(), MessageCode::SessionDamaged) << describe(*header.error);
+        EXPECT_NE(describe(*header.error).find("Bask does not make this"), std::string::npos);
+        EXPECT_FALSE(readSession(path)) << statements.back();
+    };
+    const std::string many = " AS WITH n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n LIMIT 9) SELECT ";
+    for (const std::vector<std::string>& statements : std::vector<std::vector<std::string>>{
+             {"DROP TABLE note", "CREATE VIEW note" + many + "i AS time_s, 'x' AS text FROM n"},
+             {"DROP TABLE meta", "CREATE VIEW Meta" + many + "'key' AS key, 'value' AS value FROM n"},
+             {"DROP VIEW pose", "CREATE VIEW pose" + many + "i AS time_s FROM n"},
+             {"DROP VIEW pose", "CREATE VIEW pose AS SELECT a.time_s FROM step AS a CROSS JOIN step"},
+             {"DROP VIEW pose", "CREATE VIEW pose AS SELECT hex(zeroblob(9)) AS time_s FROM step"},
+             {"DROP TABLE object", "CREATE VIEW object AS SELECT number, time_s AS name FROM step"},
+             {"CREATE TRIGGER more AFTER INSERT ON meta BEGIN DELETE FROM step; END"},
+             {"ALTER TABLE note ADD COLUMN long TEXT AS (hex(zeroblob(9)))"}})
+        ASSERT_NO_FATAL_FAILURE(refusals("whole.bask", statements));
+    ASSERT_TRUE(test::makeFirstVersion(file("whole.bask")));
+    ASSERT_NO_FATAL_FAILURE(
+        refusals("whole.bask", {"CREATE TABLE step(time_s REAL)", "DROP TABLE source",
+                                "CREATE VIEW source AS SELECT time_s FROM step CROSS JOIN object"}));
+    EXPECT_TRUE(readSession(altered("CREATE INDEX mine ON sample(object)")));
+    EXPECT_TRUE(readSession(altered("CREATE TABLE mine(what TEXT)")));
+}
+
+// Catches a list that reads whatever lies in its folder into the memory.
+TEST_F(DamagedSession, AListReadsNoMoreThanItNeeds) {
+    const SessionHeader header = readSessionHeader(altered(
+        "INSERT INTO note SELECT a.time_s, hex(zeroblob(5000)) FROM step AS a, step AS b LIMIT 2000"));
+    ASSERT_FALSE(header.error) << describe(*header.error);
+    EXPECT_EQ(header.notes.size(), 1000U);
+    EXPECT_EQ(header.notes.front().size(), 4096U);
+    EXPECT_EQ(header.title, twoDisks().title);
+    EXPECT_EQ(readSessionHeader(altered("UPDATE experiment SET json = hex(zeroblob(9000000))")).title, "");
 }
 
 TEST_F(DamagedSession, ADamagedOneIsNotExported) {

@@ -469,5 +469,28 @@ TEST_F(SessionFile, ExportsOneCsvPerTable) {
     EXPECT_EQ(exportSessionCsv(path, file("blocked")).error().code(), MessageCode::FileUnwritable);
 }
 
+// Catches: a note or a name that a spreadsheet runs as a formula, and a number that is made a text.
+TEST_F(SessionFile, TextsOfACsvAreNoFormulas) {
+    const std::string path = file("run.bask");
+    Experiment experiment = twoDisks();
+    experiment.objects[1].name = "=cmd|'/c calc'!A0";
+    TraceSample sample = madeUpSample(experiment, 11);
+    sample.coordinates[0] = -0.25;
+    {
+        auto writer = SessionWriter::create(path, experiment, true);
+        ASSERT_TRUE((*writer)->add(sample));
+        for (const char* text : {"=1,2", "+1", "-1", "@a", "\tb", "\rc", "d=1"})
+            ASSERT_TRUE((*writer)->add(TraceNote{-1.5, text}));
+    }
+    ASSERT_TRUE(exportSessionCsv(path, file("csv")));
+    EXPECT_EQ(
+        contents(qfile("csv/note.csv")),
+        "time_s,text\n-1.5,\"'=1,2\"\n-1.5,'+1\n-1.5,'-1\n-1.5,'@a\n-1.5,'\tb\n-1.5,\"'\rc\"\n-1.5,d=1\n");
+    EXPECT_NE(contents(qfile("csv/sample.csv")).find(",'=cmd|'/c calc'!A0,"), std::string::npos);
+    EXPECT_NE(contents(qfile("csv/traces.csv")).find(",'=cmd|'/c calc'!A0 measured (degC),"),
+              std::string::npos);
+    EXPECT_NE(contents(qfile("csv/pose.csv")).find(",-0.25,"), std::string::npos);
+}
+
 } // namespace
 } // namespace bask

@@ -11,6 +11,7 @@
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/final_values.h"
 #include "widgets/review/identified_table.h"
+#include "widgets/review/outcome_words.h"
 #include "widgets/review/replay_view.h"
 
 #include <QApplication>
@@ -168,6 +169,17 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     show(broken);
     EXPECT_TRUE(text("factOutcome").startsWith("Interrupted"));
     EXPECT_EQ(text("sessionTag"), "LIVE");
+
+    broken.outcome = "stopped"; // by the operator, or at the end of a recipe's step
+    show(broken);
+    EXPECT_EQ(text("factOutcome"), "Stopped");
+    broken.outcome = "emergency-stop";
+    show(broken);
+    EXPECT_EQ(text("factOutcome"), "Ended by STOP");
+    EXPECT_EQ(text("outcomeWord"), "STOP");
+    const auto shape = [](Outcome outcome) { return outcomePixmap(outcome, false, 16, 1.0).toImage(); };
+    for (const Outcome other : {Outcome::Stopped, Outcome::Fault, Outcome::Unreadable, Outcome::Other})
+        EXPECT_NE(shape(Outcome::EmergencyStop), shape(other));
 }
 
 // Catches final errors judged on the wrong temperature, with the wrong sign, or settling times that are made
