@@ -158,9 +158,9 @@ TEST(CommandLine, CtrlCEndsARunInOrder) {
                       << "-o" << session;
         QProcess process;
         process.start(QStringLiteral(BASK_PROGRAM), arguments);
+        ASSERT_TRUE(process.waitForStarted());
         for (int i = 0; i < 6000 && !QFile::exists(session); ++i)
             QThread::msleep(10);
-        ASSERT_EQ(process.state(), QProcess::Running) << process.readAllStandardError().toStdString();
         ASSERT_EQ(::kill(static_cast<pid_t>(process.processId()), SIGINT), 0);
         ASSERT_TRUE(process.waitForFinished(60000));
         EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
