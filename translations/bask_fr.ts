@@ -4052,6 +4052,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <source>Ended by STOP</source>
             <translation>Terminé par STOP</translation>
         </message>
+        <message>
+            <source>Opened while it was being recorded: open it again to see the rest.</source>
+            <translation>Ouvert pendant son enregistrement : rouvrez-le pour voir la suite.</translation>
+        </message>
     </context>
     <context>
         <name>bask::RigDevices</name>

@@ -4047,6 +4047,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>Ended by STOP</source>
             <translation>因软件停止结束</translation>
         </message>
+        <message>
+            <source>Opened while it was being recorded: open it again to see the rest.</source>
+            <translation>打开时仍在记录：再次打开可查看其余部分。</translation>
+        </message>
     </context>
     <context>
         <name>bask::RigDevices</name>

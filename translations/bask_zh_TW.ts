@@ -4047,6 +4047,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <source>Ended by STOP</source>
             <translation>因軟體停止結束</translation>
         </message>
+        <message>
+            <source>Opened while it was being recorded: open it again to see the rest.</source>
+            <translation>開啟時仍在記錄：再次開啟可檢視其餘部分。</translation>
+        </message>
     </context>
     <context>
         <name>bask::RigDevices</name>

@@ -223,6 +223,8 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
     if (session == m_session)
         return showEvents();
     m_session = std::move(session);
+    m_wasRecording =
+        m_session && m_session->facts().interrupted() && m_sessions->isRecording(m_session->facts().path);
     m_identified->setRows({});
     m_useIdentified->setEnabled(false);
     m_identifiedNote->clear();
@@ -334,7 +336,7 @@ void ReviewPage::showEvents() {
 }
 
 void ReviewPage::showOutcome() {
-    const Outcome outcome = outcomeOf(m_session->facts().outcome);
+    const Outcome outcome = m_wasRecording ? Outcome::Recording : outcomeOf(m_session->facts().outcome);
     m_outcomeIcon->setPixmap(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
     m_outcomeWord->setText(outcome == Outcome::Other ? QString::fromStdString(m_session->facts().outcome)
                                                      : outcomeWord(outcome));
@@ -348,6 +350,8 @@ QString ReviewPage::outcomeText() const {
         return tr(
             "Interrupted: the recording ended without a Stop, and was closed later. What had been written "
             "is here.");
+    if (m_wasRecording)
+        return tr("Opened while it was being recorded: open it again to see the rest.");
     if (m_session->facts().interrupted())
         return tr("Interrupted: the recording ended without a Stop. What had been written is here.");
     if (outcome == "settled")

@@ -90,6 +90,7 @@ private:
     QString outcomeText() const;
 
     std::shared_ptr<RecordedSession> m_session; ///< null: none open
+    bool m_wasRecording = false;                ///< when it was opened: its rest is not here
     QStringList m_sentences;
 
     QSplitter* m_splitter;

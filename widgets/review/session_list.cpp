@@ -162,8 +162,8 @@ void SessionList::setComparable(bool comparable) {
     showSelected();
 }
 
-bool SessionList::isRecording(const SessionHeader& session) const {
-    return !m_recording.isEmpty() && QFileInfo(text(session.path)) == QFileInfo(m_recording);
+bool SessionList::isRecording(const std::string& path) const {
+    return !m_recording.isEmpty() && QFileInfo(text(path)) == QFileInfo(m_recording);
 }
 
 void SessionList::showRows() {
@@ -213,9 +213,9 @@ void SessionList::resizeEvent(QResizeEvent* event) {
 void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) const {
     const QDateTime date = dateOf(session);
     const QString file = QFileInfo(text(session.path)).fileName();
-    const Outcome outcome = session.error          ? Outcome::Unreadable
-                            : isRecording(session) ? Outcome::Recording
-                                                   : outcomeOf(session.outcome);
+    const Outcome outcome = session.error               ? Outcome::Unreadable
+                            : isRecording(session.path) ? Outcome::Recording
+                                                        : outcomeOf(session.outcome);
     const QString experiment = session.title.empty() ? file : text(session.title);
     const QString tags = joined(session.tags, QStringLiteral(", "));
     const QString rig = session.error ? QString() : session.simulated ? tr("SIMULATED") : tr("LIVE");
@@ -289,7 +289,7 @@ const SessionHeader* SessionList::selected() const {
 void SessionList::showSelected() {
     const SessionHeader* session = selected();
     const bool isReadable = session != nullptr && !session->error;
-    const bool isOn = isReadable && isRecording(*session);
+    const bool isOn = isReadable && isRecording(session->path);
     const bool hasEnd = isReadable && !isOn && !session->outcome.empty();
     m_open->setEnabled(isReadable);
     m_compare->setEnabled(isReadable && m_isComparable);

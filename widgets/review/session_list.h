@@ -32,6 +32,7 @@ public:
     void setSessions(std::vector<SessionHeader> sessions);
     /// The file that is being recorded into, if any.
     void setRecording(const QString& path);
+    bool isRecording(const std::string& path) const;
     /// Whether there is a run on the page that others can be laid over.
     void setComparable(bool comparable);
 
@@ -59,7 +60,6 @@ private:
     void takeTags();
     void retranslate();
     const SessionHeader* selected() const;
-    bool isRecording(const SessionHeader& session) const;
 
     std::vector<SessionHeader> m_sessions;
     QString m_recording;

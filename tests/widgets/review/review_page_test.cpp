@@ -534,6 +534,16 @@ TEST_F(ReviewPageTest, ShowsAnInterruptedRunAndOneOfTheFirstVersion) {
               formatTemperature(session.samples[199].objects[0].measured_K, TemperatureUnit::Celsius));
 }
 
+// Catches a run that is on and is called interrupted.
+TEST_F(ReviewPageTest, ARunThatIsBeingRecordedIsNotInterrupted) {
+    SessionRecord session = record();
+    session.outcome.clear();
+    const std::string path = written(session);
+    page.sessions()->setRecording(QString::fromStdString(path));
+    page.setSession(RecordedSession::open(path).value(), sentences());
+    EXPECT_TRUE(text("factOutcome").startsWith("Opened while")) << text("factOutcome").toStdString();
+}
+
 // Catches a long count that nobody is told of, and one that is said to go on when it is over.
 TEST_F(ReviewPageTest, SaysHowFarItHasCounted) {
     const SessionRecord session = record();
