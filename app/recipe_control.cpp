@@ -20,7 +20,7 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kMostShown = 12; ///< steps in the question
-const QString kQuestion = QStringLiteral("recipeQuestion");
+const QString kRecipeQuestion = QStringLiteral("recipeQuestion");
 
 const RecipeStep& of(const RecipeRunner& runner) {
     return runner.recipe().steps[runner.step()];
@@ -207,7 +207,7 @@ void RecipeControl::ask(RecipeExperiments experiments) {
     }
     if (m_recipe.steps.size() > kMostShown)
         lines << tr("and %n more", nullptr, static_cast<int>(m_recipe.steps.size() - kMostShown));
-    dropQuestion(m_window, kQuestion);
+    dropQuestion(m_window, kRecipeQuestion);
     auto* box =
         new QMessageBox(rig ? QMessageBox::Warning : QMessageBox::Question, tr("Start the recipe"),
                         tr("It takes at most %1 and its retreats:").arg(formatDuration(atMost_s(m_recipe))) +
@@ -218,7 +218,7 @@ void RecipeControl::ask(RecipeExperiments experiments) {
                  "everybody and everything out of the way for so long? An alarm, a hold or a stop ends the "
                  "recipe.")
             : tr("An alarm, a hold or a stop ends the recipe."));
-    box->setObjectName(kQuestion);
+    box->setObjectName(kRecipeQuestion);
     box->setAttribute(Qt::WA_DeleteOnClose);
     QPushButton* go = box->addButton(tr("Start"), QMessageBox::AcceptRole);
     QPushButton* stay = box->addButton(tr("Cancel"), QMessageBox::RejectRole);
@@ -262,7 +262,7 @@ void RecipeControl::apply(const Snapshot& snapshot) {
     m_isStartable = allowsEdits(snapshot.state) && snapshot.state != RunState::Fault;
     m_panel.setStartable(m_isStartable);
     if (!m_isStartable)
-        dropQuestion(m_window, kQuestion);
+        dropQuestion(m_window, kRecipeQuestion);
     if (!isOn())
         return;
     m_runner->setKeepsExperiment(m_document.modified());
@@ -278,7 +278,7 @@ void RecipeControl::stopNow() {
 }
 
 void RecipeControl::takeOver(bool isHold) {
-    dropQuestion(m_window, kQuestion);
+    dropQuestion(m_window, kRecipeQuestion);
     if (!isOn())
         return;
     m_runner->takeOver(isHold);

@@ -18,7 +18,7 @@ constexpr double kHomingTime_s = 120.0; // Grbl tells nothing while it homes
 constexpr double kRestPoll_s = 0.2, kMotionPoll_s = 0.05;
 constexpr double kReply_s = 0.4; // a report that has not come by then is asked for anew
 constexpr double kSlow_s = 2.0;
-constexpr double kStopAgain_s = 0.3; // the byte may be lost
+constexpr double kHoldAgain_s = 0.3; // the byte may be lost
 constexpr double kStopAtMost_s = 0.05;
 constexpr double kHoldTime_s = 1.0; // to slow down in
 constexpr double kFenceAfter_s = 0.5, kFenceTime_s = 5.0;
@@ -380,7 +380,7 @@ void GrblRobot::stopRun(double now_s) {
 }
 
 void GrblRobot::workStops(double now_s) {
-    const bool isDue = now_s - m_stopAgain_s > kStopAgain_s;
+    const bool isDue = now_s - m_stopAgain_s > kHoldAgain_s;
     if (m_homeStop_s && isDue) {
         m_link.write(std::string(1, grbl::kReset));
         m_stopAgain_s = now_s;

@@ -62,7 +62,7 @@ std::optional<std::vector<std::uint16_t>> registersIn(const QByteArray& data, co
     return out;
 }
 
-bool isSame(const ModbusRequest& a, const ModbusRequest& b) {
+bool isSameOnTheLine(const ModbusRequest& a, const ModbusRequest& b) {
     return a.unit == b.unit && a.function == b.function && dataOf(a) == dataOf(b);
 }
 
@@ -192,7 +192,7 @@ ModbusReply QtModbusLink::Line::judged(const QModbusReply& reply, const ModbusRe
         keepSilent();
         bool isSameQuestion = true;
         for (const ModbusRequest& earlier : late->second)
-            isSameQuestion = isSameQuestion && isSame(earlier, request);
+            isSameQuestion = isSameQuestion && isSameOnTheLine(earlier, request);
         unanswered.erase(late);
         if (!isSameQuestion)
             return wrong("it may be late, to an earlier question");
@@ -219,7 +219,7 @@ void QtModbusLink::Line::giveUp() {
     keepSilent();
     std::vector<ModbusRequest>& earlier = unanswered[asked->request.unit];
     const bool isKnown = std::any_of(earlier.begin(), earlier.end(), [this](const ModbusRequest& request) {
-        return isSame(request, asked->request);
+        return isSameOnTheLine(request, asked->request);
     });
     if (!isKnown)
         earlier.push_back(asked->request);

@@ -6,7 +6,7 @@ namespace bask {
 namespace {
 
 constexpr double kA = 3.9083e-3, kB = -5.775e-7, kC = -4.183e-12;
-constexpr double kLeast_degC = -200.0, kMost_degC = 850.0;
+constexpr double kColdest_degC = -200.0, kHottest_degC = 850.0;
 constexpr double kOhmAtZero = 100.0;
 
 double slope(double t_degC) { // ohm/K, below 0 degC
@@ -22,7 +22,7 @@ double pt100Ohm(double t_degC) {
 }
 
 std::optional<double> pt100Celsius(double ohm) {
-    if (!(ohm >= pt100Ohm(kLeast_degC) && ohm <= pt100Ohm(kMost_degC)))
+    if (!(ohm >= pt100Ohm(kColdest_degC) && ohm <= pt100Ohm(kHottest_degC)))
         return std::nullopt;
     double t = (-kA + std::sqrt(kA * kA - 4.0 * kB * (1.0 - ohm / kOhmAtZero))) / (2.0 * kB);
     if (ohm < kOhmAtZero) {

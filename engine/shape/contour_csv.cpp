@@ -17,7 +17,7 @@ constexpr std::size_t kMostRows = 1'000'000;
 constexpr std::size_t kLeastPoints = 3;
 constexpr char kSpaces = ' '; // "delimiter" of columns set apart by white space
 
-struct Line {
+struct CsvLine {
     std::string_view text;
     std::size_t number = 0; // counted from 1
 };
@@ -29,8 +29,8 @@ struct Columns {
 };
 
 // Lines that say something: neither blank nor a comment (#). Ends of line are LF, CR LF or CR.
-std::vector<Line> linesOf(std::string_view text) {
-    std::vector<Line> lines;
+std::vector<CsvLine> linesOf(std::string_view text) {
+    std::vector<CsvLine> lines;
     std::size_t number = 0;
     while (!text.empty()) {
         const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
@@ -46,13 +46,13 @@ std::vector<Line> linesOf(std::string_view text) {
 
 // The delimiter that most of the first lines have; a semicolon or a tab goes before a comma, which may be
 // decimal.
-char delimiterOf(const std::vector<Line>& lines) {
+char delimiterOf(const std::vector<CsvLine>& lines) {
     constexpr std::size_t kLooked = 50;
     const std::size_t looked = std::min(kLooked, lines.size());
     for (const char c : {';', '\t', ','}) {
-        const auto has =
-            std::count_if(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(looked),
-                          [&](const Line& l) { return trimmed(l.text).find(c) != std::string_view::npos; });
+        const auto has = std::count_if(
+            lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(looked),
+            [&](const CsvLine& l) { return trimmed(l.text).find(c) != std::string_view::npos; });
         if (2 * static_cast<std::size_t>(has) > looked)
             return c;
     }
@@ -132,7 +132,7 @@ bool isHeader(const std::vector<std::string_view>& fields, bool decimalComma) {
                                 [&](std::string_view f) { return numberOf(f, decimalComma).has_value(); });
 }
 
-Result<double> coordinate(std::string_view field, const Line& line, bool decimalComma,
+Result<double> coordinate(std::string_view field, const CsvLine& line, bool decimalComma,
                           const std::string& path) {
     constexpr std::size_t kShown = 40;
     const auto value = numberOf(field, decimalComma);
@@ -145,7 +145,7 @@ Result<double> coordinate(std::string_view field, const Line& line, bool decimal
     return *value;
 }
 
-Result<std::vector<Eigen::Vector2d>> pointsOf(const std::vector<Line>& lines, std::size_t first,
+Result<std::vector<Eigen::Vector2d>> pointsOf(const std::vector<CsvLine>& lines, std::size_t first,
                                               char delimiter, const Columns& columns,
                                               const std::string& path) {
     const bool decimalComma = delimiter != ',';
@@ -211,7 +211,7 @@ Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& pat
     std::string_view text = bytes;
     if (text.starts_with("\xEF\xBB\xBF"))
         text.remove_prefix(3);
-    const std::vector<Line> lines = linesOf(text);
+    const std::vector<CsvLine> lines = linesOf(text);
     if (lines.empty())
         return Error{MessageCode::FileEmpty, path};
     if (lines.size() > kMostRows)

@@ -406,12 +406,13 @@ TEST_F(MainWindowTest, TheCalibratePageMeasuresTheCamerasPlace) {
     ASSERT_TRUE(waitFor([&] { return useSource->isEnabled(); }))
         << find<QLabel>("rigStatus")->text().toStdString();
     keepPicture(QStringLiteral("calibrate-rig"));
+    const auto loadId = window->lastSnapshot().loadId;
     useSource->click();
     EXPECT_FALSE(window->document().experiment().vision.sourcePoseDate.empty());
     EXPECT_LT(window->document().experiment().source.pose.head<3>().norm(), 0.01);
     EXPECT_EQ(message(), QString());
 
-    ASSERT_TRUE(waitForState(RunState::NotReady)); // the rig with the source there
+    ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().loadId != loadId; })); // with the source there
     ASSERT_NO_FATAL_FAILURE(arm());
     window->pages().show(Page::Calibrate);
     EXPECT_TRUE(waitFor([&] { return find<QLabel>("rigStatus")->text().contains("armed"); }));

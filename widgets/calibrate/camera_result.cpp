@@ -22,7 +22,7 @@
 namespace bask {
 namespace {
 
-constexpr int kIcon = 20;
+constexpr int kResultIcon = 20;
 
 // Digits as the deviation allows: "1000.34" and "0.21".
 QString valueText(double value, double deviation, bool isLength) {
@@ -168,7 +168,7 @@ void CameraResult::showVerdict() {
     m_reason->setVisible(!reason.isEmpty());
     m_icon->setVisible(priority > 0);
     if (priority > 0)
-        m_icon->setPixmap(alarmPixmap(priority, isDark(this), kIcon, devicePixelRatioF()));
+        m_icon->setPixmap(alarmPixmap(priority, isDark(this), kResultIcon, devicePixelRatioF()));
     const bool isUsable = m_camera && !(m_calibration && m_calibration->reasonAgainst());
     m_use->setEnabled(isUsable && !isUsed);
     m_save->setEnabled(isUsable);

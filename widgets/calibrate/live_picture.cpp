@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kGap = 6.0;
 
-QString number(double value, int decimals) {
+QString localNumber(double value, int decimals) {
     return QLocale().toString(value, 'f', decimals);
 }
 
@@ -71,10 +71,10 @@ QString LivePicture::statusText() const {
     const GreyPicture& picture = m_view.frame->picture;
     words << tr("%1 \u00d7 %2").arg(picture.width).arg(picture.height);
     if (m_view.problem.code == MessageCode::None) {
-        words << tr("%1 pictures/s").arg(number(m_view.rate_Hz, 1));
-        words << tr("latency %1 ms").arg(number(1000.0 * m_view.latency_s, 0));
+        words << tr("%1 pictures/s").arg(localNumber(m_view.rate_Hz, 1));
+        words << tr("latency %1 ms").arg(localNumber(1000.0 * m_view.latency_s, 0));
     }
-    words << tr("age %1 s").arg(number(m_age_s, m_age_s < 1.0 ? 2 : 1));
+    words << tr("age %1 s").arg(localNumber(m_age_s, m_age_s < 1.0 ? 2 : 1));
     if (m_view.tracking && m_view.problem.code == MessageCode::None)
         words << (*m_view.tracking == TrackState::Tracking     ? tr("source tracked")
                   : *m_view.tracking == TrackState::Predicting ? tr("source predicted")

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kMmShown = 5000.0;
 constexpr int kRows = 5;
-enum Column { kPart, kId, kSide, kSeen };
+enum MarkerColumn { kPart, kId, kSide, kSeen };
 
 QString partName(Part part) {
     switch (part) {

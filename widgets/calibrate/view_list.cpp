@@ -14,7 +14,7 @@
 namespace bask {
 namespace {
 
-enum Column { kView, kResidual };
+enum ViewColumn { kView, kResidual };
 constexpr int kStandsOutRole = Qt::UserRole + 1;
 constexpr int kAlarmIcon = 16;
 

@@ -12,7 +12,7 @@ namespace bask {
 namespace {
 
 constexpr int kMark = 18;
-constexpr int kPadding = 8;
+constexpr int kButtonPadding = 8;
 constexpr int kMostText = 420;
 
 } // namespace
@@ -77,8 +77,8 @@ QFont AlarmButton::textFont() const {
 int AlarmButton::widthBesideText() const {
     const QString others = othersText();
     const int othersWidth =
-        others.isEmpty() ? 0 : QFontMetrics(textFont()).horizontalAdvance(others) + kPadding;
-    return kPadding + kMark + kPadding + othersWidth + kPadding;
+        others.isEmpty() ? 0 : QFontMetrics(textFont()).horizontalAdvance(others) + kButtonPadding;
+    return kButtonPadding + kMark + kButtonPadding + othersWidth + kButtonPadding;
 }
 
 QSize AlarmButton::sizeHint() const {
@@ -107,19 +107,19 @@ void AlarmButton::paintEvent(QPaintEvent*) {
     painter.setPen(QPen(hasFocus() ? accentColor(dark) : colour, hasFocus() ? 2.0 : 1.0));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
 
-    const QRect mark(kPadding, (height() - kMark) / 2, kMark, kMark);
+    const QRect mark(kButtonPadding, (height() - kMark) / 2, kMark, kMark);
     painter.setOpacity(m_isStale ? 0.5 : 1.0);
     painter.drawPixmap(mark, alarmPixmap(alarm.priority, dark, kMark, devicePixelRatioF()));
     painter.setOpacity(1.0);
     painter.setFont(textFont());
     painter.setPen(m_isStale ? secondaryText(dark) : palette().color(QPalette::WindowText));
-    const int left = mark.right() + 1 + kPadding;
+    const int left = mark.right() + 1 + kButtonPadding;
     const int room = width() - widthBesideText();
     const QFontMetrics metrics(textFont());
     if (room > metrics.horizontalAdvance(QStringLiteral("MMM")))
         painter.drawText(QRect(left, 0, room, height()), Qt::AlignVCenter | Qt::AlignLeft,
                          metrics.elidedText(text(), Qt::ElideRight, room));
-    painter.drawText(QRect(0, 0, width() - kPadding, height()), Qt::AlignVCenter | Qt::AlignRight,
+    painter.drawText(QRect(0, 0, width() - kButtonPadding, height()), Qt::AlignVCenter | Qt::AlignRight,
                      othersText());
 }
 

@@ -7,7 +7,7 @@
 namespace bask {
 namespace {
 
-struct Words {
+struct QuestionText {
     Q_DECLARE_TR_FUNCTIONS(bask::Question)
 };
 
@@ -29,7 +29,7 @@ void askOnTheWayUp(QWidget* parent, const QString& name, const QString& title, c
     box->setObjectName(name);
     box->setAttribute(Qt::WA_DeleteOnClose);
     const QPushButton* go = box->addButton(yes, QMessageBox::AcceptRole);
-    QPushButton* leave = box->addButton(Words::tr("Cancel"), QMessageBox::RejectRole);
+    QPushButton* leave = box->addButton(QuestionText::tr("Cancel"), QMessageBox::RejectRole);
     box->setDefaultButton(leave);
     box->setEscapeButton(leave);
     QObject::connect(go, &QPushButton::clicked, parent, then);

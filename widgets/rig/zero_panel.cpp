@@ -19,9 +19,9 @@ namespace {
 
 constexpr double kLarge_K = 1.0; ///< a good sensor and its wiring are better
 
-void setText(QLabel* label, const QString& text) {
+void setOrHide(QLabel* label, const QString& text) {
     if (label->text() != text)
-        label->setText(text);
+        label->setOrHide(text);
     label->setVisible(!text.isEmpty());
 }
 
@@ -106,15 +106,15 @@ void ZeroPanel::refresh() {
     } else {
         state = tr("Not zeroed yet: Arm does it, if all objects are at the room's temperature then.");
     }
-    setText(m_state, state);
-    setText(m_offsets, offsetsText());
-    setText(m_why, problemText());
+    setOrHide(m_state, state);
+    setOrHide(m_offsets, offsetsText());
+    setOrHide(m_why, problemText());
     m_zero->setEnabled(m_problem.code == MessageCode::None);
 }
 
 void ZeroPanel::retranslate() {
-    m_title->setText(tr("Sensors at rest"));
-    m_zero->setText(tr("Zero the sensors"));
+    m_title->setOrHide(tr("Sensors at rest"));
+    m_zero->setOrHide(tr("Zero the sensors"));
     m_zero->setToolTip(tr("Make all sensors agree while the objects are at the room's temperature"));
     refresh();
 }

@@ -23,8 +23,8 @@ namespace bask {
 
 namespace {
 
-constexpr int kBarSteps = 10; ///< of the colour bar, and so contour lines
-constexpr double kLift_px = 8.0;
+constexpr int kContourSteps = 10; ///< of the colour bar, and so contour lines
+constexpr double kLineLift_px = 8.0;
 constexpr double kGhostOpacity = 0.55;
 constexpr double kMarkShare = 0.009; ///< radius of a mark, of the frame's diagonal
 constexpr double kArrowShare = 0.1;
@@ -223,7 +223,7 @@ void TargetPicture::showCut(bool dark) {
     double most = -least;
     for (const double F : cut->field->values) // comparisons with NaN are false
         least = F < least ? F : least, most = F > most ? F : most;
-    cutRange = least <= most ? niceRange(cutValue(least), cutValue(most), kBarSteps) : NiceRange{};
+    cutRange = least <= most ? niceRange(cutValue(least), cutValue(most), kContourSteps) : NiceRange{};
     CutSheet sheet = sheetOf(*cut->field, cut->axis % 3, cut->position);
     for (double& value : sheet.values)
         value = cutValue(value);
@@ -435,7 +435,7 @@ void TargetPicture::placeActors() {
     targets->setLineScale(lineScale);
     const Eigen::Vector3d direction(camera.GetDirectionOfProjection());
     const double metresPerPixel = 2.0 * camera.GetParallelScale() / std::max(1.0, size().height());
-    const Eigen::Vector3d lift = -kLift_px * metresPerPixel * direction;
+    const Eigen::Vector3d lift = -kLineLift_px * metresPerPixel * direction;
     props->setViewDirection(direction);
     props->setPoses(poseFromCoordinates(ghost()), rig->X_RS(), lift);
     targets->setLift(0.25 * lift, -1.5 * frame.diagonal().norm() * direction);

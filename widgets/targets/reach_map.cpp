@@ -22,14 +22,14 @@ namespace bask {
 namespace {
 
 constexpr double kBeyond = 0.08; // of the map's span, shown on each side of it
-constexpr double kSameTarget_K = 1e-6;
+constexpr double kSamePoint_K = 1e-6;
 constexpr double kPoint = 5.5;      // radius of the target's point
 constexpr double kPointGrab = 12.0; // px around it that take hold of it
 constexpr int kMarkSize = 18;
 constexpr double kTenthsBelow_K = 8.0; // span of an axis that may have ticks between whole degrees
 
 bool isSame(const Eigen::Vector2d& a_K, const Eigen::Vector2d& b_K) {
-    return (a_K - b_K).cwiseAbs().maxCoeff() < kSameTarget_K;
+    return (a_K - b_K).cwiseAbs().maxCoeff() < kSamePoint_K;
 }
 
 /// To a tenth in the unit shown: what fields show is what is set.

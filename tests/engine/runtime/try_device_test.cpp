@@ -17,7 +17,7 @@
 namespace bask {
 namespace {
 
-Experiment oneDisk() {
+Experiment bareDisk() {
     Experiment experiment;
     ObjectSpec object;
     object.name = "disk";
@@ -34,7 +34,7 @@ struct TryDeviceTest : testing::Test {
     SteadyClock clock;
     EngineThread engine;
 
-    TryDeviceTest() { engine.send(LoadExperiment{oneDisk()}); } // one is there when a rig is set up
+    TryDeviceTest() { engine.send(LoadExperiment{bareDisk()}); } // one is there when a rig is set up
     void serve(ByteDevice& device) {
         auto made = PtyServer::create(device, port);
         ASSERT_TRUE(made) << describe(made.error());

@@ -11,10 +11,10 @@
 namespace bask {
 namespace {
 
-const std::string kExamples = BASK_EXAMPLES;
+const std::string kVisionExamples = BASK_EXAMPLES;
 
 Experiment calibrated() {
-    Experiment e = readExperiment(kExamples + "/two-circles.json").value();
+    Experiment e = readExperiment(kVisionExamples + "/two-circles.json").value();
     e.vision = VisionSpec();
     e.vision.dictionary = "5X5_100";
     e.vision.markers = {{Part::Source, 3, 0.05, {0.13, 0.13, 0.0, 0.0, 0.0, 0.1}},

@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-constexpr auto kMillimetre = LengthUnit::Millimetre;
+constexpr auto kMm = LengthUnit::Millimetre;
 
 Result<Contour> readText(const std::string& text, std::optional<LengthUnit> unit = std::nullopt) {
     return readContourCsv(test::writeFile(".csv", text), unit);
@@ -42,9 +42,9 @@ void expectBunny(const Result<Contour>& contour) {
 TEST(ContourCsv, ReadsTheBunnyInEveryDress) {
     expectBunny(readContourCsv(test::examplePath("bunny_mm.csv"), std::nullopt));
     expectBunny(readContourCsv(test::dataPath("bunny_bom_closed.csv"), std::nullopt));
-    expectBunny(readContourCsv(test::dataPath("bunny_semicolon_comma.csv"), kMillimetre));
-    expectBunny(readContourCsv(test::dataPath("bunny_tab_noheader.txt"), kMillimetre));
-    expectBunny(readContour(test::dataPath("bunny_tab_noheader.txt"), {.unit = kMillimetre}));
+    expectBunny(readContourCsv(test::dataPath("bunny_semicolon_comma.csv"), kMm));
+    expectBunny(readContourCsv(test::dataPath("bunny_tab_noheader.txt"), kMm));
+    expectBunny(readContour(test::dataPath("bunny_tab_noheader.txt"), {.unit = kMm}));
 }
 
 TEST(ContourCsv, ReadsOtherPeoplesFiles) {
@@ -70,7 +70,7 @@ TEST(ContourCsv, TakesTheUnitFromTheHeaderUnlessOneIsGiven) {
     EXPECT_NEAR(areaOf("x_cm,y_cm"), 2e-4, 1e-16);
     EXPECT_NEAR(areaOf("x_m,y_m"), 2.0, 1e-12);
     EXPECT_NEAR(areaOf("x_in,y_in"), 2 * 25.4e-3 * 25.4e-3, 1e-15);
-    EXPECT_NEAR(areaOf("x_m,y_m", kMillimetre), 2e-6, 1e-18);
+    EXPECT_NEAR(areaOf("x_m,y_m", kMm), 2e-6, 1e-18);
     EXPECT_EQ(areaOf("x,y"), -1.0);
     EXPECT_EQ(codeOf(readText("x,y\n0,0\n2,0\n2,1\n")), MessageCode::ContourUnitMissing);
     EXPECT_EQ(codeOf(readText("0,0\n2,0\n2,1\n")), MessageCode::ContourUnitMissing);
@@ -97,43 +97,40 @@ TEST(ContourCsv, ReadsEveryDelimiterEndOfLineAndNumber) {
 }
 
 TEST(ContourCsv, NamesTheLineOfABadRow) {
-    const auto words = [](const std::string& text) { return describe(readText(text, kMillimetre).error()); };
+    const auto words = [](const std::string& text) { return describe(readText(text, kMm).error()); };
     EXPECT_NE(words("x,y\n0,0\n1,oops\n1,1\n").find("\"oops\" in line 3"), std::string::npos);
     EXPECT_NE(words("0,0\n\n1,0\n1\n").find("line 4 has 1 column"), std::string::npos);
     EXPECT_NE(words("0,0\n1,\n1,1\n").find("\"\" in line 2"), std::string::npos);
     EXPECT_NE(words("0,0\n1,nan\n1,1\n").find("line 2"), std::string::npos);
     EXPECT_NE(words("0,0\n1,1e999\n1,1\n").find("line 2"), std::string::npos);
     EXPECT_NE(words("0,0\n1 2,3\n1,1\n").find("\"1 2\" in line 2"), std::string::npos);
-    const auto nan = readContourCsv(test::dataPath("bad_nan_row.csv"), kMillimetre);
+    const auto nan = readContourCsv(test::dataPath("bad_nan_row.csv"), kMm);
     EXPECT_EQ(codeOf(nan), MessageCode::ContourNotFinite);
     EXPECT_EQ(nan.error().where, test::dataPath("bad_nan_row.csv"));
     EXPECT_NE(describe(nan.error()).find("line 12"), std::string::npos);
 }
 
 TEST(ContourCsv, RefusesBadOutlinesInWords) {
-    const auto code = [](const char* name) {
-        return codeOf(readContourCsv(test::dataPath(name), kMillimetre));
-    };
+    const auto code = [](const char* name) { return codeOf(readContourCsv(test::dataPath(name), kMm)); };
     EXPECT_EQ(code("bad_collinear.csv"), MessageCode::ContourZeroArea);
     EXPECT_EQ(code("bad_two_points.csv"), MessageCode::ContourTooFewPoints);
     EXPECT_EQ(code("earcut_hourglass.csv"), MessageCode::ContourCrossing);
     EXPECT_EQ(code("empty.csv"), MessageCode::FileEmpty);
     EXPECT_EQ(codeOf(readText("x_mm,y_mm\n")), MessageCode::ContourTooFewPoints);
-    EXPECT_EQ(codeOf(readText("\n \n\t\n# nothing\n", kMillimetre)), MessageCode::FileEmpty);
-    EXPECT_EQ(codeOf(readText("\xEF\xBB\xBF", kMillimetre)), MessageCode::FileEmpty);
+    EXPECT_EQ(codeOf(readText("\n \n\t\n# nothing\n", kMm)), MessageCode::FileEmpty);
+    EXPECT_EQ(codeOf(readText("\xEF\xBB\xBF", kMm)), MessageCode::FileEmpty);
 }
 
 TEST(ContourCsv, RefusesWhatIsNoReadableText) {
-    EXPECT_EQ(codeOf(readContourCsv("/no/such/file.csv", kMillimetre)), MessageCode::FileNotFound);
-    EXPECT_EQ(codeOf(readContourCsv("", kMillimetre)), MessageCode::FileNotFound);
-    EXPECT_EQ(codeOf(readContourCsv(testing::TempDir(), kMillimetre)), MessageCode::FileUnreadable);
-    EXPECT_EQ(codeOf(readContourCsv("/dev/zero", kMillimetre)), MessageCode::FileUnreadable);
-    EXPECT_EQ(codeOf(readContourCsv(test::examplePath("bunny_1200.png"), kMillimetre)),
-              MessageCode::FileUnreadable);
-    EXPECT_EQ(codeOf(readText(std::string("\xFF\xFE") + "0\0,\0", kMillimetre)), MessageCode::FileUnreadable);
+    EXPECT_EQ(codeOf(readContourCsv("/no/such/file.csv", kMm)), MessageCode::FileNotFound);
+    EXPECT_EQ(codeOf(readContourCsv("", kMm)), MessageCode::FileNotFound);
+    EXPECT_EQ(codeOf(readContourCsv(testing::TempDir(), kMm)), MessageCode::FileUnreadable);
+    EXPECT_EQ(codeOf(readContourCsv("/dev/zero", kMm)), MessageCode::FileUnreadable);
+    EXPECT_EQ(codeOf(readContourCsv(test::examplePath("bunny_1200.png"), kMm)), MessageCode::FileUnreadable);
+    EXPECT_EQ(codeOf(readText(std::string("\xFF\xFE") + "0\0,\0", kMm)), MessageCode::FileUnreadable);
     const std::string large = test::writeFile(".csv", "0,0\n");
     std::filesystem::resize_file(large, (std::uintmax_t{64} << 20) + 1);
-    EXPECT_EQ(codeOf(readContourCsv(large, kMillimetre)), MessageCode::FileTooLarge);
+    EXPECT_EQ(codeOf(readContourCsv(large, kMm)), MessageCode::FileTooLarge);
     std::filesystem::remove(large);
 }
 
@@ -142,17 +139,17 @@ TEST(ContourCsv, TellsAnOpenOutlineFromOneWhoseLastEdgeIsLeftOut) {
     for (int k = 0; k <= 270; ++k)
         arc << 10 * std::cos(k * std::numbers::pi / 180) << ',' << 10 * std::sin(k * std::numbers::pi / 180)
             << '\n';
-    const auto open = readText(arc.str(), kMillimetre);
+    const auto open = readText(arc.str(), kMm);
     EXPECT_EQ(codeOf(open), MessageCode::ContourOpen);
     EXPECT_NE(describe(open.error()).find("14.14 mm"), std::string::npos) << describe(open.error());
-    EXPECT_TRUE(readText(arc.str() + "10,0\n", kMillimetre)) << "closed on purpose by a repeated first point";
-    EXPECT_TRUE(readText("0,0\n100,0\n100,1\n0,1\n", kMillimetre));
-    EXPECT_TRUE(readText("0,0\n0,1\n100,1\n100,0\n", kMillimetre)) << "a long edge left out, another there";
-    EXPECT_TRUE(readText("0,0\n10,0\n0,3\n", kMillimetre));
+    EXPECT_TRUE(readText(arc.str() + "10,0\n", kMm)) << "closed on purpose by a repeated first point";
+    EXPECT_TRUE(readText("0,0\n100,0\n100,1\n0,1\n", kMm));
+    EXPECT_TRUE(readText("0,0\n0,1\n100,1\n100,0\n", kMm)) << "a long edge left out, another there";
+    EXPECT_TRUE(readText("0,0\n10,0\n0,3\n", kMm));
     std::ostringstream circle;
     for (int k = 0; k < 350; ++k)
         circle << std::cos(k * std::numbers::pi / 180) << ',' << std::sin(k * std::numbers::pi / 180) << '\n';
-    EXPECT_TRUE(readText(circle.str(), kMillimetre)) << "ten steps missing";
+    EXPECT_TRUE(readText(circle.str(), kMm)) << "ten steps missing";
 }
 
 TEST(ContourCsv, SixtyThousandPoints) {
@@ -171,7 +168,7 @@ TEST(ContourCsv, DamagedFilesNeverCrashAndAlwaysAnswer) {
     const auto pick = [&](std::size_t n) { return static_cast<std::size_t>(random() % n); };
     int ok = 0, refused = 0;
     const auto take = [&](const std::string& text) {
-        const auto contour = readText(text, pick(2) ? std::optional(kMillimetre) : std::nullopt);
+        const auto contour = readText(text, pick(2) ? std::optional(kMm) : std::nullopt);
         if (!contour) {
             ++refused;
             EXPECT_FALSE(describe(contour.error()).empty());

@@ -60,7 +60,7 @@ Eigen::Vector4d onlyBox_mm(const std::string& bytes) {
     return 1e3 * Eigen::Vector4d(box.min().x(), box.min().y(), box.sizes().x(), box.sizes().y());
 }
 
-std::string repeated(const std::string& text, int times) {
+std::string textTimes(const std::string& text, int times) {
     std::string all;
     for (int k = 0; k < times; ++k)
         all += text;
@@ -341,7 +341,7 @@ double processorTime_s() {
     return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-struct Hostile {
+struct HostileSvg {
     std::string name;
     MessageCode code;
     std::string bytes;
@@ -351,7 +351,7 @@ std::string laughingEntities() {
     std::string text = R"(<!DOCTYPE svg [<!ENTITY a "aaaaaaaaaa">)";
     for (char c = 'b'; c < 'm'; ++c)
         text += std::string("<!ENTITY ") + c + " \"" +
-                repeated(std::string("&") + static_cast<char>(c - 1) + ";", 10) + "\">";
+                textTimes(std::string("&") + static_cast<char>(c - 1) + ";", 10) + "\">";
     return text + "]><svg><path d=\"&l;\"/></svg>";
 }
 
@@ -359,7 +359,7 @@ std::string laughingUses(int times, int levels, const std::string& last = "<rect
     std::string text = "<g id='a0'>" + last + "</g>";
     for (int k = 1; k <= levels; ++k)
         text += "<g id='a" + std::to_string(k) + "'>" +
-                repeated("<use href='#a" + std::to_string(k - 1) + "'/>", times) + "</g>";
+                textTimes("<use href='#a" + std::to_string(k - 1) + "'/>", times) + "</g>";
     return drawing(text);
 }
 
@@ -380,18 +380,18 @@ std::string manyAttributes(int count) {
     return text;
 }
 
-std::vector<Hostile> hostileDrawings() {
-    const std::string entity = "<!DOCTYPE svg [<!ENTITY e \"" + repeated("x", 4000) + "\">]>";
+std::vector<HostileSvg> hostileSvgs() {
+    const std::string entity = "<!DOCTYPE svg [<!ENTITY e \"" + textTimes("x", 4000) + "\">]>";
     const std::string rect = "<rect class='a' width='1' height='1'/>";
     return {
         {"entities of entities", MessageCode::XmlBroken, laughingEntities()},
-        {"one entity often", MessageCode::DrawingTooFull, entity + drawing(repeated("&e;", 200'000))},
+        {"one entity often", MessageCode::DrawingTooFull, entity + drawing(textTimes("&e;", 200'000))},
         {"one entity often in UTF-16", MessageCode::DrawingTooFull,
-         wide(entity + drawing(repeated("&e;", 200'000)))},
+         wide(entity + drawing(textTimes("&e;", 200'000)))},
         {"default attributes", MessageCode::DrawingTooFull,
          "<!DOCTYPE svg [<!ATTLIST svg " + manyAttributes(200'000) + ">]>" + drawing(rect)},
         {"many entities", MessageCode::DrawingTooFull,
-         "<!DOCTYPE svg [" + repeated("<!ENTITY e 'x'>", 600'000) + "]><svg/>"},
+         "<!DOCTYPE svg [" + textTimes("<!ENTITY e 'x'>", 600'000) + "]><svg/>"},
         {"uses of uses", MessageCode::DrawingTooFull, laughingUses(10, 12)},
         {"uses of uses of nothing", MessageCode::DrawingTooFull, laughingUses(10, 12, "")},
         {"chain of uses", MessageCode::XmlTooDeep, laughingUses(1, 40'000)},
@@ -399,37 +399,37 @@ std::vector<Hostile> hostileDrawings() {
         {"uses of each other", MessageCode::NoOutline,
          drawing("<g id='a'><use href='#b'/></g><g id='b'><use href='#a'/></g>")},
         {"use of a large shape", MessageCode::DrawingTooFull,
-         drawing("<polygon id='p' points='" + repeated("1 2 3 1 ", 100'000) + "'/>" +
-                 repeated("<use href='#p'/>", 50'000))},
-        {"deep", MessageCode::XmlTooDeep, drawing(repeated("<g>", 300'000) + repeated("</g>", 300'000))},
-        {"many elements", MessageCode::DrawingTooFull, drawing(repeated("<rect/>", 1'000'000))},
-        {"many attributes", MessageCode::DrawingTooFull, "<svg " + repeated("a='' ", 1'000'000) + "/>"},
+         drawing("<polygon id='p' points='" + textTimes("1 2 3 1 ", 100'000) + "'/>" +
+                 textTimes("<use href='#p'/>", 50'000))},
+        {"deep", MessageCode::XmlTooDeep, drawing(textTimes("<g>", 300'000) + textTimes("</g>", 300'000))},
+        {"many elements", MessageCode::DrawingTooFull, drawing(textTimes("<rect/>", 1'000'000))},
+        {"many attributes", MessageCode::DrawingTooFull, "<svg " + textTimes("a='' ", 1'000'000) + "/>"},
         {"many points", MessageCode::DrawingTooFull,
-         drawing("<polygon points='" + repeated("1 2 3 1 ", 1'500'000) + "'/>")},
+         drawing("<polygon points='" + textTimes("1 2 3 1 ", 1'500'000) + "'/>")},
         {"many arcs", MessageCode::DrawingTooFull,
-         drawing(repeated("<path d='M0 0" + repeated("a1 1 0 001 1", 1800) + "'/>", 600))},
+         drawing(textTimes("<path d='M0 0" + textTimes("a1 1 0 001 1", 1800) + "'/>", 600))},
         {"points from use", MessageCode::DrawingTooFull,
-         drawing("<circle id='c' r='9'/><g id='d'>" + repeated("<use href='#c'/>", 300) + "</g>" +
-                 repeated("<use href='#d'/>", 300))},
+         drawing("<circle id='c' r='9'/><g id='d'>" + textTimes("<use href='#c'/>", 300) + "</g>" +
+                 textTimes("<use href='#d'/>", 300))},
         {"many parts", MessageCode::PathTooLong,
-         drawing("<path d='M0 0" + repeated("h1v1", 3'000'000) + "'/>")},
+         drawing("<path d='M0 0" + textTimes("h1v1", 3'000'000) + "'/>")},
         {"many rules", MessageCode::DrawingTooFull,
-         drawing("<style>" + repeated(".a{fill:red}", 1'000'000) + "</style>" + repeated(rect, 1000))},
+         drawing("<style>" + textTimes(".a{fill:red}", 1'000'000) + "</style>" + textTimes(rect, 1000))},
         {"long rule", MessageCode::DrawingTooFull,
-         drawing("<style>rect{fill:" + repeated("a ", 100'000) + "}</style>" + repeated(rect, 3000))},
+         drawing("<style>rect{fill:" + textTimes("a ", 100'000) + "}</style>" + textTimes(rect, 3000))},
         {"not a number", MessageCode::NoOutline, drawing("<path d='Mnan nanLnan nanL inf 1e999z'/>")},
         {"infinite", MessageCode::NoOutline,
          drawing("<path d='M0 0L1e400 5L1e-400 1e308L-1e308 1e308z' transform='scale(1e308)'/>")},
         {"wide", MessageCode::DrawingTooWide, drawing("<path d='M0 0h99999999v1z'/>")},
         {"long number", MessageCode::NoOutline,
-         drawing("<rect width='" + repeated("1", 4'000'000) + "' height='1'/>")},
+         drawing("<rect width='" + textTimes("1", 4'000'000) + "' height='1'/>")},
         {"large", MessageCode::DrawingTooFull, std::string(20'000'000, ' ')},
     };
 }
 
 // Catches a hang, a crash or a flood of memory by a drawing made for it.
 TEST(SvgOutlines, HostileDrawingsAreRefusedSoon) {
-    for (const Hostile& hostile : hostileDrawings()) {
+    for (const HostileSvg& hostile : hostileSvgs()) {
         const double start_s = processorTime_s();
         const auto file = svgOutlines(hostile.bytes, "drawing");
         const double seconds = processorTime_s() - start_s;
