@@ -54,7 +54,7 @@ void BottomDock::fit() {
     const auto policy = isRecipe ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     m_recipe->setSizePolicy(policy, policy);
     if (isRecipe)
-        emit heightWanted(kRecipeHeight);
+        emit heightWanted(std::max(height(), std::min(kRecipeHeight, window()->height() / 3)));
 }
 
 void BottomDock::showRecipe() {
@@ -139,9 +139,13 @@ void BottomDock::setTemperatureUnit(TemperatureUnit unit) {
 void BottomDock::setReviewing(bool isReviewing) {
     if (isReviewing && !m_isReviewing)
         m_isBackToEvents = m_tabs->currentWidget() == m_eventList;
-    const bool isOver = m_isReviewing && !isReviewing;
+    const bool isOver = m_isReviewing && !isReviewing, wasHidden = isHidden();
+    if (!wasHidden)
+        m_height = height();
     m_isReviewing = isReviewing;
     showParts();
+    if (wasHidden && !isHidden() && m_height > 0)
+        emit heightWanted(m_height); // else it has what its lists would like
     if (isOver && m_isBackToEvents)
         m_tabs->setCurrentWidget(m_eventList);
 }

@@ -63,6 +63,7 @@ private:
     std::vector<TraceEvent> m_events;
     std::vector<TraceNote> m_notes;
     bool m_isReviewing = false;
+    int m_height = 0;              ///< before it was hidden
     bool m_isBackToEvents = false; ///< after the review
 };
 

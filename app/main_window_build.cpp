@@ -10,6 +10,7 @@
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "app/undo_actions.h"
+#include "widgets/common/scrolling.h"
 #include "widgets/objects/objects_page.h"
 
 #include <QApplication>
@@ -63,6 +64,7 @@ void MainWindow::buildLayout() {
 
     m_statusLine = new StatusLine(m_actions.unitMenu(), m_actions.languageMenu());
     setStatusBar(m_statusLine);
+    new ScrollHabits(this);
 }
 
 void MainWindow::buildNavigation() {
@@ -175,9 +177,8 @@ void MainWindow::connectRecipe() {
     connect(m_recipe, &RecipeControl::showWanted, m_dock, &BottomDock::showRecipe);
     m_files.setRecipeGuard([this] { return m_recipe->isOn(); });
     connect(&m_files, &SessionActions::recipeChosen, m_recipe, &RecipeControl::open);
-    connect(m_dock, &BottomDock::heightWanted, this, [this](int height) {
-        resizeDocks({m_dock}, {std::max(height, m_dock->height())}, Qt::Vertical);
-    });
+    connect(m_dock, &BottomDock::heightWanted, this,
+            [this](int height) { resizeDocks({m_dock}, {height}, Qt::Vertical); });
 }
 
 void MainWindow::connectCoach() {

@@ -4,6 +4,7 @@
 #include "app/error_text.h"
 #include "widgets/calibrate/calibrate_page.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/common/scrolling.h"
 #include "widgets/objects/objects_page.h"
 #include "widgets/review/identified_table.h"
 #include "widgets/review/replay_view.h"
@@ -17,6 +18,7 @@
 
 #include <QEvent>
 #include <QFileInfo>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
@@ -36,7 +38,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     m_pages->setObjectName(QStringLiteral("pages"));
     for (QWidget* page :
          std::initializer_list<QWidget*>{m_rig, m_objects, m_calibrate, m_targets, m_run, m_review})
-        m_pages->addWidget(page);
+        m_pages->addWidget(scrolled(page));
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
@@ -377,6 +379,10 @@ void PageHost::showEditable() {
         m_editable,
         m_editable ? QString() : tr("A run is armed or on. The start can be changed once it has stopped."));
     m_targets->setEditable(m_targetsEditable, tr("The run is stopping. Targets can be changed once it has."));
+}
+
+QSize PageHost::minimumSizeHint() const {
+    return m_pages->minimumSizeHint();
 }
 
 void PageHost::show(Page page) {

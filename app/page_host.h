@@ -38,6 +38,9 @@ class PageHost : public QWidget {
 public:
     PageHost(Document& document, SessionActions& files, QWidget* parent = nullptr);
 
+    /// The pages', which are scrolled: bars take their room from them, not from the screen.
+    QSize minimumSizeHint() const override;
+
     void show(Page page);
     Page page() const;
     void apply(const Snapshot& snapshot);

@@ -17,6 +17,9 @@ namespace bask {
 namespace {
 
 constexpr int kRoomyWidth = 1250; // for everything in words, in the longest language
+constexpr int kLeastWidth = 540;  // what is left when all is short fits beside the navigation
+constexpr int kShortParts = 4;
+constexpr int kBarGap = 8;
 
 } // namespace
 
@@ -46,8 +49,6 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     m_clock->setMinimumWidth(QFontMetrics(clockFont).horizontalAdvance(QStringLiteral("00:00:00")));
 
     auto* row = new QHBoxLayout(this);
-    row->setContentsMargins(10, 6, 10, 6);
-    row->setSpacing(8);
     row->addWidget(m_tag);
     row->addWidget(m_chip);
     row->addSpacing(8);
@@ -95,30 +96,60 @@ void StateBar::apply(const Snapshot& snapshot) {
         m_hold->setDefaultAction(hold);
     }
     const bool isFault = snapshot.state == RunState::Fault;
-    if (!isFault) // what goes goes first, or the window grows
-        m_reset->hide();
     m_arm->setVisible(!isFault); // neither can be pressed, and the alarm needs their room
     m_start->setVisible(!isFault);
     m_reset->setVisible(isFault);
     m_clock->setText(formatDuration(snapshot.runTime_s));
-    if (!snapshot.alarms.empty())
-        fitVerbs(true); // first, or the window grows
     m_alarm->setAlarms(snapshot.alarms);
-    fitVerbs(!snapshot.alarms.empty());
+    fit();
 }
 
-/// In a small window an alarm takes the words of Arm and Start.
-void StateBar::fitVerbs(bool hasAlarms) {
-    const auto style =
-        hasAlarms && width() < kRoomyWidth ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+/// In a small window an alarm takes the words of Arm and Start; in a smaller one more gives way to STOP.
+void StateBar::fit() {
+    const bool hasAlarms = !m_alarm->isHidden();
+    QStringList shown{QString::number(width()), m_chip->text(), m_tagWord->text(),
+                      QString::number(hasAlarms ? m_alarm->minimumSizeHint().width() : 0)};
+    for (const QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_reset})
+        shown << (button->isHidden() ? QString() : button->text());
+    if (const QString now = shown.join(u'\n'); now != m_fitted) {
+        m_fitted = now;
+        int parts = hasAlarms && width() < kRoomyWidth ? 1 : 0;
+        shorten(parts);
+        while (parts < kShortParts && layout()->minimumSize().width() > width())
+            shorten(++parts);
+    }
+}
+
+void StateBar::shorten(int parts) {
+    const auto style = [](bool isShort) {
+        return isShort ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
+    };
     for (QToolButton* button : {m_arm, m_start})
-        if (button->toolButtonStyle() != style)
-            button->setToolButtonStyle(style);
+        button->setToolButtonStyle(style(parts >= 1));
+    for (QToolButton* button : {m_hold, m_stop, m_reset})
+        button->setToolButtonStyle(style(parts >= 2));
+    m_tagWord->setVisible(parts < 3);
+    m_clockCaption->setVisible(parts < 3);
+    const int gap = parts < kShortParts ? kBarGap : kBarGap / 2;
+    layout()->setSpacing(gap);
+    layout()->setContentsMargins(gap + 2, 6, gap + 2, 6);
+    m_chip->setCompact(parts >= kShortParts);
+    m_clock->setVisible(parts < kShortParts);
+}
+
+QSize StateBar::minimumSizeHint() const {
+    return {kLeastWidth, QFrame::minimumSizeHint().height()};
+}
+
+bool StateBar::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) // of a language, say
+        fit();
+    return QFrame::event(event);
 }
 
 void StateBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
-    fitVerbs(!m_alarm->isHidden());
+    fit();
 }
 
 void StateBar::setAnswering(bool answering) {

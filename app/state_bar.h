@@ -17,12 +17,15 @@ class StopButton;
 
 /// Object names: "rigTag", "runStateChip", "armButton" and "startButton" (but for faults), "holdButton" (Hold
 /// or Resume), "stopRunButton", "resetButton" (only while it can be pressed), "runClock", "alarmButton" (only
-/// with alarms), "stopButton".
+/// with alarms), "stopButton". Where it is narrow its buttons and its tag lose their words, then its clock
+/// goes: STOP stays whole.
 class StateBar : public QFrame {
     Q_OBJECT
 
 public:
     explicit StateBar(Actions& actions, QWidget* parent = nullptr);
+
+    QSize minimumSizeHint() const override;
 
     void apply(const Snapshot& snapshot);
     void setAnswering(bool answering);
@@ -35,12 +38,14 @@ signals:
     void alarmChosen(quint64 id);
 
 protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
 private:
     QToolButton* makeButton(QAction* action, const char* name);
-    void fitVerbs(bool hasAlarms);
+    void fit();
+    void shorten(int parts);
     void showTag();
     void showChip();
     void retranslate();
@@ -50,6 +55,7 @@ private:
     bool m_answering = true;
     RunState m_state = RunState::Idle;
     std::vector<Message> m_reasons;
+    QString m_fitted; ///< what was last given room, and how much
     QFrame* m_tag;
     QLabel* m_tagIcon;
     QLabel* m_tagWord;

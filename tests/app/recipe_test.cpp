@@ -183,7 +183,13 @@ TEST_F(RecipeTest, isEditedSavedAndAskedAbout) {
     ASSERT_EQ(tree()->topLevelItemCount(), 3);
     EXPECT_EQ(find<QPushButton>("recipeSave")->isEnabled(), false);
     choose(1);
-    find<QMenu>("recipeAddMenu")->actions().at(3)->trigger(); // until an object has cooled
+    QAction* add = find<QMenu>("recipeAddMenu")->actions().at(3); // until an object has cooled
+    add->trigger();
+    find<QDialog>("recipeStepDialog")->reject();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(tree()->topLevelItemCount(), 3) << "cancelled";
+    EXPECT_FALSE(find<QPushButton>("recipeSave")->isEnabled());
+    add->trigger();
     auto* form = find<QDialog>("recipeStepDialog");
     ASSERT_TRUE(form->isVisible());
     EXPECT_EQ(form->findChild<QComboBox*>("object")->currentText(), "circle");

@@ -35,7 +35,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setFrameShape(QFrame::NoFrame);
     m_tree->setIconSize({kRowMark, kRowMark});
-    m_tree->setMinimumWidth(300);
+    m_tree->setMinimumWidth(240);
     m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff); // the sentence is elided instead
     m_tree->header()->setStretchLastSection(true);
     for (int column = kPriority; column < kWhat; ++column)
@@ -44,7 +44,7 @@ AlarmList::AlarmList(QWidget* parent)
     m_guidance->setReadOnly(true);
     m_guidance->setTabChangesFocus(true);
     m_guidance->setFrameShape(QFrame::NoFrame);
-    m_guidance->setMinimumWidth(200);
+    m_guidance->setMinimumWidth(150);
     m_acknowledge->setObjectName(QStringLiteral("acknowledgeAlarm"));
     m_acknowledgeAll->setObjectName(QStringLiteral("acknowledgeAllAlarms"));
 

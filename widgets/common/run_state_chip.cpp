@@ -121,6 +121,13 @@ void RunStateChip::setNotes(const QStringList& notes) {
     retranslateUi();
 }
 
+void RunStateChip::setCompact(bool isCompact) {
+    if (isCompact == m_isCompact)
+        return;
+    m_isCompact = isCompact;
+    updateGeometry();
+}
+
 void RunStateChip::retranslateUi() {
     setText(chipText(m_state, m_reasons.size()));
     setToolTip(runStateExplanation(m_state) + QLatin1Char('\n') +
@@ -165,14 +172,14 @@ void RunStateChip::openMenu() {
 }
 
 QSize RunStateChip::sizeHint() const {
-    // Wide enough for every state, so that the bar does not jump when the state changes.
     QFont bold = font();
     bold.setBold(true);
     const QFontMetrics metrics(bold);
     int widest = metrics.horizontalAdvance(text());
-    for (RunState state : kStates)
-        widest =
-            std::max(widest, metrics.horizontalAdvance(chipText(state, state == RunState::NotReady ? 9 : 0)));
+    if (!m_isCompact) // wide enough for every state, so that the bar does not jump when the state changes
+        for (RunState state : kStates)
+            widest = std::max(
+                widest, metrics.horizontalAdvance(chipText(state, state == RunState::NotReady ? 9 : 0)));
     return {widest + kIcon + 3 * kPadding + 14, std::max(metrics.height() + 12, 30)};
 }
 

@@ -22,6 +22,8 @@ public:
     void setState(RunState state, const QStringList& reasons);
     /// What is worth knowing besides, under the reasons: not counted, not to be chosen.
     void setNotes(const QStringList& notes);
+    /// As wide as its word, not as the widest of all states.
+    void setCompact(bool isCompact);
     RunState state() const { return m_state; }
     const QStringList& reasons() const { return m_reasons; }
     QMenu* reasonsMenu() const { return m_menu; }
@@ -45,6 +47,7 @@ private:
     RunState m_state = RunState::Idle;
     QStringList m_reasons;
     QStringList m_notes;
+    bool m_isCompact = false;
     QMenu* m_menu = nullptr;
 };
 

@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -259,29 +260,39 @@ void RecipePanel::choose(int row) {
     m_tree->setCurrentItem(m_tree->topLevelItem(row));
 }
 
-/// After the one that is chosen.
+/// After the one that is chosen, once its form is accepted.
 void RecipePanel::add(const RecipeStep& step) {
-    Recipe changed = m_view.recipe;
-    const int row = current() + 1;
-    changed.steps.insert(changed.steps.begin() + row, step);
-    emit edited(changed);
-    choose(row);
-    editCurrent();
+    ask(step, [this](const RecipeStep& wanted) {
+        Recipe changed = m_view.recipe;
+        const int row = current() + 1;
+        changed.steps.insert(changed.steps.begin() + row, wanted);
+        emit edited(changed);
+        choose(row);
+    });
 }
 
 void RecipePanel::editCurrent() {
     const int row = current();
-    if (row < 0 || m_view.isOn())
+    if (row < 0)
         return;
-    auto* dialog =
-        new RecipeStepDialog(m_view.recipe.steps[static_cast<std::size_t>(row)], m_objects, m_unit, this);
-    connect(dialog, &QDialog::accepted, this, [this, dialog, row] {
+    ask(m_view.recipe.steps[static_cast<std::size_t>(row)], [this, row](const RecipeStep& wanted) {
         Recipe changed = m_view.recipe;
-        if (row >= static_cast<int>(changed.steps.size()) || m_view.isOn())
+        if (row >= static_cast<int>(changed.steps.size()))
             return;
-        changed.steps[static_cast<std::size_t>(row)] = dialog->step();
+        changed.steps[static_cast<std::size_t>(row)] = wanted;
         if (changed != m_view.recipe)
             emit edited(changed);
+    });
+}
+
+/// Nothing changes before the form is accepted, nor if the recipe was started meanwhile.
+void RecipePanel::ask(const RecipeStep& step, std::function<void(const RecipeStep&)> take) {
+    if (m_view.isOn())
+        return;
+    auto* dialog = new RecipeStepDialog(step, m_objects, m_unit, this);
+    connect(dialog, &QDialog::accepted, this, [this, dialog, take = std::move(take)] {
+        if (!m_view.isOn())
+            take(dialog->step());
     });
     dialog->open();
 }

@@ -7,6 +7,7 @@
 #include <QStringList>
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 class QAction;
@@ -70,6 +71,7 @@ private:
     void choose(int row);
     void add(const RecipeStep& step);
     void editCurrent();
+    void ask(const RecipeStep& step, std::function<void(const RecipeStep&)> take);
     void move(int by);
     void removeCurrent();
     void showRows();

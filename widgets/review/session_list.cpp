@@ -84,6 +84,8 @@ SessionList::SessionList(QWidget* parent)
     m_tree->setSortingEnabled(true);
     m_tree->sortByColumn(kDate, Qt::DescendingOrder);
     m_tree->header()->setStretchLastSection(true);
+    for (const ListColumn column : {kOutcome, kDuration}) // never cut short; titles are, before them
+        m_tree->header()->setSectionResizeMode(column, QHeaderView::ResizeToContents);
     m_tree->setMinimumHeight(110);
 
     auto* top = new QHBoxLayout;
@@ -185,13 +187,12 @@ void SessionList::showRows() {
     if (current != nullptr)
         m_tree->setCurrentItem(current);
     if (isFirst)
-        for (int column = 0; column < kTags; ++column)
+        for (const ListColumn column : {kDate, kExperiment, kRig})
             m_tree->resizeColumnToContents(column);
     else
         m_tree->setColumnWidth(kDate, dateWidth);
     fitExperiment();
     search();
-    showSelected();
 }
 
 /// Titles get what the other columns leave.
@@ -240,7 +241,9 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
         row->setData(column, kSortRole, keys[column]);
         row->setToolTip(column, text(session.path));
     }
-    row->setToolTip(kExperiment, experiment);
+    for (const ListColumn column : {kExperiment, kOutcome, kRig, kTags})
+        if (!texts[column].isEmpty())
+            row->setToolTip(column, texts[column]);
     row->setTextAlignment(kDuration, Qt::AlignRight | Qt::AlignVCenter);
     QIcon icon(outcomePixmap(outcome, isDark(this), 16, devicePixelRatioF()));
     icon.addPixmap(outcomePixmap(outcome, true, 16, devicePixelRatioF()), QIcon::Selected); // on its ground
@@ -275,11 +278,13 @@ void SessionList::search() {
         m_count->setText(tr("%1 of %n session(s)", nullptr, count).arg(shown));
     else
         m_count->setText(tr("%n session(s)", nullptr, count));
+    showSelected();
 }
 
+/// None that the search has hidden: nobody sees what would be changed.
 const SessionHeader* SessionList::selected() const {
     const QTreeWidgetItem* row = m_tree->currentItem();
-    if (row == nullptr)
+    if (row == nullptr || row->isHidden())
         return nullptr;
     const std::string path = row->data(0, kPathRole).toString().toStdString();
     const auto found = std::ranges::find(m_sessions, path, &SessionHeader::path);

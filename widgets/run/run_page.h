@@ -46,7 +46,7 @@ public:
     /// Shows a recorded moment on all plots (from the event list).
     void showMoment(double time_s);
 
-    QSize minimumSizeHint() const override { return {860, 480}; }
+    QSize minimumSizeHint() const override;
 
 signals:
     void controllerApplied(const bask::ControllerSettings& settings);

@@ -74,6 +74,10 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
 
 RunPage::~RunPage() = default;
 
+QSize RunPage::minimumSizeHint() const {
+    return {860, layout()->minimumSize().height()};
+}
+
 TracePlot* RunPage::makePlot(Quantity quantity, const char* name) {
     auto* plot = new TracePlot(quantity, this);
     plot->setObjectName(QLatin1String(name));
@@ -158,7 +162,7 @@ QWidget* RunPage::makeSide() {
     m_viewIsometric = viewButton(side, "viewIsometric");
     m_scene = new SceneView(side);
     m_scene->setObjectName(QStringLiteral("runScene"));
-    m_scene->setMinimumHeight(160);
+    m_scene->setMinimumHeight(110);
     connect(m_viewTop, &QToolButton::clicked, m_scene, [this] { m_scene->viewAlongMinusZ(); });
     connect(m_viewSide, &QToolButton::clicked, m_scene, [this] { m_scene->viewAlongX(); });
     connect(m_viewIsometric, &QToolButton::clicked, m_scene, [this] { m_scene->viewIsometric(); });

@@ -30,7 +30,7 @@ namespace bask {
 namespace {
 
 constexpr int kRowHeight = 44;
-constexpr int kLeastTableWidth = 640;
+constexpr int kLeastTableWidth = 620;
 constexpr int kLinesPerRow = 4; // of the grid: a rule, the target, its bar, words
 constexpr int kColumns = 6;
 constexpr double kSameTarget_K = 1e-6;

@@ -160,6 +160,44 @@ TEST_F(SessionListTest, TagsBelongToTheRunTheyWereTypedFor) {
     EXPECT_EQ(edited[1][0].toString(), "/runs/b.bask");
 }
 
+// Catches tags, Open and Overlay that go to a run which the search has hidden.
+TEST_F(SessionListTest, WhatTheSearchHidesIsNotSelected) {
+    QSignalSpy edited(&list, &SessionList::tagsEdited);
+    list.setComparable(true);
+    tree->setCurrentItem(row("a"));
+    search->setFocus();
+    search->setText("live");
+    ASSERT_EQ(found(), QStringList{"b"});
+    EXPECT_FALSE(tags->isEnabled());
+    EXPECT_TRUE(tags->text().isEmpty());
+    for (const char* button : {"sessionOpen", "sessionCompare"})
+        EXPECT_FALSE(list.findChild<QPushButton*>(button)->isEnabled()) << button;
+    emit tags->editingFinished();
+    EXPECT_EQ(edited.count(), 0);
+    search->clear();
+    EXPECT_EQ(tags->text(), "good, paper");
+    EXPECT_TRUE(list.findChild<QPushButton*>("sessionOpen")->isEnabled());
+}
+
+// Catches outcomes and durations that are cut short, also when longer ones come later.
+TEST_F(SessionListTest, OutcomesAreNotCutShort) {
+    list.setSessions({header("a", "2026-03-14T09:26:53Z", "fault")});
+    SessionHeader bad = header("bad", "2026-03-14T09:26:53Z", "");
+    bad.error = Error(MessageCode::SessionDamaged, bad.path, {"it is cut short"});
+    SessionHeader longest = header("b", "2026-03-15T09:26:53Z", "settled");
+    longest.end_s = 360000.0;
+    list.setSessions({header("cut", "2026-03-13T09:26:53Z", ""), bad, longest});
+    QApplication::processEvents();
+    for (int k = 0; k < tree->topLevelItemCount(); ++k)
+        for (const int column : {2, 3}) {
+            const QString text = tree->topLevelItem(k)->text(column);
+            const int mark = column == 2 ? 20 : 0;
+            EXPECT_GE(tree->columnWidth(column), tree->fontMetrics().horizontalAdvance(text) + mark)
+                << text.toStdString();
+        }
+    EXPECT_EQ(row("b")->toolTip(2), "Settled");
+}
+
 // Catches a selection that is lost, or another run's, when the folder is read again.
 TEST_F(SessionListTest, TheSelectionStaysWhenTheListIsReadAgain) {
     tree->setCurrentItem(row("cut"));

@@ -1,0 +1,171 @@
+// The window on small screens and with large text, which makes a screen small: at a text size of 150 % one of
+// 1280 x 720 has the room of 853 x 480.
+
+#include "engine/base/message_code.h"
+#include "tests/app/window_fixture.h"
+#include "widgets/common/message_bar.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QWheelEvent>
+
+namespace bask::test {
+namespace {
+
+constexpr QSize kAt150{853, 480}, kAt200{640, 360};
+
+class WindowSizeTest : public WindowTest {
+protected:
+    void settle() {
+        for (int i = 0; i < 6; ++i) // nested layouts, one after the other
+            QCoreApplication::processEvents();
+    }
+    /// What is shown now stays as it is.
+    Snapshot freeze() {
+        EXPECT_TRUE(waitForState(RunState::Ready));
+        EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
+        QCoreApplication::processEvents(); // what it had sent
+        Snapshot snapshot = window->lastSnapshot();
+        snapshot.newSamples.clear();
+        snapshot.newEvents.clear();
+        return snapshot;
+    }
+    QScrollArea* scrollOf(QWidget* part) {
+        while (part != nullptr && part->objectName() != QLatin1String("partScroll"))
+            part = part->parentWidget();
+        return qobject_cast<QScrollArea*>(part);
+    }
+    QRect inWindow(const QWidget* part) { return {part->mapTo(window.get(), QPoint(0, 0)), part->size()}; }
+    void showBars() {
+        window->pages().questionBar().ask(
+            QStringLiteral("Bask went down with unsaved edits to an experiment."),
+            QStringLiteral("Restore the edits"), QStringLiteral("Discard"));
+        window->pages().showProblem(QStringLiteral("The folder cannot be written to. ").repeated(8));
+    }
+    /// As from a person: what does not take it lets what it lies in have it.
+    void turnWheel(QWidget* over, int by) {
+        const QPoint at = over->mapTo(window.get(), over->visibleRegion().boundingRect().center());
+        QWidget* hit = window->childAt(at);
+        ASSERT_TRUE(hit == over || over->isAncestorOf(hit));
+        QWheelEvent event(hit->mapFrom(window.get(), at), window->mapToGlobal(at), {}, {0, by}, Qt::NoButton,
+                          Qt::NoModifier, Qt::NoScrollPhase, false);
+        QSpontaneKeyEvent::setSpontaneous(&event);
+        qApp->notify(hit, &event);
+        settle();
+    }
+};
+
+// Catches: STOP or the state bar pushed off a small screen, or off any with large text.
+TEST_F(WindowSizeTest, StopIsInsideEverySmallScreen) {
+    openWindow();
+    Snapshot snapshot = freeze();
+    Alarm alarm;
+    alarm.id = 1;
+    alarm.message = {MessageCode::SafetyObjectHot, {"aluminium hand with a painted palm", "152.3", "150"}};
+    snapshot.runTime_s = 36000.0;
+    snapshot.recordingPath = "/home/somebody/recordings/an-experiment-with-a-long-name-20260314-092653.bask";
+    find<QMenu>("recipeFileMenu")->actions().at(2)->menu()->actions().front()->trigger();
+    for (const char* language : {"en", "fr", "zh_CN", "zh_TW"}) {
+        window->setLanguage(QLatin1String(language));
+        showBars();
+        for (const RunState state :
+             {RunState::NotReady, RunState::Running, RunState::Holding, RunState::Fault}) {
+            snapshot.state = state;
+            snapshot.alarms.assign(state == RunState::NotReady ? 0 : 12, alarm);
+            find<QTabWidget>("dockTabs")->setCurrentIndex(state == RunState::NotReady ? 2 : 0);
+            for (const QSize size : {kAt200, kAt150, QSize(1280, 720)}) {
+                emit window->engine().snapshot(snapshot);
+                window->resize(size);
+                settle();
+                const auto where = testing::Message() << language << ' ' << runStateName(state) << ' '
+                                                      << size.width() << " x " << size.height();
+                EXPECT_LE(window->minimumSizeHint().width(), kAt200.width()) << where;
+                EXPECT_LE(window->minimumSizeHint().height(), kAt200.height()) << where;
+                EXPECT_EQ(window->width(), size.width()) << where;
+                EXPECT_EQ(window->height(), size.height()) << where;
+                const auto* stop = find<QWidget>("stopButton");
+                EXPECT_TRUE(window->rect().contains(inWindow(stop))) << where;
+                EXPECT_GE(stop->width(), stop->sizeHint().width()) << where;
+                EXPECT_EQ(stop->visibleRegion().boundingRect(), stop->rect()) << where;
+                const auto* chip = find<QWidget>("runStateChip");
+                EXPECT_GE(chip->width(), chip->sizeHint().width()) << where;
+                for (const char* name : {"runStateChip", "holdButton", "stopRunButton"})
+                    EXPECT_LE(inWindow(find<QWidget>(name)).right(), inWindow(stop).left()) << where << name;
+                EXPECT_TRUE(window->rect().contains(inWindow(window->statusBar()))) << where;
+            }
+        }
+    }
+}
+
+// Catches: a window that grows by itself with bars, pages or the recipe, and a dock that grows with Review.
+TEST_F(WindowSizeTest, NothingShownLaterMakesItGrow) {
+    const QSize size{1280, 800};
+    openWindow(size);
+    find<QTabWidget>("dockTabs")->setCurrentIndex(1);
+    settle();
+    const int before = find<QWidget>("eventDock")->height();
+    showBars();
+    for (int page = 0; page < kPages; ++page) {
+        window->pages().show(static_cast<Page>(page));
+        settle();
+        EXPECT_EQ(window->size(), size) << page;
+    }
+    window->pages().show(Page::Run);
+    settle();
+    EXPECT_EQ(find<QWidget>("eventDock")->height(), before);
+    find<QTabWidget>("dockTabs")->setCurrentWidget(find<QWidget>("recipePanel"));
+    settle();
+    EXPECT_GT(find<QWidget>("eventDock")->height(), before);
+    EXPECT_EQ(window->size(), size);
+}
+
+// Catches: a control that gets the keyboard where nobody sees it.
+TEST_F(WindowSizeTest, WhatGetsTheKeyboardComesIntoView) {
+    openWindow(kAt150);
+    settle();
+    auto* speed = find<QComboBox>("simulationSpeed");
+    auto* top = find<QWidget>("followLive");
+    ASSERT_TRUE(scrollOf(speed)->verticalScrollBar()->isVisible());
+    for (QWidget* control : {static_cast<QWidget*>(speed), top}) {
+        find<QWidget>("stopButton")->setFocus();
+        ASSERT_LT(control->visibleRegion().boundingRect().height(), control->height());
+        control->setFocus(Qt::TabFocusReason);
+        settle();
+        EXPECT_EQ(control->visibleRegion().boundingRect(), control->rect())
+            << control->objectName().toStdString();
+    }
+}
+
+// Catches: a wheel that zooms and scrolls at once, or changes a value while it scrolls.
+TEST_F(WindowSizeTest, TheWheelDoesOneThing) {
+    openWindow(kAt150);
+    freeze();
+    settle();
+    auto* speed = find<QComboBox>("simulationSpeed");
+    QScrollBar* bar = scrollOf(speed)->verticalScrollBar();
+    find<QWidget>("stopButton")->setFocus();
+    bar->setValue(0);
+    for (const char* name : {"runScene", "plot.temperature"}) {
+        turnWheel(find<QWidget>(name), -120);
+        EXPECT_EQ(bar->value(), 0) << name;
+    }
+    speed->setCurrentIndex(2);
+    scrollOf(speed)->ensureWidgetVisible(speed);
+    const int before = bar->value();
+    turnWheel(speed, 120);
+    EXPECT_EQ(speed->currentIndex(), 2);
+    EXPECT_LT(bar->value(), before);
+    EXPECT_FALSE(speed->hasFocus());
+    speed->setFocus(); // comes into view
+    turnWheel(speed, 120);
+    EXPECT_EQ(speed->currentIndex(), 1) << "it has the keyboard, so it is meant";
+}
+
+} // namespace
+} // namespace bask::test
