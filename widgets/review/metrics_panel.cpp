@@ -14,7 +14,7 @@
 namespace bask {
 namespace {
 
-constexpr int kNameWidth = 150; // px; longer names are elided, pointing at them tells the whole
+constexpr int kNameWidth = 190; // px; longer names are elided, pointing at them tells the whole
 
 } // namespace
 

@@ -21,7 +21,7 @@ constexpr double kLarge_K = 1.0; ///< a good sensor and its wiring are better
 
 void setOrHide(QLabel* label, const QString& text) {
     if (label->text() != text)
-        label->setOrHide(text);
+        label->setText(text);
     label->setVisible(!text.isEmpty());
 }
 
@@ -113,8 +113,8 @@ void ZeroPanel::refresh() {
 }
 
 void ZeroPanel::retranslate() {
-    m_title->setOrHide(tr("Sensors at rest"));
-    m_zero->setOrHide(tr("Zero the sensors"));
+    m_title->setText(tr("Sensors at rest"));
+    m_zero->setText(tr("Zero the sensors"));
     m_zero->setToolTip(tr("Make all sensors agree while the objects are at the room's temperature"));
     refresh();
 }

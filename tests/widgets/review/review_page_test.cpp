@@ -13,6 +13,7 @@
 #include "widgets/review/identified_table.h"
 #include "widgets/review/outcome_words.h"
 #include "widgets/review/replay_view.h"
+#include "widgets/review/session_list.h"
 
 #include <QApplication>
 #include <QClipboard>
