@@ -40,8 +40,10 @@ void HoldUpWatch::begin() {
 
 HoldUp HoldUpWatch::seen() const {
     Clock::duration late{};
-    for (const auto& sleeper : m_sleepers)
-        late = std::max({late, sleeper->late.load(), lateNow(*sleeper)});
+    for (const auto& sleeper : m_sleepers) {
+        const Clock::duration now = lateNow(*sleeper); // before what it keeps, where it goes once it is awake
+        late = std::max({late, now, sleeper->late.load()});
+    }
     const Ticks ended = ticks();
     const double all = ended.all - m_ticks.all, stolen = ended.stolen - m_ticks.stolen;
     return {std::chrono::duration<double>(late).count(), stolen / static_cast<double>(::sysconf(_SC_CLK_TCK)),
