@@ -72,10 +72,10 @@ void HoldUpWatch::sleep(Sleeper& sleeper, int processor) const {
     CPU_SET(processor, &only);
     ::pthread_setaffinity_np(::pthread_self(), sizeof only, &only);
     while (!m_isOver) {
+        sleeper.late = std::max(sleeper.late.load(), lateNow(sleeper)); // also when it began late
         const auto due = Clock::now() + std::chrono::milliseconds(20);
         sleeper.due = due.time_since_epoch();
         std::this_thread::sleep_until(due);
-        sleeper.late = std::max(sleeper.late.load(), lateNow(sleeper));
     }
 }
 
