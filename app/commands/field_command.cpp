@@ -260,7 +260,7 @@ int fieldCommand(const QStringList& arguments) {
          {"gradient", "Also the derivatives of F by the six coordinates."},
          {"tolerance", "Of F, absolute; 1e-9 unless given.", "NUMBER"},
          {{"o", "output"}, "The file to write.", "FILE.vti"}});
-    const bool parsed = parser.parse(QStringList("bask") + arguments);
+    const bool parsed = parser.parse(QStringList{"bask"} + arguments);
     const auto given = parser.positionalArguments().size();
     if (const auto code = parseCommand(parser, "field", arguments, parsed && given == 0 ? 0 : 1))
         return *code;

@@ -9,13 +9,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace bask {
 namespace {
 
 using Registers = std::vector<std::uint16_t>;
 
-const ModbusProfile& shipped(const std::string& name) {
+const ModbusProfile& shipped(std::string_view name) {
     const auto& all = shippedProfiles();
     return *std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
 }

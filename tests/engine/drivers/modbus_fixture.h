@@ -8,10 +8,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace bask::test {
 
-inline const ModbusProfile& shipped(const std::string& name) {
+inline const ModbusProfile& shipped(std::string_view name) {
     const auto& all = shippedProfiles();
     return *std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
 }

@@ -11,13 +11,14 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <string_view>
 
 namespace bask {
 namespace {
 
 using Registers = std::vector<std::uint16_t>;
 
-const ModbusProfile& shippedProfile(const std::string& name) {
+const ModbusProfile& shippedProfile(std::string_view name) {
     const auto& all = shippedProfiles();
     return *std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
 }

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <string_view>
 
 namespace bask {
 namespace {
@@ -29,12 +30,12 @@ std::string controller(const std::string& rest) {
     return R"({"name": "c", "process_value": {"address": 1}, "set_point": {"address": 2})" + rest + "}";
 }
 
-const ModbusProfile& shipped(const std::string& name) {
+const ModbusProfile& shipped(std::string_view name) {
     const auto& all = shippedProfiles();
     const auto it =
         std::find_if(all.begin(), all.end(), [&](const ModbusProfile& p) { return p.name == name; });
     if (it == all.end())
-        throw std::out_of_range(name);
+        throw std::out_of_range(std::string(name));
     return *it;
 }
 
