@@ -4,7 +4,6 @@
 
 #include <atomic>
 #include <filesystem>
-#include <ranges>
 
 #include <unistd.h>
 
@@ -40,10 +39,11 @@ void ReplacedFiles::keepNew() {
 
 ReplacedFiles::~ReplacedFiles() {
     std::error_code ignored;
-    for (const Place& place : m_places | std::views::reverse) {
-        if (!place.old.empty())
-            fs::rename(place.old, place.path, ignored); // nothing is done where both are the same file
-        fs::remove(place.old.empty() ? place.path : place.old, ignored);
+    // Not a range view: clang 14, which builds the fuzzers, cannot compile libstdc++'s.
+    for (auto place = m_places.rbegin(); place != m_places.rend(); ++place) {
+        if (!place->old.empty())
+            fs::rename(place->old, place->path, ignored); // nothing is done where both are the same file
+        fs::remove(place->old.empty() ? place->path : place->old, ignored);
     }
 }
 
