@@ -195,6 +195,10 @@
             <translation>dans toutes les images la mire est vue de face, inclinée de %1 degrés au plus ; il en faut au moins %2 pour connaître la focale</translation>
         </message>
         <message>
+            <source>in all pictures the board is held in nearly the same direction, turned by %1 degrees at most between two of them; at least %2 are needed to tell the focal length</source>
+            <translation>dans toutes les images la mire a presque la même orientation, avec %1 degrés au plus entre deux d’entre elles ; il en faut au moins %2 pour connaître la focale</translation>
+        </message>
+        <message>
             <source>no camera explains these pictures; tilt the board in different ways and check its setting</source>
             <translation>aucune caméra n’explique ces images ; inclinez la mire de différentes façons et vérifiez son réglage</translation>
         </message>

@@ -195,6 +195,10 @@
             <translation>所有图像中标定板都接近正对相机，倾斜最多 %1 度；要确定焦距至少需要 %2 度</translation>
         </message>
         <message>
+            <source>in all pictures the board is held in nearly the same direction, turned by %1 degrees at most between two of them; at least %2 are needed to tell the focal length</source>
+            <translation>所有图像中标定板的朝向几乎相同，任意两张之间最多相差 %1 度；要确定焦距至少需要 %2 度</translation>
+        </message>
+        <message>
             <source>no camera explains these pictures; tilt the board in different ways and check its setting</source>
             <translation>没有相机模型能解释这些图像；请使标定板朝不同方向倾斜，并检查其设置</translation>
         </message>

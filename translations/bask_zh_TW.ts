@@ -195,6 +195,10 @@
             <translation>所有影像中校正板都接近正對相機，傾斜最多 %1 度；要確定焦距至少需要 %2 度</translation>
         </message>
         <message>
+            <source>in all pictures the board is held in nearly the same direction, turned by %1 degrees at most between two of them; at least %2 are needed to tell the focal length</source>
+            <translation>所有影像中校正板的朝向幾乎相同，任意兩張之間最多相差 %1 度；要確定焦距至少需要 %2 度</translation>
+        </message>
+        <message>
             <source>no camera explains these pictures; tilt the board in different ways and check its setting</source>
             <translation>沒有相機模型能解釋這些影像；請使校正板朝不同方向傾斜，並檢查其設定</translation>
         </message>

@@ -150,6 +150,7 @@ void printFigures(const Request& request, const CameraCalibration& result) {
         print((std::string(kParameters[k]) + "_deviation").c_str(), camera.deviations[k]);
     }
     print("largest_tilt_deg", degFromRad(result.tilt_rad));
+    print("largest_turn_deg", degFromRad(result.turn_rad));
     if (result.heldOut_px) {
         print("held_out_px", *result.heldOut_px);
         print("held_out_mm", 1e3 * *result.heldOut_m(request.distance_m));

@@ -143,6 +143,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(ViewSizeOther, QT_TRANSLATE_NOOP("Message", "the picture has %1 pixels, the others %2; take all with one camera at one size")),
     Entry BASK_MESSAGE(ViewsTooFew, QT_TRANSLATE_NOOP("Message", "%1 pictures that can be used are too few; at least %2 are needed, with the board tilted in different ways")),
     Entry BASK_MESSAGE(ViewsStraightOn, QT_TRANSLATE_NOOP("Message", "in all pictures the board is seen straight on, tilted by %1 degrees at most; at least %2 are needed to tell the focal length")),
+    Entry BASK_MESSAGE(ViewsParallel, QT_TRANSLATE_NOOP("Message", "in all pictures the board is held in nearly the same direction, turned by %1 degrees at most between two of them; at least %2 are needed to tell the focal length")),
     Entry BASK_MESSAGE(CalibrationFailed, QT_TRANSLATE_NOOP("Message", "no camera explains these pictures; tilt the board in different ways and check its setting")),
     Entry BASK_MESSAGE(CalibrationUncertain, QT_TRANSLATE_NOOP("Message", "the focal length is known to %1 % only; at most %2 % can be used, so add pictures with the board tilted in different ways")),
     Entry BASK_MESSAGE(CalibrationContradicts, QT_TRANSLATE_NOOP("Message", "the pictures contradict one another by %1 px; at most %2 px can be used, so check that the board is flat, its setting right and all pictures from one camera")),

@@ -129,6 +129,7 @@ enum class MessageCode : int {
     ViewSizeOther,          ///< %1 pixels, %2 of the others
     ViewsTooFew,            ///< %1 views, %2 needed
     ViewsStraightOn,        ///< %1 degrees, %2 needed
+    ViewsParallel,          ///< %1 degrees, %2 needed
     CalibrationFailed,      ///< no args
     CalibrationUncertain,   ///< %1 percent, %2 allowed
     CalibrationContradicts, ///< %1 px, %2 allowed

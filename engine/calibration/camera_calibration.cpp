@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 
+#include <Eigen/Geometry>
 #include <opencv2/calib3d.hpp>
 
 #include <algorithm>
@@ -83,14 +84,30 @@ std::optional<double> heldOut(const std::vector<Corners>& views, cv::Size size, 
     return std::sqrt(sum / static_cast<double>(count));
 }
 
-double tiltOf(const std::vector<cv::Mat>& rotations) {
-    double least = 1.0; // cosine
+// The boards' normals in the camera's frame.
+std::vector<Eigen::Vector3d> normalsOf(const std::vector<cv::Mat>& rotations) {
+    std::vector<Eigen::Vector3d> normals;
     for (const cv::Mat& rotation : rotations) {
         cv::Matx33d turn;
         cv::Rodrigues(rotation, turn);
-        least = std::min(least, std::abs(turn(2, 2)));
+        normals.emplace_back(turn(0, 2), turn(1, 2), turn(2, 2));
     }
+    return normals;
+}
+
+double tiltOf(const std::vector<Eigen::Vector3d>& normals) {
+    double least = 1.0; // cosine
+    for (const Eigen::Vector3d& normal : normals)
+        least = std::min(least, std::abs(normal.z()));
     return std::acos(least);
+}
+
+double turnOf(const std::vector<Eigen::Vector3d>& normals) {
+    double most_rad = 0.0;
+    for (const Eigen::Vector3d& a : normals)
+        for (const Eigen::Vector3d& b : normals)
+            most_rad = std::max(most_rad, std::atan2(a.cross(b).norm(), a.dot(b)));
+    return most_rad;
 }
 
 CameraModel cameraOf(const Solution& s, int coefficients) {
@@ -127,10 +144,12 @@ double CameraCalibration::focalDeviation() const {
 }
 
 std::optional<Message> CameraCalibration::reasonAgainst() const {
-    constexpr double kLeastTilt_deg = 10.0, kMostDeviation = 0.1, kMostResidual = 0.003;
+    constexpr double kLeastTilt_deg = 10.0, kLeastTurn_deg = 2.0, kMostDeviation = 0.1, kMostResidual = 0.003;
     if (const double tilt_deg = degFromRad(tilt_rad); tilt_deg < kLeastTilt_deg)
         return Message{MessageCode::ViewsStraightOn,
                        {formatNumber(tilt_deg, 2), formatNumber(kLeastTilt_deg)}};
+    if (const double turn_deg = degFromRad(turn_rad); turn_deg < kLeastTurn_deg)
+        return Message{MessageCode::ViewsParallel, {formatNumber(turn_deg, 2), formatNumber(kLeastTurn_deg)}};
     if (focalDeviation() > kMostDeviation)
         return Message{MessageCode::CalibrationUncertain,
                        {formatNumber(100.0 * focalDeviation(), 2), formatNumber(100.0 * kMostDeviation)}};
@@ -161,9 +180,10 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& vi
     try {
         const Solution solution = solve(corners, size, coefficients);
         fitted();
+        const std::vector<Eigen::Vector3d> normals = normalsOf(solution.rotations);
         CameraCalibration result{cameraOf(solution, coefficients),
-                                 heldOut(corners, size, coefficients, stop, fitted),
-                                 tiltOf(solution.rotations)};
+                                 heldOut(corners, size, coefficients, stop, fitted), tiltOf(normals),
+                                 turnOf(normals)};
         if (stop.stop_requested())
             return Error{MessageCode::CalibrationCancelled, ""};
         result.camera.width = width;

@@ -24,6 +24,7 @@ struct CameraCalibration {
     /// each without a fifth of the views); the board's pose is the view's own. Nothing below five views.
     std::optional<double> heldOut_px;
     double tilt_rad = 0.0; ///< largest angle between a view's board and the picture
+    double turn_rad = 0.0; ///< largest angle between the boards of two views
 
     /// The same as a length across the line of sight, so far from the camera.
     std::optional<double> heldOut_m(double distance_m) const;
@@ -31,9 +32,11 @@ struct CameraCalibration {
     double focalDeviation() const;
     /// What two of them are as a length along the line of sight, so far from the camera.
     double focalError_m(double distance_m) const { return 2.0 * focalDeviation() * distance_m; }
-    /// Why the camera should not be used: ViewsStraightOn (boards tilted by less than 10 degrees tell no
-    /// focal length, however small its deviation looks), CalibrationUncertain (focal length to 10 %),
-    /// CalibrationContradicts (residuals above 0.3 % of the picture's width).
+    /// Why the camera should not be used: ViewsStraightOn (boards tilted by less than 10 degrees
+    /// against the picture tell no focal length, however small its deviation looks), ViewsParallel (nor do
+    /// boards turned by less than 2 degrees against one another, such as copies of one picture: Zhang, A
+    /// flexible new technique for camera calibration, 2000, section 4), CalibrationUncertain (focal length to
+    /// 10 %), CalibrationContradicts (residuals above 0.3 % of the picture's width).
     std::optional<Message> reasonAgainst() const;
 };
 

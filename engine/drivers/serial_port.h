@@ -8,7 +8,8 @@
 namespace bask {
 
 /// What the terminal has for us; hung up when the cable or its adapter is out. Asked here because Qt tells it
-/// too often (up to 6.7) or not at all (since).
+/// too often (up to 6.7) or not at all (since: its event loop then turns without a pause until the port is
+/// closed, so a link is to be asked every few milliseconds, as LinkThread does).
 enum class SerialPortState { Nothing, Bytes, HungUp };
 SerialPortState serialPortState(int descriptor);
 

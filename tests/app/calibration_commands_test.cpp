@@ -288,7 +288,7 @@ TEST_F(CalibrateCamera, RefusesInWords) {
          "2 pictures that can be used are too few"},
         {{"--board", board, "-o", path("c.yml"), chess[3], chess[3], chess[3]},
          kExitNegative,
-         "the focal length is known to"},
+         "the board is held in nearly the same direction"},
     };
     for (const auto& [arguments, code, words] : cases) {
         const Captured outcome = calibrate(arguments);

@@ -145,10 +145,13 @@ TEST(CameraCalibration, TooLittleIsSaid) {
 
 // Catches: a camera that is offered though it is a guess.
 TEST(CameraCalibration, SaysWhyACameraIsNotToBeUsed) {
-    CameraCalibration good{test::sampleCamera(), {}, 0.5};
+    CameraCalibration good{test::sampleCamera(), {}, 0.5, 0.5};
     good.camera.rms_px = 1.0;
     good.camera.deviations.assign(9, 2.0);
     EXPECT_FALSE(good.reasonAgainst());
+    CameraCalibration parallel = good;
+    parallel.turn_rad = 0.03;
+    EXPECT_EQ(parallel.reasonAgainst().value().code, MessageCode::ViewsParallel);
     CameraCalibration unsure = good;
     unsure.camera.deviations[1] = 110.0; // of 1003
     EXPECT_EQ(unsure.reasonAgainst().value().code, MessageCode::CalibrationUncertain);
@@ -203,7 +206,7 @@ TEST(CameraCalibration, IsJudgedAtADistance) {
     result.camera.rms_px = 0.3;
     result.camera.deviations = {0.5, 0.5, 0.5, 0.5, 0, 0, 0, 0, 0};
     result.camera.views.resize(20);
-    result.tilt_rad = 0.6;
+    result.tilt_rad = result.turn_rad = 0.6;
     result.heldOut_px = 0.3;
     EXPECT_EQ(judged(result, 0.6).verdict, Verdict::Good);
     EXPECT_EQ(judged(result, 0.6).reason, (Message{MessageCode::CameraGood, {"0.18", "0.6", "0.6"}}));
