@@ -99,7 +99,7 @@ TEST_F(MainWindowTest, TheSurfacesControlsFitASmallWindow) {
                     << qPrintable(part->objectName() + name);
             }
         }
-        EXPECT_GE(find<QWidget>("targetScene")->height(), 220) << qPrintable(name);
+        EXPECT_GE(find<QWidget>("targetScene")->height(), 200) << qPrintable(name);
     };
     auto* space = find<QComboBox>("surfaceSpace");
     auto* object = find<QComboBox>("cutObject");

@@ -45,7 +45,9 @@ inline cv::Mat even(int grey, cv::Size size = {320, 240}) {
 /// Picture k is 40 + 10 k grey.
 inline void writeVideo(const std::string& path, int pictures, double rate_Hz = 50.0,
                        cv::Size size = {320, 240}) {
-    cv::VideoWriter writer(path, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), rate_Hz, size, true);
+    // Not by FFmpeg, which asks once, here or in Bask, what it may write to stderr (OpenCV 4.10).
+    cv::VideoWriter writer(path, cv::CAP_OPENCV_MJPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), rate_Hz,
+                           size, true);
     for (int k = 0; k < pictures; ++k)
         writer.write(even(40 + 10 * k, size));
 }

@@ -5,9 +5,6 @@
 #include "tests/support/echo_device.h"
 #include "tests/support/wait_for.h"
 
-#include <QEventLoop>
-#include <QTimer>
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -93,11 +90,17 @@ TEST_F(SerialLinkTest, aPortLeftByAKilledProgramIsOpenedAgain) {
     const pid_t other = ::fork();
     if (other == 0) {
         m_link.open();
+        m_link.write("kept");
+        ::usleep(100'000);
         ::_exit(m_link.isOpen() ? 0 : 1); // without a farewell
     }
     int left = -1;
-    ASSERT_EQ(::waitpid(other, &left, 0), other);
+    ASSERT_TRUE(test::waitFor([&] {
+        m_server->work(0.0);
+        return ::waitpid(other, &left, WNOHANG) == other;
+    }));
     ASSERT_EQ(left, 0);
+    m_server->work(0.0); // like a true port it forgets who had it for himself
     m_link.open();
     EXPECT_TRUE(m_link.isOpen()) << describe(m_link.problem());
 }
@@ -122,13 +125,10 @@ TEST_F(SerialLinkTest, unpluggedItCostsNothingAndComesBack) {
     ASSERT_TRUE(m_link.isOpen());
     unplug();
     const double before_s = processorTime_s();
-    QEventLoop loop;
-    QTimer::singleShot(1000, &loop, &QEventLoop::quit);
-    loop.exec();
+    test::waitFor([&] { return !m_link.read().empty(); }, 1000); // asked all the time, as its thread does
     const double storm_s = processorTime_s() - before_s;
     RecordProperty("processor_us_in_a_second", static_cast<int>(storm_s * 1e6));
     EXPECT_LT(storm_s, 0.1) << "of one second";
-    m_link.read();
     EXPECT_FALSE(m_link.isOpen());
     EXPECT_EQ(m_link.problem().code, MessageCode::LinkLost);
     m_link.open();
