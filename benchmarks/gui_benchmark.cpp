@@ -46,7 +46,7 @@ std::unique_ptr<MainWindow> openWindow() {
 }
 
 void closeWindow(MainWindow& window) {
-    window.setCloseQuestion([] { return true; });
+    window.setCloseQuestion([] { return Closing::Now; });
     window.close();
 }
 
@@ -87,7 +87,8 @@ void guiDuringRun(benchmark::State& state) {
         if (!reached(RunState::Running))
             return state.SkipWithError("never running");
         window->engine().send(SetSimulationSpeed{static_cast<double>(state.range(0))});
-        const auto* scene = window->findChild<VtkView*>();
+        const auto* page = window->findChild<QWidget*>(QStringLiteral("runScene"));
+        const auto* scene = page != nullptr ? page->findChild<VtkView*>() : nullptr;
         std::vector<double> frames_s;
         int seen = scene != nullptr ? scene->frames() : 0;
         GuiWatchdog watchdog;
@@ -101,6 +102,8 @@ void guiDuringRun(benchmark::State& state) {
                 return over.hasExpired();
             },
             20000);
+        if (frames_s.empty())
+            return state.SkipWithError("the scene was not drawn");
         state.counters["longest_block_ms"] = watchdog.longestBlock_s() * 1e3;
         state.counters["block_p99_ms"] = percentile(watchdog.blocks_s(), 0.99) * 1e3;
         state.counters["frame_median_ms"] = percentile(frames_s, 0.5) * 1e3;
