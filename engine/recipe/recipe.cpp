@@ -9,6 +9,8 @@
 namespace bask {
 namespace {
 
+constexpr double kRoomDiffers_K = 10.0; ///< from what the experiment says of it
+
 std::string placeOf(std::size_t step, const char* key) {
     return "steps[" + std::to_string(step) + "]." + key;
 }
@@ -52,14 +54,25 @@ Result<void> check(const RecipeStep& step, std::size_t i) {
                   formatNumber(kMostTemperature_degC), "degC"});
 }
 
+/// Over its trip limit an object ends the run, and colder than the room it does not get.
 Result<void> checkObject(const RecipeStep& step, std::size_t i, const Experiment& experiment) {
-    if (step.until != RecipeStep::Until::Above && step.until != RecipeStep::Until::Below)
+    const bool isAbove = step.until == RecipeStep::Until::Above;
+    if (!isAbove && step.until != RecipeStep::Until::Below)
         return {};
     std::string known;
     for (const ObjectSpec& object : experiment.objects) {
-        if (object.name == step.object)
-            return {};
         known += (known.empty() ? "" : ", ") + object.name;
+        if (object.name != step.object)
+            continue;
+        const double t_degC = celsiusFromKelvin(step.temperature_K);
+        const double least_degC =
+            isAbove ? kLeastTemperature_degC : celsiusFromKelvin(experiment.environment_K) - kRoomDiffers_K;
+        const double most_degC =
+            isAbove ? celsiusFromKelvin(tripLimit_K(experiment, object)) : kMostTemperature_degC;
+        if (t_degC >= least_degC && t_degC <= most_degC)
+            return {};
+        return Error(MessageCode::ValueOutOfRange, placeOf(i, "until"),
+                     {formatNumber(t_degC), formatNumber(least_degC), formatNumber(most_degC), "degC"});
     }
     return Error(MessageCode::ValueUnknown, placeOf(i, "until.object"), {step.object, known});
 }

@@ -64,7 +64,7 @@ using ExampleReader = std::function<Result<Experiment>(const std::string& name)>
 using RecipeExperiments = std::vector<std::shared_ptr<const Experiment>>;
 
 /// All of a recipe's experiments, each read once. Errors: a recipe that does not validate or has no run, what
-/// cannot be read, objects that an experiment does not have.
+/// cannot be read, objects that an experiment does not have, temperatures that never come.
 Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleReader& readExample);
 
 /// A person switches its source, so that no recipe can take the heat off between its steps.

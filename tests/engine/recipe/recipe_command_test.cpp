@@ -94,7 +94,7 @@ TEST_F(RecipeCommand, nothingThatIsThereIsRecordedOver) {
 }
 
 TEST_F(RecipeCommand, exitCodesTellHowItEnded) {
-    write(R"({"run_example": "two-circles", "until": {"object": "left", "above_degC": 200}, "at_most_s": 20,
+    write(R"({"run_example": "two-circles", "until": {"object": "left", "above_degC": 140}, "at_most_s": 20,
               "otherwise": "next"},
              {"run_example": "two-circles", "until": {"time_s": 5}})");
     auto done = run();
