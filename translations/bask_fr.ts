@@ -6960,6 +6960,11 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <context>
         <name>bask::RunReport</name>
         <message>
+            <source>%1: %2</source>
+            <comment>command: its values</comment>
+            <translation>%1 : %2</translation>
+        </message>
+        <message>
             <source>, changing by a profile during the run</source>
             <translation>, variable selon un profil pendant l’essai</translation>
         </message>
@@ -6970,6 +6975,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Absorptance</source>
             <translation>Absorptance</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>Acquitter</translation>
         </message>
         <message>
             <source>Alarms</source>
@@ -6994,6 +7003,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Areal heat capacity</source>
             <translation>Capacité thermique surfacique</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>Armer</translation>
         </message>
         <message>
             <source>By itself</source>
@@ -7030,6 +7043,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Definitions</source>
             <translation>Définitions</translation>
+        </message>
+        <message>
+            <source>Disarm</source>
+            <translation>Désarmer</translation>
         </message>
         <message>
             <source>Emittance</source>
@@ -7070,6 +7087,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Heat source</source>
             <translation>Source de chaleur</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>Pause</translation>
         </message>
         <message>
             <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
@@ -7196,12 +7217,24 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Rapport établi par</translation>
         </message>
         <message>
+            <source>Reset</source>
+            <translation>Réinitialiser</translation>
+        </message>
+        <message>
+            <source>Resume</source>
+            <translation>Reprendre</translation>
+        </message>
+        <message>
             <source>Rig</source>
             <translation>Banc</translation>
         </message>
         <message>
             <source>SIMULATED</source>
             <translation>SIMULÉ</translation>
+        </message>
+        <message>
+            <source>STOP</source>
+            <translation>STOP</translation>
         </message>
         <message>
             <source>Sampling</source>
@@ -7228,12 +7261,20 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Limites de vitesse</translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation>Démarrer</translation>
+        </message>
+        <message>
             <source>Start pose</source>
             <translation>Pose de départ</translation>
         </message>
         <message>
             <source>Steady, all together</source>
             <translation>Permanente, toutes ensemble</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>Arrêter</translation>
         </message>
         <message>
             <source>Surroundings</source>
@@ -7246,6 +7287,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Target at the start</source>
             <translation>Consigne au départ</translation>
+        </message>
+        <message>
+            <source>Targets</source>
+            <translation>Consignes</translation>
         </message>
         <message>
             <source>Temperature (%1)</source>
@@ -7316,6 +7361,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Espace de travail</translation>
         </message>
         <message>
+            <source>Zero the sensors</source>
+            <translation>Ajuster les capteurs</translation>
+        </message>
+        <message>
             <source>alarm, priority %1</source>
             <translation>alarme, priorité %1</translation>
         </message>
@@ -7384,6 +7433,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>note</translation>
         </message>
         <message>
+            <source>offsets of the sensors %1</source>
+            <translation>écarts des capteurs %1</translation>
+        </message>
+        <message>
             <source>page %1 of %2</source>
             <translation>page %1 sur %2</translation>
         </message>
@@ -7402,6 +7455,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>simulated, seed %1</source>
             <translation>simulé, graine %1</translation>
+        </message>
+        <message>
+            <source>surroundings %1</source>
+            <translation>environnement %1</translation>
+        </message>
+        <message>
+            <source>targets out of reach accepted</source>
+            <translation>consignes hors d’atteinte acceptées</translation>
         </message>
         <message>
             <source>time constant %1 s, integral time %2 s</source>
@@ -7492,6 +7553,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
             <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est rapporté.</translation>
+        </message>
+        <message>
+            <source>zeroed %1 UTC</source>
+            <translation>ajustés le %1 UTC</translation>
         </message>
     </context>
     <context>

@@ -6952,6 +6952,11 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <context>
         <name>bask::RunReport</name>
         <message>
+            <source>%1: %2</source>
+            <comment>command: its values</comment>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
             <source>, changing by a profile during the run</source>
             <translation>，运行期间按曲线变化</translation>
         </message>
@@ -6962,6 +6967,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Absorptance</source>
             <translation>吸收率</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>确认</translation>
         </message>
         <message>
             <source>Alarms</source>
@@ -6986,6 +6995,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Areal heat capacity</source>
             <translation>面热容</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>待命</translation>
         </message>
         <message>
             <source>By itself</source>
@@ -7022,6 +7035,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Definitions</source>
             <translation>定义</translation>
+        </message>
+        <message>
+            <source>Disarm</source>
+            <translation>解除待命</translation>
         </message>
         <message>
             <source>Emittance</source>
@@ -7062,6 +7079,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Heat source</source>
             <translation>热源</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>保持</translation>
         </message>
         <message>
             <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
@@ -7188,12 +7209,24 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>报告生成者</translation>
         </message>
         <message>
+            <source>Reset</source>
+            <translation>复位</translation>
+        </message>
+        <message>
+            <source>Resume</source>
+            <translation>继续</translation>
+        </message>
+        <message>
             <source>Rig</source>
             <translation>装置</translation>
         </message>
         <message>
             <source>SIMULATED</source>
             <translation>仿真</translation>
+        </message>
+        <message>
+            <source>STOP</source>
+            <translation>软件停止</translation>
         </message>
         <message>
             <source>Sampling</source>
@@ -7220,12 +7253,20 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>速度限值</translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation>开始</translation>
+        </message>
+        <message>
             <source>Start pose</source>
             <translation>起始位姿</translation>
         </message>
         <message>
             <source>Steady, all together</source>
             <translation>稳态，同时保持</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>停止</translation>
         </message>
         <message>
             <source>Surroundings</source>
@@ -7238,6 +7279,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Target at the start</source>
             <translation>开始时的目标</translation>
+        </message>
+        <message>
+            <source>Targets</source>
+            <translation>目标</translation>
         </message>
         <message>
             <source>Temperature (%1)</source>
@@ -7308,6 +7353,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>工作空间</translation>
         </message>
         <message>
+            <source>Zero the sensors</source>
+            <translation>将传感器校零</translation>
+        </message>
+        <message>
             <source>alarm, priority %1</source>
             <translation>报警，优先级 %1</translation>
         </message>
@@ -7376,6 +7425,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>备注</translation>
         </message>
         <message>
+            <source>offsets of the sensors %1</source>
+            <translation>传感器偏移 %1</translation>
+        </message>
+        <message>
             <source>page %1 of %2</source>
             <translation>第 %1 页，共 %2 页</translation>
         </message>
@@ -7394,6 +7447,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>simulated, seed %1</source>
             <translation>仿真，随机种子 %1</translation>
+        </message>
+        <message>
+            <source>surroundings %1</source>
+            <translation>周围环境 %1</translation>
+        </message>
+        <message>
+            <source>targets out of reach accepted</source>
+            <translation>已接受无法达到的目标</translation>
         </message>
         <message>
             <source>time constant %1 s, integral time %2 s</source>
@@ -7478,6 +7539,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
             <translation>已中断：记录未经“停止”而结束，后来才关闭。本报告为已写入的内容。</translation>
+        </message>
+        <message>
+            <source>zeroed %1 UTC</source>
+            <translation>校零于 %1 UTC</translation>
         </message>
     </context>
     <context>

@@ -6952,6 +6952,11 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <context>
         <name>bask::RunReport</name>
         <message>
+            <source>%1: %2</source>
+            <comment>command: its values</comment>
+            <translation>%1：%2</translation>
+        </message>
+        <message>
             <source>, changing by a profile during the run</source>
             <translation>，運轉期間按曲線變化</translation>
         </message>
@@ -6962,6 +6967,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Absorptance</source>
             <translation>吸收率</translation>
+        </message>
+        <message>
+            <source>Acknowledge</source>
+            <translation>確認</translation>
         </message>
         <message>
             <source>Alarms</source>
@@ -6986,6 +6995,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Areal heat capacity</source>
             <translation>面熱容</translation>
+        </message>
+        <message>
+            <source>Arm</source>
+            <translation>待命</translation>
         </message>
         <message>
             <source>By itself</source>
@@ -7022,6 +7035,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Definitions</source>
             <translation>定義</translation>
+        </message>
+        <message>
+            <source>Disarm</source>
+            <translation>解除待命</translation>
         </message>
         <message>
             <source>Emittance</source>
@@ -7062,6 +7079,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Heat source</source>
             <translation>熱源</translation>
+        </message>
+        <message>
+            <source>Hold</source>
+            <translation>保持</translation>
         </message>
         <message>
             <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
@@ -7188,12 +7209,24 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>報告生成者</translation>
         </message>
         <message>
+            <source>Reset</source>
+            <translation>復歸</translation>
+        </message>
+        <message>
+            <source>Resume</source>
+            <translation>繼續</translation>
+        </message>
+        <message>
             <source>Rig</source>
             <translation>實驗台</translation>
         </message>
         <message>
             <source>SIMULATED</source>
             <translation>模擬</translation>
+        </message>
+        <message>
+            <source>STOP</source>
+            <translation>軟體停止</translation>
         </message>
         <message>
             <source>Sampling</source>
@@ -7220,12 +7253,20 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>速度限值</translation>
         </message>
         <message>
+            <source>Start</source>
+            <translation>開始</translation>
+        </message>
+        <message>
             <source>Start pose</source>
             <translation>起始位姿</translation>
         </message>
         <message>
             <source>Steady, all together</source>
             <translation>穩態，同時保持</translation>
+        </message>
+        <message>
+            <source>Stop</source>
+            <translation>停止</translation>
         </message>
         <message>
             <source>Surroundings</source>
@@ -7238,6 +7279,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Target at the start</source>
             <translation>開始時的目標</translation>
+        </message>
+        <message>
+            <source>Targets</source>
+            <translation>目標</translation>
         </message>
         <message>
             <source>Temperature (%1)</source>
@@ -7308,6 +7353,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>工作空間</translation>
         </message>
         <message>
+            <source>Zero the sensors</source>
+            <translation>將感測器歸零</translation>
+        </message>
+        <message>
             <source>alarm, priority %1</source>
             <translation>警報，優先順序 %1</translation>
         </message>
@@ -7376,6 +7425,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>備註</translation>
         </message>
         <message>
+            <source>offsets of the sensors %1</source>
+            <translation>感測器偏移 %1</translation>
+        </message>
+        <message>
             <source>page %1 of %2</source>
             <translation>第 %1 頁，共 %2 頁</translation>
         </message>
@@ -7394,6 +7447,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>simulated, seed %1</source>
             <translation>模擬，隨機種子 %1</translation>
+        </message>
+        <message>
+            <source>surroundings %1</source>
+            <translation>周圍環境 %1</translation>
+        </message>
+        <message>
+            <source>targets out of reach accepted</source>
+            <translation>已接受無法達到的目標</translation>
         </message>
         <message>
             <source>time constant %1 s, integral time %2 s</source>
@@ -7478,6 +7539,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
             <translation>已中斷：記錄未經「停止」而結束，後來才關閉。本報告為已寫入的內容。</translation>
+        </message>
+        <message>
+            <source>zeroed %1 UTC</source>
+            <translation>歸零於 %1 UTC</translation>
         </message>
     </context>
     <context>

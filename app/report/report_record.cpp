@@ -17,6 +17,7 @@
 #include <QSysInfo>
 
 #include <algorithm>
+#include <functional>
 
 namespace bask {
 namespace {
@@ -46,7 +47,7 @@ QString time(double time_s) {
     return QLocale().toString(time_s, 'f', 1);
 }
 
-/// A recorded value in words: "environment_K 297.9733; offsets_K 0.0733, -0.1266".
+/// A value that has no words of its own: "environment_K 297.9733; offsets_K 0.0733, -0.1266".
 QString plainValue(const QJsonValue& value) {
     QStringList parts;
     if (value.isObject()) {
@@ -65,20 +66,86 @@ QString plainValue(const QJsonValue& value) {
     return value.toVariant().toString();
 }
 
-QString commandText(const CommandRow& command) {
-    const QString name = QString::fromStdString(command.name), value = QString::fromStdString(command.value);
-    const QJsonDocument read = QJsonDocument::fromJson(value.toUtf8());
-    return (name + u' ' + (read.isObject() ? plainValue(read.object()) : value)).trimmed();
+QString listed(const QJsonValue& values, const std::function<QString(double)>& words) {
+    QStringList parts;
+    for (const QJsonValue& value : values.toArray())
+        parts << words(value.toDouble());
+    return parts.join(QStringLiteral(", "));
 }
 
-std::vector<Line> linesOf(const SessionRecord& session) {
+QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit unit) {
+    const auto temperature = [unit](double t_K) { return formatTemperature(t_K, unit, 2); };
+    if (key == QLatin1String("environment_K"))
+        return RecordText::tr("surroundings %1").arg(temperature(value.toDouble()));
+    if (key == QLatin1String("offsets_K"))
+        return RecordText::tr("offsets of the sensors %1").arg(listed(value, [unit](double d_K) {
+            return formatDifference(d_K, unit, 2);
+        }));
+    if (key == QLatin1String("zeroed_utc_s"))
+        return RecordText::tr("zeroed %1 UTC")
+            .arg(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(value.toDouble()), Qt::UTC)
+                     .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
+    if (key == QLatin1String("accept_infeasible"))
+        return value.toBool() ? RecordText::tr("targets out of reach accepted") : QString();
+    if (key == QLatin1String("targets_K"))
+        return listed(value, temperature);
+    if (key == QLatin1String("kind"))
+        for (const auto kind :
+             {ControllerKind::LevelServo, ControllerKind::ModelBased, ControllerKind::Adaptive})
+            if (value.toString() == QLatin1String(controllerKindName(kind)))
+                return controllerWord(kind);
+    return plainValue(QJsonObject{{key, value}});
+}
+
+QString commandName(const QString& name) {
+    const std::pair<const char*, QString> named[] = {
+        {"acknowledge", RecordText::tr("Acknowledge")},
+        {"arm", RecordText::tr("Arm")},
+        {"disarm", RecordText::tr("Disarm")},
+        {"start", RecordText::tr("Start")},
+        {"hold", RecordText::tr("Hold")},
+        {"resume", RecordText::tr("Resume")},
+        {"stop", RecordText::tr("Stop")},
+        {"emergency-stop", RecordText::tr("STOP")},
+        {"reset", RecordText::tr("Reset")},
+        {"targets", RecordText::tr("Targets")},
+        {"controller", RecordText::tr("Controller")},
+        {"zero", RecordText::tr("Zero the sensors")},
+    };
+    for (const auto& [known, word] : named)
+        if (name == QLatin1String(known))
+            return word;
+    return name;
+}
+
+/// "Arm: surroundings 24.82 \u00b0C; offsets of the sensors +0.07 K".
+QString commandText(const CommandRow& command, TemperatureUnit unit) {
+    const QString value = QString::fromStdString(command.value);
+    const QJsonDocument read = QJsonDocument::fromJson(value.toUtf8());
+    QStringList parts;
+    if (read.isObject()) {
+        const QJsonObject fields = read.object();
+        for (auto field = fields.begin(); field != fields.end(); ++field)
+            parts << fieldText(field.key(), *field, unit);
+    } else {
+        parts << value;
+    }
+    parts.removeAll(QString());
+    const QString name = commandName(QString::fromStdString(command.name));
+    return parts.empty()
+               ? name
+               : RecordText::tr("%1: %2", "command: its values").arg(name, parts.join(QStringLiteral("; ")));
+}
+
+std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
     std::vector<Line> lines;
     for (const CommandRow& command : session.commands) // before what came of them in the same step
-        lines.push_back({command.time_s, 0, RecordText::tr("command"), commandText(command)});
+        lines.push_back({command.time_s, 0, RecordText::tr("command"), commandText(command, unit)});
     const std::vector<int> numbers = markedEvents(session.events);
     for (std::size_t k = 0; k < session.events.size(); ++k) {
         const TraceEvent& event = session.events[k];
-        lines.push_back({event.time_s, numbers[k], kindOf(event.message.code), sentenceText(event.message)});
+        lines.push_back({event.time_s, numbers[k], kindOf(event.message.code),
+                         inUnit(sentenceText(event.message), unit)});
     }
     for (const TraceNote& note : session.notes)
         lines.push_back({note.time_s, 0, RecordText::tr("note"), QString::fromStdString(note.text)});
@@ -165,9 +232,9 @@ QString metricsSection(const SessionRecord& session, TemperatureUnit unit) {
     return text + table.text() + facts(run) + subheading(RecordText::tr("Definitions")) + facts(definitions);
 }
 
-QString eventsSection(const SessionRecord& session) {
+QString eventsSection(const SessionRecord& session, TemperatureUnit unit) {
     QString text = heading(RecordText::tr("Alarms, events, notes and commands"));
-    const std::vector<Line> lines = linesOf(session);
+    const std::vector<Line> lines = linesOf(session, unit);
     if (lines.empty())
         return text + paragraph(RecordText::tr("None was recorded."));
     html::Table table(

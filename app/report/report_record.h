@@ -8,7 +8,7 @@ namespace bask {
 
 QString summarySection(const RunReportInput& input);
 QString metricsSection(const SessionRecord& session, TemperatureUnit unit);
-QString eventsSection(const SessionRecord& session);
+QString eventsSection(const SessionRecord& session, TemperatureUnit unit);
 QString originSection(const RunReportInput& input);
 
 /// How the run ended, in a sentence.

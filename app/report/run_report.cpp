@@ -96,7 +96,7 @@ QString body(const RunReportInput& input, bool isPaper) {
     }
     text += setupSection(session, input.unit) +
             feasibilitySection(session, lastTargets_K(session), input.verdict, input.unit) +
-            calibrationSection(session) + eventsSection(session) + originSection(input);
+            calibrationSection(session) + eventsSection(session, input.unit) + originSection(input);
     return text;
 }
 
