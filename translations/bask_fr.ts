@@ -3432,6 +3432,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <context>
         <name>bask::ObjectTile</name>
         <message>
+            <source>Mean of the last 10 s</source>
+            <translation>Moyenne des 10 dernières secondes</translation>
+        </message>
+        <message>
             <source>No reading yet</source>
             <translation>Pas encore de mesure</translation>
         </message>

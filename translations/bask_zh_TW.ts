@@ -3428,6 +3428,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <context>
         <name>bask::ObjectTile</name>
         <message>
+            <source>Mean of the last 10 s</source>
+            <translation>最近 10 s 的平均值</translation>
+        </message>
+        <message>
             <source>No reading yet</source>
             <translation>尚無讀數</translation>
         </message>

@@ -16,7 +16,7 @@
 namespace bask {
 namespace {
 
-constexpr double kSteadyRate_K_s = 0.6 / 60.0; ///< slower than this is neither heating nor cooling
+constexpr double kSteadyRate_K_s = 1.0 / 60.0; ///< slower than this is neither heating nor cooling
 constexpr int kStateIcon = 14;
 
 QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio) {
@@ -141,11 +141,30 @@ void ObjectTile::clear(double target_K) {
     m_sample.measured_K = m_sample.estimated_K = m_sample.rate_K_s = kNaN;
     m_sample.target_K = target_K;
     m_inBandSince_s = -1.0;
+    m_rates.clear();
     m_activity = ObjectActivity::Waiting;
     showValues();
 }
 
+/// From one sample to the next the estimate's noise is several K/min.
+void ObjectTile::takeRate(double time_s, const ObjectSample& sample) {
+    if (!sample.valid || (!m_rates.empty() && time_s < m_rates.back().first))
+        m_rates.clear();
+    if (sample.valid && std::isfinite(sample.rate_K_s) && (m_rates.empty() || time_s > m_rates.back().first))
+        m_rates.emplace_back(time_s, sample.rate_K_s);
+    while (!m_rates.empty() && m_rates.front().first <= time_s - kRateOver_s)
+        m_rates.pop_front();
+}
+
+double ObjectTile::rate_K_s() const {
+    double sum_K_s = 0.0;
+    for (const auto& [time_s, rate_K_s] : m_rates)
+        sum_K_s += rate_K_s;
+    return sum_K_s / static_cast<double>(m_rates.size());
+}
+
 ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
+    takeRate(time_s, sample);
     const double error_K = sample.measured_K - sample.target_K;
     const bool inBand = sample.valid && std::abs(error_K) <= kSettledBand_K;
     if (!inBand)
@@ -157,9 +176,9 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
     if (inBand)
         return time_s - m_inBandSince_s >= kSettledAfter_s ? ObjectActivity::Settled
                                                            : ObjectActivity::Settling;
-    if (sample.rate_K_s > kSteadyRate_K_s)
+    if (rate_K_s() > kSteadyRate_K_s)
         return ObjectActivity::Heating;
-    if (sample.rate_K_s < -kSteadyRate_K_s)
+    if (rate_K_s() < -kSteadyRate_K_s)
         return ObjectActivity::Cooling;
     return ObjectActivity::Steady;
 }
@@ -175,6 +194,7 @@ void ObjectTile::setMoment(const std::vector<TraceSample>& samples, std::size_t 
     while (first > 0 && samples[first].time_s > samples[k].time_s - kSettledAfter_s)
         --first;
     m_inBandSince_s = -1.0;
+    m_rates.clear();
     for (std::size_t row = first; row <= k; ++row)
         m_activity = judge(samples[row].time_s, samples[row].objects[i]);
     m_sample = samples[k].objects[i];
@@ -190,11 +210,10 @@ void ObjectTile::showValues() {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     const double measured_K =
         m_sample.valid ? m_sample.measured_K : nothing; // an invalid reading is no number, never 0
-    const double rate_K_s = m_sample.valid ? m_sample.rate_K_s : nothing;
     m_temperature->setText(formatTemperature(measured_K, m_unit));
     m_target->setText(formatTemperature(m_sample.target_K, m_unit));
     m_error->setText(formatDifference(measured_K - m_sample.target_K, m_unit));
-    m_rate->setText(formatRate(rate_K_s, m_unit));
+    m_rate->setText(formatRate(rate_K_s(), m_unit));
 
     const bool dark = isDark(this);
     const bool alarm = m_activity == ObjectActivity::SensorInvalid;
@@ -216,6 +235,7 @@ void ObjectTile::retranslateUi() {
     m_errorCaption->setText(tr("Error"));
     m_errorCaption->setToolTip(tr("Measured minus target"));
     m_rateCaption->setText(tr("Rate"));
+    m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(tr("Object %1").arg(m_name));
     m_temperature->setAccessibleName(tr("Measured temperature of %1").arg(m_name));
     m_stateIcon->clear();

@@ -7,6 +7,8 @@
 
 #include <QFrame>
 
+#include <deque>
+#include <utility>
 #include <vector>
 
 class QLabel;
@@ -22,11 +24,12 @@ class ObjectTile : public QFrame {
     Q_OBJECT
 public:
     static constexpr double kSettledAfter_s = 10.0; ///< in the band before the word is "Settled"
+    static constexpr double kRateOver_s = 10.0;     ///< the rate shown and judged is the mean of so long
 
     explicit ObjectTile(int index, QWidget* parent = nullptr);
 
     void setName(const QString& name);
-    /// `time_s` tells how long the object has been in its band.
+    /// `time_s` is that of the reading, of any clock: it tells how long the object has been in its band.
     void setSample(double time_s, const ObjectSample& sample);
     /// Any moment of a record: row `k`, this object being number `i` of each. What it was doing is judged as
     /// it would have been live, which takes the rows of the last kSettledAfter_s and the one before.
@@ -45,12 +48,15 @@ private:
     void restyle();
     void showValues();
     ObjectActivity judge(double time_s, const ObjectSample& sample);
+    void takeRate(double time_s, const ObjectSample& sample);
+    double rate_K_s() const; ///< NaN: none
 
     int m_index;
     QString m_name;
     ObjectSample m_sample;
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;
+    std::deque<std::pair<double, double>> m_rates; ///< of the last kRateOver_s: time, K/s
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QLabel *m_swatch, *m_nameLabel, *m_stateIcon, *m_stateLabel, *m_temperature;
     QLabel *m_targetCaption, *m_errorCaption, *m_rateCaption, *m_target, *m_error, *m_rate;

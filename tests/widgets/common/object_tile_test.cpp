@@ -42,18 +42,33 @@ TEST(ObjectTile, StateInAWord) {
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("No reading yet"));
     shown.feed(1.0, 303.15, 0.1);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Heating"));
-    shown.feed(2.0, 323.15, -0.1);
+    shown.feed(12.0, 323.15, -0.1);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Cooling"));
-    shown.feed(3.0, 311.15, 0.0);
+    shown.feed(23.0, 311.15, 0.0);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Off target"));
-    shown.feed(10.0, 313.0, 0.01);
+    shown.feed(30.0, 313.0, 0.01);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settling"));
-    shown.feed(20.0, 313.2, 0.0);
+    shown.feed(40.0, 313.2, 0.0);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settled"));
-    shown.feed(21.0, 313.9, 0.05);
+    shown.feed(41.0, 313.9, 0.05);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Heating")) << "left the band";
-    shown.feed(22.0, 313.3, 0.0);
+    shown.feed(42.0, 313.3, 0.0);
     EXPECT_EQ(shown.text("tileState"), QStringLiteral("Settling")) << "the ten seconds begin again";
+}
+
+// Catches a word and a number that follow the noise of single samples.
+TEST(ObjectTile, AtRestTheWordStaysTheSame) {
+    Shown shown;
+    for (int k = 0; k < 60; ++k) {
+        shown.feed(k, 300.0, (k % 2 == 0 ? 1.0 : -1.0) * 3.0 / 60.0);
+        if (k > 5) {
+            EXPECT_EQ(shown.tile.activity(), ObjectActivity::Steady) << k;
+        }
+    }
+    EXPECT_EQ(shown.text("tileRate"), QStringLiteral("0.0\u00a0K/min"));
+    for (int k = 60; k < 70; ++k) // the same reading again and again is one
+        shown.feed(60.0, 300.0, 3.0 / 60.0);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::Steady);
 }
 
 // Catches a lost sensor shown as 0 or as its last value.
