@@ -241,7 +241,7 @@ void MainWindow::setTextSize(int percent) {
 void MainWindow::setTemperatureUnit(TemperatureUnit unit) {
     m_settings.setTemperatureUnit(unit);
     m_actions.showTemperatureUnit(unit);
-    m_statusLine->showTemperatureUnit(unit);
+    m_statusLine->setTemperatureUnit(unit);
     m_pages->setTemperatureUnit(unit);
     m_stateBar->setTemperatureUnit(unit);
     m_dock->setTemperatureUnit(unit);

@@ -47,20 +47,23 @@ protected:
 
 StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     : QStatusBar(parent), m_ageLabel(new ElidedLabel(this)), m_loopLabel(new ElidedLabel(this)),
-      m_trackingLabel(new ElidedLabel(this)), m_recordingLabel(new ElidedLabel(this)),
-      m_unit(new QToolButton(this)), m_language(new QToolButton(this)) {
+      m_sourceLabel(new QLabel(this)), m_trackingLabel(new ElidedLabel(this)),
+      m_recordingLabel(new ElidedLabel(this)), m_unit(new QToolButton(this)),
+      m_language(new QToolButton(this)) {
     m_ageLabel->setObjectName(QStringLiteral("sampleAge"));
     m_loopLabel->setObjectName(QStringLiteral("loopRate"));
+    m_sourceLabel->setObjectName(QStringLiteral("sourceState"));
     m_trackingLabel->setObjectName(QStringLiteral("tracking"));
     m_recordingLabel->setObjectName(QStringLiteral("recording"));
     m_unit->setObjectName(QStringLiteral("unitButton"));
     m_language->setObjectName(QStringLiteral("languageButton"));
     setSizeGripEnabled(false);
-    for (QLabel* label : {m_ageLabel, m_loopLabel, m_trackingLabel, m_recordingLabel})
+    for (QLabel* label : {m_ageLabel, m_loopLabel, m_sourceLabel, m_trackingLabel, m_recordingLabel})
         label->setContentsMargins(6, 0, 10, 0);
     for (QLabel* label : {m_ageLabel, m_loopLabel, m_recordingLabel})
         addWidget(label);
     addPermanentWidget(m_trackingLabel); // no tip hides it
+    addPermanentWidget(m_sourceLabel);
     m_unit->setMenu(unitMenu);
     m_language->setMenu(languageMenu);
     for (QToolButton* button : {m_unit, m_language}) {
@@ -81,6 +84,9 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_rows = snapshot.recordedRows;
     m_tracking = snapshot.tracking;
     m_devices = snapshot.devices;
+    m_source_K = sourceTemperature_K(snapshot);
+    m_heatOn = snapshot.heatOn;
+    m_isSourceByHand = snapshot.isSourceByHand;
     m_recording = QString::fromStdString(snapshot.recordingPath);
     refresh();
 }
@@ -95,6 +101,7 @@ void StatusLine::refresh() {
         if (label->text() != text)
             label->setText(text);
     };
+    m_sourceLabel->setVisible(m_answering && m_any);
     if (!m_answering) {
         set(m_ageLabel, tr("engine not answering"));
         return;
@@ -103,12 +110,13 @@ void StatusLine::refresh() {
     const QString speed =
         m_speed > 1.0 ? QStringLiteral(" ") + tr("(simulation ×%1)").arg(m_speed, 0, 'g', 3) : QString();
     set(m_loopLabel, tr("loop %1 Hz, late %2").arg(m_rate_Hz, 0, 'f', 1).arg(m_late) + speed);
+    set(m_sourceLabel, sourceText());
     set(m_trackingLabel, trackingText());
     m_trackingLabel->setVisible(m_tracking.has_value());
     set(m_recordingLabel,
         m_recording.isEmpty()
             ? tr("not recording")
-            : tr("recording %1, %2 samples").arg(QFileInfo(m_recording).fileName()).arg(m_rows));
+            : tr("recording %1, %2 samples").arg(QFileInfo(m_recording).completeBaseName()).arg(m_rows));
     m_recordingLabel->setToolTip(m_recording);
 }
 
@@ -122,6 +130,13 @@ QString StatusLine::ageText() const {
     if (!ages.isEmpty())
         return ages.join(QStringLiteral(", "));
     return m_any ? tr("readings %1 s old").arg(m_age_s, 0, 'f', 1) : tr("no readings");
+}
+
+QString StatusLine::sourceText() const {
+    const QString now = formatTemperature(m_source_K, m_temperatureUnit);
+    if (m_isSourceByHand)
+        return tr("source %1, kept hot by hand").arg(now);
+    return m_heatOn ? tr("source %1, heat on").arg(now) : tr("source %1, heat off").arg(now);
 }
 
 QString StatusLine::trackingText() const {
@@ -139,9 +154,12 @@ QString StatusLine::trackingText() const {
     return text;
 }
 
-void StatusLine::showTemperatureUnit(TemperatureUnit unit) {
+void StatusLine::setTemperatureUnit(TemperatureUnit unit) {
+    m_temperatureUnit = unit;
     m_unit->setText(temperatureUnitSymbol(unit));
+    refresh();
 }
+
 void StatusLine::showLanguage(const QString& code) {
     m_language->setText(Language::ownName(code));
 }
@@ -150,6 +168,7 @@ void StatusLine::retranslate() {
     m_ageLabel->setToolTip(
         tr("Age of the newest temperature readings; of a real rig, of each device's newest answer"));
     m_loopLabel->setToolTip(tr("Control steps a second, and how many began late"));
+    m_sourceLabel->setToolTip(tr("Temperature of the source as measured now, and whether Bask heats it"));
     m_trackingLabel->setToolTip(tr("How the camera follows the source: time from the light to the pose, two "
                                    "standard deviations of its place"));
     m_unit->setToolTip(tr("Temperature unit"));

@@ -1,11 +1,13 @@
 #pragma once
-// The line at the window's foot: age of the readings or of each device's answers, loop rate and late steps,
-// how the source is followed, recording, unit, language.
+// The line at the window's foot: the source and its heat, age of the readings or of each device's answers,
+// loop rate and late steps, how the source is followed, recording, unit, language.
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
 
 #include <QStatusBar>
+
+#include <limits>
 
 class QLabel;
 class QMenu;
@@ -13,7 +15,8 @@ class QToolButton;
 
 namespace bask {
 
-/// Object names: "sampleAge", "loopRate", "tracking", "recording", "unitButton", "languageButton".
+/// Object names: "sampleAge", "loopRate", "sourceState", "tracking", "recording", "unitButton",
+/// "languageButton".
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -22,7 +25,7 @@ public:
 
     void apply(const Snapshot& snapshot);
     void setAnswering(bool answering);
-    void showTemperatureUnit(TemperatureUnit unit);
+    void setTemperatureUnit(TemperatureUnit unit);
     void showLanguage(const QString& code);
 
 protected:
@@ -32,6 +35,7 @@ private:
     void refresh();
     void retranslate();
     QString ageText() const;
+    QString sourceText() const;
     QString trackingText() const;
 
     bool m_answering = true;
@@ -44,8 +48,13 @@ private:
     QString m_recording;
     std::optional<SourceTracking> m_tracking;
     std::vector<RigDeviceState> m_devices; ///< of a real rig
+    double m_source_K = std::numeric_limits<double>::quiet_NaN();
+    bool m_heatOn = false;
+    bool m_isSourceByHand = false;
+    TemperatureUnit m_temperatureUnit = TemperatureUnit::Celsius;
     QLabel* m_ageLabel;
     QLabel* m_loopLabel;
+    QLabel* m_sourceLabel;
     QLabel* m_trackingLabel;
     QLabel* m_recordingLabel;
     QToolButton* m_unit;

@@ -4905,6 +4905,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <context>
         <name>bask::StatusLine</name>
         <message>
+            <source>Temperature of the source as measured now, and whether Bask heats it</source>
+            <translation>Température de la source mesurée à présent, et si Bask la chauffe</translation>
+        </message>
+        <message>
             <source>engine not answering</source>
             <translation>le moteur ne répond pas</translation>
         </message>
@@ -4943,6 +4947,18 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <message>
             <source>Language</source>
             <translation>Langue</translation>
+        </message>
+        <message>
+            <source>source %1, heat off</source>
+            <translation>source %1, sans chauffage</translation>
+        </message>
+        <message>
+            <source>source %1, heat on</source>
+            <translation>source %1, en chauffe</translation>
+        </message>
+        <message>
+            <source>source %1, kept hot by hand</source>
+            <translation>source %1, maintenue chaude à la main</translation>
         </message>
         <message>
             <source>source not seen</source>

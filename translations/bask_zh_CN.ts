@@ -4900,6 +4900,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <context>
         <name>bask::StatusLine</name>
         <message>
+            <source>Temperature of the source as measured now, and whether Bask heats it</source>
+            <translation>热源当前测得的温度，以及 Bask 是否在加热</translation>
+        </message>
+        <message>
             <source>engine not answering</source>
             <translation>引擎没有应答</translation>
         </message>
@@ -4938,6 +4942,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Language</source>
             <translation>语言</translation>
+        </message>
+        <message>
+            <source>source %1, heat off</source>
+            <translation>热源 %1，加热关闭</translation>
+        </message>
+        <message>
+            <source>source %1, heat on</source>
+            <translation>热源 %1，加热开启</translation>
+        </message>
+        <message>
+            <source>source %1, kept hot by hand</source>
+            <translation>热源 %1，人工保持高温</translation>
         </message>
         <message>
             <source>source not seen</source>

@@ -4900,6 +4900,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <context>
         <name>bask::StatusLine</name>
         <message>
+            <source>Temperature of the source as measured now, and whether Bask heats it</source>
+            <translation>熱源目前測得的溫度，以及 Bask 是否在加熱</translation>
+        </message>
+        <message>
             <source>engine not answering</source>
             <translation>引擎沒有回應</translation>
         </message>
@@ -4938,6 +4942,18 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <message>
             <source>Language</source>
             <translation>語言</translation>
+        </message>
+        <message>
+            <source>source %1, heat off</source>
+            <translation>熱源 %1，加熱關閉</translation>
+        </message>
+        <message>
+            <source>source %1, heat on</source>
+            <translation>熱源 %1，加熱開啟</translation>
+        </message>
+        <message>
+            <source>source %1, kept hot by hand</source>
+            <translation>熱源 %1，人工保持高溫</translation>
         </message>
         <message>
             <source>source not seen</source>

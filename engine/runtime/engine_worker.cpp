@@ -586,6 +586,7 @@ void EngineWorker::publish() {
         else
             snapshot.devices = m_session->real->devices();
         snapshot.sampleAge_s = m_session->clock().now_s() - loop.sampleTime_s();
+        snapshot.source_K = loop.source_K();
         snapshot.heatOn = loop.heatOn();
         snapshot.isMoving = loop.isMoving();
         snapshot.tracking = loop.tracking();

@@ -108,6 +108,8 @@ public:
     const TraceSample& latest() const { return m_latest; }
     std::optional<SourceTracking> tracking() const;
     double sampleTime_s() const { return m_sampleTime_s; }
+    /// Of the source, measured now; empty: its newest reading is too old.
+    const std::optional<double>& source_K() const { return m_source_K; }
     bool heatOn() const { return m_devices.source.heating(); }
     bool allWithinBand() const;
     /// "settled", "stopped", "emergency-stop" or "fault": of the last run.

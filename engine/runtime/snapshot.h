@@ -69,6 +69,7 @@ struct Snapshot {
     double loopRate_Hz = 0.0;    ///< control steps a wall second
     std::uint64_t lateSteps = 0; ///< steps that began more than half a period late
     double simulationSpeed = 1.0;
+    std::optional<double> source_K; ///< measured now; empty: nobody tells it
     bool heatOn = false;
     bool isMoving = false;                        ///< the robot, by MoveTo
     std::optional<SourceTracking> tracking;       ///< empty: the source is not followed

@@ -497,6 +497,8 @@ TEST_F(MainWindowTest, ALiveRigIsArmedAfterAQuestion) {
     const auto seeLive = [this] { // as a real rig would be told
         Snapshot live = window->lastSnapshot();
         live.simulated = false;
+        live.source_K = 473.15;
+        live.heatOn = true;
         live.newSamples.clear();
         for (const DeviceRole role : {DeviceRole::Robot, DeviceRole::HeatSource}) {
             live.devices.emplace_back().role = role;
@@ -509,6 +511,7 @@ TEST_F(MainWindowTest, ALiveRigIsArmedAfterAQuestion) {
     const auto question = [this] { return window->findChild<QMessageBox*>(QStringLiteral("armQuestion")); };
     seeLive();
     EXPECT_EQ(find<QLabel>("sampleAge")->text(), QStringLiteral("robot 12 ms, heat source lost"));
+    EXPECT_EQ(find<QLabel>("sourceState")->text(), QStringLiteral("source 200.0\u00a0°C, heat on"));
     EXPECT_EQ(find<QFrame>("rigTag")->accessibleName(), QStringLiteral("LIVE"));
     window->actions().verb(Verb::Arm)->trigger();
     ASSERT_TRUE(question());

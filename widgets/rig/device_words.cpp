@@ -151,8 +151,7 @@ RigSpec withoutDevice(RigSpec rig, DeviceRole role) {
 }
 
 double sourceTemperature_K(const Snapshot& snapshot) {
-    const double source_K = snapshot.latest.source_K;
-    return source_K > 0.0 ? source_K : std::numeric_limits<double>::quiet_NaN();
+    return snapshot.source_K.value_or(std::numeric_limits<double>::quiet_NaN());
 }
 
 QString ageText(double age_s) {

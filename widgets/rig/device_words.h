@@ -10,7 +10,7 @@
 
 namespace bask {
 
-/// As measured; NaN while the source has not told it.
+/// As measured now; NaN while nobody tells it.
 double sourceTemperature_K(const Snapshot& snapshot);
 
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,

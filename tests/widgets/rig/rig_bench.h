@@ -37,7 +37,7 @@ inline Snapshot quietSnapshot(const Experiment& experiment) {
     snapshot.state = RunState::Ready;
     snapshot.simulated = !experiment.rig;
     snapshot.latest.coordinates << 0.01, 0.02, 0.15, 0.1, 0.0, 0.0;
-    snapshot.latest.source_K = 300.0;
+    snapshot.source_K = 300.0;
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
         ObjectSample object;
         object.valid = true;

@@ -273,7 +273,7 @@ TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
 // Catches a source at absolute zero, where it has told nothing yet.
 TEST_F(RigPageTest, AnUnknownTemperatureIsADash) {
     Snapshot snapshot = test::quietSnapshot(experiment);
-    snapshot.latest.source_K = 0.0;
+    snapshot.source_K.reset();
     page.apply(snapshot, true);
     EXPECT_EQ(text("measuredSource"), QStringLiteral("\u2014"));
     EXPECT_TRUE(text("heatState").contains(QStringLiteral("\u2014"))) << text("heatState").toStdString();
