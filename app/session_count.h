@@ -30,7 +30,7 @@ class SessionCount : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int kInterval_ms = 250; ///< between progressed()
+    static constexpr int kInterval_ms = 100; ///< between progressed()
 
     SessionCount();
 

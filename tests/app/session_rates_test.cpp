@@ -79,7 +79,7 @@ TEST(SessionCount, TheRunOpenedLastIsCountedAndDamageIsTold) {
         EXPECT_TRUE(percent >= 0 && percent <= 100);
         ++told;
     });
-    const auto longer = run("a.bask", 40'000), shorter = run("b.bask", 500);
+    const auto longer = run("a.bask", 80'000), shorter = run("b.bask", 500);
     count.start(*longer);
     QTest::qWait(30);
     count.start(*shorter);
@@ -90,7 +90,7 @@ TEST(SessionCount, TheRunOpenedLastIsCountedAndDamageIsTold) {
     count.stop();
     count.start(*longer);
     ASSERT_TRUE(test::waitFor([&] { return counted.size() == 2; }));
-    EXPECT_EQ(counted.back(), 40'000U);
+    EXPECT_EQ(counted.back(), 80'000U);
     EXPECT_GT(told, 0);
 
     const auto store = SessionStore::create(shorter->facts().path);
