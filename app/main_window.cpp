@@ -2,6 +2,7 @@
 
 #include "app/bottom_dock.h"
 #include "app/coach.h"
+#include "app/cut_off_run.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
 #include "app/manual_window.h"
@@ -60,6 +61,7 @@ MainWindow::~MainWindow() = default;
 
 void MainWindow::begin(const QString& path) {
     m_engine.start(alarmFile());
+    m_cutOff->begin();
     m_recovery->begin(unsavedFolder());
     if (!m_settings.isCoachAnswered() && path.isEmpty())
         m_coach->offer();
@@ -82,6 +84,7 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_pages->apply(snapshot);
     m_dock->apply(snapshot);
     m_files.setRecording(QString::fromStdString(snapshot.recordingPath));
+    m_cutOff->apply(snapshot);
     m_recipe->apply(snapshot);
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
@@ -260,6 +263,7 @@ void MainWindow::showAges() {
 void MainWindow::retranslate() {
     m_actions.retranslate();
     m_undo->refresh();
+    m_cutOff->retranslate();
     m_recovery->retranslate();
     m_coach->retranslate();
     m_navigation->setWindowTitle(tr("Pages"));

@@ -20,6 +20,7 @@ namespace bask {
 
 class BottomDock;
 class Coach;
+class CutOffRun;
 class ManualWindow;
 class RecipeControl;
 class RecoveryOffer;
@@ -101,6 +102,7 @@ private:
     PageHost* m_pages = nullptr;
     UndoActions* m_undo = nullptr;
     RecoveryOffer* m_recovery = nullptr;
+    CutOffRun* m_cutOff = nullptr;
     Coach* m_coach = nullptr;
     RecipeControl* m_recipe = nullptr;
     QToolBar* m_navigation = nullptr;

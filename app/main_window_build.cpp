@@ -3,6 +3,7 @@
 #include "app/about.h"
 #include "app/bottom_dock.h"
 #include "app/coach.h"
+#include "app/cut_off_run.h"
 #include "app/error_text.h"
 #include "app/main_window.h"
 #include "app/recipe_control.h"
@@ -161,6 +162,8 @@ void MainWindow::connectParts() {
     minute->start(std::chrono::minutes(1));
     connect(&m_document, &Document::opened, this, names);
     connect(&m_document, &Document::edited, this, names);
+    m_cutOff = new CutOffRun(m_pages->cutOffBar(), runMarkFile(), this);
+    connect(m_cutOff, &CutOffRun::openWanted, &m_files, &SessionActions::open);
     m_recovery = new RecoveryOffer(m_pages->questionBar(), m_document, m_autosave, m_files, this);
     connect(&m_autosave, &Autosave::failed, this, [this](const Error& error) {
         m_pages->showProblem(tr("Unsaved edits cannot be kept for a crash: %1").arg(sentence(error)));

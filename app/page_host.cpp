@@ -27,11 +27,12 @@
 namespace bask {
 
 PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
-    : QWidget(parent), m_document(document), m_files(files), m_question(new MessageBar(this)),
-      m_coach(new MessageBar(this)), m_bar(new MessageBar(this)), m_pages(new QStackedWidget(this)),
-      m_rig(new RigPage), m_objects(new ObjectsPage), m_calibrate(new CalibratePage),
-      m_targets(new TargetsPage), m_run(new RunPage), m_review(new ReviewPage),
-      m_library(*m_review->sessions()) {
+    : QWidget(parent), m_document(document), m_files(files), m_cutOff(new MessageBar(this)),
+      m_question(new MessageBar(this)), m_coach(new MessageBar(this)), m_bar(new MessageBar(this)),
+      m_pages(new QStackedWidget(this)), m_rig(new RigPage), m_objects(new ObjectsPage),
+      m_calibrate(new CalibratePage), m_targets(new TargetsPage), m_run(new RunPage),
+      m_review(new ReviewPage), m_library(*m_review->sessions()) {
+    m_cutOff->setObjectName(QStringLiteral("cutOffBar"));
     m_question->setObjectName(QStringLiteral("questionBar"));
     m_coach->setObjectName(QStringLiteral("coachBar"));
     m_bar->setObjectName(QStringLiteral("messageBar"));
@@ -42,6 +43,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(m_cutOff);
     column->addWidget(m_question);
     column->addWidget(m_coach);
     column->addWidget(m_bar);

@@ -30,7 +30,7 @@ class RunPage;
 class TargetsPage;
 
 /// Edits go to the document, which refuses or takes them; what the engine must know goes out as
-/// commandIssued. Object names: "pages", "messageBar", "questionBar",
+/// commandIssued. Object names: "pages", "messageBar", "cutOffBar", "questionBar",
 /// "coachBar".
 class PageHost : public QWidget {
     Q_OBJECT
@@ -59,6 +59,7 @@ public:
     void showNote(const QString& sentence);
 
     /// Over all, for what waits for an answer.
+    MessageBar& cutOffBar() { return *m_cutOff; }
     MessageBar& questionBar() { return *m_question; }
     MessageBar& coachBar() { return *m_coach; }
     const TargetJudge& judge() const { return m_judge; }
@@ -94,7 +95,7 @@ private:
     Document& m_document;
     TargetJudge m_judge;
     SessionActions& m_files;
-    MessageBar *m_question, *m_coach, *m_bar;
+    MessageBar *m_cutOff, *m_question, *m_coach, *m_bar;
     QStackedWidget* m_pages;
     RigPage* m_rig;
     ObjectsPage* m_objects;

@@ -43,6 +43,12 @@ QString unsavedFolder() {
     return dataFolder().filePath(QStringLiteral("unsaved"));
 }
 
+QString runMarkFile() {
+    const QDir folder = dataFolder();
+    folder.mkpath(QStringLiteral("."));
+    return folder.filePath(QStringLiteral("run-on"));
+}
+
 QString alarmFile() {
     const QDir folder = dataFolder();
     return folder.mkpath(QStringLiteral(".")) ? folder.filePath(QStringLiteral("alarms.json")) : QString();

@@ -1,5 +1,6 @@
 #include "app/unsaved_file.h"
 
+#include "app/file_lock.h"
 #include "engine/base/message_code.h"
 
 #include <QCoreApplication>
@@ -11,10 +12,6 @@
 #include <QSaveFile>
 
 #include <atomic>
-#include <fcntl.h>
-
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace bask {
 namespace {
@@ -22,16 +19,6 @@ namespace {
 constexpr qint64 kMostBytes = 64 << 20;
 constexpr qint64 kLongestLine = 64 << 10;
 const QString kFormat = QStringLiteral("bask-unsaved");
-
-/// -1: another process has it, or there can be none.
-int locked(const QString& path) {
-    const int file = ::open(QFile::encodeName(path).constData(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
-    if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) != 0) {
-        ::close(file);
-        return -1;
-    }
-    return file;
-}
 
 QJsonObject headerOf(const QByteArray& line) {
     return QJsonDocument::fromJson(line).object();
@@ -70,7 +57,7 @@ std::vector<std::shared_ptr<UnsavedFile>> UnsavedFile::left(const QString& folde
     const QDir dir(folder);
     for (const QString& name : dir.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Time)) {
         std::shared_ptr<UnsavedFile> file(new UnsavedFile(dir.filePath(name), -1));
-        file->m_lock = locked(file->lockPath());
+        file->m_lock = openLocked(file->lockPath());
         // Its owner may have removed it before it let the lock go.
         if (file->m_lock >= 0 && QFile::exists(file->m_path))
             found.push_back(std::move(file));
@@ -82,7 +69,7 @@ Result<void> UnsavedFile::write(const UnsavedEdits& edits) {
     const QFileInfo info(m_path);
     QDir().mkpath(info.path());
     if (m_lock < 0)
-        m_lock = locked(lockPath());
+        m_lock = openLocked(lockPath());
     if (m_lock < 0)
         return Error(MessageCode::FileUnwritable, lockPath().toStdString(),
                      {qt_error_string().toStdString()});

@@ -1910,6 +1910,25 @@
         </message>
     </context>
     <context>
+        <name>bask::CutOffRun</name>
+        <message>
+            <source>Bask ended in the middle of a run (%1) and could not stop the rig: look at the robot and the source before you go on.</source>
+            <translation>Bask s’est arrêté au milieu d’un essai (%1) sans pouvoir arrêter le banc : examinez le robot et la source avant de continuer.</translation>
+        </message>
+        <message>
+            <source>Bask ended in the middle of a simulated run (%1).</source>
+            <translation>Bask s’est arrêté au milieu d’un essai simulé (%1).</translation>
+        </message>
+        <message>
+            <source>Show in Review</source>
+            <translation>Afficher dans Relecture</translation>
+        </message>
+        <message>
+            <source>What it had recorded is kept.</source>
+            <translation>Ce qui était enregistré est conservé.</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::Device</name>
         <message>
             <source>Robot</source>

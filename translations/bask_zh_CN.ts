@@ -1907,6 +1907,25 @@
         </message>
     </context>
     <context>
+        <name>bask::CutOffRun</name>
+        <message>
+            <source>Bask ended in the middle of a run (%1) and could not stop the rig: look at the robot and the source before you go on.</source>
+            <translation>Bask 在一次运行途中意外结束（%1），未能停止装置：请先检查机器人和热源，然后再继续。</translation>
+        </message>
+        <message>
+            <source>Bask ended in the middle of a simulated run (%1).</source>
+            <translation>Bask 在一次仿真运行途中意外结束（%1）。</translation>
+        </message>
+        <message>
+            <source>Show in Review</source>
+            <translation>在“回顾”中显示</translation>
+        </message>
+        <message>
+            <source>What it had recorded is kept.</source>
+            <translation>已记录的内容均已保留。</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::Device</name>
         <message>
             <source>Robot</source>

@@ -1907,6 +1907,25 @@
         </message>
     </context>
     <context>
+        <name>bask::CutOffRun</name>
+        <message>
+            <source>Bask ended in the middle of a run (%1) and could not stop the rig: look at the robot and the source before you go on.</source>
+            <translation>Bask 在一次運行途中意外結束（%1），未能停止裝置：請先檢查機器人和熱源，然後再繼續。</translation>
+        </message>
+        <message>
+            <source>Bask ended in the middle of a simulated run (%1).</source>
+            <translation>Bask 在一次模擬運行途中意外結束（%1）。</translation>
+        </message>
+        <message>
+            <source>Show in Review</source>
+            <translation>在「回顧」中顯示</translation>
+        </message>
+        <message>
+            <source>What it had recorded is kept.</source>
+            <translation>已記錄的內容均已保留。</translation>
+        </message>
+    </context>
+    <context>
         <name>bask::Device</name>
         <message>
             <source>Robot</source>
