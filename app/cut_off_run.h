@@ -1,46 +1,58 @@
 #pragma once
-// Tells at the start that the program ended in the middle of its last run: nobody has stopped the rig then.
+// Tells at the start that the program ended in the middle of a run: nobody has stopped the rig then.
 
 #include "engine/runtime/snapshot.h"
 #include "engine/session/session_header.h"
 #include "widgets/common/latest_job.h"
 
-#include <QFile>
 #include <QObject>
 #include <QString>
+
+#include <utility>
+#include <vector>
 
 namespace bask {
 
 class MessageBar;
 
-/// While a run is recorded a file names the recording. Whoever finds that file, held by no process, tells of
-/// it until somebody has read it.
+/// While a run is on, a file of this process, locked by it, names the recording. A file that no process has
+/// is that of a run that was cut off; it stays until a person has read of it.
 class CutOffRun : public QObject {
     Q_OBJECT
 
 public:
-    CutOffRun(MessageBar& bar, QString markFile, QObject* parent = nullptr);
+    CutOffRun(MessageBar& bar, QString folder, QObject* parent = nullptr);
+    /// Leaves the mark of a run of which nobody has said that it is over.
     ~CutOffRun() override;
 
     void begin();
     /// Marks the run that is on, and that it is over.
     void apply(const Snapshot& snapshot);
+    /// The engine has ended: so has the run.
+    void end();
     void retranslate();
 
 signals:
     void openWanted(const QString& session);
 
 private:
+    struct Mark {
+        QString path;
+        int lock = -1; ///< file descriptor
+    };
+
+    static void remove(Mark& mark);
+    static std::vector<Mark> left(const QString& folder);
+    void take(const std::vector<SessionHeader>& headers);
     void tell();
     void forget();
-    void mark(const QString& recording);
 
     MessageBar& m_bar;
-    QString m_markFile;
-    int m_lock = -1;     ///< file descriptor; of this process' run
-    QString m_recording; ///< of this process' run; empty: none is on
-    SessionHeader m_left;
-    LatestJob<SessionHeader> m_read;
+    QString m_folder;
+    Mark m_own;               ///< of this process' run
+    std::vector<Mark> m_left; ///< of others, this one's from now on
+    SessionHeader m_told;
+    LatestJob<std::vector<SessionHeader>> m_read;
 };
 
 } // namespace bask

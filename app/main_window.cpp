@@ -334,7 +334,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
     m_settings.setWindow(saveGeometry(), saveState());
     m_autosave.end();
-    m_engine.shutDown(EngineClient::kEnd);
+    if (m_engine.shutDown(EngineClient::kEnd))
+        m_cutOff->end();
     event->accept();
 }
 

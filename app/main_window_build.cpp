@@ -162,7 +162,7 @@ void MainWindow::connectParts() {
     minute->start(std::chrono::minutes(1));
     connect(&m_document, &Document::opened, this, names);
     connect(&m_document, &Document::edited, this, names);
-    m_cutOff = new CutOffRun(m_pages->cutOffBar(), runMarkFile(), this);
+    m_cutOff = new CutOffRun(m_pages->cutOffBar(), runMarkFolder(), this);
     connect(m_cutOff, &CutOffRun::openWanted, &m_files, &SessionActions::open);
     m_recovery = new RecoveryOffer(m_pages->questionBar(), m_document, m_autosave, m_files, this);
     connect(&m_autosave, &Autosave::failed, this, [this](const Error& error) {

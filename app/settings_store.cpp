@@ -43,10 +43,8 @@ QString unsavedFolder() {
     return dataFolder().filePath(QStringLiteral("unsaved"));
 }
 
-QString runMarkFile() {
-    const QDir folder = dataFolder();
-    folder.mkpath(QStringLiteral("."));
-    return folder.filePath(QStringLiteral("run-on"));
+QString runMarkFolder() {
+    return dataFolder().filePath(QStringLiteral("runs-on"));
 }
 
 QString alarmFile() {

@@ -65,8 +65,8 @@ QString recordingFolder();
 /// Where unsaved edits are kept until they are saved: AppLocalDataLocation/unsaved, or
 /// BASK_SETTINGS_DIR/unsaved.
 QString unsavedFolder();
-/// Names the recording of the run that is on; its folder is made.
-QString runMarkFile();
+/// Where runs that are on are marked.
+QString runMarkFolder();
 /// Where alarms are kept over a restart; its folder is made. Empty: it cannot be.
 QString alarmFile();
 

@@ -14,6 +14,9 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include <algorithm>
+#include <cmath>
+
 namespace bask {
 namespace {
 
@@ -86,6 +89,11 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_devices = snapshot.devices;
     m_source_K = sourceTemperature_K(snapshot);
     m_heatOn = snapshot.heatOn;
+    m_isHeatKnown = snapshot.simulated ? snapshot.source_K.has_value()
+                                       : std::ranges::any_of(m_devices, [](const RigDeviceState& device) {
+                                             return device.role == DeviceRole::HeatSource &&
+                                                    device.status.link == LinkState::Live;
+                                         });
     m_isSourceByHand = snapshot.isSourceByHand;
     m_recording = QString::fromStdString(snapshot.recordingPath);
     refresh();
@@ -135,7 +143,10 @@ QString StatusLine::ageText() const {
 QString StatusLine::sourceText() const {
     const QString now = formatTemperature(m_source_K, m_temperatureUnit);
     if (m_isSourceByHand)
-        return tr("source %1, kept hot by hand").arg(now);
+        return std::isfinite(m_source_K) ? tr("source %1 as typed, heated by hand").arg(now)
+                                         : tr("source heated by hand, no temperature typed");
+    if (!m_isHeatKnown)
+        return tr("source %1, heat not known").arg(now);
     return m_heatOn ? tr("source %1, heat on").arg(now) : tr("source %1, heat off").arg(now);
 }
 
@@ -168,7 +179,7 @@ void StatusLine::retranslate() {
     m_ageLabel->setToolTip(
         tr("Age of the newest temperature readings; of a real rig, of each device's newest answer"));
     m_loopLabel->setToolTip(tr("Control steps a second, and how many began late"));
-    m_sourceLabel->setToolTip(tr("Temperature of the source as measured now, and whether Bask heats it"));
+    m_sourceLabel->setToolTip(tr("Newest temperature of the source, and whether it is heated"));
     m_trackingLabel->setToolTip(tr("How the camera follows the source: time from the light to the pose, two "
                                    "standard deviations of its place"));
     m_unit->setToolTip(tr("Temperature unit"));

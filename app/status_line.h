@@ -50,6 +50,7 @@ private:
     std::vector<RigDeviceState> m_devices; ///< of a real rig
     double m_source_K = std::numeric_limits<double>::quiet_NaN();
     bool m_heatOn = false;
+    bool m_isHeatKnown = false;
     bool m_isSourceByHand = false;
     TemperatureUnit m_temperatureUnit = TemperatureUnit::Celsius;
     QLabel* m_ageLabel;

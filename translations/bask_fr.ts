@@ -4924,8 +4924,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <context>
         <name>bask::StatusLine</name>
         <message>
-            <source>Temperature of the source as measured now, and whether Bask heats it</source>
-            <translation>Température de la source mesurée à présent, et si Bask la chauffe</translation>
+            <source>Newest temperature of the source, and whether it is heated</source>
+            <translation>Dernière température de la source, et si elle est chauffée</translation>
         </message>
         <message>
             <source>engine not answering</source>
@@ -4968,6 +4968,14 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>Langue</translation>
         </message>
         <message>
+            <source>source %1 as typed, heated by hand</source>
+            <translation>source %1 selon la saisie, chauffée à la main</translation>
+        </message>
+        <message>
+            <source>source %1, heat not known</source>
+            <translation>source %1, chauffage inconnu</translation>
+        </message>
+        <message>
             <source>source %1, heat off</source>
             <translation>source %1, sans chauffage</translation>
         </message>
@@ -4976,8 +4984,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
             <translation>source %1, en chauffe</translation>
         </message>
         <message>
-            <source>source %1, kept hot by hand</source>
-            <translation>source %1, maintenue chaude à la main</translation>
+            <source>source heated by hand, no temperature typed</source>
+            <translation>source chauffée à la main, température non saisie</translation>
         </message>
         <message>
             <source>source not seen</source>

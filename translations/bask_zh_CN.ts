@@ -4919,8 +4919,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <context>
         <name>bask::StatusLine</name>
         <message>
-            <source>Temperature of the source as measured now, and whether Bask heats it</source>
-            <translation>热源当前测得的温度，以及 Bask 是否在加热</translation>
+            <source>Newest temperature of the source, and whether it is heated</source>
+            <translation>热源的最新温度，以及是否在加热</translation>
         </message>
         <message>
             <source>engine not answering</source>
@@ -4963,6 +4963,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>语言</translation>
         </message>
         <message>
+            <source>source %1 as typed, heated by hand</source>
+            <translation>热源 %1（手动输入），人工加热</translation>
+        </message>
+        <message>
+            <source>source %1, heat not known</source>
+            <translation>热源 %1，加热状态未知</translation>
+        </message>
+        <message>
             <source>source %1, heat off</source>
             <translation>热源 %1，加热关闭</translation>
         </message>
@@ -4971,8 +4979,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>热源 %1，加热开启</translation>
         </message>
         <message>
-            <source>source %1, kept hot by hand</source>
-            <translation>热源 %1，人工保持高温</translation>
+            <source>source heated by hand, no temperature typed</source>
+            <translation>热源由人工加热，未输入温度</translation>
         </message>
         <message>
             <source>source not seen</source>

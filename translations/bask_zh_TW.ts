@@ -1910,11 +1910,11 @@
         <name>bask::CutOffRun</name>
         <message>
             <source>Bask ended in the middle of a run (%1) and could not stop the rig: look at the robot and the source before you go on.</source>
-            <translation>Bask 在一次運行途中意外結束（%1），未能停止裝置：請先檢查機器人和熱源，然後再繼續。</translation>
+            <translation>Bask 在一次運轉途中意外結束（%1），未能停止實驗台：請先檢查機器人和熱源，然後再繼續。</translation>
         </message>
         <message>
             <source>Bask ended in the middle of a simulated run (%1).</source>
-            <translation>Bask 在一次模擬運行途中意外結束（%1）。</translation>
+            <translation>Bask 在一次模擬運轉途中意外結束（%1）。</translation>
         </message>
         <message>
             <source>Show in Review</source>
@@ -4919,8 +4919,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <context>
         <name>bask::StatusLine</name>
         <message>
-            <source>Temperature of the source as measured now, and whether Bask heats it</source>
-            <translation>熱源目前測得的溫度，以及 Bask 是否在加熱</translation>
+            <source>Newest temperature of the source, and whether it is heated</source>
+            <translation>熱源的最新溫度，以及是否在加熱</translation>
         </message>
         <message>
             <source>engine not answering</source>
@@ -4963,6 +4963,14 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>語言</translation>
         </message>
         <message>
+            <source>source %1 as typed, heated by hand</source>
+            <translation>熱源 %1（手動輸入），人工加熱</translation>
+        </message>
+        <message>
+            <source>source %1, heat not known</source>
+            <translation>熱源 %1，加熱狀態未知</translation>
+        </message>
+        <message>
             <source>source %1, heat off</source>
             <translation>熱源 %1，加熱關閉</translation>
         </message>
@@ -4971,8 +4979,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
             <translation>熱源 %1，加熱開啟</translation>
         </message>
         <message>
-            <source>source %1, kept hot by hand</source>
-            <translation>熱源 %1，人工保持高溫</translation>
+            <source>source heated by hand, no temperature typed</source>
+            <translation>熱源由人工加熱，未輸入溫度</translation>
         </message>
         <message>
             <source>source not seen</source>

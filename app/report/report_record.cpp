@@ -17,6 +17,7 @@
 #include <QSysInfo>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace bask {
@@ -73,15 +74,18 @@ QString listed(const QJsonValue& values, const std::function<QString(double)>& w
     return parts.join(QStringLiteral(", "));
 }
 
+constexpr double kNotRead = 1e12; ///< no time and no temperature
+
 QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit unit) {
+    const bool isNumber = std::abs(value.toDouble(kNotRead)) < kNotRead;
     const auto temperature = [unit](double t_K) { return formatTemperature(t_K, unit, 2); };
-    if (key == QLatin1String("environment_K"))
+    if (key == QLatin1String("environment_K") && isNumber)
         return RecordText::tr("surroundings %1").arg(temperature(value.toDouble()));
     if (key == QLatin1String("offsets_K"))
         return RecordText::tr("offsets of the sensors %1").arg(listed(value, [unit](double d_K) {
             return formatDifference(d_K, unit, 2);
         }));
-    if (key == QLatin1String("zeroed_utc_s"))
+    if (key == QLatin1String("zeroed_utc_s") && isNumber)
         return RecordText::tr("zeroed %1 UTC")
             .arg(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(value.toDouble()), Qt::UTC)
                      .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
@@ -137,6 +141,12 @@ QString commandText(const CommandRow& command, TemperatureUnit unit) {
                : RecordText::tr("%1: %2", "command: its values").arg(name, parts.join(QStringLiteral("; ")));
 }
 
+/// As recorded where the unit is the recorded one: another rounds to a tenth.
+QString eventText(const Message& message, TemperatureUnit unit) {
+    const QString text = sentenceText(message);
+    return unit == TemperatureUnit::Celsius ? text : inUnit(text, unit);
+}
+
 std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
     std::vector<Line> lines;
     for (const CommandRow& command : session.commands) // before what came of them in the same step
@@ -144,8 +154,8 @@ std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
     const std::vector<int> numbers = markedEvents(session.events);
     for (std::size_t k = 0; k < session.events.size(); ++k) {
         const TraceEvent& event = session.events[k];
-        lines.push_back({event.time_s, numbers[k], kindOf(event.message.code),
-                         inUnit(sentenceText(event.message), unit)});
+        lines.push_back(
+            {event.time_s, numbers[k], kindOf(event.message.code), eventText(event.message, unit)});
     }
     for (const TraceNote& note : session.notes)
         lines.push_back({note.time_s, 0, RecordText::tr("note"), QString::fromStdString(note.text)});

@@ -54,7 +54,7 @@ Result<void> check(const RecipeStep& step, std::size_t i) {
                   formatNumber(kMostTemperature_degC), "degC"});
 }
 
-/// Over its trip limit an object ends the run, and colder than the room it does not get.
+/// Over its warning limit an object ends the recipe, and colder than the room it does not get.
 Result<void> checkObject(const RecipeStep& step, std::size_t i, const Experiment& experiment) {
     const bool isAbove = step.until == RecipeStep::Until::Above;
     if (!isAbove && step.until != RecipeStep::Until::Below)
@@ -68,7 +68,7 @@ Result<void> checkObject(const RecipeStep& step, std::size_t i, const Experiment
         const double least_degC =
             isAbove ? kLeastTemperature_degC : celsiusFromKelvin(experiment.environment_K) - kRoomDiffers_K;
         const double most_degC =
-            isAbove ? celsiusFromKelvin(tripLimit_K(experiment, object)) : kMostTemperature_degC;
+            isAbove ? celsiusFromKelvin(warningLimit_K(experiment, object)) : kMostTemperature_degC;
         if (t_degC >= least_degC && t_degC <= most_degC)
             return {};
         return Error(MessageCode::ValueOutOfRange, placeOf(i, "until"),

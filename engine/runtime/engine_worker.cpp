@@ -585,6 +585,7 @@ void EngineWorker::publish() {
             snapshot.latest.coordinates = m_session->simulated->simulatedRobot().coordinates();
         else
             snapshot.devices = m_session->real->devices();
+        snapshot.sampleTime_s = loop.sampleTime_s();
         snapshot.sampleAge_s = m_session->clock().now_s() - loop.sampleTime_s();
         snapshot.source_K = loop.source_K();
         snapshot.heatOn = loop.heatOn();

@@ -108,7 +108,7 @@ public:
     const TraceSample& latest() const { return m_latest; }
     std::optional<SourceTracking> tracking() const;
     double sampleTime_s() const { return m_sampleTime_s; }
-    /// Of the source, measured now; empty: its newest reading is too old.
+    /// Of the source, its newest reading, or as typed; empty: that is not valid, or it does not answer.
     const std::optional<double>& source_K() const { return m_source_K; }
     bool heatOn() const { return m_devices.source.heating(); }
     bool allWithinBand() const;

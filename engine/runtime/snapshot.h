@@ -55,12 +55,13 @@ struct Snapshot {
     std::vector<Message> reasons; ///< why not ready, holding or faulted, each a sentence with its remedy
     std::vector<Alarm> alarms;    ///< as AlarmLog sorts them
     bool simulated = true;
-    std::uint64_t loadId = 0; ///< grows with each experiment that is loaded
-    double clock_s = 0.0;     ///< of the rig, simulated where that is; another one after each load
-    std::uint64_t runId = 0;  ///< grows with each Arm: a new trace begins
-    double runTime_s = 0.0;   ///< since Start; 0 before
-    TraceSample latest;       ///< newest readings, also outside a run
-    double sampleAge_s = 0.0; ///< age of the newest readings
+    std::uint64_t loadId = 0;  ///< grows with each experiment that is loaded
+    double clock_s = 0.0;      ///< of the rig, simulated where that is; another one after each load
+    std::uint64_t runId = 0;   ///< grows with each Arm: a new trace begins
+    double runTime_s = 0.0;    ///< since Start; 0 before
+    TraceSample latest;        ///< newest readings, also outside a run
+    double sampleTime_s = 0.0; ///< of the newest readings, by the rig's clock
+    double sampleAge_s = 0.0;  ///< of them
     std::vector<TraceSample> newSamples;
     std::vector<TraceEvent> newEvents;
     std::vector<TraceNote> newNotes;
@@ -69,7 +70,7 @@ struct Snapshot {
     double loopRate_Hz = 0.0;    ///< control steps a wall second
     std::uint64_t lateSteps = 0; ///< steps that began more than half a period late
     double simulationSpeed = 1.0;
-    std::optional<double> source_K; ///< measured now; empty: nobody tells it
+    std::optional<double> source_K; ///< its newest valid reading, or as typed; empty: none
     bool heatOn = false;
     bool isMoving = false;                        ///< the robot, by MoveTo
     std::optional<SourceTracking> tracking;       ///< empty: the source is not followed

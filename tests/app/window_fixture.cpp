@@ -9,9 +9,10 @@
 namespace bask::test {
 
 void WindowTest::SetUp() {
-    for (const char* kept : {"/bask.ini", "/alarms.json", "/run-on"})
+    for (const char* kept : {"/bask.ini", "/alarms.json"})
         QFile::remove(qEnvironmentVariable("BASK_SETTINGS_DIR") + QLatin1String(kept));
-    QDir(unsavedFolder()).removeRecursively();
+    for (const QString& kept : {unsavedFolder(), runMarkFolder()})
+        QDir(kept).removeRecursively();
     SettingsStore().setCoachAnswered();
 }
 

@@ -148,7 +148,7 @@ void ObjectTile::clear(double target_K) {
 
 /// From one sample to the next the estimate's noise is several K/min.
 void ObjectTile::takeRate(double time_s, const ObjectSample& sample) {
-    if (!sample.valid || (!m_rates.empty() && time_s < m_rates.back().first))
+    if (!m_rates.empty() && time_s < m_rates.back().first) // another clock
         m_rates.clear();
     if (sample.valid && std::isfinite(sample.rate_K_s) && (m_rates.empty() || time_s > m_rates.back().first))
         m_rates.emplace_back(time_s, sample.rate_K_s);
@@ -213,7 +213,7 @@ void ObjectTile::showValues() {
     m_temperature->setText(formatTemperature(measured_K, m_unit));
     m_target->setText(formatTemperature(m_sample.target_K, m_unit));
     m_error->setText(formatDifference(measured_K - m_sample.target_K, m_unit));
-    m_rate->setText(formatRate(rate_K_s(), m_unit));
+    m_rate->setText(formatRate(m_sample.valid ? rate_K_s() : nothing, m_unit));
 
     const bool dark = isDark(this);
     const bool alarm = m_activity == ObjectActivity::SensorInvalid;

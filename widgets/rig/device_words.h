@@ -10,7 +10,7 @@
 
 namespace bask {
 
-/// As measured now; NaN while nobody tells it.
+/// Its newest reading; NaN while that is not valid, or the source does not answer.
 double sourceTemperature_K(const Snapshot& snapshot);
 
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,

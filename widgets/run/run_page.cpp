@@ -120,7 +120,7 @@ void RunPage::showTiles(const Snapshot& snapshot) {
         ObjectSample sample = snapshot.latest.objects[i];
         if (snapshot.targets_K.size() == m_targets_K.size() || !(sample.target_K > 0.0))
             sample.target_K = m_targets_K[i]; // the engine's present target; the sample may be older
-        m_tiles[i]->setSample(snapshot.clock_s - snapshot.sampleAge_s, sample); // runs on between runs
+        m_tiles[i]->setSample(snapshot.sampleTime_s, sample); // runs on between runs
     }
 }
 

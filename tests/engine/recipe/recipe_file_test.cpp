@@ -218,15 +218,15 @@ TEST_F(RecipeFile, experimentsAreReadOnceAndCheckedForTheirObjects) {
     EXPECT_EQ(error.message.args, (std::vector<std::string>{"hand", "left, right"}));
 
     recipe.steps[0].object = "left";
-    for (const double never_degC : {14.0, 2000.0}) { // in a room of 25 degC; the trip limit is 150
+    for (const double never_degC : {14.0, 2000.0}) { // in a room of 25 degC; the warning limit is 120
         recipe.steps[0].until = never_degC < 25.0 ? Until::Below : Until::Above;
         recipe.steps[0].temperature_K = kelvinFromCelsius(never_degC);
         error = readExperiments(recipe, noExample).error();
         EXPECT_EQ(error.code(), MessageCode::ValueOutOfRange);
         EXPECT_EQ(error.where, "steps[0].until");
     }
-    EXPECT_EQ(error.message.args[2], "150");
-    recipe.steps[0].temperature_K = kelvinFromCelsius(150.0);
+    EXPECT_EQ(error.message.args[2], "120");
+    recipe.steps[0].temperature_K = kelvinFromCelsius(120.0);
     EXPECT_TRUE(readExperiments(recipe, noExample));
 
     recipe.steps[2].experiment = path + "x";

@@ -69,6 +69,9 @@ TEST(ObjectTile, AtRestTheWordStaysTheSame) {
     for (int k = 60; k < 70; ++k) // the same reading again and again is one
         shown.feed(60.0, 300.0, 3.0 / 60.0);
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::Steady);
+    shown.feed(60.5, 0.0, 0.0, false); // a drop-out takes nothing of the mean away
+    shown.feed(61.0, 300.0, -3.0 / 60.0);
+    EXPECT_EQ(shown.tile.activity(), ObjectActivity::Steady);
 }
 
 // Catches a lost sensor shown as 0 or as its last value.
