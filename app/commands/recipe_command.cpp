@@ -188,6 +188,23 @@ std::optional<std::string> earlierRecording(const Recipe& recipe, const QDir& fo
     return std::nullopt;
 }
 
+/// The folder is there.
+Result<void> checkOutputs(const RecipeRequest& request, const Recipe& recipe) {
+    const std::vector<std::string> inputs{request.recipe.toStdString()};
+    std::vector<OutputFile> summary;
+    if (!request.summary.isEmpty())
+        summary.push_back({request.summary.toStdString(), "steps", "a summary written by Bask"});
+    auto fits = checkOutputs(inputs, summary);
+    for (std::size_t i = 0; i < recipe.steps.size() && fits && !request.folder.isEmpty(); ++i) {
+        if (!recipe.steps[i].isRun())
+            continue;
+        std::vector<OutputFile> outputs{{recordingOf(recipe, i, QDir(request.folder))}};
+        outputs.insert(outputs.end(), summary.begin(), summary.end());
+        fits = checkOutputs(inputs, outputs);
+    }
+    return fits;
+}
+
 /// All of one rig, which a person has looked at.
 std::optional<std::string> otherRig(const RecipeExperiments& experiments) {
     for (std::size_t i = 0; i < experiments.size(); ++i) {
@@ -229,11 +246,6 @@ int runRecipe(const RecipeRequest& request) {
         std::fprintf(stderr, "bask run: %s: %s\n", path.c_str(), trouble->c_str());
         return kExitBadInput;
     }
-    if (!request.summary.isEmpty())
-        if (const auto fits =
-                checkOutputs({path}, {{request.summary.toStdString(), "steps", "a summary written by Bask"}});
-            !fits)
-            return refuse(fits.error());
     const QDir folder(request.folder);
     if (const auto there = request.folder.isEmpty() ? std::nullopt : earlierRecording(*recipe, folder)) {
         std::fprintf(
@@ -246,6 +258,8 @@ int runRecipe(const RecipeRequest& request) {
     if (!request.folder.isEmpty() && !folder.mkpath(QStringLiteral(".")))
         return refuse(
             Error(MessageCode::FileUnwritable, request.folder.toStdString(), {"the folder cannot be made"}));
+    if (const auto fits = checkOutputs(request, *recipe); !fits)
+        return refuse(fits.error());
     announce(*recipe);
     RecipeRunner runner(*recipe, std::move(*experiments), [&](std::size_t step) {
         return request.folder.isEmpty() ? std::string() : recordingOf(*recipe, step, folder);

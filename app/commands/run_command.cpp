@@ -192,7 +192,10 @@ int runExperimentCommand(const QStringList& arguments) {
         return *code;
     for (const char* option : {"targets", "duration", "seed", "o"})
         if (isRecipe && parser.isSet(option))
-            return refuseWords(QStringLiteral("--%1 is not for recipes").arg(QLatin1String(option)));
+            return refuseWords(QStringLiteral("%1 is not for recipes")
+                                   .arg((option[1] == '\0' ? "-" : "--") + QLatin1String(option)));
+    if (isRecipe && parser.isSet("out") && parser.value("out").isEmpty())
+        return refuseWords(QStringLiteral("--out: the name is empty"));
     if (isRecipe)
         return runRecipe(
             {parser.value("recipe"), parser.value("out"), parser.value("summary"), parser.isSet("live")});

@@ -90,10 +90,11 @@ Result<void> writeReport(const RunReportInput& input, const std::string& path) {
 
 Result<void> setLanguage(Language& language, const QString& code) {
     const QStringList known = Language::codes();
-    if (!known.contains(code))
+    const QString nearest = code.startsWith(QLatin1String("zh_")) ? Language::nearest(QLocale(code)) : code;
+    if (!known.contains(nearest))
         return Error(MessageCode::ValueUnknown, "--language",
                      {code.toStdString(), known.join(QStringLiteral(", ")).toStdString()});
-    language.set(code);
+    language.set(nearest);
     return {};
 }
 

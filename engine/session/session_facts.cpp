@@ -34,6 +34,9 @@ private:
         m_record.software = facts["software"];
         m_record.simulated = facts["simulated"] == "true";
         m_record.outcome = facts["outcome"];
+        if (done && !m_record.simulated && facts["simulated"] != "false")
+            return Error(MessageCode::SessionDamaged, m_record.path,
+                         {"it does not say whether the rig was simulated"});
         return done;
     }
 

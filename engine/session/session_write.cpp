@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/base/replaced_files.h"
 #include "engine/session/session_file.h"
 #include "engine/session/session_store.h"
 #include "engine/session/session_tables.h"
@@ -71,10 +72,13 @@ Result<void> makeTables(SessionStore& store, const SessionTables& tables) {
     return {};
 }
 
-Result<void> clearPlace(const std::string& path) {
+/// Until the new one is made the old one stays, for there may be no room for it.
+Result<void> clearPlace(const std::string& path, ReplacedFiles& replaced) {
     auto clear = checkReplaceable(path);
     if (clear)
         clear = removeLog(path);
+    if (clear)
+        clear = replaced.setAside(path);
     if (QFile old(QString::fromStdString(path)); clear && old.exists() && !old.remove())
         return Error(MessageCode::FileUnwritable, path, {old.errorString().toStdString()});
     return clear;
@@ -180,7 +184,8 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
                                                              double commitInterval_s) {
     if (auto valid = validate(experiment); !valid)
         return valid.error();
-    if (auto clear = clearPlace(path); !clear)
+    ReplacedFiles replaced;
+    if (auto clear = clearPlace(path, replaced); !clear)
         return clear.error();
     auto store = SessionStore::create(path);
     if (!store)
@@ -211,6 +216,7 @@ Result<std::unique_ptr<SessionWriter>> SessionWriter::create(const std::string& 
     }
     if (!made)
         return made.error();
+    replaced.keepNew();
     impl->sinceCommit.start();
     impl->timer.setSingleShot(true);
     impl->timer.setInterval(static_cast<int>(1e3 * commitInterval_s));

@@ -94,7 +94,7 @@ TEST_F(RecipeCommand, nothingThatIsThereIsRecordedOver) {
 }
 
 TEST_F(RecipeCommand, exitCodesTellHowItEnded) {
-    write(R"({"run_example": "two-circles", "until": {"object": "left", "above_degC": 140}, "at_most_s": 20,
+    write(R"({"run_example": "two-circles", "until": {"object": "left", "above_degC": 110}, "at_most_s": 20,
               "otherwise": "next"},
              {"run_example": "two-circles", "until": {"time_s": 5}})");
     auto done = run();
@@ -132,7 +132,7 @@ TEST_F(RecipeCommand, refusesWhatCannotBeRunBeforeItBegins) {
     write(R"({"run_example": "two-circles", "until": {"time_s": 5}})");
     refused({"--recipe", path, "--live"}, "steps[0]");
     refused({"--recipe", path, "--targets", "40,40"}, "--targets is not for recipes");
-    refused({"--recipe", path, "-o", folder.filePath("a.bask")}, "--o is not for recipes");
+    refused({"--recipe", path, "-o", folder.filePath("a.bask")}, "-o is not for recipes");
     refused({"--recipe", path, "--out", path}, "the folder cannot be made");
     refused({"--recipe", path, "--summary", path}, path.toStdString());
     refused({"--recipe", path, "other.json"}, "0 arguments expected, 1 given");
