@@ -66,6 +66,8 @@ int runWindow(int& argc, char** argv, const QString& file) {
     QGuiApplication::setDesktopFileName(QStringLiteral("bask"));
     setTextSize(SettingsStore().textSize_percent());
     const QtMessageHandler usual = qInstallMessageHandler(refuseDisplay);
+    // A desktop's own dialogs would take no twin of the STOP button.
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
     QApplication application(argc, argv);
     qInstallMessageHandler(usual);
     QGuiApplication::setApplicationDisplayName(QString());

@@ -4,6 +4,7 @@
 #include <QEvent>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QPointer>
 
 namespace bask {
 
@@ -18,7 +19,38 @@ StopButton::StopButton(QWidget* parent) : QAbstractButton(parent) {
     retranslateUi();
 }
 
+StopButton::StopButton(StopButton& original, QWidget* dialog) : QAbstractButton(dialog) {
+    setWindowFlags(Qt::Tool | Qt::FramelessWindowHint | Qt::WindowStaysOnTopHint |
+                   Qt::WindowDoesNotAcceptFocus);
+    setObjectName(QStringLiteral("stopTwin"));
+    setAttribute(Qt::WA_ShowWithoutActivating);
+    setFocusPolicy(Qt::NoFocus);
+    setCursor(Qt::PointingHandCursor);
+    connect(this, &QAbstractButton::pressed, &original, &StopButton::stopRequested);
+    retranslateUi();
+    setGeometry({original.mapToGlobal(QPoint(0, 0)), original.size()});
+    show();
+}
+
+void StopButton::standOver(QWidget* dialog) {
+    const bool hasTwin = dialog->findChild<StopButton*>(QString(), Qt::FindDirectChildrenOnly) != nullptr;
+    if (isVisible() && dialog->isVisible() && !hasTwin)
+        new StopButton(*this, dialog);
+}
+
 bool StopButton::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Show || event->type() == QEvent::Hide) {
+        auto* dialog = qobject_cast<QWidget*>(watched);
+        if (dialog != nullptr && dialog->isWindow() && dialog->isModal()) {
+            auto* twin = dialog->findChild<StopButton*>(QString(), Qt::FindDirectChildrenOnly);
+            if (event->type() == QEvent::Show) // the twin comes when the dialog's own window is there
+                QMetaObject::invokeMethod(
+                    this, [this, there = QPointer(dialog)] { there ? standOver(there) : void(); },
+                    Qt::QueuedConnection);
+            else if (twin != nullptr)
+                twin->deleteLater();
+        }
+    }
     if (event->type() == QEvent::KeyPress) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_F12) {

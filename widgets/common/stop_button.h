@@ -5,7 +5,9 @@
 
 namespace bask {
 
-/// Object name "stopButton". Never asks for confirmation and is never disabled by the program.
+/// Object name "stopButton"; its twins "stopTwin". A modal dialog keeps the mouse from every other window:
+/// over the button stands a twin then, a window of the dialog's own, which does the same. Never asks for
+/// confirmation and is never disabled by the program.
 class StopButton : public QAbstractButton {
     Q_OBJECT
 public:
@@ -24,6 +26,8 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
+    StopButton(StopButton& original, QWidget* dialog);
+    void standOver(QWidget* dialog);
     void retranslateUi();
 };
 

@@ -36,3 +36,25 @@ TEST(StopButton, F12WorksEverywhere) {
     QTest::keyClick(&edit, Qt::Key_F12);
     EXPECT_EQ(stop.count(), 1);
 }
+
+// Catches a red button that a file dialog makes deaf to the mouse. (A dialog's own windows are not.)
+TEST(StopButton, HasATwinOverAModalDialog) {
+    StopButton button;
+    button.move(40, 30);
+    button.show();
+    QSignalSpy stop(&button, &StopButton::stopRequested);
+    QDialog dialog;
+    dialog.setModal(true);
+    const auto twin = [&] { return dialog.findChild<StopButton*>(QStringLiteral("stopTwin")); };
+    for (int shown = 1; shown <= 2; ++shown) {
+        dialog.show();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return twin() != nullptr; }));
+        EXPECT_TRUE(twin()->isWindow() && twin()->isVisible());
+        EXPECT_EQ(twin()->geometry(), QRect(button.mapToGlobal(QPoint(0, 0)), button.size()));
+        EXPECT_EQ(dialog.findChildren<StopButton*>().size(), 1);
+        QTest::mousePress(twin(), Qt::LeftButton);
+        EXPECT_EQ(stop.count(), shown);
+        dialog.hide();
+        EXPECT_TRUE(QTest::qWaitFor([&] { return twin() == nullptr; }));
+    }
+}
