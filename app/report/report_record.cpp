@@ -74,6 +74,11 @@ QString listed(const QJsonValue& values, const std::function<QString(double)>& w
     return parts.join(QStringLiteral(", "));
 }
 
+bool isGains(const QString& key) {
+    return key == QLatin1String("level_servo") || key == QLatin1String("model_based") ||
+           key == QLatin1String("adaptive");
+}
+
 constexpr double kNotRead = 1e12; ///< no time and no temperature
 
 QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit unit) {
@@ -98,7 +103,7 @@ QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit u
              {ControllerKind::LevelServo, ControllerKind::ModelBased, ControllerKind::Adaptive})
             if (value.toString() == QLatin1String(controllerKindName(kind)))
                 return controllerWord(kind);
-    return plainValue(QJsonObject{{key, value}});
+    return isGains(key) ? plainValue(value) : plainValue(QJsonObject{{key, value}});
 }
 
 QString commandName(const QString& name) {
@@ -129,8 +134,10 @@ QString commandText(const CommandRow& command, TemperatureUnit unit) {
     QStringList parts;
     if (read.isObject()) {
         const QJsonObject fields = read.object();
+        const QString kind = fields.value(QLatin1String("kind")).toString().replace(u'-', u'_');
         for (auto field = fields.begin(); field != fields.end(); ++field)
-            parts << fieldText(field.key(), *field, unit);
+            if (field.key() == kind || !isGains(field.key()))
+                parts << fieldText(field.key(), *field, unit);
     } else {
         parts << value;
     }

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/runtime/rig_setup.h"
+#include "engine/session/controller_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -366,7 +367,7 @@ Result<void> ServoLoop::setController(const ControllerSettings& settings) {
             model.targets_K.push_back(object.target_K);
         m_controller = makeController(settings, std::move(model));
     }
-    command("controller", std::string("{\"kind\":\"") + controllerKindName(settings.kind) + "\"}");
+    command("controller", controllerToJson(settings));
     event(MessageCode::EventGainsChanged);
     return {};
 }

@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/session/controller_json.h"
 #include "engine/session/experiment.h"
 #include "engine/session/json_quantities.h"
 #include "engine/session/rig_json.h"
@@ -281,6 +282,10 @@ Result<void> writeExperiment(const Experiment& experiment, const std::string& pa
     if (!written)
         return Error(MessageCode::FileUnwritable, path, {file.errorString().toStdString()});
     return {};
+}
+
+std::string controllerToJson(const ControllerSettings& settings) {
+    return controllerJson(settings).dump();
 }
 
 } // namespace bask

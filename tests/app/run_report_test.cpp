@@ -57,6 +57,9 @@ protected:
             R"({"environment_K":297.97,"offsets_K":[0.07,-0.126],"zeroed_utc_s":1795426034.927})"}));
         EXPECT_TRUE((*writer)->add(CommandRow{0.0, "start", R"({"accept_infeasible":false})"}));
         EXPECT_TRUE((*writer)->add(CommandRow{0.0, "targets", R"({"targets_K":[313.15,320.65]})"}));
+        EXPECT_TRUE((*writer)->add(CommandRow{
+            0.0, "controller",
+            R"({"kind":"level-servo","level_servo":{"time_constant_s":20},"adaptive":{"mu_1_s":1},"damping":0.5})"}));
         EXPECT_TRUE((*writer)->add(CommandRow{0.0, "later", R"({"a_K":[1.5,-2],"b":true})"}));
         EXPECT_TRUE((*writer)->add(CommandRow{0.0, "stop", ""}));
         EXPECT_TRUE((*writer)->add(TraceEvent{0.0, {MessageCode::EventStarted, {}}}));
@@ -101,9 +104,11 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     EXPECT_TRUE(text.contains("All objects settled."));
     EXPECT_TRUE(text.contains("The sensor of \"right\"")) << text.toStdString();
     EXPECT_TRUE(text.contains("alarm, priority 1"));
-    for (const char* command : {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "
-                                "\u22120.13 K; zeroed 2026-11-23 09:27:14 UTC",
-                                "\nStart\n", "Targets: 40.00 °C, 47.50 °C", "later: a_K 1.5, -2; b true"})
+    for (const char* command :
+         {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "
+          "\u22120.13 K; zeroed 2026-11-23 09:27:14 UTC",
+          "\nStart\n", "Targets: 40.00 °C, 47.50 °C",
+          "Controller: damping 0.5; Level servo; time_constant_s 20\n", "later: a_K 1.5, -2; b true"})
         EXPECT_TRUE(text.contains(QString::fromUtf8(command))) << command << text.toStdString();
     EXPECT_TRUE(text.contains("40.0 °C"));
     const double step_K = 15.0 - 0.01; // of the true temperature

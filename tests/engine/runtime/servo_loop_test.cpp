@@ -200,7 +200,12 @@ TEST_F(ServoLoopTest, TargetsAndControllerChangeDuringARun) {
     EXPECT_FALSE(loop.setTargets({300.0}));
     ControllerSettings settings = experiment.controller;
     settings.levelServo.timeConstant_s = 12.0;
+    (void)loop.takeRecord();
     ASSERT_TRUE(loop.setController(settings));
+    const LoopRecord rows = loop.takeRecord();
+    ASSERT_EQ(rows.commands.size(), 1U);
+    EXPECT_NE(rows.commands[0].value.find("\"time_constant_s\":12.0"), std::string::npos)
+        << rows.commands[0].value;
     periods(400);
     EXPECT_NEAR(rig.trueTemperatures_K()[0], kelvinFromCelsius(38.0), 0.5);
     EXPECT_NEAR(rig.trueTemperatures_K()[1], kelvinFromCelsius(33.0), 0.5);
