@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kColours = 48; // steps of the gradient: a path is one curve a step
 
+constexpr double kNameGap = 7.0; // px, from a start to its name
+
 /// Where a point stands in a view.
 struct View {
     QPointF (*of)(const PathPoint&);
@@ -40,6 +42,27 @@ public:
         line(view, source, QPen(themePalette(false).color(QPalette::Text), 2.2));
         for (const FigurePath& path : m_figure.paths)
             addPath(view, path);
+    }
+
+    /// A name that would be over another one stands under its start. When the scales are known.
+    void settleNames() {
+        QList<std::pair<const QCPAxisRect*, QRectF>> taken;
+        for (const Name& name : m_names) {
+            const QPointF at(name.rect->axis(QCPAxis::atBottom)->coordToPixel(name.start.x()),
+                             name.rect->axis(QCPAxis::atLeft)->coordToPixel(name.start.y()));
+            const QSizeF size = QFontMetricsF(name.item->font()).size(0, name.item->text());
+            QRectF box(at.x() - 0.5 * size.width(), at.y() - kNameGap - size.height(), size.width(),
+                       size.height());
+            const bool isFree = std::ranges::none_of(taken, [&](const auto& other) {
+                return other.first == name.rect && other.second.intersects(box);
+            });
+            if (!isFree) {
+                name.item->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
+                name.item->position->setCoords(0.0, kNameGap);
+                box.moveTop(at.y() + kNameGap);
+            }
+            taken.emplace_back(name.rect, box);
+        }
     }
 
     QColor colour(double temperature_degC) {
@@ -109,13 +132,14 @@ private:
         auto* name = new QCPItemText(&m_plot);
         name->setClipToAxisRect(false);
         name->position->setParentAnchor(place->position);
-        name->position->setCoords(0.0, -7.0); // pixels from there
+        name->position->setCoords(0.0, -kNameGap);
         name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
         name->setPadding({3, 0, 3, 0});
         name->setBrush(QColor(255, 255, 255, 200));
         name->setText(names.join(QStringLiteral(", ")));
         name->setFont(figureFont(14));
         name->setColor(themePalette(false).color(QPalette::Text));
+        m_names.push_back({name, view.rect, start});
     }
 
     void mark(const View& view, const PathPoint& point, const QCPScatterStyle& style) {
@@ -128,6 +152,12 @@ private:
 
     QCustomPlot& m_plot;
     const PathsFigure& m_figure;
+    struct Name {
+        QCPItemText* item;
+        QCPAxisRect* rect;
+        QPointF start;
+    };
+    QList<Name> m_names;
     QCPColorGradient m_gradient = coolToWarm();
 };
 
@@ -223,6 +253,7 @@ QByteArray pathsPicture(const PathsFigure& figure, FigureFormat format, const QS
     const Extents most = extentsOf(figure);
     setEqualScales(above.rect, {-most.side, most.side}, {-most.side, most.side});
     setEqualScales(aside.rect, {-most.side, most.side}, {-0.08 * most.top, most.top});
+    drawing.settleNames();
     return pictureOf(plot, figure.size_px, format, comment);
 }
 
