@@ -5,6 +5,7 @@
 #include "engine/base/message_code.h"
 #include "engine/exchange/vtk_version.h"
 #include "engine/session/session_header.h"
+#include "widgets/common/alarm_words.h"
 #include "widgets/common/display.h"
 #include "widgets/common/metric_words.h"
 
@@ -127,12 +128,36 @@ QString commandName(const QString& name) {
     return name;
 }
 
+/// The alarm that a person had seen, by its key: a message's name, and its object or device if it has one.
+QString acknowledgedText(const CommandRow& command, const std::vector<TraceEvent>& events,
+                         TemperatureUnit unit) {
+    const QString key = QJsonDocument::fromJson(QByteArray::fromStdString(command.value))
+                            .object()
+                            .value(QLatin1String("alarm"))
+                            .toString();
+    const TraceEvent* seen = nullptr;
+    for (const TraceEvent& event : events) {
+        const QString name = QString::fromLatin1(messageName(event.message.code));
+        const bool isIt =
+            name == key || (!event.message.args.empty() &&
+                            name + u':' + QString::fromStdString(event.message.args.front()) == key);
+        if (isIt && (seen == nullptr || event.time_s <= command.time_s))
+            seen = &event;
+    }
+    Alarm alarm;
+    if (seen != nullptr)
+        alarm.message = seen->message;
+    return seen != nullptr ? alarmHeadline(alarm, unit) : key;
+}
+
 /// "Arm: surroundings 24.82 \u00b0C; offsets of the sensors +0.07 K".
-QString commandText(const CommandRow& command, TemperatureUnit unit) {
+QString commandText(const CommandRow& command, const std::vector<TraceEvent>& events, TemperatureUnit unit) {
     const QString value = QString::fromStdString(command.value);
     const QJsonDocument read = QJsonDocument::fromJson(value.toUtf8());
     QStringList parts;
-    if (read.isObject()) {
+    if (command.name == "acknowledge") {
+        parts << acknowledgedText(command, events, unit);
+    } else if (read.isObject()) {
         const QJsonObject fields = read.object();
         const QString kind = fields.value(QLatin1String("kind")).toString().replace(u'-', u'_');
         for (auto field = fields.begin(); field != fields.end(); ++field)
@@ -157,7 +182,8 @@ QString eventText(const Message& message, TemperatureUnit unit) {
 std::vector<Line> linesOf(const SessionRecord& session, TemperatureUnit unit) {
     std::vector<Line> lines;
     for (const CommandRow& command : session.commands) // before what came of them in the same step
-        lines.push_back({command.time_s, 0, RecordText::tr("command"), commandText(command, unit)});
+        lines.push_back(
+            {command.time_s, 0, RecordText::tr("command"), commandText(command, session.events, unit)});
     const std::vector<int> numbers = markedEvents(session.events);
     for (std::size_t k = 0; k < session.events.size(); ++k) {
         const TraceEvent& event = session.events[k];

@@ -66,6 +66,8 @@ protected:
         for (int k = 0; k < samples; ++k)
             EXPECT_TRUE((*writer)->add(warming(experiment, k, simulated)));
         EXPECT_TRUE((*writer)->add(TraceEvent{30.0, {MessageCode::ReasonSensorInvalid, {"right"}}}));
+        EXPECT_TRUE(
+            (*writer)->add(CommandRow{30.5, "acknowledge", R"({"alarm":"ReasonSensorInvalid:right"})"}));
         EXPECT_TRUE((*writer)->add(TraceNote{31.0, "<script>alert(1)</script> noted"}));
         if (!outcome.empty()) {
             EXPECT_TRUE((*writer)->finish(outcome));
@@ -104,11 +106,11 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     EXPECT_TRUE(text.contains("All objects settled."));
     EXPECT_TRUE(text.contains("The sensor of \"right\"")) << text.toStdString();
     EXPECT_TRUE(text.contains("alarm, priority 1"));
-    for (const char* command :
-         {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "
-          "\u22120.13 K; zeroed 2026-11-23 09:27:14 UTC",
-          "\nStart\n", "Targets: 40.00 °C, 47.50 °C",
-          "Controller: damping 0.5; Level servo; time_constant_s 20\n", "later: a_K 1.5, -2; b true"})
+    for (const char* command : {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "
+                                "\u22120.13 K; zeroed 2026-11-23 09:27:14 UTC",
+                                "\nStart\n", "Targets: 40.00 °C, 47.50 °C",
+                                "Controller: damping 0.5; Level servo; time_constant_s 20\n",
+                                "later: a_K 1.5, -2; b true", "Acknowledge: The sensor of \"right\""})
         EXPECT_TRUE(text.contains(QString::fromUtf8(command))) << command << text.toStdString();
     EXPECT_TRUE(text.contains("40.0 °C"));
     const double step_K = 15.0 - 0.01; // of the true temperature
