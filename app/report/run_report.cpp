@@ -104,6 +104,8 @@ class Paper {
 public:
     explicit Paper(const RunReportInput& input) {
         QFont font;
+        font.setFamilies(
+            {QStringLiteral("DejaVu Sans"), font.family()}); // a CJK font's figures are not searchable
         font.setPixelSize(11);
         m_document.setDefaultFont(font);
         m_document.setUseDesignMetrics(true);
