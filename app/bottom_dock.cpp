@@ -53,8 +53,12 @@ void BottomDock::fit() {
     const bool isRecipe = m_tabs->currentWidget() == m_recipe;
     const auto policy = isRecipe ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     m_recipe->setSizePolicy(policy, policy);
-    if (isRecipe)
+    if (isRecipe) {
+        m_lowHeight = height();
         emit heightWanted(std::max(height(), std::min(kRecipeHeight, window()->height() / 3)));
+    } else if (m_lowHeight > 0) {
+        emit heightWanted(std::min(height(), std::exchange(m_lowHeight, 0)));
+    }
 }
 
 void BottomDock::showRecipe() {

@@ -64,6 +64,7 @@ private:
     std::vector<TraceNote> m_notes;
     bool m_isReviewing = false;
     int m_height = 0;              ///< before it was hidden
+    int m_lowHeight = 0;           ///< before the recipe was in front; 0: it is not
     bool m_isBackToEvents = false; ///< after the review
 };
 
