@@ -3,6 +3,7 @@
 #include "app/examples.h"
 #include "app/icons.h"
 #include "app/settings_store.h"
+#include "widgets/common/display.h"
 #include "widgets/common/language.h"
 
 #include <QActionGroup>
@@ -89,6 +90,7 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     m_runMenu->setToolTipsVisible(true);
     m_recentMenu->setObjectName(QStringLiteral("recentMenu"));
     m_editMenu->setObjectName(QStringLiteral("editMenu"));
+    m_toolsMenu->setObjectName(QStringLiteral("toolsMenu"));
     for (const QString& name : exampleNames())
         connect(m_exampleMenu->addAction(name), &QAction::triggered, this,
                 [this, name] { emit exampleChosen(name); });
@@ -193,35 +195,14 @@ void Actions::fillFaults() {
 }
 
 void Actions::retranslateFaults() {
-    const auto say = [this](SimulatedFault fault, const QString& text) {
-        const auto k = static_cast<std::size_t>(fault);
-        if (m_objectFaults[k])
-            m_objectFaults[k]->setTitle(text);
-        else
-            m_rigFaults[k]->setText(text);
-    };
     m_faultMenu->setTitle(tr("&Simulate fault"));
-    say(SimulatedFault::None, tr("Restore all devices"));
-    say(SimulatedFault::SensorLost, tr("Sensor lost"));
-    say(SimulatedFault::SensorOpen, tr("Sensor open"));
-    say(SimulatedFault::SensorShort, tr("Sensor shorted"));
-    say(SimulatedFault::SensorFrozen, tr("Sensor frozen"));
-    say(SimulatedFault::SensorJumping, tr("Sensor jumping"));
-    say(SimulatedFault::SensorOff, tr("Sensor off its object"));
-    say(SimulatedFault::ObjectHot, tr("Object heated otherwise"));
-    say(SimulatedFault::RobotLost, tr("Robot lost"));
-    say(SimulatedFault::RobotAlarm, tr("Robot in alarm"));
-    say(SimulatedFault::RobotRestarted, tr("Robot restarted"));
-    say(SimulatedFault::RobotSlow, tr("Robot slow"));
-    say(SimulatedFault::SourceLost, tr("Heat source lost"));
-    say(SimulatedFault::SourceSilent, tr("Heat source without temperature"));
-    say(SimulatedFault::SourceNotHeating, tr("Heat source does not heat"));
-    say(SimulatedFault::SourceHeatsAlone, tr("Heat source heats unasked"));
-    say(SimulatedFault::SourceOverheats, tr("Heat source overheats"));
-    say(SimulatedFault::SourceLimited, tr("Heat source limited by itself"));
-    say(SimulatedFault::SourceKeepsHeat, tr("Heat source cannot be switched off"));
-    say(SimulatedFault::SourceCovered, tr("Source hidden from the camera"));
-    say(SimulatedFault::CameraLost, tr("Camera lost"));
+    for (std::size_t k = 0; k < m_rigFaults.size(); ++k) {
+        const QString word = simulatedFaultWord(static_cast<SimulatedFault>(k));
+        if (m_objectFaults[k])
+            m_objectFaults[k]->setTitle(word);
+        else
+            m_rigFaults[k]->setText(word);
+    }
 }
 
 void Actions::fillMenus(QMenuBar* bar) {

@@ -15,21 +15,22 @@ struct Place {
 };
 
 constexpr std::array<Place, Coach::kSteps> kPlaces{{{Page::Objects, "harmonicsSlider"},
-                                                    {Page::Objects, ""},
+                                                    {Page::Objects, "editMenu"},
                                                     {Page::Targets, "target0"},
                                                     {Page::Targets, "useNearest"},
                                                     {Page::Run, "armButton"},
                                                     {Page::Run, "startButton"},
                                                     {Page::Run, "plot.temperature"},
                                                     {Page::Run, "controllerPanel"},
-                                                    {Page::Run, ""},
-                                                    {Page::Run, ""},
-                                                    {Page::Run, "resumeButton"},
+                                                    {Page::Run, "toolsMenu"},
+                                                    {Page::Run, "alarmButton"},
+                                                    {Page::Run, "holdButton"},
                                                     {Page::Run, "stopRunButton"},
                                                     {Page::Review, "sessionTree"}}};
 
-bool isRunOn(RunState state) {
-    return state == RunState::Running || state == RunState::Settled || state == RunState::Holding;
+/// Of a run that is on; the last one ends it.
+bool isInRun(Coach::Step step) {
+    return step >= Coach::Step::Note && step <= Coach::Step::Resume;
 }
 
 } // namespace
@@ -64,7 +65,11 @@ void Coach::act() {
         begin();
     }
     if (m_step) {
-        const Place& place = kPlaces[static_cast<std::size_t>(*m_step)];
+        Place place = kPlaces[static_cast<std::size_t>(*m_step)];
+        if (isRunOver())
+            place = {Page::Run, m_state == RunState::Fault   ? "resetButton"
+                                : m_state == RunState::Armed ? "startButton"
+                                                             : "armButton"};
         emit showWanted(place.page, QLatin1String(place.control));
     }
 }
@@ -105,7 +110,8 @@ void Coach::seeVerdict(bool isFeasible) {
 }
 
 void Coach::see(const Snapshot& snapshot) {
-    const RunState state = snapshot.state;
+    const QString before = m_step ? words() : QString();
+    const RunState state = m_state = snapshot.state;
     if (m_isSimulated != snapshot.simulated) {
         m_isSimulated = snapshot.simulated;
         if (!m_isSimulated && (m_step || m_isOffer))
@@ -123,8 +129,15 @@ void Coach::see(const Snapshot& snapshot) {
         done(Step::Acknowledge);
     if (state == RunState::Running || state == RunState::Settled)
         done(Step::Resume);
-    if (state == RunState::Stopped)
+    if (!isRunOn(state))
         done(Step::Stop);
+    if (m_step && words() != before)
+        say();
+}
+
+/// It ended by itself before the steps in it were done: a hold that lasts does.
+bool Coach::isRunOver() const {
+    return m_step && isInRun(*m_step) && !isRunOn(m_state);
 }
 
 void Coach::seeReview() {
@@ -152,6 +165,11 @@ void Coach::say() {
 }
 
 QString Coach::words() const {
+    if (isRunOver())
+        return m_state == RunState::Fault
+                   ? tr("The run has ended in a fault, as a hold that lasts does. End it in Tools > Simulate "
+                        "fault, press Reset, then Arm (F5) and Start (F6) again.")
+                   : tr("The run has ended. Arm (F5) and Start (F6) again.");
     switch (*m_step) {
     case Step::Harmonics:
         return tr("On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline "

@@ -62,6 +62,7 @@ signals:
 
 private:
     void done(Step step);
+    bool isRunOver() const;
     void say();
     QString words() const;
     void act();
@@ -72,6 +73,7 @@ private:
     bool m_isOffer = false;
     std::optional<Step> m_step;
     bool m_isSimulated = true;
+    RunState m_state = RunState::Idle;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };
 

@@ -2,6 +2,7 @@
 
 #include "app/error_text.h"
 #include "app/file_lock.h"
+#include "widgets/common/display.h"
 #include "widgets/common/message_bar.h"
 
 #include <QCoreApplication>
@@ -15,11 +16,6 @@ namespace bask {
 namespace {
 
 constexpr qint64 kLongestPath = 64 << 10;
-
-bool isRun(RunState state) {
-    return state == RunState::Running || state == RunState::Holding || state == RunState::Settled ||
-           state == RunState::Stopping;
-}
 
 } // namespace
 
@@ -102,8 +98,8 @@ void CutOffRun::take(const std::vector<SessionHeader>& headers) {
 void CutOffRun::tell() {
     const auto began =
         QDateTime::fromString(QString::fromStdString(m_told.created), Qt::ISODate).toLocalTime();
-    const QString when = began.isValid() ? began.toString(QStringLiteral("yyyy-MM-dd HH:mm"))
-                                         : QFileInfo(QString::fromStdString(m_told.path)).fileName();
+    const QString when =
+        began.isValid() ? formatDate(began) : QFileInfo(QString::fromStdString(m_told.path)).fileName();
     const QString what =
         m_told.simulated
             ? tr("Bask ended in the middle of a simulated run (%1).").arg(when)
@@ -128,7 +124,7 @@ void CutOffRun::forget() {
 
 /// A recorder that fails in a run names no recording any more: the run goes on all the same.
 void CutOffRun::apply(const Snapshot& snapshot) {
-    if (!isRun(snapshot.state))
+    if (!isRunOn(snapshot.state))
         return end();
     if (m_own.lock >= 0 || snapshot.recordingPath.empty())
         return;

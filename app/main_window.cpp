@@ -24,6 +24,8 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
+#include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -144,9 +146,11 @@ void MainWindow::arm() {
 void MainWindow::refuse(const Message& refusal) {
     if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed &&
         !m_recipe->isOn())
-        askInfeasible();
-    else
-        m_pages->showRefusal(sentence(refusal));
+        return askInfeasible();
+    const bool isOn = m_last.state == RunState::Armed || runIsOn();
+    if (refusal.code == MessageCode::TargetAboveWarning && isOn) // what the fields show is what runs
+        (void)m_document.setTargets(m_last.targets_K);
+    m_pages->showRefusal(sentence(refusal));
 }
 
 void MainWindow::askInfeasible() {
@@ -168,6 +172,7 @@ void MainWindow::showReason(int index) {
         return;
     switch (m_last.reasons[static_cast<std::size_t>(index)].code) {
     case MessageCode::ReasonTargetInfeasible:
+    case MessageCode::TargetAboveWarning:
     case MessageCode::EventCompromise:
         return m_pages->show(Page::Targets);
     case MessageCode::ReasonSourcePoseLost:
@@ -196,7 +201,10 @@ void MainWindow::showReason(int index) {
 /// The keyboard goes there as well.
 void MainWindow::showControl(Page page, const QString& name) {
     m_pages->show(page);
-    for (QWidget* control : name.isEmpty() ? QList<QWidget*>() : findChildren<QWidget*>(name))
+    for (QAction* top : menuBar()->actions())
+        if (top->menu()->objectName() == name)
+            return pointAt(menuBar(), menuBar()->actionGeometry(top));
+    for (QWidget* control : findChildren<QWidget*>(name))
         if (control->isVisible()) {
             control->setFocus(Qt::TabFocusReason);
             return pointAt(control);
@@ -289,10 +297,8 @@ void MainWindow::restyle() {
                 .arg(bar == m_navigation ? QStringLiteral("right") : QStringLiteral("bottom"), line));
 }
 
-/// Also in its retreat.
 bool MainWindow::runIsOn() const {
-    return m_last.state == RunState::Running || m_last.state == RunState::Holding ||
-           m_last.state == RunState::Settled || m_last.state == RunState::Stopping;
+    return isRunOn(m_last.state);
 }
 
 /// What a person ends here ends before any question about unsaved work: nothing may begin behind it.

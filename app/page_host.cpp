@@ -83,9 +83,10 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
         show(Page::Review);
     });
     connect(&m_document, &Document::changed, this, [this] {
-        if (m_bar->sentence() == m_refusal)
+        if (m_bar->sentence() == m_ofEdit)
             m_bar->clear();
     });
+    connect(&m_files, &SessionActions::recipeChosen, m_bar, &MessageBar::clear);
     connect(&m_files, &SessionActions::problem, this, &PageHost::showProblem);
     connect(&m_files, &SessionActions::told, this, &PageHost::showNote);
 }
@@ -450,7 +451,8 @@ void PageHost::showStep(const EditStep& step, const QString& words) {
         return;
     if (m_editable)
         show(step.edit.page);
-    showNote(words.arg(editWords(step.edit, *step.before, *step.after)));
+    m_ofEdit = words.arg(editWords(step.edit, *step.before, *step.after));
+    showNote(m_ofEdit);
 }
 
 void PageHost::takeFile(const QString& path) {
@@ -470,7 +472,7 @@ void PageHost::showProblem(const QString& text) {
     m_bar->say(MessageBar::Kind::Problem, text);
 }
 void PageHost::showRefusal(const QString& text) {
-    m_refusal = text;
+    m_ofEdit = text;
     showProblem(text);
 }
 void PageHost::showNote(const QString& text) {

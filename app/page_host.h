@@ -104,7 +104,7 @@ private:
     RunPage* m_run;
     ReviewPage* m_review;
     SessionLibrary m_library;
-    QString m_refusal;   ///< shown last
+    QString m_ofEdit;    ///< said last of the newest edit
     QString m_recording; ///< the file that is being recorded into
     std::shared_ptr<RecordedSession> m_session;
     std::shared_ptr<const SessionNumbers> m_numbers; ///< of m_session; null: on their way, or not to be had

@@ -3,6 +3,7 @@
 #include "app/autosave.h"
 #include "app/error_text.h"
 #include "app/session_actions.h"
+#include "widgets/common/display.h"
 #include "widgets/common/message_bar.h"
 
 namespace bask {
@@ -29,7 +30,7 @@ void RecoveryOffer::show() {
         return m_bar.clear();
     const UnsavedFile& file = *m_left.front();
     m_bar.ask(tr("Bask ended before changes of “%1” were saved. They are kept as they were on %2.")
-                  .arg(file.name(), file.time().toString(QStringLiteral("yyyy-MM-dd HH:mm"))),
+                  .arg(file.name(), formatDate(file.time())),
               tr("Recover"), tr("Discard"));
 }
 

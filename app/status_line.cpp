@@ -1,53 +1,19 @@
 #include "app/status_line.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/language.h"
 #include "widgets/rig/device_words.h"
 
 #include <QEvent>
 #include <QFileInfo>
-#include <QHelpEvent>
-#include <QLabel>
 #include <QMenu>
-#include <QPainter>
-#include <QStyle>
 #include <QToolButton>
-#include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
 
 namespace bask {
-namespace {
-
-/// Where there is no room for all of it, pointing at it tells the whole.
-class ElidedLabel : public QLabel {
-public:
-    using QLabel::QLabel;
-    QSize minimumSizeHint() const override {
-        return {fontMetrics().horizontalAdvance(QStringLiteral("MMM")), QLabel::minimumSizeHint().height()};
-    }
-
-protected:
-    bool event(QEvent* event) override {
-        if (event->type() == QEvent::ToolTip && width() < sizeHint().width()) {
-            QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), text() + u'\n' + toolTip(),
-                               this);
-            return true;
-        }
-        return QLabel::event(event);
-    }
-    void paintEvent(QPaintEvent*) override {
-        QPainter painter(this);
-        const QRect room = contentsRect();
-        style()->drawItemText(&painter, room, Qt::AlignVCenter | Qt::AlignLeft, palette(), isEnabled(),
-                              fontMetrics().elidedText(text(), Qt::ElideRight, room.width()),
-                              foregroundRole());
-    }
-};
-
-} // namespace
-
 StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     : QStatusBar(parent), m_ageLabel(new ElidedLabel(this)), m_loopLabel(new ElidedLabel(this)),
       m_sourceLabel(new QLabel(this)), m_trackingLabel(new ElidedLabel(this)),

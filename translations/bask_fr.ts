@@ -89,7 +89,7 @@
         </message>
         <message>
             <source>Hu et al., arXiv 2012.13147; FLIR tables: 0.04 to 0.06, polished</source>
-            <translation>Hu et al., arXiv 2012.13147 ; tables FLIR : 0,04 à 0,06, poli</translation>
+            <translation>Hu et al., arXiv 2012.13147 ; tables FLIR : 0.04 à 0.06, poli</translation>
         </message>
         <message>
             <source>Incropera, table A.1 (bulk), FLIR tables (surface)</source>
@@ -105,15 +105,15 @@
         </message>
         <message>
             <source>EN 10088-1, 1.4301 (bulk), Thome, EPFL: 0.5 to 0.7 after heating (surface)</source>
-            <translation>EN 10088-1, 1.4301 (masse), Thome, EPFL : 0,5 à 0,7 après chauffage (surface)</translation>
+            <translation>EN 10088-1, 1.4301 (masse), Thome, EPFL : 0.5 à 0.7 après chauffage (surface)</translation>
         </message>
         <message>
             <source>FreeCAD card PLA-Generic (bulk), plastics: 0.85 to 0.95 (surface)</source>
-            <translation>fiche FreeCAD PLA-Generic (masse), plastiques : 0,85 à 0,95 (surface)</translation>
+            <translation>fiche FreeCAD PLA-Generic (masse), plastiques : 0.85 à 0.95 (surface)</translation>
         </message>
         <message>
             <source>Kaiao, Granta Design (bulk), plastics: 0.85 to 0.95 (surface)</source>
-            <translation>Kaiao, Granta Design (masse), plastiques : 0,85 à 0,95 (surface)</translation>
+            <translation>Kaiao, Granta Design (masse), plastiques : 0.85 à 0.95 (surface)</translation>
         </message>
         <message>
             <source>Pilkington ATS-129; specific heat: tables say 720 to 880 J/(kg·K)</source>
@@ -121,7 +121,7 @@
         </message>
         <message>
             <source>Entegris, by FreeCAD's card (bulk), tables: 0.8 to 0.98 (surface)</source>
-            <translation>Entegris, d’après la fiche FreeCAD (masse), tables : 0,8 à 0,98 (surface)</translation>
+            <translation>Entegris, d’après la fiche FreeCAD (masse), tables : 0.8 à 0.98 (surface)</translation>
         </message>
         <message>
             <source>Ashby: 480 to 860 kg/m³ (bulk), FLIR tables: paper (surface)</source>
@@ -137,6 +137,22 @@
         <message>
             <source>"%1" is not the finite number or numbers that it should be</source>
             <translation>« %1 » n’est pas le ou les nombres finis attendus</translation>
+        </message>
+        <message>
+            <source>a recipe needs at least one step that runs an experiment</source>
+            <translation>une recette a besoin d’au moins une étape qui exécute une expérience</translation>
+        </message>
+        <message>
+            <source>not one of Bask's files, or a damaged one: it is no valid JSON (%1)</source>
+            <translation>ce n’est pas un fichier de Bask, ou il est endommagé : JSON non valable (%1)</translation>
+        </message>
+        <message>
+            <source>simulated fault of "%2": %1</source>
+            <translation>défaut simulé de « %2 » : %1</translation>
+        </message>
+        <message>
+            <source>simulated fault: %1</source>
+            <translation>défaut simulé : %1</translation>
         </message>
         <message>
             <source>the camera matrix cannot be used: nine numbers fx 0 cx, 0 fy cy, 0 0 1 with focal lengths above zero are needed</source>
@@ -265,10 +281,6 @@
         <message>
             <source>the file has %1, more than the %2 that are read</source>
             <translation>le fichier contient %1, plus que les %2 qui peuvent être lus</translation>
-        </message>
-        <message>
-            <source>not valid JSON: %1</source>
-            <translation>JSON non valide : %1</translation>
         </message>
         <message>
             <source>unknown key "%1"; known here: %2</source>
@@ -476,7 +488,7 @@
         </message>
         <message>
             <source>the drawing gives its size in pixels, taken as 1/96 inch (0.2646 mm) each; check its size</source>
-            <translation>le dessin donne sa taille en pixels, comptés pour 1/96 de pouce (0,2646 mm) chacun ; vérifiez sa taille</translation>
+            <translation>le dessin donne sa taille en pixels, comptés pour 1/96 de pouce (0.2646 mm) chacun ; vérifiez sa taille</translation>
         </message>
         <message>
             <source>left out, since they are no outlines: %1</source>
@@ -1007,10 +1019,6 @@
             <translation>un pas du robot sortirait de son espace de travail ou s’approcherait trop de la source ; il n’a pas été envoyé</translation>
         </message>
         <message>
-            <source>fault raised: %1</source>
-            <translation>défaut provoqué : %1</translation>
-        </message>
-        <message>
             <source>faults can be simulated on the simulated rig only</source>
             <translation>les défauts ne peuvent être simulés que sur le banc simulé</translation>
         </message>
@@ -1408,22 +1416,6 @@
             <translation>&amp;Simuler un défaut</translation>
         </message>
         <message>
-            <source>Sensor lost</source>
-            <translation>Perte d’un capteur</translation>
-        </message>
-        <message>
-            <source>Robot lost</source>
-            <translation>Perte du robot</translation>
-        </message>
-        <message>
-            <source>Heat source lost</source>
-            <translation>Perte de la source de chaleur</translation>
-        </message>
-        <message>
-            <source>Restore all devices</source>
-            <translation>Rétablir tous les appareils</translation>
-        </message>
-        <message>
             <source>Calibrate</source>
             <translation>Étalonner</translation>
         </message>
@@ -1432,80 +1424,12 @@
             <translation>La caméra : son objectif, sa place, et celle de la source</translation>
         </message>
         <message>
-            <source>Source hidden from the camera</source>
-            <translation>Source cachée à la caméra</translation>
-        </message>
-        <message>
-            <source>Camera lost</source>
-            <translation>Caméra perdue</translation>
-        </message>
-        <message>
             <source>Rig</source>
             <translation>Banc</translation>
         </message>
         <message>
             <source>The devices, what must be so before a run, and the robot and the heat by hand</source>
             <translation>Les appareils, ce qui doit être en ordre avant un essai, le robot et le chauffage à la main</translation>
-        </message>
-        <message>
-            <source>Heat source cannot be switched off</source>
-            <translation>La source ne s’éteint plus</translation>
-        </message>
-        <message>
-            <source>Heat source does not heat</source>
-            <translation>La source ne chauffe pas</translation>
-        </message>
-        <message>
-            <source>Heat source heats unasked</source>
-            <translation>La source chauffe sans ordre</translation>
-        </message>
-        <message>
-            <source>Heat source limited by itself</source>
-            <translation>Source limitée par elle-même</translation>
-        </message>
-        <message>
-            <source>Heat source overheats</source>
-            <translation>La source surchauffe</translation>
-        </message>
-        <message>
-            <source>Heat source without temperature</source>
-            <translation>Source sans température</translation>
-        </message>
-        <message>
-            <source>Object heated otherwise</source>
-            <translation>Objet chauffé autrement</translation>
-        </message>
-        <message>
-            <source>Robot in alarm</source>
-            <translation>Robot en alarme</translation>
-        </message>
-        <message>
-            <source>Robot restarted</source>
-            <translation>Robot redémarré</translation>
-        </message>
-        <message>
-            <source>Robot slow</source>
-            <translation>Robot lent</translation>
-        </message>
-        <message>
-            <source>Sensor frozen</source>
-            <translation>Capteur figé</translation>
-        </message>
-        <message>
-            <source>Sensor jumping</source>
-            <translation>Capteur qui saute</translation>
-        </message>
-        <message>
-            <source>Sensor off its object</source>
-            <translation>Capteur décollé</translation>
-        </message>
-        <message>
-            <source>Sensor open</source>
-            <translation>Capteur ouvert</translation>
-        </message>
-        <message>
-            <source>Sensor shorted</source>
-            <translation>Capteur en court-circuit</translation>
         </message>
         <message>
             <source>Ac&amp;knowledge all alarms</source>
@@ -2228,12 +2152,48 @@
             <translation>%1/min</translation>
         </message>
         <message>
+            <source>Camera lost</source>
+            <translation>Caméra perdue</translation>
+        </message>
+        <message>
+            <source>Heat source cannot be switched off</source>
+            <translation>La source ne s’éteint plus</translation>
+        </message>
+        <message>
+            <source>Heat source does not heat</source>
+            <translation>La source ne chauffe pas</translation>
+        </message>
+        <message>
+            <source>Heat source heats unasked</source>
+            <translation>La source chauffe sans ordre</translation>
+        </message>
+        <message>
+            <source>Heat source limited by itself</source>
+            <translation>Source limitée par elle-même</translation>
+        </message>
+        <message>
+            <source>Heat source lost</source>
+            <translation>Perte de la source de chaleur</translation>
+        </message>
+        <message>
+            <source>Heat source overheats</source>
+            <translation>La source surchauffe</translation>
+        </message>
+        <message>
+            <source>Heat source without temperature</source>
+            <translation>Source sans température</translation>
+        </message>
+        <message>
             <source>Idle</source>
             <translation>Au repos</translation>
         </message>
         <message>
             <source>Not ready</source>
             <translation>Pas prêt</translation>
+        </message>
+        <message>
+            <source>Object heated otherwise</source>
+            <translation>Objet chauffé autrement</translation>
         </message>
         <message>
             <source>Ready</source>
@@ -2244,6 +2204,26 @@
             <translation>Armé</translation>
         </message>
         <message>
+            <source>Restore all devices</source>
+            <translation>Rétablir tous les appareils</translation>
+        </message>
+        <message>
+            <source>Robot in alarm</source>
+            <translation>Robot en alarme</translation>
+        </message>
+        <message>
+            <source>Robot lost</source>
+            <translation>Perte du robot</translation>
+        </message>
+        <message>
+            <source>Robot restarted</source>
+            <translation>Robot redémarré</translation>
+        </message>
+        <message>
+            <source>Robot slow</source>
+            <translation>Robot lent</translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation>En marche</translation>
         </message>
@@ -2252,8 +2232,36 @@
             <translation>En pause</translation>
         </message>
         <message>
+            <source>Sensor frozen</source>
+            <translation>Capteur figé</translation>
+        </message>
+        <message>
+            <source>Sensor jumping</source>
+            <translation>Capteur qui saute</translation>
+        </message>
+        <message>
+            <source>Sensor lost</source>
+            <translation>Perte d’un capteur</translation>
+        </message>
+        <message>
+            <source>Sensor off its object</source>
+            <translation>Capteur décollé</translation>
+        </message>
+        <message>
+            <source>Sensor open</source>
+            <translation>Capteur ouvert</translation>
+        </message>
+        <message>
+            <source>Sensor shorted</source>
+            <translation>Capteur en court-circuit</translation>
+        </message>
+        <message>
             <source>Settled</source>
             <translation>Stabilisé</translation>
+        </message>
+        <message>
+            <source>Source hidden from the camera</source>
+            <translation>Source cachée à la caméra</translation>
         </message>
         <message>
             <source>Stopping</source>
@@ -2318,6 +2326,22 @@
         <message>
             <source>Adaptive</source>
             <translation>Adaptatif</translation>
+        </message>
+        <message>
+            <source>a sample is missing</source>
+            <translation>il manque un échantillon</translation>
+        </message>
+        <message>
+            <source>database disk image is malformed</source>
+            <translation>la base de données n’est pas lisible</translation>
+        </message>
+        <message>
+            <source>it does not say whether the rig was simulated</source>
+            <translation>il ne dit pas si le banc était simulé</translation>
+        </message>
+        <message>
+            <source>it is cut short</source>
+            <translation>il est tronqué</translation>
         </message>
         <message>
             <source>robot</source>
@@ -4017,7 +4041,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
         <message>
             <source>Metrics</source>
-            <translation>Grandeurs</translation>
+            <translation>Indicateurs</translation>
         </message>
         <message>
             <source>What is known of the run</source>
@@ -4065,7 +4089,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
         <message>
             <source>Metrics, final values and heat rates are being computed from all samples: %1 %</source>
-            <translation>Grandeurs, valeurs finales et coefficients thermiques se calculent sur tous les échantillons : %1 %</translation>
+            <translation>Indicateurs, valeurs finales et coefficients thermiques se calculent sur tous les échantillons : %1 %</translation>
         </message>
         <message>
             <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
@@ -5858,6 +5882,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>marqueur %1, %2</translation>
         </message>
         <message>
+            <source>simulated</source>
+            <translation>simulée</translation>
+        </message>
+        <message>
             <source>source</source>
             <translation>source</translation>
         </message>
@@ -6580,6 +6608,14 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Démarrer (F6) : le chauffage est en marche et le robot bouge.</translation>
         </message>
         <message>
+            <source>The run has ended in a fault, as a hold that lasts does. End it in Tools &gt; Simulate fault, press Reset, then Arm (F5) and Start (F6) again.</source>
+            <translation>L’essai s’est terminé en défaut, comme toute pause qui dure. Levez le défaut dans Outils &gt; Simuler un défaut, pressez Réinitialiser, puis de nouveau Armer (F5) et Démarrer (F6).</translation>
+        </message>
+        <message>
+            <source>The run has ended. Arm (F5) and Start (F6) again.</source>
+            <translation>L’essai est terminé. De nouveau, Armer (F5) et Démarrer (F6).</translation>
+        </message>
+        <message>
             <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
             <translation>Les températures vont à leurs consignes. Sur la page Essai, appuyez sur N et notez quelque chose.</translation>
         </message>
@@ -6752,7 +6788,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>Metrics of the run</source>
-            <translation>Grandeurs de l’essai</translation>
+            <translation>Indicateurs de l’essai</translation>
         </message>
     </context>
     <context>
@@ -6802,7 +6838,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>Errors</source>
-            <translation>Erreurs</translation>
+            <translation>Écarts</translation>
         </message>
         <message>
             <source>Estimates</source>
@@ -6818,7 +6854,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>Rates</source>
-            <translation>Vitesses de variation</translation>
+            <translation>Vitesses</translation>
         </message>
         <message>
             <source>Scene</source>
@@ -6895,6 +6931,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>No recorded runs in this folder.</source>
             <translation>Aucun essai enregistré dans ce dossier.</translation>
+        </message>
+        <message>
+            <source>Open on this page</source>
+            <translation>Ouverte sur cette page</translation>
         </message>
         <message>
             <source>Open the selected run</source>
@@ -7109,7 +7149,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         </message>
         <message>
             <source>Errors</source>
-            <translation>Erreurs</translation>
+            <translation>Écarts</translation>
         </message>
         <message>
             <source>Experiment without a title</source>

@@ -139,6 +139,22 @@
             <translation>“%1”不是此处所需的有限数值</translation>
         </message>
         <message>
+            <source>a recipe needs at least one step that runs an experiment</source>
+            <translation>配方至少需要一个运行实验的步骤</translation>
+        </message>
+        <message>
+            <source>not one of Bask's files, or a damaged one: it is no valid JSON (%1)</source>
+            <translation>不是 Bask 的文件，或文件已损坏：不是有效的 JSON（%1）</translation>
+        </message>
+        <message>
+            <source>simulated fault of "%2": %1</source>
+            <translation>“%2”的模拟故障：%1</translation>
+        </message>
+        <message>
+            <source>simulated fault: %1</source>
+            <translation>模拟故障：%1</translation>
+        </message>
+        <message>
             <source>the camera matrix cannot be used: nine numbers fx 0 cx, 0 fy cy, 0 0 1 with focal lengths above zero are needed</source>
             <translation>相机矩阵不可用：需要九个数 fx 0 cx, 0 fy cy, 0 0 1，且焦距大于零</translation>
         </message>
@@ -265,10 +281,6 @@
         <message>
             <source>the file has %1, more than the %2 that are read</source>
             <translation>文件含 %1，超过可读取的 %2</translation>
-        </message>
-        <message>
-            <source>not valid JSON: %1</source>
-            <translation>不是有效的 JSON：%1</translation>
         </message>
         <message>
             <source>unknown key "%1"; known here: %2</source>
@@ -1007,10 +1019,6 @@
             <translation>机器人的某一步会离开其工作空间或离热源太近；该步未发送</translation>
         </message>
         <message>
-            <source>fault raised: %1</source>
-            <translation>已触发故障：%1</translation>
-        </message>
-        <message>
             <source>faults can be simulated on the simulated rig only</source>
             <translation>只能在仿真装置上模拟故障</translation>
         </message>
@@ -1408,22 +1416,6 @@
             <translation>模拟故障(&amp;S)</translation>
         </message>
         <message>
-            <source>Sensor lost</source>
-            <translation>传感器失联</translation>
-        </message>
-        <message>
-            <source>Robot lost</source>
-            <translation>机器人失联</translation>
-        </message>
-        <message>
-            <source>Heat source lost</source>
-            <translation>热源失联</translation>
-        </message>
-        <message>
-            <source>Restore all devices</source>
-            <translation>恢复所有设备</translation>
-        </message>
-        <message>
             <source>Calibrate</source>
             <translation>标定</translation>
         </message>
@@ -1432,80 +1424,12 @@
             <translation>相机：其镜头、所在位置，以及热源的位置</translation>
         </message>
         <message>
-            <source>Source hidden from the camera</source>
-            <translation>相机看不到热源</translation>
-        </message>
-        <message>
-            <source>Camera lost</source>
-            <translation>相机失联</translation>
-        </message>
-        <message>
             <source>Rig</source>
             <translation>装置</translation>
         </message>
         <message>
             <source>The devices, what must be so before a run, and the robot and the heat by hand</source>
             <translation>设备、运行前必须满足的条件，以及机器人和加热的手动操作</translation>
-        </message>
-        <message>
-            <source>Heat source cannot be switched off</source>
-            <translation>热源无法关闭</translation>
-        </message>
-        <message>
-            <source>Heat source does not heat</source>
-            <translation>热源不加热</translation>
-        </message>
-        <message>
-            <source>Heat source heats unasked</source>
-            <translation>热源擅自加热</translation>
-        </message>
-        <message>
-            <source>Heat source limited by itself</source>
-            <translation>热源自行限制</translation>
-        </message>
-        <message>
-            <source>Heat source overheats</source>
-            <translation>热源过热</translation>
-        </message>
-        <message>
-            <source>Heat source without temperature</source>
-            <translation>热源没有温度值</translation>
-        </message>
-        <message>
-            <source>Object heated otherwise</source>
-            <translation>物体被另外加热</translation>
-        </message>
-        <message>
-            <source>Robot in alarm</source>
-            <translation>机器人报警</translation>
-        </message>
-        <message>
-            <source>Robot restarted</source>
-            <translation>机器人已重启</translation>
-        </message>
-        <message>
-            <source>Robot slow</source>
-            <translation>机器人缓慢</translation>
-        </message>
-        <message>
-            <source>Sensor frozen</source>
-            <translation>传感器冻结</translation>
-        </message>
-        <message>
-            <source>Sensor jumping</source>
-            <translation>传感器跳变</translation>
-        </message>
-        <message>
-            <source>Sensor off its object</source>
-            <translation>传感器脱离物体</translation>
-        </message>
-        <message>
-            <source>Sensor open</source>
-            <translation>传感器开路</translation>
-        </message>
-        <message>
-            <source>Sensor shorted</source>
-            <translation>传感器短路</translation>
         </message>
         <message>
             <source>Ac&amp;knowledge all alarms</source>
@@ -2224,12 +2148,48 @@
             <translation>%1/min</translation>
         </message>
         <message>
+            <source>Camera lost</source>
+            <translation>相机失联</translation>
+        </message>
+        <message>
+            <source>Heat source cannot be switched off</source>
+            <translation>热源无法关闭</translation>
+        </message>
+        <message>
+            <source>Heat source does not heat</source>
+            <translation>热源不加热</translation>
+        </message>
+        <message>
+            <source>Heat source heats unasked</source>
+            <translation>热源擅自加热</translation>
+        </message>
+        <message>
+            <source>Heat source limited by itself</source>
+            <translation>热源自行限制</translation>
+        </message>
+        <message>
+            <source>Heat source lost</source>
+            <translation>热源失联</translation>
+        </message>
+        <message>
+            <source>Heat source overheats</source>
+            <translation>热源过热</translation>
+        </message>
+        <message>
+            <source>Heat source without temperature</source>
+            <translation>热源没有温度值</translation>
+        </message>
+        <message>
             <source>Idle</source>
             <translation>空闲</translation>
         </message>
         <message>
             <source>Not ready</source>
             <translation>未就绪</translation>
+        </message>
+        <message>
+            <source>Object heated otherwise</source>
+            <translation>物体被另外加热</translation>
         </message>
         <message>
             <source>Ready</source>
@@ -2240,6 +2200,26 @@
             <translation>待命中</translation>
         </message>
         <message>
+            <source>Restore all devices</source>
+            <translation>恢复所有设备</translation>
+        </message>
+        <message>
+            <source>Robot in alarm</source>
+            <translation>机器人报警</translation>
+        </message>
+        <message>
+            <source>Robot lost</source>
+            <translation>机器人失联</translation>
+        </message>
+        <message>
+            <source>Robot restarted</source>
+            <translation>机器人已重启</translation>
+        </message>
+        <message>
+            <source>Robot slow</source>
+            <translation>机器人缓慢</translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation>运行中</translation>
         </message>
@@ -2248,8 +2228,36 @@
             <translation>保持中</translation>
         </message>
         <message>
+            <source>Sensor frozen</source>
+            <translation>传感器冻结</translation>
+        </message>
+        <message>
+            <source>Sensor jumping</source>
+            <translation>传感器跳变</translation>
+        </message>
+        <message>
+            <source>Sensor lost</source>
+            <translation>传感器失联</translation>
+        </message>
+        <message>
+            <source>Sensor off its object</source>
+            <translation>传感器脱离物体</translation>
+        </message>
+        <message>
+            <source>Sensor open</source>
+            <translation>传感器开路</translation>
+        </message>
+        <message>
+            <source>Sensor shorted</source>
+            <translation>传感器短路</translation>
+        </message>
+        <message>
             <source>Settled</source>
             <translation>已稳定</translation>
+        </message>
+        <message>
+            <source>Source hidden from the camera</source>
+            <translation>相机看不到热源</translation>
         </message>
         <message>
             <source>Stopping</source>
@@ -2314,6 +2322,22 @@
         <message>
             <source>Adaptive</source>
             <translation>自适应</translation>
+        </message>
+        <message>
+            <source>a sample is missing</source>
+            <translation>缺少一个采样</translation>
+        </message>
+        <message>
+            <source>database disk image is malformed</source>
+            <translation>数据库内容已损坏</translation>
+        </message>
+        <message>
+            <source>it does not say whether the rig was simulated</source>
+            <translation>未说明装置是否为仿真</translation>
+        </message>
+        <message>
+            <source>it is cut short</source>
+            <translation>文件不完整</translation>
         </message>
         <message>
             <source>robot</source>
@@ -5853,6 +5877,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>标记 %1，%2</translation>
         </message>
         <message>
+            <source>simulated</source>
+            <translation>仿真</translation>
+        </message>
+        <message>
             <source>source</source>
             <translation>热源</translation>
         </message>
@@ -6575,6 +6603,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>开始（F6）：加热打开，机器人移动。</translation>
         </message>
         <message>
+            <source>The run has ended in a fault, as a hold that lasts does. End it in Tools &gt; Simulate fault, press Reset, then Arm (F5) and Start (F6) again.</source>
+            <translation>运行已因故障结束：保持过久即会如此。请在“工具 &gt; 模拟故障”中结束故障，按“复位”，然后再次“待命”（F5）、“开始”（F6）。</translation>
+        </message>
+        <message>
+            <source>The run has ended. Arm (F5) and Start (F6) again.</source>
+            <translation>运行已结束。请再次“待命”（F5）、“开始”（F6）。</translation>
+        </message>
+        <message>
             <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
             <translation>温度趋向各自的目标。在“运行”页按 N，写一条备注。</translation>
         </message>
@@ -6887,6 +6923,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>No recorded runs in this folder.</source>
             <translation>此文件夹中没有已记录的运行。</translation>
+        </message>
+        <message>
+            <source>Open on this page</source>
+            <translation>已在本页打开</translation>
         </message>
         <message>
             <source>Open the selected run</source>
@@ -7941,7 +7981,7 @@ This is a software stop, not a safety-rated emergency stop.</source>
         </message>
         <message>
             <source>Step</source>
-            <translation>步长</translation>
+            <translation>步骤</translation>
         </message>
         <message>
             <source>Until</source>

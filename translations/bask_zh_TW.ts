@@ -139,6 +139,22 @@
             <translation>「%1」不是此處所需的有限數值</translation>
         </message>
         <message>
+            <source>a recipe needs at least one step that runs an experiment</source>
+            <translation>配方至少需要一個執行實驗的步驟</translation>
+        </message>
+        <message>
+            <source>not one of Bask's files, or a damaged one: it is no valid JSON (%1)</source>
+            <translation>不是 Bask 的檔案，或檔案已損壞：不是有效的 JSON（%1）</translation>
+        </message>
+        <message>
+            <source>simulated fault of "%2": %1</source>
+            <translation>「%2」的模擬故障：%1</translation>
+        </message>
+        <message>
+            <source>simulated fault: %1</source>
+            <translation>模擬故障：%1</translation>
+        </message>
+        <message>
             <source>the camera matrix cannot be used: nine numbers fx 0 cx, 0 fy cy, 0 0 1 with focal lengths above zero are needed</source>
             <translation>相機矩陣不可用：需要九個數 fx 0 cx, 0 fy cy, 0 0 1，且焦距大於零</translation>
         </message>
@@ -265,10 +281,6 @@
         <message>
             <source>the file has %1, more than the %2 that are read</source>
             <translation>檔案含 %1，超過可讀取的 %2</translation>
-        </message>
-        <message>
-            <source>not valid JSON: %1</source>
-            <translation>不是有效的 JSON：%1</translation>
         </message>
         <message>
             <source>unknown key "%1"; known here: %2</source>
@@ -1007,10 +1019,6 @@
             <translation>機器人的某一步會離開其工作空間或離熱源太近；該步未傳送</translation>
         </message>
         <message>
-            <source>fault raised: %1</source>
-            <translation>已觸發故障：%1</translation>
-        </message>
-        <message>
             <source>faults can be simulated on the simulated rig only</source>
             <translation>只能在模擬實驗台上模擬故障</translation>
         </message>
@@ -1408,22 +1416,6 @@
             <translation>模擬故障(&amp;S)</translation>
         </message>
         <message>
-            <source>Sensor lost</source>
-            <translation>感測器失聯</translation>
-        </message>
-        <message>
-            <source>Robot lost</source>
-            <translation>機器人失聯</translation>
-        </message>
-        <message>
-            <source>Heat source lost</source>
-            <translation>熱源失聯</translation>
-        </message>
-        <message>
-            <source>Restore all devices</source>
-            <translation>恢復所有裝置</translation>
-        </message>
-        <message>
             <source>Calibrate</source>
             <translation>校正</translation>
         </message>
@@ -1432,80 +1424,12 @@
             <translation>相機：其鏡頭、所在位置，以及熱源的位置</translation>
         </message>
         <message>
-            <source>Source hidden from the camera</source>
-            <translation>相機看不到熱源</translation>
-        </message>
-        <message>
-            <source>Camera lost</source>
-            <translation>相機失聯</translation>
-        </message>
-        <message>
             <source>Rig</source>
             <translation>實驗台</translation>
         </message>
         <message>
             <source>The devices, what must be so before a run, and the robot and the heat by hand</source>
             <translation>裝置、運轉前必須滿足的條件，以及機器人和加熱的手動操作</translation>
-        </message>
-        <message>
-            <source>Heat source cannot be switched off</source>
-            <translation>熱源無法關閉</translation>
-        </message>
-        <message>
-            <source>Heat source does not heat</source>
-            <translation>熱源不加熱</translation>
-        </message>
-        <message>
-            <source>Heat source heats unasked</source>
-            <translation>熱源擅自加熱</translation>
-        </message>
-        <message>
-            <source>Heat source limited by itself</source>
-            <translation>熱源自行限制</translation>
-        </message>
-        <message>
-            <source>Heat source overheats</source>
-            <translation>熱源過熱</translation>
-        </message>
-        <message>
-            <source>Heat source without temperature</source>
-            <translation>熱源沒有溫度值</translation>
-        </message>
-        <message>
-            <source>Object heated otherwise</source>
-            <translation>物體被另外加熱</translation>
-        </message>
-        <message>
-            <source>Robot in alarm</source>
-            <translation>機器人警報</translation>
-        </message>
-        <message>
-            <source>Robot restarted</source>
-            <translation>機器人已重啟</translation>
-        </message>
-        <message>
-            <source>Robot slow</source>
-            <translation>機器人緩慢</translation>
-        </message>
-        <message>
-            <source>Sensor frozen</source>
-            <translation>感測器凍結</translation>
-        </message>
-        <message>
-            <source>Sensor jumping</source>
-            <translation>感測器跳變</translation>
-        </message>
-        <message>
-            <source>Sensor off its object</source>
-            <translation>感測器脫離物體</translation>
-        </message>
-        <message>
-            <source>Sensor open</source>
-            <translation>感測器開路</translation>
-        </message>
-        <message>
-            <source>Sensor shorted</source>
-            <translation>感測器短路</translation>
         </message>
         <message>
             <source>Ac&amp;knowledge all alarms</source>
@@ -2224,12 +2148,48 @@
             <translation>%1/min</translation>
         </message>
         <message>
+            <source>Camera lost</source>
+            <translation>相機失聯</translation>
+        </message>
+        <message>
+            <source>Heat source cannot be switched off</source>
+            <translation>熱源無法關閉</translation>
+        </message>
+        <message>
+            <source>Heat source does not heat</source>
+            <translation>熱源不加熱</translation>
+        </message>
+        <message>
+            <source>Heat source heats unasked</source>
+            <translation>熱源擅自加熱</translation>
+        </message>
+        <message>
+            <source>Heat source limited by itself</source>
+            <translation>熱源自行限制</translation>
+        </message>
+        <message>
+            <source>Heat source lost</source>
+            <translation>熱源失聯</translation>
+        </message>
+        <message>
+            <source>Heat source overheats</source>
+            <translation>熱源過熱</translation>
+        </message>
+        <message>
+            <source>Heat source without temperature</source>
+            <translation>熱源沒有溫度值</translation>
+        </message>
+        <message>
             <source>Idle</source>
             <translation>空閒</translation>
         </message>
         <message>
             <source>Not ready</source>
             <translation>未就緒</translation>
+        </message>
+        <message>
+            <source>Object heated otherwise</source>
+            <translation>物體被另外加熱</translation>
         </message>
         <message>
             <source>Ready</source>
@@ -2240,6 +2200,26 @@
             <translation>待命中</translation>
         </message>
         <message>
+            <source>Restore all devices</source>
+            <translation>恢復所有裝置</translation>
+        </message>
+        <message>
+            <source>Robot in alarm</source>
+            <translation>機器人警報</translation>
+        </message>
+        <message>
+            <source>Robot lost</source>
+            <translation>機器人失聯</translation>
+        </message>
+        <message>
+            <source>Robot restarted</source>
+            <translation>機器人已重啟</translation>
+        </message>
+        <message>
+            <source>Robot slow</source>
+            <translation>機器人緩慢</translation>
+        </message>
+        <message>
             <source>Running</source>
             <translation>運轉中</translation>
         </message>
@@ -2248,8 +2228,36 @@
             <translation>保持中</translation>
         </message>
         <message>
+            <source>Sensor frozen</source>
+            <translation>感測器凍結</translation>
+        </message>
+        <message>
+            <source>Sensor jumping</source>
+            <translation>感測器跳變</translation>
+        </message>
+        <message>
+            <source>Sensor lost</source>
+            <translation>感測器失聯</translation>
+        </message>
+        <message>
+            <source>Sensor off its object</source>
+            <translation>感測器脫離物體</translation>
+        </message>
+        <message>
+            <source>Sensor open</source>
+            <translation>感測器開路</translation>
+        </message>
+        <message>
+            <source>Sensor shorted</source>
+            <translation>感測器短路</translation>
+        </message>
+        <message>
             <source>Settled</source>
             <translation>已穩定</translation>
+        </message>
+        <message>
+            <source>Source hidden from the camera</source>
+            <translation>相機看不到熱源</translation>
         </message>
         <message>
             <source>Stopping</source>
@@ -2314,6 +2322,22 @@
         <message>
             <source>Adaptive</source>
             <translation>自適應</translation>
+        </message>
+        <message>
+            <source>a sample is missing</source>
+            <translation>缺少一個取樣</translation>
+        </message>
+        <message>
+            <source>database disk image is malformed</source>
+            <translation>資料庫內容已損壞</translation>
+        </message>
+        <message>
+            <source>it does not say whether the rig was simulated</source>
+            <translation>未說明實驗台是否為模擬</translation>
+        </message>
+        <message>
+            <source>it is cut short</source>
+            <translation>檔案不完整</translation>
         </message>
         <message>
             <source>robot</source>
@@ -5853,6 +5877,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>標記 %1，%2</translation>
         </message>
         <message>
+            <source>simulated</source>
+            <translation>模擬</translation>
+        </message>
+        <message>
             <source>source</source>
             <translation>熱源</translation>
         </message>
@@ -6575,6 +6603,14 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>開始（F6）：加熱開啟，機器人移動。</translation>
         </message>
         <message>
+            <source>The run has ended in a fault, as a hold that lasts does. End it in Tools &gt; Simulate fault, press Reset, then Arm (F5) and Start (F6) again.</source>
+            <translation>運轉已因故障結束：保持過久即會如此。請在「工具 &gt; 模擬故障」中結束故障，按「復歸」，然後再次「待命」（F5）、「開始」（F6）。</translation>
+        </message>
+        <message>
+            <source>The run has ended. Arm (F5) and Start (F6) again.</source>
+            <translation>運轉已結束。請再次「待命」（F5）、「開始」（F6）。</translation>
+        </message>
+        <message>
             <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
             <translation>溫度趨向各自的目標。在「運轉」頁按 N，寫一則備註。</translation>
         </message>
@@ -6887,6 +6923,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>No recorded runs in this folder.</source>
             <translation>此資料夾中沒有已記錄的運轉。</translation>
+        </message>
+        <message>
+            <source>Open on this page</source>
+            <translation>已在本頁開啟</translation>
         </message>
         <message>
             <source>Open the selected run</source>
@@ -7941,7 +7981,7 @@ This is a software stop, not a safety-rated emergency stop.</source>
         </message>
         <message>
             <source>Step</source>
-            <translation>步長</translation>
+            <translation>步驟</translation>
         </message>
         <message>
             <source>Until</source>

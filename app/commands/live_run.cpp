@@ -207,6 +207,8 @@ private:
 Result<RunOutcome> runLive(const Experiment& experiment, const SimulatedRunOptions& options) {
     if (!experiment.rig)
         return Error(MessageCode::RigMissing, {});
+    if (const auto fit = checkTargets(experiment); !fit) // it would never be ready
+        return fit.error();
     return LiveRun(experiment, options).run();
 }
 

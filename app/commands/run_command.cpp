@@ -194,6 +194,8 @@ int runExperimentCommand(const QStringList& arguments) {
         if (isRecipe && parser.isSet(option))
             return refuseWords(QStringLiteral("%1 is not for recipes")
                                    .arg((option[1] == '\0' ? "-" : "--") + QLatin1String(option)));
+    if (isRecipe && parser.value("recipe").isEmpty())
+        return refuseWords(QStringLiteral("--recipe: the name is empty"));
     if (isRecipe && parser.isSet("out") && parser.value("out").isEmpty())
         return refuseWords(QStringLiteral("--out: the name is empty"));
     if (isRecipe)

@@ -30,7 +30,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(FileUnwritable, QT_TRANSLATE_NOOP("Message", "the file cannot be written: %1")),
     Entry BASK_MESSAGE(FileEmpty, QT_TRANSLATE_NOOP("Message", "the file is empty")),
     Entry BASK_MESSAGE(FileTooLarge, QT_TRANSLATE_NOOP("Message", "the file has %1, more than the %2 that are read")),
-    Entry BASK_MESSAGE(JsonSyntax, QT_TRANSLATE_NOOP("Message", "not valid JSON: %1")),
+    Entry BASK_MESSAGE(JsonSyntax, QT_TRANSLATE_NOOP("Message", "not one of Bask's files, or a damaged one: it is no valid JSON (%1)")),
     Entry BASK_MESSAGE(JsonUnknownKey, QT_TRANSLATE_NOOP("Message", "unknown key \"%1\"; known here: %2")),
     Entry BASK_MESSAGE(JsonMissingKey, QT_TRANSLATE_NOOP("Message", "the key \"%1\" is missing")),
     Entry BASK_MESSAGE(JsonWrongType, QT_TRANSLATE_NOOP("Message", "%1 expected, %2 found")),
@@ -270,7 +270,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(SafetyLoopLate, QT_TRANSLATE_NOOP("Message", "The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.")),
     Entry BASK_MESSAGE(SafetyDiskLow, QT_TRANSLATE_NOOP("Message", "Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.")),
     Entry BASK_MESSAGE(SafetySourceSilent, QT_TRANSLATE_NOOP("Message", "The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.")),
-    Entry BASK_MESSAGE(EventFault, QT_TRANSLATE_NOOP("Message", "fault raised: %1")),
+    Entry BASK_MESSAGE(EventFault, QT_TRANSLATE_NOOP("Message", "simulated fault: %1")),
     Entry BASK_MESSAGE(EventAlarmOver, QT_TRANSLATE_NOOP("Message", "over: %1")),
     Entry BASK_MESSAGE(SafetyHeatNotOff, QT_TRANSLATE_NOOP("Message", "The heat source did not take the order to switch off. Switch it off at its mains. It says: %1")),
     Entry BASK_MESSAGE(SafetyHeatByHand, QT_TRANSLATE_NOOP("Message", "The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.")),
@@ -279,6 +279,8 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(SafetyNoWatchdog, QT_TRANSLATE_NOOP("Message", "The heat source has no watchdog: if Bask or this computer stops, it stays hot. Do not leave it alone.")),
     Entry BASK_MESSAGE(SafetySourceStopped, QT_TRANSLATE_NOOP("Message", "The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.")),
     Entry BASK_MESSAGE(SourceUnwatched, QT_TRANSLATE_NOOP("Message", "with the profile \"%1\" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with \"unattended_heat\": true.")),
+    Entry BASK_MESSAGE(EventObjectFault, QT_TRANSLATE_NOOP("Message", "simulated fault of \"%2\": %1")),
+    Entry BASK_MESSAGE(RecipeWithoutRun, QT_TRANSLATE_NOOP("Message", "a recipe needs at least one step that runs an experiment")),
 };
 // clang-format on
 

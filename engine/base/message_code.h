@@ -274,6 +274,8 @@ enum class MessageCode : int {
     SafetyNoWatchdog,         ///< no args
     SafetySourceStopped,      ///< no args
     SourceUnwatched,          ///< %1 profile
+    EventObjectFault,         ///< %1 name, %2 object
+    RecipeWithoutRun,         ///< no args
 };
 
 } // namespace bask

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/runtime/rig_setup.h"
 
 #include <algorithm>
 #include <map>
@@ -13,6 +14,15 @@ constexpr double kRoomDiffers_K = 10.0; ///< from what the experiment says of it
 
 std::string placeOf(std::size_t step, const char* key) {
     return "steps[" + std::to_string(step) + "]." + key;
+}
+
+/// Of what the step goes on until, as the file has it.
+std::string untilOf(const RecipeStep& step, std::size_t i, const char* key) {
+    return placeOf(i, step.isRun() ? "until." : "wait.") + key;
+}
+
+std::string joined(const std::string& place, const std::string& inner) {
+    return inner.empty() ? place : place + ": " + inner;
 }
 
 Result<void> checkSeconds(double value_s, double least_s, const std::string& place) {
@@ -35,21 +45,22 @@ Result<void> check(const RecipeStep& step, std::size_t i) {
         return Error(MessageCode::ValueUnknown, placeOf(i, "wait"),
                      {"settled_for_s", "above_degC, below_degC, time_s"});
     if (step.until == Until::Time)
-        return checkSeconds(step.duration_s, 1.0, placeOf(i, "until.time_s"));
+        return checkSeconds(step.duration_s, 1.0, untilOf(step, i, "time_s"));
     if (const auto fits = checkSeconds(step.atMost_s, 1.0, placeOf(i, "at_most_s")); !fits)
         return fits;
     if (step.until == Until::Settled) {
         if (step.duration_s > step.atMost_s)
-            return Error(MessageCode::ValueOutOfRange, placeOf(i, "until.settled_for_s"),
+            return Error(MessageCode::ValueOutOfRange, untilOf(step, i, "settled_for_s"),
                          {formatNumber(step.duration_s), "0", formatNumber(step.atMost_s), "s"});
-        return checkSeconds(step.duration_s, 0.0, placeOf(i, "until.settled_for_s"));
+        return checkSeconds(step.duration_s, 0.0, untilOf(step, i, "settled_for_s"));
     }
     if (step.object.empty())
-        return Error(MessageCode::JsonMissingKey, placeOf(i, "until"), {"object"});
+        return Error(MessageCode::JsonMissingKey, placeOf(i, step.isRun() ? "until" : "wait"), {"object"});
+    const bool isAbove = step.until == Until::Above;
     const double t_degC = celsiusFromKelvin(step.temperature_K);
     if (t_degC >= kLeastTemperature_degC && t_degC <= kMostTemperature_degC)
         return {};
-    return Error(MessageCode::ValueOutOfRange, placeOf(i, "until"),
+    return Error(MessageCode::ValueOutOfRange, untilOf(step, i, isAbove ? "above" : "below"),
                  {formatNumber(t_degC), formatNumber(kLeastTemperature_degC),
                   formatNumber(kMostTemperature_degC), "degC"});
 }
@@ -71,10 +82,10 @@ Result<void> checkObject(const RecipeStep& step, std::size_t i, const Experiment
             isAbove ? celsiusFromKelvin(warningLimit_K(experiment, object)) : kMostTemperature_degC;
         if (t_degC >= least_degC && t_degC <= most_degC)
             return {};
-        return Error(MessageCode::ValueOutOfRange, placeOf(i, "until"),
+        return Error(MessageCode::ValueOutOfRange, untilOf(step, i, isAbove ? "above" : "below"),
                      {formatNumber(t_degC), formatNumber(least_degC), formatNumber(most_degC), "degC"});
     }
-    return Error(MessageCode::ValueUnknown, placeOf(i, "until.object"), {step.object, known});
+    return Error(MessageCode::ValueUnknown, untilOf(step, i, "object"), {step.object, known});
 }
 
 } // namespace
@@ -110,18 +121,24 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
         if (!known) {
             auto experiment =
                 step.example.empty() ? readExperiment(step.experiment) : readExample(step.example);
+            const std::string place = placeOf(i, step.example.empty() ? "run" : "run_example");
+            const auto refuse = [&](const Error& why) {
+                return Error(why.code(), joined(place, why.where), why.message.args);
+            };
             if (!experiment)
-                return Error(experiment.error().code(),
-                             placeOf(i, step.example.empty() ? "run: " : "run_example: ") +
-                                 experiment.error().where,
-                             experiment.error().message.args);
+                return refuse(experiment.error());
+            if (const auto fit = checkTargets(*experiment); !fit) // it would never be ready
+                return refuse(fit.error());
+            // Nobody is there to agree to it when its turn comes.
+            if (const JointVerdict verdict = jointVerdict(*experiment); !verdict.feasible)
+                return Error(verdict.reason.code, place, verdict.reason.args);
             known = std::make_shared<const Experiment>(std::move(*experiment));
         }
         out[i] = known;
         first = first ? first : known;
     }
     if (!first)
-        return Error(MessageCode::JsonMissingKey, "steps", {"run"});
+        return Error(MessageCode::RecipeWithoutRun, "steps");
     for (std::size_t i = 0; i < out.size(); ++i) {
         if (!out[i])
             out[i] = i == 0 ? first : out[i - 1];

@@ -78,6 +78,7 @@ Recipe readRoot(const json& j, const std::string& folder, Failure& failure) {
         root.fail(MessageCode::ValueOutOfRange, "version",
                   {std::to_string(version), "1", std::to_string(kRecipeFormat), ""});
     root.read("name", recipe.name);
+    recipe.name = printable(std::move(recipe.name));
     if (const json* steps = root.find("steps", true); steps != nullptr && !failure) {
         if (!steps->is_array())
             root.fail(MessageCode::JsonWrongType, "steps", {"an array", typeName(*steps)});

@@ -402,7 +402,7 @@ Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
     clearFaults(*m_session->simulated);
     setFault(*m_session->simulated, fault.fault, fault.object, true);
     if (fault.fault != SimulatedFault::None)
-        m_session->loop.reportFault(simulatedFaultName(fault.fault));
+        m_session->loop.reportFault(fault.fault, fault.object);
     return {};
 }
 
@@ -506,9 +506,9 @@ void EngineWorker::advanceSimulated(double wall_s) {
         if (m_untilTick_s <= 1e-9) {
             ServoLoop& loop = m_session->loop;
             if (loop.running())
-                for (const std::string& name :
+                for (const ScriptedFault& raised :
                      m_session->script.play(*m_session->simulated, loop.runTime_s()))
-                    loop.reportFault(name);
+                    loop.reportFault(raised.fault, raised.object);
             m_untilTick_s = period_s;
             tick();
         }

@@ -79,8 +79,8 @@ void clearFaults(SimulatedRig& rig) {
     }
 }
 
-std::vector<std::string> FaultScript::play(SimulatedRig& rig, double runTime_s) {
-    std::vector<std::string> raised;
+std::vector<ScriptedFault> FaultScript::play(SimulatedRig& rig, double runTime_s) {
+    std::vector<ScriptedFault> raised;
     for (const bool isOn : {false, true}) { // those that end first: they may be of the same device
         for (std::size_t i = 0; i < m_faults.size(); ++i) {
             const ScriptedFault& fault = m_faults[i];
@@ -90,7 +90,7 @@ std::vector<std::string> FaultScript::play(SimulatedRig& rig, double runTime_s) 
             m_isOn[i] = isDue;
             setFault(rig, fault.fault, fault.object, isDue);
             if (isDue)
-                raised.emplace_back(simulatedFaultName(fault.fault));
+                raised.push_back(fault);
         }
     }
     return raised;

@@ -19,8 +19,8 @@ public:
     explicit FaultScript(std::vector<ScriptedFault> faults)
         : m_faults(std::move(faults)), m_isOn(m_faults.size(), false) {}
 
-    /// At a run time. Answers the names of those that have been raised just now.
-    std::vector<std::string> play(SimulatedRig& rig, double runTime_s);
+    /// At a run time. Answers those that have been raised just now.
+    std::vector<ScriptedFault> play(SimulatedRig& rig, double runTime_s);
 
 private:
     std::vector<ScriptedFault> m_faults;

@@ -36,6 +36,11 @@ const char* runStateName(RunState state) {
     return "";
 }
 
+bool isRunOn(RunState state) {
+    return state == RunState::Running || state == RunState::Holding || state == RunState::Settled ||
+           state == RunState::Stopping;
+}
+
 namespace {
 
 // A real robot's steps are rounded: going along a limit, every second one would be outside, and not be sent.
@@ -73,8 +78,11 @@ ServoLoop::~ServoLoop() {
 }
 
 bool ServoLoop::running() const {
-    return m_state == RunState::Running || m_state == RunState::Holding || m_state == RunState::Settled ||
-           m_state == RunState::Stopping;
+    return isRunOn(m_state);
+}
+
+bool ServoLoop::isArmedOrOn() const {
+    return running() || m_state == RunState::Armed;
 }
 
 double ServoLoop::runTime_s() const {
@@ -130,8 +138,12 @@ void ServoLoop::reportAcknowledged(const Alarm& alarm) {
     command("acknowledge", "{\"alarm\":\"" + key + "\"}");
 }
 
-void ServoLoop::reportFault(const std::string& name) {
-    event(MessageCode::EventFault, {name});
+void ServoLoop::reportFault(SimulatedFault simulated, std::size_t object) {
+    const char* const name = simulatedFaultName(simulated);
+    if (isOfObject(simulated) && object < m_experiment.objects.size())
+        event(MessageCode::EventObjectFault, {name, m_experiment.objects[object].name});
+    else
+        event(MessageCode::EventFault, {name});
 }
 
 void ServoLoop::fault(Message reason) {
@@ -146,10 +158,10 @@ double ServoLoop::environment_K() const {
 }
 
 Result<void> ServoLoop::arm() {
-    if (m_state != RunState::Ready && m_state != RunState::Stopped)
-        return refusal("Arm");
     if (const auto fit = checkTargets(m_experiment); !fit)
         return fit;
+    if (m_state != RunState::Ready && m_state != RunState::Stopped)
+        return refusal("Arm");
     endMove();
     if (!m_sensors.zeroing()) {
         auto found = m_sensors.findZero(m_experiment.environment_K);
@@ -325,9 +337,13 @@ Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
     Experiment changed = m_experiment;
     if (const auto result = bask::setTargets(changed, targets_K); !result)
         return result;
-    if (const auto result = checkTargets(changed); !result)
+    if (std::ranges::equal(changed.objects, m_experiment.objects, {}, &ObjectSpec::target_K,
+                           &ObjectSpec::target_K))
+        return {};
+    if (const auto result = checkTargets(changed); !result && isArmedOrOn())
         return result;
     m_experiment = std::move(changed);
+    updateReadiness();
     if (m_controller)
         m_controller->setTargets(targets_K);
     m_withinBandSince_s = m_clock.now_s();
@@ -340,7 +356,8 @@ Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
                  formatNumber(std::round(celsiusFromKelvin(targets_K[i]) * 100.0) / 100.0, 6) + " \u00b0C";
     }
     command("targets", "{\"targets_K\":[" + value + "]}");
-    event(MessageCode::EventTargetsChanged, {words});
+    if (isArmedOrOn())
+        event(MessageCode::EventTargetsChanged, {words});
     return {};
 }
 
@@ -368,7 +385,8 @@ Result<void> ServoLoop::setController(const ControllerSettings& settings) {
         m_controller = makeController(settings, std::move(model));
     }
     command("controller", controllerToJson(settings));
-    event(MessageCode::EventGainsChanged);
+    if (isArmedOrOn())
+        event(MessageCode::EventGainsChanged);
     return {};
 }
 
@@ -420,6 +438,8 @@ std::vector<Message> ServoLoop::reasons() const {
         out.push_back(
             {MessageCode::ReasonEstimatorFilling,
              {std::to_string(m_sensors.leastCount()), std::to_string(m_experiment.sampling.window)}});
+    if (const auto fit = checkTargets(m_experiment); !fit)
+        out.push_back(fit.error().message);
     if (m_state == RunState::Holding && !m_heldBySafety && out.empty())
         out.push_back({MessageCode::ReasonHeldByOperator, {}});
     if (!m_compromise.empty() && running())
@@ -487,7 +507,7 @@ void ServoLoop::updateReadiness() {
     bool ready = m_sensors.full();
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
         ready = ready && m_sensors.fresh(i, m_clock.now_s());
-    ready = ready && sourceSeen();
+    ready = ready && sourceSeen() && checkTargets(m_experiment);
     m_state = ready ? RunState::Ready : RunState::NotReady;
 }
 

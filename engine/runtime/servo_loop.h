@@ -95,7 +95,7 @@ public:
     /// Its row in the record.
     void reportAcknowledged(const Alarm& alarm);
     /// An event, for the record of a simulated fault.
-    void reportFault(const std::string& name);
+    void reportFault(SimulatedFault simulated, std::size_t object);
 
     RunState state() const { return m_state; }
     std::vector<Message> reasons() const;
@@ -128,6 +128,7 @@ private:
     void endMove();
     double mostHeat_K() const; ///< that the experiment asks for
     void goOn();               ///< towards the goal of moveTo
+    bool isArmedOrOn() const;  ///< a run is armed or on
     bool isByHand() const;     ///< no run is armed or on, and nothing is latched
     void readRobotAndSource();
     void readViewFactors();

@@ -39,8 +39,8 @@ SimulatedDrive::SimulatedDrive(const Experiment& experiment)
 
 void SimulatedDrive::period() {
     if (m_loop.running())
-        for (const std::string& name : m_script.play(m_rig, m_loop.runTime_s()))
-            m_loop.reportFault(name);
+        for (const ScriptedFault& raised : m_script.play(m_rig, m_loop.runTime_s()))
+            m_loop.reportFault(raised.fault, raised.object);
     try {
         advance();
     } catch (const std::exception& exception) { // a source that is moved through the objects

@@ -20,6 +20,7 @@ namespace bask {
 enum class RunState { Idle, NotReady, Ready, Armed, Running, Holding, Settled, Stopping, Stopped, Fault };
 
 const char* runStateName(RunState state); ///< English: "Idle", "Not ready" ...
+bool isRunOn(RunState state);             ///< also held, and in its retreat
 
 /// How the source is followed.
 struct SourceTracking {

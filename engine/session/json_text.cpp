@@ -70,6 +70,18 @@ std::string plainWords(const std::string& words) {
     return text.size() <= kLongest ? text : text.substr(0, kLongest) + " ...";
 }
 
+std::string printable(std::string text) {
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]);
+        const auto next = static_cast<unsigned char>(i + 1 < text.size() ? text[i + 1] : 0);
+        if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
+            text[i] = ' ';
+        else if (byte == 0xc2 && next >= 0x80 && next < 0xa0) // U+0080 to U+009F
+            text.replace(i, 2, "  ");
+    }
+    return text;
+}
+
 std::optional<Message> checkJsonText(const std::string& text) {
     TextCheck check;
     if (json::sax_parse(text, &check))

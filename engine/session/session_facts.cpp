@@ -1,6 +1,7 @@
 #include "engine/session/session_facts.h"
 
 #include "engine/base/message_code.h"
+#include "engine/session/json_text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,7 +30,7 @@ private:
     Result<void> meta() {
         std::map<std::string, std::string> facts;
         const auto done = m_store.select("SELECT key, value FROM meta",
-                                         [&](Row row) { facts[textOf(row[0])] = textOf(row[1]); });
+                                         [&](Row row) { facts[textOf(row[0])] = printable(textOf(row[1])); });
         m_record.created = facts["created"];
         m_record.software = facts["software"];
         m_record.simulated = facts["simulated"] == "true";
@@ -60,17 +61,18 @@ private:
             const auto args = nlohmann::json::parse(textOf(row[2]), nullptr, false);
             for (const auto& arg : args) {
                 if (arg.is_string())
-                    event.message.args.push_back(arg.get<std::string>());
+                    event.message.args.push_back(printable(arg.get<std::string>()));
             }
             m_record.events.push_back(std::move(event));
         });
         if (done)
             done = m_store.select("SELECT time_s, text FROM note ORDER BY rowid", [&](Row row) {
-                m_record.notes.push_back({numberOf(row[0]), textOf(row[1])});
+                m_record.notes.push_back({numberOf(row[0]), printable(textOf(row[1]))});
             });
         if (done)
             done = m_store.select("SELECT time_s, name, value FROM command ORDER BY rowid", [&](Row row) {
-                m_record.commands.push_back({numberOf(row[0]), textOf(row[1]), textOf(row[2])});
+                m_record.commands.push_back(
+                    {numberOf(row[0]), printable(textOf(row[1])), printable(textOf(row[2]))});
             });
         return done;
     }

@@ -1,6 +1,7 @@
 #include "engine/session/session_header.h"
 
 #include "engine/base/message_code.h"
+#include "engine/session/json_text.h"
 #include "engine/session/recorded_session.h"
 #include "engine/session/session_store.h"
 
@@ -33,7 +34,7 @@ std::vector<std::string> textsOf(const nlohmann::json& list) {
     std::vector<std::string> texts;
     for (const auto& entry : list)
         if (entry.is_string())
-            texts.push_back(entry.get<std::string>());
+            texts.push_back(printable(entry.get<std::string>()));
     return texts;
 }
 
@@ -42,13 +43,13 @@ void takeExperiment(SessionHeader& header, const std::string& text) {
     if (!json.is_object())
         return;
     if (const auto title = json.find("title"); title != json.end() && title->is_string())
-        header.title = title->get<std::string>();
+        header.title = printable(title->get<std::string>());
     const auto objects = json.find("objects");
     if (objects == json.end() || !objects->is_array())
         return;
     for (const auto& object : *objects)
         if (const auto name = object.find("name"); name != object.end() && name->is_string())
-            header.objects.push_back(name->get<std::string>());
+            header.objects.push_back(printable(name->get<std::string>()));
 }
 
 Result<void> readInto(SessionHeader& header) {
@@ -79,7 +80,8 @@ Result<void> readInto(SessionHeader& header) {
                                     header.end_s = numberOf(row[1]);
                                 });
     if (done)
-        done = (*store)->select(kSelectNotes, [&](Row row) { header.notes.push_back(textOf(row[0])); });
+        done = (*store)->select(kSelectNotes,
+                                [&](Row row) { header.notes.push_back(printable(textOf(row[0]))); });
     return done;
 }
 

@@ -223,9 +223,7 @@ Result<void> checkHeader(const std::string& path) {
     const qint64 expected = big(28, 4) * pageSize;
     const bool sizeKnown = big(24, 4) == big(92, 4);
     if (sizeKnown && file.size() < expected)
-        return Error(MessageCode::SessionDamaged, path,
-                     {"it is cut short: " + std::to_string(file.size()) + " of " + std::to_string(expected) +
-                      " bytes"});
+        return Error(MessageCode::SessionDamaged, path, {"it is cut short"});
     return {};
 }
 

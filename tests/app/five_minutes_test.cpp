@@ -199,5 +199,39 @@ TEST_F(FiveMinutesTest, AreOfferedOnce) {
     EXPECT_FALSE(bar->isVisible());
 }
 
+// Catches a coach that goes on about a run which has ended by itself, and points at what cannot be pressed.
+TEST(CoachTest, LeadsBackIntoARunThatHasEnded) {
+    MessageBar bar;
+    Coach coach(bar);
+    QString shown;
+    QObject::connect(&coach, &Coach::showWanted, &bar,
+                     [&](Page, const QString& control) { shown = control; });
+    Snapshot snapshot;
+    snapshot.simulated = true;
+    snapshot.state = RunState::Holding;
+    snapshot.alarms.emplace_back();
+    coach.begin();
+    coach.see(snapshot);
+    while (coach.step() != Coach::Step::Acknowledge)
+        emit bar.otherClicked();
+    const QString held = bar.sentence();
+    const auto pointsAt = [&](RunState state) {
+        snapshot.state = state;
+        coach.see(snapshot);
+        emit bar.actionClicked();
+        return shown.toStdString();
+    };
+    EXPECT_EQ(pointsAt(RunState::Fault), "resetButton");
+    EXPECT_TRUE(bar.sentence().contains(QStringLiteral("Reset"))) << qPrintable(bar.sentence());
+    EXPECT_EQ(pointsAt(RunState::Ready), "armButton");
+    EXPECT_EQ(pointsAt(RunState::Armed), "startButton");
+    EXPECT_EQ(pointsAt(RunState::Holding), "alarmButton");
+    EXPECT_EQ(bar.sentence(), held);
+    snapshot.alarms.clear();
+    EXPECT_EQ(pointsAt(RunState::Holding), "holdButton");
+    EXPECT_EQ(pointsAt(RunState::Running), "stopRunButton");
+    EXPECT_EQ(pointsAt(RunState::Fault), "sessionTree") << "there is nothing to stop any more";
+}
+
 } // namespace
 } // namespace bask::test

@@ -220,7 +220,7 @@ TEST_F(RecipeTest, isEditedSavedAndAskedAbout) {
     ASSERT_TRUE(waitFor([this] {
         const auto labels = find<QWidget>("messageBar")->findChildren<QLabel*>();
         return std::any_of(labels.begin(), labels.end(), [](const QLabel* label) {
-            return label->text().contains(QStringLiteral("steps[1].until.object"));
+            return label->text().contains(QStringLiteral("steps[1].wait.object"));
         });
     }));
     EXPECT_EQ(question(), nullptr);

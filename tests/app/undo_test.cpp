@@ -7,6 +7,7 @@
 #include "widgets/calibrate/calibrate_page.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/quantity_spin_box.h"
+#include "widgets/common/run_state_chip.h"
 #include "widgets/objects/objects_page.h"
 #include "widgets/rig/rig_page.h"
 #include "widgets/targets/targets_page.h"
@@ -219,15 +220,28 @@ TEST_F(UndoTest, DuringARunTargetsComeBackAndObjectsStay) {
     EXPECT_EQ(state(), RunState::Running);
 }
 
-// Catches a refusal that goes on standing there when what it was about is undone.
-TEST_F(UndoTest, ARefusalGoesWithTheEditThatItWasAbout) {
+// Catches a run to other targets than the fields show: one that no run may have is a reason against Arm, and
+// is not taken once armed. And a refusal that goes on standing there after the next edit.
+TEST_F(UndoTest, ATargetThatNoRunMayHaveNeitherArmsNorStays) {
     openWindow();
     ASSERT_TRUE(waitForState(RunState::Ready));
     ASSERT_TRUE(window->document().setTargets({473.15, 313.15, 313.15}).ok());
-    ASSERT_TRUE(waitFor([&] { return said("messageBar").contains(QStringLiteral("circle")); }));
+    const auto reasons = [&] { return find<RunStateChip>("runStateChip")->reasons().join(u' '); };
+    ASSERT_TRUE(waitFor([&] { return reasons().contains(QStringLiteral("circle")); }));
+    EXPECT_EQ(state(), RunState::NotReady);
+    EXPECT_FALSE(window->actions().verb(Verb::Arm)->isEnabled());
     undoByKey();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    EXPECT_EQ(reasons(), QString());
+
+    click("armButton");
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    const Experiment armed = experiment();
+    ASSERT_TRUE(window->document().setTargets({473.15, 313.15, 313.15}).ok());
+    ASSERT_TRUE(waitFor([&] { return said("messageBar").contains(QStringLiteral("200")); }));
+    EXPECT_EQ(experiment(), armed);
+    ASSERT_TRUE(window->document().setTargets({318.15, 313.15, 313.15}).ok());
     EXPECT_FALSE(said("messageBar").contains(QStringLiteral("200"))) << qPrintable(said("messageBar"));
-    EXPECT_TRUE(waitForState(RunState::Ready));
 }
 
 // Catches a menu that speaks the language of the edit, and buttons of the Objects page that do not follow.

@@ -67,7 +67,8 @@ QString LivePicture::statusText() const {
         return {};
     QStringList words;
     if (!m_view.cameraName.empty())
-        words << QString::fromStdString(m_view.cameraName);
+        words << (m_view.cameraName == "simulated" ? tr("simulated")
+                                                   : QString::fromStdString(m_view.cameraName));
     const GreyPicture& picture = m_view.frame->picture;
     words << tr("%1 \u00d7 %2").arg(picture.width).arg(picture.height);
     if (m_view.problem.code == MessageCode::None) {

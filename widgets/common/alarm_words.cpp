@@ -4,7 +4,6 @@
 
 #include <QCoreApplication>
 #include <QDateTime>
-#include <QLocale>
 #include <QRegularExpression>
 
 namespace bask {
@@ -39,9 +38,8 @@ QString alarmHeadline(const Alarm& alarm, TemperatureUnit unit) {
 
 QString alarmTime(double utc_s, QDate today) {
     const QDateTime time = QDateTime::fromMSecsSinceEpoch(qRound64(utc_s * 1000.0));
-    const QString clock = time.toString(QStringLiteral("HH:mm:ss"));
-    return time.date() == today ? clock
-                                : QLocale().toString(time.date(), QLocale::ShortFormat) + u' ' + clock;
+    return time.toString(time.date() == today ? QStringLiteral("HH:mm:ss")
+                                              : QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
 } // namespace bask

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 
 #include <QCoreApplication>
+#include <QDateTime>
 #include <QLocale>
 #include <QRegularExpression>
 
@@ -67,6 +68,10 @@ QString formatDuration(double time_s) {
             ? QStringLiteral("%1:%2:%3").arg(total / 3600).arg(total / 60 % 60, 2, 10, zero).arg(seconds)
             : QStringLiteral("%1:%2").arg(total / 60).arg(seconds);
     return time_s < 0.0 && total > 0 ? QChar(0x2212) + text : text;
+}
+
+QString formatDate(const QDateTime& time) {
+    return time.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
 }
 
 QString formatLength_mm(double length_m, int decimals) {
@@ -146,6 +151,54 @@ QString controllerWord(ControllerKind kind) {
     return {};
 }
 
+QString simulatedFaultWord(SimulatedFault fault) {
+    switch (fault) {
+    case SimulatedFault::None:
+        return DisplayWords::tr("Restore all devices");
+    case SimulatedFault::SensorLost:
+        return DisplayWords::tr("Sensor lost");
+    case SimulatedFault::SensorOpen:
+        return DisplayWords::tr("Sensor open");
+    case SimulatedFault::SensorShort:
+        return DisplayWords::tr("Sensor shorted");
+    case SimulatedFault::SensorFrozen:
+        return DisplayWords::tr("Sensor frozen");
+    case SimulatedFault::SensorJumping:
+        return DisplayWords::tr("Sensor jumping");
+    case SimulatedFault::SensorOff:
+        return DisplayWords::tr("Sensor off its object");
+    case SimulatedFault::ObjectHot:
+        return DisplayWords::tr("Object heated otherwise");
+    case SimulatedFault::RobotLost:
+        return DisplayWords::tr("Robot lost");
+    case SimulatedFault::RobotAlarm:
+        return DisplayWords::tr("Robot in alarm");
+    case SimulatedFault::RobotRestarted:
+        return DisplayWords::tr("Robot restarted");
+    case SimulatedFault::RobotSlow:
+        return DisplayWords::tr("Robot slow");
+    case SimulatedFault::SourceLost:
+        return DisplayWords::tr("Heat source lost");
+    case SimulatedFault::SourceSilent:
+        return DisplayWords::tr("Heat source without temperature");
+    case SimulatedFault::SourceNotHeating:
+        return DisplayWords::tr("Heat source does not heat");
+    case SimulatedFault::SourceHeatsAlone:
+        return DisplayWords::tr("Heat source heats unasked");
+    case SimulatedFault::SourceOverheats:
+        return DisplayWords::tr("Heat source overheats");
+    case SimulatedFault::SourceLimited:
+        return DisplayWords::tr("Heat source limited by itself");
+    case SimulatedFault::SourceKeepsHeat:
+        return DisplayWords::tr("Heat source cannot be switched off");
+    case SimulatedFault::SourceCovered:
+        return DisplayWords::tr("Source hidden from the camera");
+    case SimulatedFault::CameraLost:
+        return DisplayWords::tr("Camera lost");
+    }
+    return {};
+}
+
 namespace {
 
 /// Where the engine's own English stands as an argument.
@@ -155,6 +208,20 @@ QString argument(const Message& message, std::size_t i) {
                                          QT_TRANSLATE_NOOP("bask::Display", "heat source"),
                                          QT_TRANSLATE_NOOP("bask::Display", "heat source kept by hand"),
                                          QT_TRANSLATE_NOOP("bask::Display", "source temperature")};
+    static constexpr std::array kDamages{
+        QT_TRANSLATE_NOOP("bask::Display", "database disk image is malformed"), // SQLite's
+        QT_TRANSLATE_NOOP("bask::Display", "it is cut short"),
+        QT_TRANSLATE_NOOP("bask::Display", "a sample is missing"),
+        QT_TRANSLATE_NOOP("bask::Display", "it does not say whether the rig was simulated")};
+    if (message.code == MessageCode::SessionDamaged)
+        for (const char* words : kDamages)
+            if (message.args[i] == words)
+                return DisplayWords::tr(words);
+    if (i == 0 && (message.code == MessageCode::EventFault || message.code == MessageCode::EventObjectFault))
+        for (int k = 0; k < kSimulatedFaults; ++k)
+            if (const auto fault = static_cast<SimulatedFault>(k);
+                message.args[0] == simulatedFaultName(fault))
+                return simulatedFaultWord(fault);
     if (message.code == MessageCode::RigIncomplete)
         for (const char* word : kDevices)
             if (message.args[i] == word)

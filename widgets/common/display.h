@@ -5,8 +5,11 @@
 #include "engine/base/units.h"
 #include "engine/control/controller_settings.h"
 #include "engine/runtime/snapshot.h"
+#include "engine/session/safety_spec.h"
 
 #include <QString>
+
+class QDateTime;
 
 namespace bask {
 
@@ -23,6 +26,8 @@ QString formatDifference(double d_K, TemperatureUnit unit, int decimals = 1);
 QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals = 1);
 /// "0:42", "12:03", "1:02:03".
 QString formatDuration(double time_s);
+/// "2026-11-23 14:05" where this computer is: the same in every language.
+QString formatDate(const QDateTime& time);
 /// "12.5 mm".
 QString formatLength_mm(double length_m, int decimals = 1);
 /// Signed number in the locale's notation with a true minus sign; zero has no sign.
@@ -33,6 +38,8 @@ QString differenceUnitSymbol(TemperatureUnit unit);  ///< "K"
 
 QString runStateWord(RunState state);        ///< "Not ready"
 QString runStateExplanation(RunState state); ///< one sentence, for tool-tips and an empty list of reasons
+/// "Sensor lost"; of None what ends them all.
+QString simulatedFaultWord(SimulatedFault fault);
 QString controllerWord(ControllerKind kind); ///< "Level servo"
 
 /// Translated sentence of a message (context "Message") with its arguments put in.

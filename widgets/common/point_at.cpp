@@ -17,8 +17,8 @@ constexpr int kMargin = 5;
 
 class Frame : public QWidget {
 public:
-    explicit Frame(QWidget* control) : QWidget(control->window()) {
-        const QRect around(control->mapTo(window(), QPoint(0, 0)), control->size());
+    Frame(QWidget* control, const QRect& part) : QWidget(control->window()) {
+        const QRect around(control->mapTo(window(), part.topLeft()), part.size());
         setObjectName(QStringLiteral("pointedAt"));
         setAttribute(Qt::WA_TransparentForMouseEvents);
         setGeometry(around.adjusted(-kMargin, -kMargin, kMargin, kMargin));
@@ -47,8 +47,12 @@ protected:
 } // namespace
 
 void pointAt(QWidget* control) {
+    pointAt(control, control->rect());
+}
+
+void pointAt(QWidget* control, const QRect& part) {
     delete control->window()->findChild<QWidget*>(QStringLiteral("pointedAt"));
-    new Frame(control);
+    new Frame(control, part);
 }
 
 } // namespace bask

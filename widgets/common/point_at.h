@@ -1,11 +1,13 @@
 #pragma once
 // A frame around a control for a moment, so that it is found.
 
+class QRect;
 class QWidget;
 
 namespace bask {
 
 /// One at a time in a window; the control works as ever. Object name: "pointedAt".
 void pointAt(QWidget* control);
+void pointAt(QWidget* control, const QRect& part);
 
 } // namespace bask

@@ -6,6 +6,7 @@
 #include "widgets/common/theme.h"
 
 #include <QLabel>
+#include <QTextLayout>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,18 @@ namespace {
 
 constexpr int kLongestLabel = 130; // px; longer names are elided
 constexpr int kLongestMarker = 220;
+
+QString inLines(const QString& text, const QFont& font, double width) {
+    QTextLayout layout(text, font);
+    layout.beginLayout();
+    QStringList lines;
+    for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
+        line.setLineWidth(width);
+        lines << text.mid(line.textStart(), line.textLength()).trimmed();
+    }
+    layout.endLayout();
+    return lines.join(u'\n');
+}
 
 QColor withAlpha(QColor color, int alpha) {
     color.setAlpha(alpha);
@@ -174,7 +187,7 @@ void TracePlot::Canvas::updateEmptyText() {
     } else if (quantity == Quantity::Strength && !columns.hasValues(quantity)) {
         text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
     }
-    m_empty->setText(text);
+    m_empty->setText(inLines(text, font(), axisRect()->width()));
     m_empty->setVisible(!text.isEmpty());
     m_errorBand->setVisible(quantity == Quantity::Error);
     m_reference->setVisible(quantity == Quantity::Error || quantity == Quantity::Rate ||

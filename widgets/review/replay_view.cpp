@@ -3,6 +3,7 @@
 #include "widgets/common/marker_words.h"
 #include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/tile_grid.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/transport_bar.h"
 #include "widgets/scene/scene_view.h"
@@ -62,15 +63,12 @@ Result<std::vector<TraceSample>> samplesUntil(RecordedSession& run, double time_
 
 ReplayView::ReplayView(QWidget* parent)
     : QWidget(parent), m_transport(new TransportBar(m_clock, this)), m_legend(new QWidget(this)),
-      m_tileArea(new QWidget(this)) {
+      m_tiles(new TileGrid(this)) {
     m_legendLayout = new QGridLayout(m_legend);
     m_legendLayout->setContentsMargins(0, 0, 0, 0);
     m_legendLayout->setSpacing(4);
     m_legendLayout->setColumnStretch(3, 1);
     m_legend->hide();
-    m_tileLayout = new QGridLayout(m_tileArea);
-    m_tileLayout->setContentsMargins(0, 0, 0, 0);
-    m_tileLayout->setSpacing(kGap);
 
     auto* stack = new QSplitter(Qt::Vertical, this);
     stack->setChildrenCollapsible(false);
@@ -97,7 +95,7 @@ ReplayView::ReplayView(QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(kGap);
     layout->addWidget(m_transport);
-    layout->addWidget(m_tileArea);
+    layout->addWidget(m_tiles);
     layout->addWidget(m_legend);
     layout->addWidget(stack, 1);
 
@@ -146,7 +144,8 @@ void ReplayView::setRun(std::shared_ptr<RecordedSession> run) {
     m_isFailureTold = false;
     m_visible_s.reset();
     m_names = objectNames(*m_run);
-    makeTiles();
+    m_tiles->setObjects(QStringLiteral("reviewTile."), m_names);
+    clearTiles();
     const auto& robot = m_run->facts().experiment.robot;
     for (Plot& each : m_plots) {
         each.isFilled = false;
@@ -231,22 +230,10 @@ void ReplayView::addMarkers(TracePlot& plot) const {
         plot.addMarker(note.time_s, QString::fromStdString(note.text));
 }
 
-/// Tiles in one row up to four objects, in two rows above, as on the Run page.
-void ReplayView::makeTiles() {
-    qDeleteAll(m_tiles);
-    m_tiles.clear();
+void ReplayView::clearTiles() {
     const std::vector<ObjectSpec>& objects = m_run->facts().experiment.objects;
-    const std::size_t count = objects.size();
-    const auto perRow = static_cast<int>(count <= 4 ? std::max<std::size_t>(count, 1) : (count + 1) / 2);
-    for (int i = 0; i < static_cast<int>(count); ++i) {
-        auto* tile = new ObjectTile(i, m_tileArea);
-        tile->setObjectName(QStringLiteral("reviewTile.%1").arg(i)); // others of its kind are on the Run page
-        tile->setName(m_names[i]);
-        tile->setTemperatureUnit(m_unit);
-        tile->clear(objects[static_cast<std::size_t>(i)].target_K);
-        m_tileLayout->addWidget(tile, i / perRow, i % perRow);
-        m_tiles.push_back(tile);
-    }
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        m_tiles->tiles()[i]->clear(objects[i].target_K);
 }
 
 /// Takes the sample of a moment.
@@ -254,15 +241,14 @@ void ReplayView::showTiles(double time_s) {
     m_sample.reset();
     const auto past = samplesUntil(*m_run, time_s);
     if (!past) {
-        for (std::size_t i = 0; i < m_tiles.size(); ++i)
-            m_tiles[i]->clear(m_run->facts().experiment.objects[i].target_K);
+        clearTiles();
         if (!std::exchange(m_isFailureTold, true))
             emit readFailed(past.error());
         return;
     }
     m_sample = past->back();
-    for (std::size_t i = 0; i < m_tiles.size(); ++i)
-        m_tiles[i]->setMoment(*past, past->size() - 1, i);
+    for (std::size_t i = 0; i < m_tiles->tiles().size(); ++i)
+        m_tiles->tiles()[i]->setMoment(*past, past->size() - 1, i);
 }
 
 void ReplayView::showMoment(double time_s) {
@@ -293,6 +279,7 @@ void ReplayView::showScene() {
         temperatures_K.push_back(object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN());
     m_scene->setPose(m_sample->coordinates);
     m_scene->setSourcePose(m_sample->source);
+    m_scene->setSourceTemperature_K(m_sample->source_K);
     m_scene->setTemperatures(temperatures_K);
 }
 
@@ -368,8 +355,7 @@ double ReplayView::position_s() const {
 
 void ReplayView::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
-    for (ObjectTile* tile : m_tiles)
-        tile->setTemperatureUnit(unit);
+    m_tiles->setTemperatureUnit(unit);
     for (const Plot& each : m_plots)
         each.plot->setTemperatureUnit(unit);
     if (m_scene != nullptr)

@@ -18,7 +18,7 @@ class QTabWidget;
 
 namespace bask {
 
-class ObjectTile;
+class TileGrid;
 class SceneView;
 class TracePlot;
 class TransportBar;
@@ -81,7 +81,7 @@ private:
     void showMoment(double time_s);
     void showScene();
     void showOverlays();
-    void makeTiles();
+    void clearTiles();
     void addMarkers(TracePlot& plot) const;
     void showTiles(double time_s);
     bool isSceneShown() const;
@@ -100,9 +100,7 @@ private:
     TransportBar* m_transport;
     QWidget* m_legend;
     QGridLayout* m_legendLayout;
-    QWidget* m_tileArea;
-    QGridLayout* m_tileLayout;
-    std::vector<ObjectTile*> m_tiles;
+    TileGrid* m_tiles;
     std::vector<Plot> m_plots; ///< temperature first, then the tabs' in order
     QTabWidget* m_tabs = nullptr;
     QWidget* m_sceneTab;

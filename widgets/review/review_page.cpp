@@ -2,6 +2,7 @@
 
 #include "engine/session/session_header.h"
 #include "widgets/common/display.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/theme.h"
@@ -20,7 +21,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QMenu>
 #include <QPushButton>
 #include <QSplitter>
@@ -56,8 +56,6 @@ ReviewPage::ReviewPage(QWidget* parent) : QWidget(parent), m_sessions(new Sessio
     m_splitter->setHandleWidth(12);
     m_splitter->addWidget(left);
     m_splitter->addWidget(m_stack);
-    m_splitter->setStretchFactor(0, 0);
-    m_splitter->setStretchFactor(1, 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(12, 10, 12, 10);
     layout->addWidget(m_splitter);
@@ -93,9 +91,9 @@ QWidget* ReviewPage::buildEmpty() {
 
 QWidget* ReviewPage::buildHeader(QWidget* parent) {
     auto* header = new QWidget(parent);
-    m_file = boldLabel(header, 1.25);
+    m_file = new ElidedLabel(header);
+    makeBold(m_file, 1.25);
     m_file->setObjectName("sessionFile");
-    m_file->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_tag = boldLabel(header);
     m_tag->setObjectName("sessionTag");
     m_tag->setFrameShape(QFrame::Box);
@@ -234,7 +232,7 @@ void ReviewPage::setSession(std::shared_ptr<RecordedSession> session, const QStr
     m_final->setValues({});
     m_metrics->clear();
     m_replay->setRun(m_session);
-    m_sessions->setComparable(true);
+    m_sessions->setOpened(QString::fromStdString(m_session->facts().path));
     showEvents();
     refreshTexts();
     if (m_stack->currentIndex() == 0)
@@ -305,7 +303,7 @@ void ReviewPage::clear() {
     m_metrics->clear();
     m_events->clear();
     m_replay->clear();
-    m_sessions->setComparable(false);
+    m_sessions->setOpened({});
     showRun(false);
 }
 
@@ -417,9 +415,8 @@ void ReviewPage::refreshTexts() {
     m_controller.value->setText(controllerWord(m_session->facts().experiment.controller.kind));
     const QDateTime created =
         QDateTime::fromString(QString::fromStdString(m_session->facts().created), Qt::ISODate);
-    m_created.value->setText(created.isValid()
-                                 ? QLocale().toString(created.toLocalTime(), QLocale::ShortFormat)
-                                 : QString::fromStdString(m_session->facts().created));
+    m_created.value->setText(created.isValid() ? formatDate(created)
+                                               : QString::fromStdString(m_session->facts().created));
     m_software.value->setText(QString::fromStdString(m_session->facts().software));
 }
 

@@ -159,9 +159,29 @@ void SessionList::setRecording(const QString& path) {
     showRows();
 }
 
-void SessionList::setComparable(bool comparable) {
-    m_isComparable = comparable;
+void SessionList::setOpened(const QString& path) {
+    m_opened = path;
+    for (int k = 0; k < m_tree->topLevelItemCount(); ++k) {
+        QTreeWidgetItem* row = m_tree->topLevelItem(k);
+        markOpened(row);
+        if (isOpened(row))
+            m_tree->setCurrentItem(row);
+    }
+    fitExperiment();
     showSelected();
+}
+
+bool SessionList::isOpened(const QTreeWidgetItem* row) const {
+    return !m_opened.isEmpty() && row->data(0, kPathRole).toString() == m_opened;
+}
+
+void SessionList::markOpened(QTreeWidgetItem* row) const {
+    const bool is = isOpened(row);
+    QFont bold = m_tree->font();
+    bold.setBold(is);
+    for (int column = 0; column < kListColumns; ++column)
+        row->setFont(column, bold);
+    row->setData(kDate, Qt::AccessibleDescriptionRole, is ? tr("Open on this page") : QString());
 }
 
 bool SessionList::isRecording(const std::string& path) const {
@@ -170,7 +190,7 @@ bool SessionList::isRecording(const std::string& path) const {
 
 void SessionList::showRows() {
     const SessionHeader* before = selected();
-    const std::string chosen = before != nullptr ? before->path : std::string();
+    const std::string chosen = before != nullptr ? before->path : m_opened.toStdString();
     const QSignalBlocker quiet(m_tree);
     const int dateWidth = m_tree->columnWidth(kDate);
     const bool isFirst = m_tree->topLevelItemCount() == 0;
@@ -222,14 +242,8 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
     const QString rig = session.error ? QString() : session.simulated ? tr("SIMULATED") : tr("LIVE");
     const QString word = outcome == Outcome::Other ? text(session.outcome) : outcomeWord(outcome);
     const bool hasTime = !session.error && session.samples > 0;
-    const QLocale locale;
-    const QString day = locale.toString(date.date(), QLocale::ShortFormat);
-    const QStringList texts{day + u' ' + locale.toString(date.time(), QStringLiteral("HH:mm")),
-                            experiment,
-                            word,
-                            hasTime ? formatDuration(session.end_s) : kNoValue,
-                            rig,
-                            tags};
+    const QStringList texts{
+        formatDate(date), experiment, word, hasTime ? formatDuration(session.end_s) : kNoValue, rig, tags};
     const QVariant keys[] = {static_cast<double>(date.toMSecsSinceEpoch()),
                              experiment,
                              word,
@@ -251,6 +265,7 @@ void SessionList::fillRow(QTreeWidgetItem* row, const SessionHeader& session) co
     if (session.error)
         row->setToolTip(kOutcome, sentenceText(session.error->message));
     row->setData(0, kPathRole, text(session.path));
+    markOpened(row);
     row->setData(0, kSearchRole,
                  QStringList{file, experiment, joined(session.objects, QStringLiteral("\n")),
                              joined(session.notes, QStringLiteral("\n")), tags, word, rig}
@@ -297,7 +312,7 @@ void SessionList::showSelected() {
     const bool isOn = isReadable && isRecording(session->path);
     const bool hasEnd = isReadable && !isOn && !session->outcome.empty();
     m_open->setEnabled(isReadable);
-    m_compare->setEnabled(isReadable && m_isComparable);
+    m_compare->setEnabled(isReadable && !m_opened.isEmpty());
     m_tags->setEnabled(hasEnd);
     m_tagsLabel->setEnabled(hasEnd);
     const QString path = session != nullptr ? text(session->path) : QString();

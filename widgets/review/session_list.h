@@ -33,8 +33,8 @@ public:
     /// The file that is being recorded into, if any.
     void setRecording(const QString& path);
     bool isRecording(const std::string& path) const;
-    /// Whether there is a run on the page that others can be laid over.
-    void setComparable(bool comparable);
+    /// The run that is on the page, which others can be laid over; empty: none. Bold, and chosen.
+    void setOpened(const QString& path);
 
     /// Comma-separated, each once.
     static QStringList tagsOf(const QString& text);
@@ -54,6 +54,8 @@ protected:
 private:
     void showRows();
     void fillRow(QTreeWidgetItem* row, const SessionHeader& session) const;
+    bool isOpened(const QTreeWidgetItem* row) const;
+    void markOpened(QTreeWidgetItem* row) const;
     void fitExperiment();
     void search();
     void showSelected();
@@ -62,10 +64,9 @@ private:
     const SessionHeader* selected() const;
 
     std::vector<SessionHeader> m_sessions;
-    QString m_recording;
+    QString m_recording, m_opened;
     QString m_tagsOf; ///< the path that the text of m_tags is about
     QString m_folderPath;
-    bool m_isComparable = false;
     bool m_isReading = true;
     QLineEdit* m_search;
     QPushButton* m_folder;

@@ -8,7 +8,6 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 
 #include <algorithm>
@@ -101,8 +100,7 @@ void ZeroPanel::refresh() {
     if (m_zeroing) {
         const auto when = QDateTime::fromMSecsSinceEpoch(static_cast<qint64>(1000.0 * m_zeroing->utc_s));
         state = tr("Zeroed on %1 with the room at %2.")
-                    .arg(QLocale().toString(when, QLocale::ShortFormat),
-                         formatTemperature(m_zeroing->environment_K, m_unit, 2));
+                    .arg(formatDate(when), formatTemperature(m_zeroing->environment_K, m_unit, 2));
     } else {
         state = tr("Not zeroed yet: Arm does it, if all objects are at the room's temperature then.");
     }

@@ -4,6 +4,7 @@
 #include "widgets/common/marker_words.h"
 #include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/tile_grid.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
 #include "widgets/scene/scene_view.h"
@@ -58,7 +59,7 @@ void RunPage::setExperiment(const Experiment& experiment) {
         m_names.push_back(names.back());
         m_targets_K.push_back(object.target_K);
     }
-    makeTiles(experiment.objects.size());
+    m_tiles->setObjects(QStringLiteral("objectTile."), names);
     for (TracePlot* plot : m_plots) {
         plot->setObjects(names);
         plot->setSpeedLimits({experiment.robot.maxSpeed_m_s, experiment.robot.maxRotation_rad_s});
@@ -74,8 +75,8 @@ void RunPage::beginTrace() {
         plot->clear();
     m_events.clear();
     m_notes.clear();
-    for (std::size_t i = 0; i < m_tiles.size(); ++i)
-        m_tiles[i]->clear(m_targets_K[i]);
+    for (std::size_t i = 0; i < m_targets_K.size(); ++i)
+        m_tiles->tiles()[i]->clear(m_targets_K[i]);
     m_scene->clearTrace();
     setFollow(true);
 }
@@ -109,18 +110,19 @@ void RunPage::showScene(const Snapshot& snapshot) {
         temperatures_K.push_back(object.valid ? object.measured_K : std::numeric_limits<double>::quiet_NaN());
     m_scene->setPose(snapshot.latest.coordinates);
     m_scene->setSourcePose(snapshot.latest.source);
+    m_scene->setSourceTemperature_K(snapshot.source_K.value_or(std::numeric_limits<double>::quiet_NaN()));
     m_scene->setTemperatures(temperatures_K);
 }
 
 void RunPage::showTiles(const Snapshot& snapshot) {
     if (snapshot.targets_K.size() == m_targets_K.size())
         m_targets_K = snapshot.targets_K;
-    const std::size_t count = std::min(m_tiles.size(), snapshot.latest.objects.size());
+    const std::size_t count = std::min(m_targets_K.size(), snapshot.latest.objects.size());
     for (std::size_t i = 0; i < count; ++i) {
         ObjectSample sample = snapshot.latest.objects[i];
         if (snapshot.targets_K.size() == m_targets_K.size() || !(sample.target_K > 0.0))
             sample.target_K = m_targets_K[i]; // the engine's present target; the sample may be older
-        m_tiles[i]->setSample(snapshot.sampleTime_s, sample); // runs on between runs
+        m_tiles->tiles()[i]->setSample(snapshot.sampleTime_s, sample); // runs on between runs
     }
 }
 
@@ -150,8 +152,7 @@ void RunPage::addMarkers(const std::vector<TraceEvent>& events, const std::vecto
 
 void RunPage::setTemperatureUnit(TemperatureUnit unit) {
     m_unit = unit;
-    for (ObjectTile* tile : m_tiles)
-        tile->setTemperatureUnit(unit);
+    m_tiles->setTemperatureUnit(unit);
     for (TracePlot* plot : m_plots)
         plot->setTemperatureUnit(unit);
     m_scene->setTemperatureUnit(unit);

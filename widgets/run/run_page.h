@@ -23,7 +23,7 @@ class QToolButton;
 namespace bask {
 
 class ControllerPanel;
-class ObjectTile;
+class TileGrid;
 class SceneView;
 class TracePlot;
 
@@ -59,7 +59,6 @@ protected:
 private:
     QWidget* makePlots();
     QWidget* makeSide();
-    void makeTiles(std::size_t count);
     TracePlot* makePlot(Quantity quantity, const char* name);
     void connectPlots();
     void setFollow(bool follow);
@@ -80,9 +79,7 @@ private:
     std::vector<TraceNote> m_notes;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
-    QWidget* m_tileArea = nullptr;
-    QGridLayout* m_tileLayout = nullptr;
-    std::vector<ObjectTile*> m_tiles;
+    TileGrid* m_tiles = nullptr;
     std::vector<TracePlot*> m_plots; ///< temperature first, then the tabs' in order
     QTabWidget* m_tabs = nullptr;
     QCheckBox* m_follow = nullptr;

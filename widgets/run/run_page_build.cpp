@@ -1,7 +1,7 @@
 // How the Run page is put together: its parts, their arrangement and their texts.
 
-#include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
+#include "widgets/common/tile_grid.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
 #include "widgets/run/run_page.h"
@@ -41,11 +41,8 @@ QToolButton* viewButton(QWidget* parent, const char* name) {
 RunPage::RunPage(QWidget* parent) : QWidget(parent) {
     setObjectName(QStringLiteral("runPage"));
     setFocusPolicy(Qt::ClickFocus);
-    m_tileArea = new QWidget(this);
-    m_tileArea->setObjectName(QStringLiteral("runTiles"));
-    m_tileLayout = new QGridLayout(m_tileArea);
-    m_tileLayout->setContentsMargins(0, 0, 0, 0);
-    m_tileLayout->setSpacing(kGap);
+    m_tiles = new TileGrid(this);
+    m_tiles->setObjectName(QStringLiteral("runTiles"));
 
     auto* splitter = new QSplitter(Qt::Horizontal, this);
     splitter->setObjectName(QStringLiteral("runSplitter"));
@@ -60,7 +57,7 @@ RunPage::RunPage(QWidget* parent) : QWidget(parent) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(kGap, kGap, kGap, kGap);
     layout->setSpacing(kGap);
-    layout->addWidget(m_tileArea);
+    layout->addWidget(m_tiles);
     layout->addWidget(splitter, 1);
 
     connectPlots();
@@ -203,21 +200,6 @@ QWidget* RunPage::makeSide() {
     layout->addWidget(m_controller);
     layout->addWidget(m_speedRow);
     return side;
-}
-
-/// Tiles in one row up to four objects, in two rows above.
-void RunPage::makeTiles(std::size_t count) {
-    qDeleteAll(m_tiles);
-    m_tiles.clear();
-    const auto perRow = static_cast<int>(count <= 4 ? std::max<std::size_t>(count, 1) : (count + 1) / 2);
-    for (int i = 0; i < static_cast<int>(count); ++i) {
-        auto* tile = new ObjectTile(i, m_tileArea);
-        tile->setName(m_names[static_cast<std::size_t>(i)]);
-        tile->setTemperatureUnit(m_unit);
-        tile->clear(m_targets_K[static_cast<std::size_t>(i)]);
-        m_tileLayout->addWidget(tile, i / perRow, i % perRow);
-        m_tiles.push_back(tile);
-    }
 }
 
 void RunPage::connectPlots() {

@@ -125,8 +125,7 @@ OverlayContent SceneView::Impl::overlayContent(bool dark) const {
     SceneLabel source;
     source.text = SceneView::tr("Source");
     source.optional = true;
-    source.value =
-        formatTemperature(std::isfinite(source_K) ? source_K : experiment.source.temperature_K, unit, 0);
+    source.value = formatTemperature(source_K, unit, 0);
     for (const Eigen::Vector3d& p_SQ : labelOutline(experiment.source.shape))
         source.outline_R.push_back(X_RS * p_SQ);
     result.labels.push_back(source);
@@ -238,7 +237,7 @@ void SceneView::appendSamples(const std::vector<TraceSample>& samples) {
         m->X_RE = poseFromCoordinates(sample.coordinates);
         if (sample.source.allFinite())
             m->X_RS = poseFromCoordinates(sample.source);
-        if (std::isfinite(sample.source_K) && sample.source_K > 0.0)
+        if (sample.source_K > 0.0)
             m->source_K = sample.source_K;
         for (std::size_t i = 0; i < m->X_EO.size(); ++i) {
             m->temperatures_K[i] = temperatureOf_K(sample.objects[i]);
@@ -272,6 +271,12 @@ void SceneView::setPose(const Vector6d& coordinates) {
 void SceneView::setSourcePose(const Vector6d& coordinates) {
     if (coordinates.allFinite())
         moveTo(m->X_RS, coordinates);
+}
+
+void SceneView::setSourceTemperature_K(double source_K) {
+    const double before_K = std::exchange(m->source_K, source_K > 0.0 ? source_K : kUnknown);
+    if (m->source_K != before_K && !(std::isnan(m->source_K) && std::isnan(before_K)))
+        requestFrame();
 }
 
 void SceneView::setTemperatures(const std::vector<double>& temperatures_K) {

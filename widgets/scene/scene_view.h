@@ -34,6 +34,8 @@ public:
     void setPose(const Vector6d& coordinates);
     /// Moves the source only, X_RS in the robot's base; a trace's samples move it too.
     void setSourcePose(const Vector6d& coordinates);
+    /// K, told beside the source; a trace's samples do it too. NaN: not known.
+    void setSourceTemperature_K(double source_K);
     /// Colours the objects only, K in the experiment's order; NaN or missing: not known.
     void setTemperatures(const std::vector<double>& temperatures_K);
     void setTemperatureUnit(TemperatureUnit unit);

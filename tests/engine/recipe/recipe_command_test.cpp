@@ -128,7 +128,7 @@ TEST_F(RecipeCommand, refusesWhatCannotBeRunBeforeItBegins) {
     refused({"--recipe", path}, "recipe.json: steps[1].run: ");
     refused({"--recipe", path + "x"}, "there is no such file");
     write(R"({"run_example": "no-such", "until": {"time_s": 5}})");
-    refused({"--recipe", path}, "\"no-such\" is not known; known: three-objects, ");
+    refused({"--recipe", path}, "steps[0].run_example: \"no-such\" is not known; known: three-objects, ");
     write(R"({"run_example": "two-circles", "until": {"time_s": 5}})");
     refused({"--recipe", path, "--live"}, "steps[0]");
     refused({"--recipe", path, "--targets", "40,40"}, "--targets is not for recipes");
@@ -137,6 +137,7 @@ TEST_F(RecipeCommand, refusesWhatCannotBeRunBeforeItBegins) {
     refused({"--recipe", path, "--summary", path}, path.toStdString());
     refused({"--recipe", path, "other.json"}, "0 arguments expected, 1 given");
     refused({path, "--out", folder.path()}, "--out is for recipes");
+    refused({"--recipe", ""}, "--recipe: the name is empty");
     refused({path}, "format"); // no experiment
 }
 

@@ -113,19 +113,19 @@ TEST_F(RecipeFile, refusesWhatIsWrongAndSaysWhere) {
          MessageCode::JsonUnknownKey, "steps[0].until"},
         {R"({"run": "a.json", "until": {}, "at_most_s": 20})", MessageCode::JsonMissingKey, "steps[0].until"},
         {R"({"run": "a.json", "until": {"time_min": 5}})", MessageCode::JsonUnknownKey, "steps[0].until"},
-        {R"({"wait": {"time_s": -5}})", MessageCode::ValueOutOfRange, "steps[0].until.time_s"},
-        {R"({"wait": {"time_s": 1e300}})", MessageCode::ValueOutOfRange, "steps[0].until.time_s"},
+        {R"({"wait": {"time_s": -5}})", MessageCode::ValueOutOfRange, "steps[0].wait.time_s"},
+        {R"({"wait": {"time_s": 1e300}})", MessageCode::ValueOutOfRange, "steps[0].wait.time_s"},
         {R"({"wait": {"time_s": 1e400}})", MessageCode::JsonSyntax, ""},
         {R"({"wait": {"time_s": NaN}})", MessageCode::JsonSyntax, ""},
         {R"({"wait": {"time_s": 5}, "at_most_s": 9})", MessageCode::JsonUnknownKey, "steps[0]"},
         {R"({"wait": {"settled_for_s": 5}, "at_most_s": 20})", MessageCode::ValueUnknown, "steps[0].wait"},
         {R"({"wait": {"below_degC": 30}, "at_most_s": 20})", MessageCode::JsonMissingKey, "steps[0].wait"},
         {R"({"wait": {"object": "", "below_degC": 30}, "at_most_s": 20})", MessageCode::JsonMissingKey,
-         "steps[0].until"},
+         "steps[0].wait"},
         {R"({"wait": {"object": "a", "below_degF": 90}, "at_most_s": 20})", MessageCode::JsonUnknownKey,
          "steps[0].wait"},
         {R"({"wait": {"object": "a", "below_K": 3}, "at_most_s": 20})", MessageCode::ValueOutOfRange,
-         "steps[0].until"},
+         "steps[0].wait.below"},
         {R"({"wait": {"object": "a", "below_K": 300, "below_degC": 30}, "at_most_s": 20})",
          MessageCode::JsonTwoSpellings, "steps[0].wait"},
         {R"({"wait": {"object": "a", "below_K": 300}, "at_most_s": 0})", MessageCode::ValueOutOfRange,
@@ -214,7 +214,7 @@ TEST_F(RecipeFile, experimentsAreReadOnceAndCheckedForTheirObjects) {
 
     recipe.steps[0].object = "hand";
     Error error = readExperiments(recipe, noExample).error();
-    EXPECT_EQ(error.where, "steps[0].until.object");
+    EXPECT_EQ(error.where, "steps[0].wait.object");
     EXPECT_EQ(error.message.args, (std::vector<std::string>{"hand", "left, right"}));
 
     recipe.steps[0].object = "left";
@@ -223,11 +223,20 @@ TEST_F(RecipeFile, experimentsAreReadOnceAndCheckedForTheirObjects) {
         recipe.steps[0].temperature_K = kelvinFromCelsius(never_degC);
         error = readExperiments(recipe, noExample).error();
         EXPECT_EQ(error.code(), MessageCode::ValueOutOfRange);
-        EXPECT_EQ(error.where, "steps[0].until");
+        EXPECT_EQ(error.where, never_degC < 25.0 ? "steps[0].wait.below" : "steps[0].wait.above");
     }
     EXPECT_EQ(error.message.args[2], "120");
     recipe.steps[0].temperature_K = kelvinFromCelsius(120.0);
     EXPECT_TRUE(readExperiments(recipe, noExample));
+
+    Experiment unreachable = *readExperiment(recipe.steps[1].experiment);
+    unreachable.objects[1].target_K = kelvinFromCelsius(118.0);
+    ASSERT_TRUE(writeExperiment(unreachable, path));
+    recipe.steps[2].experiment = path;
+    error = readExperiments(recipe, noExample).error();
+    EXPECT_EQ(error.where, "steps[2].run");
+    EXPECT_EQ(error.message.args.at(0), "right") << describe(error);
+    EXPECT_EQ(readExperiments(Recipe{}, noExample).error().code(), MessageCode::RecipeWithoutRun);
 
     recipe.steps[2].experiment = path + "x";
     error = readExperiments(recipe, noExample).error();

@@ -395,7 +395,7 @@ TEST(Safety, AScriptedFaultIsInTheRecordWithWhatWasDone) {
         const auto event = std::ranges::find(session->events, message, &TraceEvent::message);
         return event == session->events.end() ? -1.0 : event->time_s;
     };
-    EXPECT_NEAR(at_s({MessageCode::EventFault, {"sensor-open"}}), 10.0, 0.11);
+    EXPECT_NEAR(at_s({MessageCode::EventObjectFault, {"sensor-open", "right"}}), 10.0, 0.11);
     EXPECT_NEAR(at_s({MessageCode::SafetySensorOpen, {"right"}}), 10.4, 0.21);
     EXPECT_NEAR(at_s({MessageCode::EventSensorBack, {"right"}}), 12.1, 0.21);
     EXPECT_NEAR(at_s({MessageCode::ReasonRobotLost, {"simulated link lost"}}), 15.1, 0.21);

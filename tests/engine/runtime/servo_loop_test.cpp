@@ -402,11 +402,27 @@ TEST_F(ServoLoopTest, WarmObjectsAreArmedOnAnEarlierZeroing) {
 // Catches a run towards a temperature at which it is held for being too warm.
 TEST_F(ServoLoopTest, ATargetAboveTheWarningLimitIsRefused) {
     periods(10);
-    const auto refused = loop.setTargets({kelvinFromCelsius(35.0), kelvinFromCelsius(121.0)});
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().message,
-              (Message{MessageCode::TargetAboveWarning, {experiment.objects[1].name, "121", "120"}}));
-    EXPECT_TRUE(loop.arm()); // with those of before
+    const std::vector<double> tooHot_K{kelvinFromCelsius(35.0), kelvinFromCelsius(121.0)};
+    const Message why{MessageCode::TargetAboveWarning, {experiment.objects[1].name, "121", "120"}};
+    ASSERT_TRUE(loop.setTargets(tooHot_K)); // what is in the field is what would run
+    EXPECT_EQ(loop.state(), RunState::NotReady);
+    EXPECT_EQ(loop.reasons(), std::vector<Message>{why});
+    const auto unarmed = loop.arm();
+    ASSERT_FALSE(unarmed);
+    EXPECT_EQ(unarmed.error().message, why);
+    ASSERT_TRUE(loop.setTargets({kelvinFromCelsius(35.0), kelvinFromCelsius(36.0)}));
+    EXPECT_TRUE(loop.reasons().empty());
+    ASSERT_TRUE(loop.arm());
+    for (const RunState on : {RunState::Armed, RunState::Running}) {
+        ASSERT_EQ(loop.state(), on);
+        const auto refused = loop.setTargets(tooHot_K);
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().message, why);
+        EXPECT_EQ(loop.experiment().objects[1].target_K, kelvinFromCelsius(36.0));
+        if (on == RunState::Armed) {
+            ASSERT_TRUE(loop.start(true));
+        }
+    }
 
     Experiment strict = experiment;
     strict.objects[0].warning_K = kelvinFromCelsius(34.0);

@@ -269,6 +269,15 @@ TEST(Reading, LeavesOutWhatHasDefaults) {
     EXPECT_EQ(read->simulation, SimulationSpec{});
 }
 
+TEST(Reading, ATitleCannotCommandATerminal) {
+    auto json = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
+    json["title"] = "a\x1b[31m\xc2\x9b"
+                    "b\n\u00e4\u4e2d";
+    const auto read = experimentFromJson(json.dump(), "made up", kExamples);
+    ASSERT_TRUE(read) << describe(read.error());
+    EXPECT_EQ(read->title, "a [31m  b\n\u00e4\u4e2d");
+}
+
 TEST(Reading, PutsClockwiseAndOffCentreOutlinesRight) {
     auto j = nlohmann::json::parse(experimentToJson(example("two-circles.json")));
     j["objects"][0]["contour"] = {{"type", "polygon"},

@@ -160,10 +160,23 @@ TEST_F(SessionListTest, TagsBelongToTheRunTheyWereTypedFor) {
     EXPECT_EQ(edited[1][0].toString(), "/runs/b.bask");
 }
 
+// Catches: nobody sees which of the runs is the one on the page.
+TEST_F(SessionListTest, TheRunOnThePageIsMarkedAndChosen) {
+    const auto isMarked = [&](const char* title) { return row(title)->font(1).bold(); };
+    list.setOpened("/runs/b.bask");
+    EXPECT_TRUE(isMarked("b"));
+    EXPECT_FALSE(isMarked("a"));
+    EXPECT_EQ(tree->currentItem(), row("b"));
+    list.setRecording("/runs/new.bask"); // its rows are made anew
+    EXPECT_TRUE(isMarked("b"));
+    list.setOpened({});
+    EXPECT_FALSE(isMarked("b"));
+}
+
 // Catches tags, Open and Overlay that go to a run which the search has hidden.
 TEST_F(SessionListTest, WhatTheSearchHidesIsNotSelected) {
     QSignalSpy edited(&list, &SessionList::tagsEdited);
-    list.setComparable(true);
+    list.setOpened("/runs/b.bask");
     tree->setCurrentItem(row("a"));
     search->setFocus();
     search->setText("live");

@@ -1,0 +1,19 @@
+#pragma once
+// A line of text that gives way: pointing at it tells what has no room.
+
+#include <QLabel>
+
+namespace bask {
+
+class ElidedLabel : public QLabel {
+    Q_OBJECT
+public:
+    using QLabel::QLabel;
+    QSize minimumSizeHint() const override;
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+};
+
+} // namespace bask

@@ -1,0 +1,43 @@
+#pragma once
+// The tiles of a run's objects, in as few rows as the width allows.
+
+#include "engine/base/units.h"
+
+#include <QStringList>
+#include <QWidget>
+
+#include <vector>
+
+class QGridLayout;
+
+namespace bask {
+
+class ObjectTile;
+
+/// Up to four objects want one row, more want two; without the room there are more.
+class TileGrid : public QWidget {
+    Q_OBJECT
+public:
+    explicit TileGrid(QWidget* parent = nullptr);
+
+    /// New tiles; their object names are `objectName` and a number.
+    void setObjects(const QString& objectName, const QStringList& names);
+    void setTemperatureUnit(TemperatureUnit unit);
+    const std::vector<ObjectTile*>& tiles() const { return m_tiles; }
+
+    QSize minimumSizeHint() const override;
+
+protected:
+    bool event(QEvent* event) override;
+
+private:
+    int widest() const;
+    void arrange();
+
+    QGridLayout* m_layout;
+    std::vector<ObjectTile*> m_tiles;
+    int m_perRow = 0;
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
+};
+
+} // namespace bask
