@@ -1610,8 +1610,8 @@
             <translation>Capteurs : mesures récentes et valables</translation>
         </message>
         <message>
-            <source>Source: no temperature yet</source>
-            <translation>Source : pas encore de température</translation>
+            <source>Source: no temperature</source>
+            <translation>Source : pas de température</translation>
         </message>
         <message>
             <source>Source: warm, %1</source>

@@ -1607,8 +1607,8 @@
             <translation>传感器：读数及时且有效</translation>
         </message>
         <message>
-            <source>Source: no temperature yet</source>
-            <translation>热源：尚无温度</translation>
+            <source>Source: no temperature</source>
+            <translation>热源：无温度</translation>
         </message>
         <message>
             <source>Source: warm, %1</source>

@@ -1607,8 +1607,8 @@
             <translation>感測器：讀數及時且有效</translation>
         </message>
         <message>
-            <source>Source: no temperature yet</source>
-            <translation>熱源：尚無溫度</translation>
+            <source>Source: no temperature</source>
+            <translation>熱源：無溫度</translation>
         </message>
         <message>
             <source>Source: warm, %1</source>

@@ -1,7 +1,9 @@
 // The window's own promises: buttons follow the engine, edits are refused during a run, closing asks, starts
 // need the tick.
 
+#include "app/settings_store.h"
 #include "engine/session/rig_file.h"
+#include "engine/session/session_file.h"
 #include "tests/app/window_fixture.h"
 #include "widgets/calibrate/live_picture.h"
 #include "widgets/common/message_bar.h"
@@ -17,6 +19,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
@@ -345,6 +348,36 @@ TEST_F(MainWindowTest, ADamagedSessionOfTheCommandLineIsTold) {
     ASSERT_TRUE(waitFor(
         [this] { return find<MessageBar>("messageBar")->sentence().contains(QStringLiteral("cut.bask")); }));
     EXPECT_FALSE(window->document().experiment().objects.empty());
+}
+
+// Catches a window that marks no runs, leaves the mark of one that it ended, or tells no one of a crash.
+TEST_F(MainWindowTest, ARunThatWasCutOffIsToldAndOpened) {
+    const auto marks = [] { return QDir(runMarkFolder()).entryList({QStringLiteral("*.run")}, QDir::Files); };
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(arm());
+    EXPECT_TRUE(marks().isEmpty());
+    click("startButton");
+    ASSERT_TRUE(waitForState(RunState::Running));
+    EXPECT_EQ(marks().size(), 1);
+    const Experiment experiment = window->document().experiment();
+    closeWindow();
+    EXPECT_TRUE(marks().isEmpty());
+
+    const QTemporaryDir folder;
+    const QString recording = folder.filePath(QStringLiteral("cut-off.bask"));
+    ASSERT_TRUE(SessionWriter::create(recording.toStdString(), experiment, true)); // never finished
+    QFile mark(QDir(runMarkFolder()).filePath(QStringLiteral("1-1.run")));
+    ASSERT_TRUE(mark.open(QIODevice::WriteOnly));
+    mark.write(recording.toUtf8());
+    mark.close();
+    openWindow();
+    auto* bar = find<MessageBar>("cutOffBar");
+    ASSERT_TRUE(waitFor([&] { return bar->sentence().contains(QStringLiteral("simulated run")); }));
+    QTest::mouseClick(bar->findChild<QAbstractButton*>(QStringLiteral("messageAction")), Qt::LeftButton);
+    EXPECT_TRUE(waitFor([this] { return window->pages().page() == Page::Review; }));
+    EXPECT_EQ(find<QLabel>("sessionFile")->text(), QStringLiteral("cut-off.bask"));
+    EXPECT_FALSE(bar->isVisible());
+    EXPECT_TRUE(marks().isEmpty());
 }
 
 // Catches: an undone or refused edit that the engine still has, and edits that are possible while armed.

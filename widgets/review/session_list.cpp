@@ -1,6 +1,7 @@
 #include "widgets/review/session_list.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/elided_label.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/theme.h"
 #include "widgets/review/outcome_words.h"
@@ -62,7 +63,7 @@ QDateTime dateOf(const SessionHeader& session) {
 
 SessionList::SessionList(QWidget* parent)
     : QWidget(parent), m_search(new QLineEdit(this)), m_folder(new QPushButton(this)),
-      m_tree(new QTreeWidget(this)), m_count(new QLabel(this)), m_message(new MessageBar(this)),
+      m_tree(new QTreeWidget(this)), m_count(new ElidedLabel(this)), m_message(new MessageBar(this)),
       m_tagsLabel(new QLabel(this)), m_tags(new QLineEdit(this)), m_open(new QPushButton(this)),
       m_compare(new QPushButton(this)) {
     m_search->setObjectName(QStringLiteral("sessionSearch"));

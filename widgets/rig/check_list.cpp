@@ -157,7 +157,7 @@ void CheckList::showSource() {
     const double wanted_K = m_last.heatSetPoint_K.value_or(m_setPoint_K);
     const double now_K = sourceTemperature_K(m_last);
     if (!std::isfinite(now_K))
-        return put(m_source, Kind::Waiting, tr("Source: no temperature yet"));
+        return put(m_source, Kind::Waiting, tr("Source: no temperature"));
     const QString now = formatTemperature(now_K, m_unit), wanted = formatTemperature(wanted_K, m_unit);
     if (std::abs(now_K - wanted_K) <= kWarm_K)
         return put(m_source, Kind::Done, tr("Source: warm, %1").arg(now));

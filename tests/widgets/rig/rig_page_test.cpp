@@ -277,7 +277,7 @@ TEST_F(RigPageTest, AnUnknownTemperatureIsADash) {
     page.apply(snapshot, true);
     EXPECT_EQ(text("measuredSource"), QStringLiteral("\u2014"));
     EXPECT_TRUE(text("heatState").contains(QStringLiteral("\u2014"))) << text("heatState").toStdString();
-    EXPECT_TRUE(text("check.source").contains("no temperature yet"));
+    EXPECT_TRUE(text("check.source").contains("Source: no temperature"));
 }
 
 // Catches a rig that cannot be given its name.
