@@ -3,6 +3,7 @@
 #include "app/examples.h"
 #include "app/icons.h"
 #include "app/settings_store.h"
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/language.h"
 
@@ -36,7 +37,10 @@ bool allows(const Snapshot& snapshot, Verb verb) {
     const RunState state = snapshot.state;
     switch (verb) {
     case Verb::Arm:
-        return state == RunState::Ready || state == RunState::Stopped;
+        return state == RunState::Ready ||
+               (state == RunState::Stopped &&
+                std::ranges::find(snapshot.reasons, MessageCode::TargetAboveWarning, &Message::code) ==
+                    snapshot.reasons.end());
     case Verb::Start:
         return state == RunState::Armed;
     case Verb::Hold:

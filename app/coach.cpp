@@ -48,6 +48,7 @@ void Coach::offer() {
 
 void Coach::begin() {
     m_isOffer = false;
+    m_hasRun = false;
     m_step = Step::Harmonics;
     say();
 }
@@ -112,6 +113,7 @@ void Coach::seeVerdict(bool isFeasible) {
 void Coach::see(const Snapshot& snapshot) {
     const QString before = m_step ? words() : QString();
     const RunState state = m_state = snapshot.state;
+    m_hasRun = m_hasRun || isRunOn(state);
     if (m_isSimulated != snapshot.simulated) {
         m_isSimulated = snapshot.simulated;
         if (!m_isSimulated && (m_step || m_isOffer))
@@ -129,7 +131,7 @@ void Coach::see(const Snapshot& snapshot) {
         done(Step::Acknowledge);
     if (state == RunState::Running || state == RunState::Settled)
         done(Step::Resume);
-    if (!isRunOn(state))
+    if (m_hasRun && !isRunOn(state))
         done(Step::Stop);
     if (m_step && words() != before)
         say();
@@ -137,7 +139,7 @@ void Coach::see(const Snapshot& snapshot) {
 
 /// It ended by itself before the steps in it were done: a hold that lasts does.
 bool Coach::isRunOver() const {
-    return m_step && isInRun(*m_step) && !isRunOn(m_state);
+    return m_step && isInRun(*m_step) && m_hasRun && !isRunOn(m_state);
 }
 
 void Coach::seeReview() {

@@ -74,6 +74,7 @@ private:
     std::optional<Step> m_step;
     bool m_isSimulated = true;
     RunState m_state = RunState::Idle;
+    bool m_hasRun = false; ///< since it began
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };
 

@@ -23,6 +23,7 @@ constexpr std::array kVerbTexts{
     VerbText{"Resume", QT_TRANSLATE_NOOP("Verb", "Resume")},
     VerbText{"Stop", QT_TRANSLATE_NOOP("Verb", "Stop")},
     VerbText{"Reset", QT_TRANSLATE_NOOP("Verb", "Reset")},
+    VerbText{"Set targets", QT_TRANSLATE_NOOP("Verb", "Set targets")},
     VerbText{"Connecting", QT_TRANSLATE_NOOP("Verb", "Connecting")}, // no run's state
 };
 

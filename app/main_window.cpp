@@ -147,8 +147,12 @@ void MainWindow::refuse(const Message& refusal) {
     if (refusal.code == MessageCode::ReasonTargetInfeasible && m_last.state == RunState::Armed &&
         !m_recipe->isOn())
         return askInfeasible();
+    // What the fields show is what runs; a newer edit of them has its own answer.
     const bool isOn = m_last.state == RunState::Armed || runIsOn();
-    if (refusal.code == MessageCode::TargetAboveWarning && isOn) // what the fields show is what runs
+    const bool isTooHot =
+        refusal.code == MessageCode::TargetAboveWarning && !checkTargets(m_document.experiment());
+    const bool isTooLate = refusal.code == MessageCode::CommandNotNow && refusal.args[0] == "Set targets";
+    if (isOn && (isTooHot || isTooLate))
         (void)m_document.setTargets(m_last.targets_K);
     m_pages->showRefusal(sentence(refusal));
 }

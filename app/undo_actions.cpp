@@ -43,6 +43,12 @@ bool allowsEdit(RunState state, EditScope scope) {
     return allowsEdits(state);
 }
 
+/// In a run the engine refuses a target above its limit.
+bool UndoActions::allows(const EditStep& step, bool back) const {
+    return allowsEdit(m_state, step.edit.scope) &&
+           (allowsEdits(m_state) || checkTargets(back ? *step.before : *step.after));
+}
+
 UndoActions::UndoActions(Document& document, QAction* undo, QAction* redo, QWidget* window)
     : QObject(window), m_document(document), m_undo(undo), m_redo(redo), m_window(window) {
     connect(m_undo, &QAction::triggered, this, [this] { ask(true); });
@@ -65,11 +71,13 @@ void UndoActions::setState(RunState state) {
 }
 
 void UndoActions::refresh() {
-    show(m_undo, m_document.toUndo(), tr("&Undo"), tr("Nothing to undo"));
-    show(m_redo, m_document.toRedo(), tr("&Redo"), tr("Nothing to redo"));
+    show(true, tr("&Undo"), tr("Nothing to undo"));
+    show(false, tr("&Redo"), tr("Nothing to redo"));
 }
 
-void UndoActions::show(QAction* action, const EditStep* step, const QString& word, const QString& nothing) {
+void UndoActions::show(bool back, const QString& word, const QString& nothing) {
+    QAction* action = back ? m_undo : m_redo;
+    const EditStep* step = back ? m_document.toUndo() : m_document.toRedo();
     QString text = word;
     QString tip = nothing;
     if (step != nullptr) {
@@ -78,7 +86,7 @@ void UndoActions::show(QAction* action, const EditStep* step, const QString& wor
         text = tr("%1: %2").arg(word, QString(tip).replace(u'&', QStringLiteral("&&")));
         tip = tr("%1: %2").arg(QString(word).remove(u'&'), tip);
     }
-    const bool allowed = step != nullptr && allowsEdit(m_state, step->edit.scope);
+    const bool allowed = step != nullptr && allows(*step, back);
     if (step != nullptr && !allowed)
         tip += u'\n' + tr("A run is armed or on. This can be changed once it has stopped.");
     action->setText(text);
@@ -88,7 +96,7 @@ void UndoActions::show(QAction* action, const EditStep* step, const QString& wor
 
 void UndoActions::ask(bool back) {
     const EditStep* step = back ? m_document.toUndo() : m_document.toRedo();
-    if (step == nullptr || !allowsEdit(m_state, step->edit.scope))
+    if (step == nullptr || !allows(*step, back))
         return;
     const Experiment& wanted = back ? *step->before : *step->after;
     if ((!m_document.experiment().rig && !wanted.rig) || !widensLimits(m_document.experiment(), wanted))

@@ -33,7 +33,8 @@ signals:
 private:
     void ask(bool back);
     void go(bool back);
-    void show(QAction* action, const EditStep* step, const QString& word, const QString& nothing);
+    bool allows(const EditStep& step, bool back) const;
+    void show(bool back, const QString& word, const QString& nothing);
 
     Document& m_document;
     QAction *m_undo, *m_redo;

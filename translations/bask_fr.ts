@@ -1193,6 +1193,10 @@
             <translation>Désarmer</translation>
         </message>
         <message>
+            <source>Set targets</source>
+            <translation>Fixer les consignes</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>Démarrer</translation>
         </message>

@@ -1193,6 +1193,10 @@
             <translation>解除待命</translation>
         </message>
         <message>
+            <source>Set targets</source>
+            <translation>设定目标</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>开始</translation>
         </message>

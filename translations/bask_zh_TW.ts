@@ -1193,6 +1193,10 @@
             <translation>解除待命</translation>
         </message>
         <message>
+            <source>Set targets</source>
+            <translation>設定目標</translation>
+        </message>
+        <message>
             <source>Start</source>
             <translation>開始</translation>
         </message>

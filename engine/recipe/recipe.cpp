@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace bask {
 namespace {
@@ -113,15 +114,16 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
     RecipeExperiments out(recipe.steps.size());
     std::map<std::pair<std::string, std::string>, std::shared_ptr<const Experiment>> read;
     std::shared_ptr<const Experiment> first;
+    std::set<const Experiment*> judged;
     for (std::size_t i = 0; i < out.size(); ++i) {
         const RecipeStep& step = recipe.steps[i];
         if (!step.isRun())
             continue;
+        const std::string place = placeOf(i, step.example.empty() ? "run" : "run_example");
         auto& known = read[{step.experiment, step.example}];
         if (!known) {
             auto experiment =
                 step.example.empty() ? readExperiment(step.experiment) : readExample(step.example);
-            const std::string place = placeOf(i, step.example.empty() ? "run" : "run_example");
             const auto refuse = [&](const Error& why) {
                 return Error(why.code(), joined(place, why.where), why.message.args);
             };
@@ -129,11 +131,12 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
                 return refuse(experiment.error());
             if (const auto fit = checkTargets(*experiment); !fit) // it would never be ready
                 return refuse(fit.error());
-            // Nobody is there to agree to it when its turn comes.
-            if (const JointVerdict verdict = jointVerdict(*experiment); !verdict.feasible)
-                return Error(verdict.reason.code, place, verdict.reason.args);
             known = std::make_shared<const Experiment>(std::move(*experiment));
         }
+        // Nobody is there to agree to it when its turn comes.
+        if (!step.goesOn && judged.insert(known.get()).second)
+            if (const JointVerdict verdict = jointVerdict(*known); !verdict.feasible)
+                return Error(verdict.reason.code, place, verdict.reason.args);
         out[i] = known;
         first = first ? first : known;
     }

@@ -332,14 +332,14 @@ Result<void> ServoLoop::reset() {
 }
 
 Result<void> ServoLoop::setTargets(const std::vector<double>& targets_K) {
-    if (m_state == RunState::Stopping)
-        return refusal("Set targets");
     Experiment changed = m_experiment;
     if (const auto result = bask::setTargets(changed, targets_K); !result)
         return result;
     if (std::ranges::equal(changed.objects, m_experiment.objects, {}, &ObjectSpec::target_K,
                            &ObjectSpec::target_K))
         return {};
+    if (m_state == RunState::Stopping)
+        return refusal("Set targets");
     if (const auto result = checkTargets(changed); !result && isArmedOrOn())
         return result;
     m_experiment = std::move(changed);

@@ -211,6 +211,12 @@ TEST(CoachTest, LeadsBackIntoARunThatHasEnded) {
     snapshot.state = RunState::Holding;
     snapshot.alarms.emplace_back();
     coach.begin();
+    while (coach.step() != Coach::Step::Review) { // read through, without a run
+        coach.see(Snapshot());
+        EXPECT_FALSE(bar.sentence().contains(QStringLiteral("has ended"))) << qPrintable(bar.sentence());
+        emit bar.otherClicked();
+    }
+    coach.begin();
     coach.see(snapshot);
     while (coach.step() != Coach::Step::Acknowledge)
         emit bar.otherClicked();

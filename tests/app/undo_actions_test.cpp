@@ -85,6 +85,18 @@ TEST_F(UndoActionsTest, ARunAllowsWhatItAllowsToEdit) {
     }
     editTarget();
     EXPECT_TRUE(undo.isEnabled());
+    actions->setState(RunState::Ready);
+    ASSERT_TRUE(document.setTargets({500.0}).ok()); // over its limit, from before the run
+    editStart();
+    undo.trigger();
+    ASSERT_TRUE(redo.isEnabled());
+    editTarget();
+    for (const RunState state : {RunState::Armed, RunState::Running}) {
+        actions->setState(state);
+        EXPECT_FALSE(undo.isEnabled());
+    }
+    actions->setState(RunState::Ready);
+    EXPECT_TRUE(undo.isEnabled());
     actions->setState(RunState::Stopping); // the engine refuses targets then
     EXPECT_FALSE(undo.isEnabled());
     undo.trigger();
@@ -96,7 +108,7 @@ TEST_F(UndoActionsTest, ARunAllowsWhatItAllowsToEdit) {
     actions->setState(RunState::Stopping);
     EXPECT_TRUE(undo.isEnabled());
     actions->setState(RunState::Stopped);
-    for (int i = 0; i < 3; ++i)
+    while (undo.isEnabled())
         undo.trigger();
     EXPECT_EQ(document.experiment(), Document::blank());
 }

@@ -242,6 +242,26 @@ TEST_F(UndoTest, ATargetThatNoRunMayHaveNeitherArmsNorStays) {
     EXPECT_EQ(experiment(), armed);
     ASSERT_TRUE(window->document().setTargets({318.15, 313.15, 313.15}).ok());
     EXPECT_FALSE(said("messageBar").contains(QStringLiteral("200"))) << qPrintable(said("messageBar"));
+
+    // Nor one that comes as the run ends, which the engine takes no more.
+    const auto engineHas = [&](double target_K) {
+        return waitFor([&] { return std::abs(window->lastSnapshot().targets_K[0] - target_K) < 1e-9; });
+    };
+    ASSERT_TRUE(engineHas(318.15));
+    click("startButton");
+    ASSERT_TRUE(waitForState(RunState::Running));
+    click("stopRunButton");
+    ASSERT_TRUE(waitForState(RunState::Stopping));
+    ASSERT_TRUE(window->document().setTargets({330.0, 313.15, 313.15}).ok());
+    EXPECT_TRUE(waitFor([&] { return experiment().objects[0].target_K == 318.15; }));
+    EXPECT_TRUE(engineHas(318.15));
+
+    // Once stopped it is the document's again, and a reason against Arm.
+    ASSERT_TRUE(waitForState(RunState::Stopped));
+    EXPECT_TRUE(window->actions().verb(Verb::Arm)->isEnabled());
+    ASSERT_TRUE(window->document().setTargets({473.15, 313.15, 313.15}).ok());
+    EXPECT_TRUE(waitFor([&] { return !window->actions().verb(Verb::Arm)->isEnabled(); }));
+    EXPECT_TRUE(reasons().contains(QStringLiteral("circle")));
 }
 
 // Catches a menu that speaks the language of the edit, and buttons of the Objects page that do not follow.

@@ -12,6 +12,7 @@ namespace {
 constexpr int kColours = 48; // steps of the gradient: a path is one curve a step
 
 constexpr double kNameGap = 7.0; // px, from a start to its name
+constexpr int kNamePadding = 3;
 
 /// Where a point stands in a view.
 struct View {
@@ -50,16 +51,21 @@ public:
         for (const Name& name : m_names) {
             const QPointF at(name.rect->axis(QCPAxis::atBottom)->coordToPixel(name.start.x()),
                              name.rect->axis(QCPAxis::atLeft)->coordToPixel(name.start.y()));
-            const QSizeF size = QFontMetricsF(name.item->font()).size(0, name.item->text());
+            const QSizeF size =
+                QFontMetricsF(name.item->font()).size(0, name.item->text()) + QSizeF(2.0 * kNamePadding, 0.0);
             QRectF box(at.x() - 0.5 * size.width(), at.y() - kNameGap - size.height(), size.width(),
                        size.height());
-            const bool isFree = std::ranges::none_of(taken, [&](const auto& other) {
-                return other.first == name.rect && other.second.intersects(box);
-            });
-            if (!isFree) {
+            const auto isFree = [&] {
+                return std::ranges::none_of(taken, [&](const auto& other) {
+                    return other.first == name.rect && other.second.intersects(box);
+                });
+            };
+            if (!isFree()) {
                 name.item->setPositionAlignment(Qt::AlignHCenter | Qt::AlignTop);
-                name.item->position->setCoords(0.0, kNameGap);
                 box.moveTop(at.y() + kNameGap);
+                while (!isFree())
+                    box.translate(0.0, size.height());
+                name.item->position->setCoords(0.0, box.top() - at.y());
             }
             taken.emplace_back(name.rect, box);
         }
@@ -134,7 +140,7 @@ private:
         name->position->setParentAnchor(place->position);
         name->position->setCoords(0.0, -kNameGap);
         name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
-        name->setPadding({3, 0, 3, 0});
+        name->setPadding({kNamePadding, 0, kNamePadding, 0});
         name->setBrush(QColor(255, 255, 255, 200));
         name->setText(names.join(QStringLiteral(", ")));
         name->setFont(figureFont(14));

@@ -236,6 +236,9 @@ TEST_F(RecipeFile, experimentsAreReadOnceAndCheckedForTheirObjects) {
     error = readExperiments(recipe, noExample).error();
     EXPECT_EQ(error.where, "steps[2].run");
     EXPECT_EQ(error.message.args.at(0), "right") << describe(error);
+    recipe.steps[2].goesOn = true;
+    EXPECT_TRUE(readExperiments(recipe, noExample)) << "the step fails and the next one follows";
+    recipe.steps[2].goesOn = false;
     EXPECT_EQ(readExperiments(Recipe{}, noExample).error().code(), MessageCode::RecipeWithoutRun);
 
     recipe.steps[2].experiment = path + "x";
