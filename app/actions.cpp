@@ -282,7 +282,6 @@ void Actions::retranslateRun() {
         action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&"))));
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setToolTip(keys.isEmpty() ? meaning : meaning + QStringLiteral(" (%1)").arg(keys));
-        action->setStatusTip(meaning);
     };
     say(Verb::Arm, tr("&Arm"),
         tr("Zero the sensors at ambient and open the recording. Nothing moves or heats yet."));

@@ -68,7 +68,8 @@ void Coach::act() {
     if (m_step) {
         Place place = kPlaces[static_cast<std::size_t>(*m_step)];
         if (isRunOver())
-            place = {Page::Run, m_state == RunState::Fault   ? "resetButton"
+            place = {Page::Run, m_isFaultOn                  ? "toolsMenu"
+                                : m_state == RunState::Fault ? "resetButton"
                                 : m_state == RunState::Armed ? "startButton"
                                                              : "armButton"};
         emit showWanted(place.page, QLatin1String(place.control));
@@ -114,6 +115,7 @@ void Coach::see(const Snapshot& snapshot) {
     const QString before = m_step ? words() : QString();
     const RunState state = m_state = snapshot.state;
     m_hasRun = m_hasRun || isRunOn(state);
+    m_isFaultOn = std::ranges::any_of(snapshot.alarms, &Alarm::isActive);
     if (m_isSimulated != snapshot.simulated) {
         m_isSimulated = snapshot.simulated;
         if (!m_isSimulated && (m_step || m_isOffer))
@@ -171,6 +173,9 @@ QString Coach::words() const {
         return m_state == RunState::Fault
                    ? tr("The run has ended in a fault, as a hold that lasts does. End it in Tools > Simulate "
                         "fault, press Reset, then Arm (F5) and Start (F6) again.")
+               : m_isFaultOn
+                   ? tr("The run has ended. End the fault in Tools > Simulate fault, then Arm (F5) and Start "
+                        "(F6) again.")
                    : tr("The run has ended. Arm (F5) and Start (F6) again.");
     switch (*m_step) {
     case Step::Harmonics:
@@ -183,7 +188,9 @@ QString Coach::words() const {
     case Step::Feasible:
         return tr("Press “Use nearest feasible”: targets that can be held together.");
     case Step::Arm:
-        return tr("Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.");
+        return tr(
+            "Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the "
+            "recording is opened. Nothing moves yet.");
     case Step::Start:
         return tr("Start (F6): the heat is on, and the robot moves.");
     case Step::Note:

@@ -75,6 +75,7 @@ private:
     bool m_isSimulated = true;
     RunState m_state = RunState::Idle;
     bool m_hasRun = false; ///< since it began
+    bool m_isFaultOn = false;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 };
 

@@ -30,6 +30,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QScreen>
+#include <QScrollArea>
 #include <QToolBar>
 #include <QUrl>
 
@@ -80,8 +81,12 @@ void MainWindow::begin(const QString& path) {
 
 void MainWindow::apply(const Snapshot& snapshot) {
     m_last = snapshot;
+    const QWidget* const focused = focusWidget();
+    const bool isVerb = m_stateBar->isAncestorOf(focused);
     m_actions.apply(snapshot);
     m_stateBar->apply(snapshot);
+    if (isVerb && focusWidget() != focused) // or the verb beside it has the keyboard, and Space presses that
+        m_stateBar->focusChip();
     m_statusLine->apply(snapshot);
     m_pages->apply(snapshot);
     m_dock->apply(snapshot);
@@ -152,9 +157,10 @@ void MainWindow::refuse(const Message& refusal) {
     const bool isTooHot =
         refusal.code == MessageCode::TargetAboveWarning && !checkTargets(m_document.experiment());
     const bool isTooLate = refusal.code == MessageCode::CommandNotNow && refusal.args[0] == "Set targets";
-    if (isOn && (isTooHot || isTooLate))
-        (void)m_document.setTargets(m_last.targets_K);
-    m_pages->showRefusal(sentence(refusal));
+    if (!isOn || !(isTooHot || isTooLate))
+        return m_pages->showRefusal(sentence(refusal));
+    (void)m_document.setTargets(m_last.targets_K);
+    m_pages->showRefusal(tr("Not taken: the targets stay as they were.") + u' ' + sentence(refusal));
 }
 
 void MainWindow::askInfeasible() {
@@ -210,6 +216,9 @@ void MainWindow::showControl(Page page, const QString& name) {
             return pointAt(menuBar(), menuBar()->actionGeometry(top));
     for (QWidget* control : findChildren<QWidget*>(name))
         if (control->isVisible()) {
+            for (QWidget* around = control; around != nullptr; around = around->parentWidget())
+                if (auto* scroll = qobject_cast<QScrollArea*>(around))
+                    scroll->ensureWidgetVisible(control);
             control->setFocus(Qt::TabFocusReason);
             return pointAt(control);
         }

@@ -173,7 +173,7 @@ void MainWindow::connectParts() {
 }
 
 void MainWindow::connectRecipe() {
-    m_recipe = new RecipeControl(m_document, m_files, m_dock->recipe(), this);
+    m_recipe = new RecipeControl(m_document, m_files, m_dock->recipe(), m_pages->recipeBar(), this);
     connect(m_recipe, &RecipeControl::commandIssued, &m_engine, &EngineClient::send);
     connect(m_recipe, &RecipeControl::problem, m_pages, &PageHost::showProblem);
     connect(m_recipe, &RecipeControl::told, m_pages, &PageHost::showNote);

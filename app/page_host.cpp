@@ -28,12 +28,13 @@ namespace bask {
 
 PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     : QWidget(parent), m_document(document), m_files(files), m_cutOff(new MessageBar(this)),
-      m_question(new MessageBar(this)), m_coach(new MessageBar(this)), m_bar(new MessageBar(this)),
-      m_pages(new QStackedWidget(this)), m_rig(new RigPage), m_objects(new ObjectsPage),
-      m_calibrate(new CalibratePage), m_targets(new TargetsPage), m_run(new RunPage),
-      m_review(new ReviewPage), m_library(*m_review->sessions()) {
+      m_recipe(new MessageBar(this)), m_question(new MessageBar(this)), m_coach(new MessageBar(this)),
+      m_bar(new MessageBar(this)), m_pages(new QStackedWidget(this)), m_rig(new RigPage),
+      m_objects(new ObjectsPage), m_calibrate(new CalibratePage), m_targets(new TargetsPage),
+      m_run(new RunPage), m_review(new ReviewPage), m_library(*m_review->sessions()) {
     m_cutOff->setObjectName(QStringLiteral("cutOffBar"));
     m_question->setObjectName(QStringLiteral("questionBar"));
+    m_recipe->setObjectName(QStringLiteral("recipeBar"));
     m_coach->setObjectName(QStringLiteral("coachBar"));
     m_bar->setObjectName(QStringLiteral("messageBar"));
     m_pages->setObjectName(QStringLiteral("pages"));
@@ -44,6 +45,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(m_cutOff);
+    column->addWidget(m_recipe);
     column->addWidget(m_question);
     column->addWidget(m_coach);
     column->addWidget(m_bar);

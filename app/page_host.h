@@ -60,6 +60,7 @@ public:
 
     /// Over all, for what waits for an answer.
     MessageBar& cutOffBar() { return *m_cutOff; }
+    MessageBar& recipeBar() { return *m_recipe; }
     MessageBar& questionBar() { return *m_question; }
     MessageBar& coachBar() { return *m_coach; }
     const TargetJudge& judge() const { return m_judge; }
@@ -95,7 +96,7 @@ private:
     Document& m_document;
     TargetJudge m_judge;
     SessionActions& m_files;
-    MessageBar *m_cutOff, *m_question, *m_coach, *m_bar;
+    MessageBar *m_cutOff, *m_recipe, *m_question, *m_coach, *m_bar;
     QStackedWidget* m_pages;
     RigPage* m_rig;
     ObjectsPage* m_objects;

@@ -5,6 +5,7 @@
 #include "app/examples.h"
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/message_bar.h"
 #include "widgets/recipe/recipe_panel.h"
 #include "widgets/recipe/recipe_words.h"
 #include "widgets/rig/way_up_question.h"
@@ -28,8 +29,10 @@ const RecipeStep& of(const RecipeRunner& runner) {
 
 } // namespace
 
-RecipeControl::RecipeControl(Document& document, SessionActions& files, RecipePanel& panel, QWidget* window)
-    : QObject(window), m_document(document), m_files(files), m_panel(panel), m_window(window) {
+RecipeControl::RecipeControl(Document& document, SessionActions& files, RecipePanel& panel, MessageBar& bar,
+                             QWidget* window)
+    : QObject(window), m_document(document), m_files(files), m_panel(panel), m_bar(bar), m_window(window) {
+    connect(&m_bar, &MessageBar::actionClicked, this, &RecipeControl::showWanted);
     m_panel.setExamples(exampleRecipeNames());
     connect(&m_panel, &RecipePanel::edited, this, &RecipeControl::edit);
     connect(&m_panel, &RecipePanel::newRequested, this, [this] {
@@ -319,6 +322,17 @@ void RecipeControl::showPanel() {
         view.stopsAfterStep = m_runner->stopsAfterStep();
     }
     m_panel.show(view);
+    showBar();
+}
+
+void RecipeControl::showBar() {
+    if (!isOn())
+        return m_bar.clear();
+    const QString text = tr("A recipe is on, step %1 of %2. It arms, moves and heats by itself.")
+                             .arg(m_runner->step() + 1)
+                             .arg(m_recipe.steps.size());
+    if (m_bar.sentence() != text)
+        m_bar.say(MessageBar::Kind::Note, text, tr("Show the recipe"), false);
 }
 
 } // namespace bask

@@ -12,6 +12,7 @@
 
 namespace bask {
 
+class MessageBar;
 class RecipePanel;
 
 /// Each run's experiment is opened in the document, so that the pages show it. Object name of its question:
@@ -20,7 +21,9 @@ class RecipeControl : public QObject {
     Q_OBJECT
 
 public:
-    RecipeControl(Document& document, SessionActions& files, RecipePanel& panel, QWidget* window);
+    /// `bar` tells over every page that a recipe is on: between its steps the engine is at rest.
+    RecipeControl(Document& document, SessionActions& files, RecipePanel& panel, MessageBar& bar,
+                  QWidget* window);
 
     void open(const QString& path);
     /// Unsaved edits of the recipe may be lost: asks. False: stay.
@@ -55,11 +58,13 @@ private:
     void begin(RecipeExperiments experiments);
     void post(const std::vector<Command>& commands);
     void showPanel();
+    void showBar();
     void tellEnd();
 
     Document& m_document;
     SessionActions& m_files;
     RecipePanel& m_panel;
+    MessageBar& m_bar;
     QWidget* m_window;
     Recipe m_recipe;
     QString m_path;

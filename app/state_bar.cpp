@@ -104,6 +104,10 @@ void StateBar::apply(const Snapshot& snapshot) {
     fit();
 }
 
+void StateBar::focusChip() {
+    m_chip->setFocus(Qt::OtherFocusReason);
+}
+
 /// In a small window an alarm takes the words of Arm and Start; in a smaller one more gives way to STOP.
 void StateBar::fit() {
     const bool hasAlarms = !m_alarm->isHidden();

@@ -28,6 +28,7 @@ public:
     QSize minimumSizeHint() const override;
 
     void apply(const Snapshot& snapshot);
+    void focusChip();
     void setAnswering(bool answering);
     void setTemperatureUnit(TemperatureUnit unit);
     RunStateChip* chip() const { return m_chip; }

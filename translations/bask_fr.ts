@@ -139,6 +139,10 @@
             <translation>« %1 » n’est pas le ou les nombres finis attendus</translation>
         </message>
         <message>
+            <source>Held for more than %1 s without a reading: the run is ended</source>
+            <translation>En pause depuis plus de %1 s sans mesure : l’essai prend fin</translation>
+        </message>
+        <message>
             <source>a recipe needs at least one step that runs an experiment</source>
             <translation>une recette a besoin d’au moins une étape qui exécute une expérience</translation>
         </message>
@@ -3068,6 +3072,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <context>
         <name>bask::MainWindow</name>
         <message>
+            <source>Not taken: the targets stay as they were.</source>
+            <translation>Refusé : les consignes restent ce qu’elles étaient.</translation>
+        </message>
+        <message>
             <source>Pages</source>
             <translation>Pages</translation>
         </message>
@@ -4037,7 +4045,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
         <message>
             <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
-            <translation>Choisissez un essai enregistré dans la liste et appuyez sur Entrée, ou ouvrez un fichier : ses courbes, événements et grandeurs s’affichent ici, et l’essai peut être rejoué.</translation>
+            <translation>Choisissez un essai enregistré dans la liste et appuyez sur Entrée, ou ouvrez un fichier : ses courbes, événements et indicateurs s’affichent ici, et l’essai peut être rejoué.</translation>
         </message>
         <message>
             <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
@@ -4097,7 +4105,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         </message>
         <message>
             <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
-            <translation>Ni grandeurs, ni valeurs finales, ni coefficients thermiques : l’enregistrement ne peut pas être lu jusqu’au bout.</translation>
+            <translation>Ni indicateurs, ni valeurs finales, ni coefficients thermiques : l’enregistrement ne peut pas être lu jusqu’au bout.</translation>
         </message>
         <message>
             <source>Stopped</source>
@@ -6604,10 +6612,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
             <translation>Appuyez sur « Prendre les plus proches » : des consignes tenables ensemble.</translation>
         </message>
         <message>
-            <source>Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
-            <translation>Armer (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
-        </message>
-        <message>
             <source>Start (F6): the heat is on, and the robot moves.</source>
             <translation>Démarrer (F6) : le chauffage est en marche et le robot bouge.</translation>
         </message>
@@ -6618,6 +6622,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>The run has ended. Arm (F5) and Start (F6) again.</source>
             <translation>L’essai est terminé. De nouveau, Armer (F5) et Démarrer (F6).</translation>
+        </message>
+        <message>
+            <source>The run has ended. End the fault in Tools &gt; Simulate fault, then Arm (F5) and Start (F6) again.</source>
+            <translation>L’essai est terminé. Levez le défaut dans Outils &gt; Simuler un défaut, puis de nouveau Armer (F5) et Démarrer (F6).</translation>
         </message>
         <message>
             <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
@@ -6646,6 +6654,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>On the Review page, open the recording of this run.</source>
             <translation>Page Relecture : ouvrez l’enregistrement de cet essai.</translation>
+        </message>
+        <message>
+            <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+            <translation>Retapez-y 40 °C, atteint plus vite. Puis armez (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
         </message>
     </context>
     <context>
@@ -6788,7 +6800,7 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <name>bask::MetricsPanel</name>
         <message>
             <source>How these numbers are defined</source>
-            <translation>Définition de ces grandeurs</translation>
+            <translation>Définition de ces indicateurs</translation>
         </message>
         <message>
             <source>Metrics of the run</source>
@@ -8020,6 +8032,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
 <context>
     <name>bask::RecipeControl</name>
         <message>
+            <source>A recipe is on, step %1 of %2. It arms, moves and heats by itself.</source>
+            <translation>Une recette est en cours, étape %1 sur %2. Elle arme, déplace et chauffe d’elle-même.</translation>
+        </message>
+        <message>
             <source>Open a recipe</source>
             <translation>Ouvrir une recette</translation>
         </message>
@@ -8034,6 +8050,10 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <message>
             <source>A recipe is on. Stop it before another one is opened.</source>
             <translation>Une recette est en cours. Arrêtez-la avant d’en ouvrir une autre.</translation>
+        </message>
+        <message>
+            <source>Show the recipe</source>
+            <translation>Voir la recette</translation>
         </message>
         <message>
             <source>Unsaved recipe</source>

@@ -139,6 +139,10 @@
             <translation>“%1”不是此处所需的有限数值</translation>
         </message>
         <message>
+            <source>Held for more than %1 s without a reading: the run is ended</source>
+            <translation>无读数保持超过 %1 s：运行结束</translation>
+        </message>
+        <message>
             <source>a recipe needs at least one step that runs an experiment</source>
             <translation>配方至少需要一个运行实验的步骤</translation>
         </message>
@@ -3063,6 +3067,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </context>
     <context>
         <name>bask::MainWindow</name>
+        <message>
+            <source>Not taken: the targets stay as they were.</source>
+            <translation>未采用：目标保持原样。</translation>
+        </message>
         <message>
             <source>Pages</source>
             <translation>页面</translation>
@@ -6599,10 +6607,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>按“采用最近的可行目标”：可同时保持的目标。</translation>
         </message>
         <message>
-            <source>Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
-            <translation>待命（F5）：传感器校零，打开记录。此时什么都不动。</translation>
-        </message>
-        <message>
             <source>Start (F6): the heat is on, and the robot moves.</source>
             <translation>开始（F6）：加热打开，机器人移动。</translation>
         </message>
@@ -6613,6 +6617,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>The run has ended. Arm (F5) and Start (F6) again.</source>
             <translation>运行已结束。请再次“待命”（F5）、“开始”（F6）。</translation>
+        </message>
+        <message>
+            <source>The run has ended. End the fault in Tools &gt; Simulate fault, then Arm (F5) and Start (F6) again.</source>
+            <translation>运行已结束。请在“工具 &gt; 模拟故障”中结束故障，然后再次“待命”（F5）、“开始”（F6）。</translation>
         </message>
         <message>
             <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
@@ -6641,6 +6649,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>On the Review page, open the recording of this run.</source>
             <translation>在“回顾”页打开本次运行的记录。</translation>
+        </message>
+        <message>
+            <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+            <translation>在那里重新输入 40 °C，可更快达到。然后待命（F5）：传感器校零，打开记录。此时什么都不动。</translation>
         </message>
     </context>
     <context>
@@ -8007,6 +8019,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <context>
         <name>bask::RecipeControl</name>
         <message>
+            <source>A recipe is on, step %1 of %2. It arms, moves and heats by itself.</source>
+            <translation>配方正在进行，第 %1 步，共 %2 步。它会自行待命、移动和加热。</translation>
+        </message>
+        <message>
             <source>Open a recipe</source>
             <translation>打开配方</translation>
         </message>
@@ -8021,6 +8037,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>A recipe is on. Stop it before another one is opened.</source>
             <translation>配方正在进行。请先将其停止，再打开另一个。</translation>
+        </message>
+        <message>
+            <source>Show the recipe</source>
+            <translation>查看配方</translation>
         </message>
         <message>
             <source>Unsaved recipe</source>

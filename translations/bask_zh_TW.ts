@@ -139,6 +139,10 @@
             <translation>「%1」不是此處所需的有限數值</translation>
         </message>
         <message>
+            <source>Held for more than %1 s without a reading: the run is ended</source>
+            <translation>無讀數保持超過 %1 s：運轉結束</translation>
+        </message>
+        <message>
             <source>a recipe needs at least one step that runs an experiment</source>
             <translation>配方至少需要一個執行實驗的步驟</translation>
         </message>
@@ -3063,6 +3067,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     </context>
     <context>
         <name>bask::MainWindow</name>
+        <message>
+            <source>Not taken: the targets stay as they were.</source>
+            <translation>未採用：目標保持原樣。</translation>
+        </message>
         <message>
             <source>Pages</source>
             <translation>頁面</translation>
@@ -6599,10 +6607,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
             <translation>按「採用最近的可行目標」：可同時維持的目標。</translation>
         </message>
         <message>
-            <source>Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
-            <translation>待命（F5）：感測器校零，開啟記錄。此時什麼都不動。</translation>
-        </message>
-        <message>
             <source>Start (F6): the heat is on, and the robot moves.</source>
             <translation>開始（F6）：加熱開啟，機器人移動。</translation>
         </message>
@@ -6613,6 +6617,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>The run has ended. Arm (F5) and Start (F6) again.</source>
             <translation>運轉已結束。請再次「待命」（F5）、「開始」（F6）。</translation>
+        </message>
+        <message>
+            <source>The run has ended. End the fault in Tools &gt; Simulate fault, then Arm (F5) and Start (F6) again.</source>
+            <translation>運轉已結束。請在「工具 &gt; 模擬故障」中結束故障，然後再次「待命」（F5）、「開始」（F6）。</translation>
         </message>
         <message>
             <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
@@ -6641,6 +6649,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>On the Review page, open the recording of this run.</source>
             <translation>在「回顧」頁開啟本次運轉的記錄。</translation>
+        </message>
+        <message>
+            <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+            <translation>在那裡重新輸入 40 °C，可更快達到。然後待命（F5）：感測器校零，開啟記錄。此時什麼都不動。</translation>
         </message>
     </context>
     <context>
@@ -8007,6 +8019,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <context>
         <name>bask::RecipeControl</name>
         <message>
+            <source>A recipe is on, step %1 of %2. It arms, moves and heats by itself.</source>
+            <translation>配方正在進行，第 %1 步，共 %2 步。它會自行待命、移動和加熱。</translation>
+        </message>
+        <message>
             <source>Open a recipe</source>
             <translation>開啟配方</translation>
         </message>
@@ -8021,6 +8037,10 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <message>
             <source>A recipe is on. Stop it before another one is opened.</source>
             <translation>配方正在進行。請先將其停止，再開啟另一個。</translation>
+        </message>
+        <message>
+            <source>Show the recipe</source>
+            <translation>檢視配方</translation>
         </message>
         <message>
             <source>Unsaved recipe</source>

@@ -281,6 +281,7 @@ constexpr std::array kMessages{
     Entry BASK_MESSAGE(SourceUnwatched, QT_TRANSLATE_NOOP("Message", "with the profile \"%1\" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with \"unattended_heat\": true.")),
     Entry BASK_MESSAGE(EventObjectFault, QT_TRANSLATE_NOOP("Message", "simulated fault of \"%2\": %1")),
     Entry BASK_MESSAGE(RecipeWithoutRun, QT_TRANSLATE_NOOP("Message", "a recipe needs at least one step that runs an experiment")),
+    Entry BASK_MESSAGE(EventHeldTooLong, QT_TRANSLATE_NOOP("Message", "Held for more than %1 s without a reading: the run is ended")),
 };
 // clang-format on
 

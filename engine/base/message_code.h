@@ -276,6 +276,7 @@ enum class MessageCode : int {
     SourceUnwatched,          ///< %1 profile
     EventObjectFault,         ///< %1 name, %2 object
     RecipeWithoutRun,         ///< no args
+    EventHeldTooLong,         ///< %1 s
 };
 
 } // namespace bask

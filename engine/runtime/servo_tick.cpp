@@ -207,6 +207,7 @@ void ServoLoop::watch() {
         (void)hold();
         m_heldBySafety = true;
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
+        event(MessageCode::EventHeldTooLong, {formatNumber(m_experiment.safety.heldLimit_s)});
         stopFor(m_safety.lost()
                     ->message); // whoever holds: nobody sees how hot the object is, or where the source
     } else if (const SafetyFinding* lost = m_safety.lostSensor();

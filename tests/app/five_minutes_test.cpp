@@ -227,8 +227,13 @@ TEST(CoachTest, LeadsBackIntoARunThatHasEnded) {
         emit bar.actionClicked();
         return shown.toStdString();
     };
-    EXPECT_EQ(pointsAt(RunState::Fault), "resetButton");
+    snapshot.alarms[0].isActive = true;
+    EXPECT_EQ(pointsAt(RunState::Fault), "toolsMenu");
     EXPECT_TRUE(bar.sentence().contains(QStringLiteral("Reset"))) << qPrintable(bar.sentence());
+    EXPECT_EQ(pointsAt(RunState::NotReady), "toolsMenu"); // reset too soon
+    EXPECT_TRUE(bar.sentence().contains(QStringLiteral("End the fault"))) << qPrintable(bar.sentence());
+    snapshot.alarms[0].isActive = false;
+    EXPECT_EQ(pointsAt(RunState::Fault), "resetButton");
     EXPECT_EQ(pointsAt(RunState::Ready), "armButton");
     EXPECT_EQ(pointsAt(RunState::Armed), "startButton");
     EXPECT_EQ(pointsAt(RunState::Holding), "alarmButton");

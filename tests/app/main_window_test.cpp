@@ -60,6 +60,16 @@ TEST_F(MainWindowTest, ButtonsFollowTheReportedState) {
     EXPECT_FALSE(find<QAbstractButton>("startButton")->isEnabled());
 }
 
+// Catches: Start has the keyboard, cannot be pressed any more, and the next Space is for Stop.
+TEST_F(MainWindowTest, TheKeyboardDoesNotSlideFromStartToStop) {
+    openWindow();
+    ASSERT_NO_FATAL_FAILURE(arm());
+    find<QWidget>("startButton")->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(window->focusWidget(), Qt::Key_Space);
+    ASSERT_TRUE(waitForState(RunState::Running));
+    EXPECT_EQ(window->focusWidget(), find<QWidget>("runStateChip"));
+}
+
 TEST_F(MainWindowTest, HoldBecomesResume) {
     openWindow();
     ASSERT_NO_FATAL_FAILURE(arm());

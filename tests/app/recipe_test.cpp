@@ -2,6 +2,7 @@
 
 #include "app/recipe_control.h"
 #include "tests/app/window_fixture.h"
+#include "widgets/common/message_bar.h"
 
 #include <QComboBox>
 #include <QDialog>
@@ -74,11 +75,14 @@ TEST_F(RecipeTest, goesThroughItsStepsUntilItIsStopped) {
         << question()->text().toStdString();
     // All of it, as it comes: a step lasts less than a second here, and this thread may be held up for
     // longer.
-    bool saysRunning = false, restsInWait = false;
+    bool saysRunning = false, restsInWait = false, isTold = true;
+    auto* told = find<MessageBar>("recipeBar");
+    EXPECT_FALSE(told->isVisible());
     QObject::connect(window.get(), &MainWindow::snapshotApplied, window.get(), [&](const Snapshot& snapshot) {
         saysRunning |= bar().startsWith("Step 1 of 3: running");
         restsInWait |= stateOf(0) == "Done" && stateOf(1) == "Under way" &&
                        snapshot.state == RunState::Stopped && !snapshot.heatOn;
+        isTold &= !window->recipe().isOn() || told->isVisible(); // also while the rig rests
     });
     ASSERT_NO_FATAL_FAILURE(go());
     EXPECT_EQ(stateOf(0), "Under way");
@@ -93,6 +97,8 @@ TEST_F(RecipeTest, goesThroughItsStepsUntilItIsStopped) {
     ASSERT_TRUE(waitFor([this] { return !window->recipe().isOn(); }));
     EXPECT_EQ(state(), RunState::Stopped);
     EXPECT_EQ(stateOf(2), "Stopped");
+    EXPECT_TRUE(isTold);
+    EXPECT_FALSE(told->isVisible());
     EXPECT_TRUE(bar().startsWith("The recipe was stopped.")) << bar().toStdString();
 
     choose(1);

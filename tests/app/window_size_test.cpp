@@ -124,8 +124,7 @@ TEST_F(WindowSizeTest, NothingShownLaterMakesItGrow) {
     EXPECT_GT(find<QWidget>("eventDock")->height(), before);
     EXPECT_EQ(window->size(), size);
     find<QTabWidget>("dockTabs")->setCurrentIndex(1);
-    settle();
-    EXPECT_EQ(find<QWidget>("eventDock")->height(), before);
+    EXPECT_TRUE(waitFor([&] { return find<QWidget>("eventDock")->height() == before; }));
 }
 
 // Catches: a control that gets the keyboard where nobody sees it.

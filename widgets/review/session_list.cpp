@@ -180,8 +180,7 @@ void SessionList::markOpened(QTreeWidgetItem* row) const {
     const bool is = isOpened(row);
     QFont bold = m_tree->font();
     bold.setBold(is);
-    for (int column = 0; column < kListColumns; ++column)
-        row->setFont(column, bold);
+    row->setFont(kExperiment, bold);
     row->setData(kDate, Qt::AccessibleDescriptionRole, is ? tr("Open on this page") : QString());
 }
 
