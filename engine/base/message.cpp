@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
 
 // Marks a sentence for lupdate without needing Qt here.
 #define QT_TRANSLATE_NOOP(context, text) text
@@ -23,7 +24,7 @@ struct Entry {
     { MessageCode::code, #code, text }
 
 // clang-format off
-constexpr std::array kMessages{
+constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more than 256
     Entry BASK_MESSAGE(None, ""),
     Entry BASK_MESSAGE(FileNotFound, QT_TRANSLATE_NOOP("Message", "there is no such file; check the path")),
     Entry BASK_MESSAGE(FileUnreadable, QT_TRANSLATE_NOOP("Message", "the file cannot be read: %1")),
@@ -287,7 +288,7 @@ constexpr std::array kMessages{
 
 const Entry& entry(MessageCode code) {
     const auto it = std::ranges::find(kMessages, code, &Entry::code);
-    return it == kMessages.end() ? kMessages.front() : *it;
+    return it == std::end(kMessages) ? kMessages[0] : *it;
 }
 
 } // namespace
@@ -302,7 +303,7 @@ const char* messageName(MessageCode code) {
 
 MessageCode messageCodeFromName(const std::string& name) {
     const auto it = std::ranges::find_if(kMessages, [&](const Entry& e) { return name == e.name; });
-    return it == kMessages.end() ? MessageCode::None : it->code;
+    return it == std::end(kMessages) ? MessageCode::None : it->code;
 }
 
 int alarmPriority(MessageCode code) {
