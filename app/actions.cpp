@@ -59,8 +59,7 @@ bool allows(const Snapshot& snapshot, Verb verb) {
 }
 
 bool allowsEdits(RunState state) {
-    return state == RunState::Idle || state == RunState::NotReady || state == RunState::Ready ||
-           state == RunState::Stopped || state == RunState::Fault;
+    return state != RunState::Armed && !isRunOn(state);
 }
 
 Actions::Actions(QWidget* window) : QObject(window), m_window(window) {

@@ -153,11 +153,10 @@ void MainWindow::refuse(const Message& refusal) {
         !m_recipe->isOn())
         return askInfeasible();
     // What the fields show is what runs; a newer edit of them has its own answer.
-    const bool isOn = m_last.state == RunState::Armed || runIsOn();
     const bool isTooHot =
         refusal.code == MessageCode::TargetAboveWarning && !checkTargets(m_document.experiment());
     const bool isTooLate = refusal.code == MessageCode::CommandNotNow && refusal.args[0] == "Set targets";
-    if (!isOn || !(isTooHot || isTooLate))
+    if (allowsEdits(m_last.state) || !(isTooHot || isTooLate))
         return m_pages->showRefusal(sentence(refusal));
     (void)m_document.setTargets(m_last.targets_K);
     m_pages->showRefusal(tr("Not taken: the targets stay as they were.") + u' ' + sentence(refusal));

@@ -14,6 +14,7 @@
 #include <cmath>
 
 namespace bask {
+
 StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     : QStatusBar(parent), m_ageLabel(new ElidedLabel(this)), m_loopLabel(new ElidedLabel(this)),
       m_sourceLabel(new QLabel(this)), m_trackingLabel(new ElidedLabel(this)),
