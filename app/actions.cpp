@@ -12,18 +12,22 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QRegularExpression>
+#include <QShortcut>
 
 #include <algorithm>
 
 namespace bask {
 namespace {
 
-constexpr std::array kVerbNames{"arm", "start", "hold", "resume", "stop", "emergencyStop", "reset"};
-constexpr std::array kVerbIcons{"arm", "start", "hold", "resume", "stop", "", "reset"};
+constexpr std::array kVerbNames{"arm",  "start",   "hold",          "resume",
+                                "stop", "retreat", "emergencyStop", "reset"};
+constexpr std::array kVerbIcons{"arm", "start", "hold", "resume", "stop", "retreat", "", "reset"};
 constexpr std::array kPageNames{"rig", "objects", "calibrate", "targets", "run", "review"};
 constexpr std::array kUnits{TemperatureUnit::Celsius, TemperatureUnit::Kelvin, TemperatureUnit::Fahrenheit};
 constexpr std::array kUnitNames{"celsius", "kelvin", "fahrenheit"};
 constexpr std::array kThemes{Theme::System, Theme::Light, Theme::Dark};
+constexpr std::array kHornModes{HornMode::Off, HornMode::RealRig, HornMode::Always};
+constexpr std::array kHornNames{"hornOff", "hornOnRealRig", "hornAlways"};
 constexpr std::array kThemeNames{"system", "light", "dark"};
 
 /// Names of files and objects are shown as they are: no mnemonics in them.
@@ -50,6 +54,8 @@ bool allows(const Snapshot& snapshot, Verb verb) {
     case Verb::Stop:
         return state == RunState::Armed || state == RunState::Running || state == RunState::Holding ||
                state == RunState::Settled;
+    case Verb::Retreat:
+        return snapshot.canRetreat;
     case Verb::EmergencyStop:
         return true;
     case Verb::Reset:
@@ -73,6 +79,8 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     undo = make("editUndo", QKeySequence::Undo);
     redo = make("editRedo");
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
+    endRecording = make("endRecording");
+    endRecording->setEnabled(false);
     acknowledgeAlarms = make("acknowledgeAlarms", QKeySequence(Qt::Key_F9));
     acknowledgeAlarms->setEnabled(false);
     m_clearRecent = make("clearRecent");
@@ -84,9 +92,9 @@ Actions::Actions(QWidget* window) : QObject(window), m_window(window) {
     about->setMenuRole(QAction::AboutRole);
     saveSession->setEnabled(false);
 
-    for (QMenu** menu :
-         {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu, &m_unitMenu,
-          &m_themeMenu, &m_textSizeMenu, &m_languageMenu, &m_toolsMenu, &m_faultMenu, &m_helpMenu})
+    for (QMenu** menu : {&m_fileMenu, &m_exampleMenu, &m_recentMenu, &m_editMenu, &m_runMenu, &m_viewMenu,
+                         &m_unitMenu, &m_themeMenu, &m_textSizeMenu, &m_hornMenu, &m_languageMenu,
+                         &m_toolsMenu, &m_faultMenu, &m_helpMenu})
         *menu = new QMenu(window);
     m_fileMenu->setToolTipsVisible(true);
     m_editMenu->setToolTipsVisible(true);
@@ -112,18 +120,21 @@ QAction* Actions::make(const char* name, const QKeySequence& keys) {
 }
 
 void Actions::makeVerbs() {
-    const std::array keys{QKeySequence(Qt::Key_F5),
-                          QKeySequence(Qt::Key_F6),
-                          QKeySequence(Qt::Key_F7),
-                          QKeySequence(Qt::SHIFT | Qt::Key_F7),
-                          QKeySequence(Qt::Key_F8),
-                          QKeySequence(),
-                          QKeySequence()};
+    const std::array keys{QKeySequence(Qt::Key_F5), QKeySequence(Qt::Key_F6),
+                          QKeySequence(Qt::Key_F7), QKeySequence(Qt::SHIFT | Qt::Key_F7),
+                          QKeySequence(Qt::Key_F8), QKeySequence(Qt::SHIFT | Qt::Key_F8),
+                          QKeySequence(),           QKeySequence()};
     for (std::size_t i = 0; i < m_verbs.size(); ++i) {
         m_verbs[i] = make(kVerbNames[i], keys[i]);
         m_verbs[i]->setEnabled(static_cast<Verb>(i) == Verb::EmergencyStop);
         connect(m_verbs[i], &QAction::triggered, this,
                 [this, i] { emit verbTriggered(static_cast<Verb>(i)); });
+        if (keys[i].isEmpty())
+            continue;
+        m_deafKeys[i] = new QShortcut(keys[i], m_window);
+        m_deafKeys[i]->setAutoRepeat(false);
+        connect(m_deafKeys[i], &QShortcut::activated, this,
+                [this, i] { emit verbRefused(static_cast<Verb>(i)); });
     }
 }
 
@@ -143,6 +154,7 @@ void Actions::makeView() {
     m_unitGroup = group();
     m_themeGroup = group();
     m_textSizeGroup = group();
+    m_hornGroup = group();
     m_languageGroup = group();
     for (std::size_t i = 0; i < kPageNames.size(); ++i) {
         m_pages[i] =
@@ -154,6 +166,8 @@ void Actions::makeView() {
         connect(m_units[i], &QAction::triggered, this, [this, i] { emit unitChosen(kUnits[i]); });
         m_themes[i] = checkable(m_themeGroup, kThemeNames[i]);
         connect(m_themes[i], &QAction::triggered, this, [this, i] { emit themeChosen(kThemes[i]); });
+        m_horns[i] = checkable(m_hornGroup, kHornNames[i]);
+        connect(m_horns[i], &QAction::triggered, this, [this, i] { emit hornModeChosen(kHornModes[i]); });
     }
     for (const int percent : SettingsStore::kTextSizes_percent) {
         QAction* action = checkable(m_textSizeGroup, "textSize");
@@ -217,23 +231,26 @@ void Actions::fillMenus(QMenuBar* bar) {
     m_fileMenu->addSeparator();
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
-    for (const Verb each : {Verb::Arm, Verb::Start, Verb::Hold, Verb::Resume, Verb::Stop})
+    for (const Verb each : {Verb::Arm, Verb::Start, Verb::Hold, Verb::Resume, Verb::Stop, Verb::Retreat})
         m_runMenu->addAction(verb(each));
     m_runMenu->addSeparator();
     m_runMenu->addActions({verb(Verb::EmergencyStop), verb(Verb::Reset)});
     m_runMenu->addSeparator();
-    m_runMenu->addAction(acknowledgeAlarms);
+    m_runMenu->addActions({endRecording, acknowledgeAlarms});
     for (QAction* action : m_pages)
         m_viewMenu->addAction(action);
     m_viewMenu->addSeparator();
     m_viewMenu->addMenu(m_unitMenu);
     m_viewMenu->addMenu(m_themeMenu);
     m_viewMenu->addMenu(m_textSizeMenu);
+    m_viewMenu->addMenu(m_hornMenu);
     m_viewMenu->addMenu(m_languageMenu);
     for (QAction* action : m_units)
         m_unitMenu->addAction(action);
     for (QAction* action : m_themes)
         m_themeMenu->addAction(action);
+    for (QAction* action : m_horns)
+        m_hornMenu->addAction(action);
     m_textSizeMenu->addActions(m_textSizes);
     m_languageMenu->addActions(m_languages);
     m_toolsMenu->addMenu(m_faultMenu);
@@ -278,7 +295,7 @@ void Actions::retranslateRun() {
         QAction* action = verb(which);
         action->setText(text);
         // A button does without the letter that stands behind a Chinese word in the menu.
-        action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&"))));
+        action->setIconText(QString(text).remove(QRegularExpression(QStringLiteral("\\(&.\\)|&|…"))));
         const QString keys = action->shortcut().toString(QKeySequence::NativeText);
         action->setToolTip(keys.isEmpty() ? meaning : meaning + QStringLiteral(" (%1)").arg(keys));
     };
@@ -290,10 +307,17 @@ void Actions::retranslateRun() {
     say(Verb::Resume, tr("R&esume"), tr("Go on from where the run was held."));
     say(Verb::Stop, tr("Sto&p"),
         tr("End the run: heat off, retreat upwards, close the recording. While armed: disarm."));
+    say(Verb::Retreat, tr("&Retreat…"),
+        tr("The robot takes the objects away from the source and the heat goes off, in every state in which "
+           "the "
+           "robot answers. A fault stays latched."));
     // The key belongs to the STOP button, which hears it even with a menu or a dialog open.
     say(Verb::EmergencyStop, tr("STOP now") + QStringLiteral("\tF12"),
         tr("Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop."));
     say(Verb::Reset, tr("Rese&t"), tr("Clear a latched stop or fault. It never starts anything."));
+    endRecording->setText(tr("End the re&cording"));
+    endRecording->setToolTip(
+        tr("After a stop or a fault the recording goes on until everything is cold. This ends it now."));
     acknowledgeAlarms->setText(tr("Ac&knowledge all alarms"));
     acknowledgeAlarms->setToolTip(tr("You have seen all alarms. Those that are over leave the list. (F9)"));
 }
@@ -321,6 +345,13 @@ void Actions::retranslateView() {
     m_themes[1]->setText(tr("Light"));
     m_themes[2]->setText(tr("Dark"));
     m_textSizeMenu->setTitle(tr("Te&xt size"));
+    m_hornMenu->setTitle(tr("Alarm &horn"));
+    m_horns[0]->setText(tr("Off"));
+    m_horns[1]->setText(tr("On a real rig"));
+    m_horns[2]->setText(tr("Always"));
+    for (QAction* action : m_horns)
+        action->setToolTip(
+            tr("The desktop's bell, until alarms of priority 1 and 2 are acknowledged or over"));
     m_languageMenu->setTitle(tr("&Language"));
     m_toolsMenu->setTitle(tr("&Tools"));
     retranslateFaults();
@@ -335,11 +366,16 @@ void Actions::restyle(const QPalette& palette) {
 }
 
 void Actions::apply(const Snapshot& snapshot) {
-    for (std::size_t i = 0; i < m_verbs.size(); ++i)
-        m_verbs[i]->setEnabled(allows(snapshot, static_cast<Verb>(i)));
+    for (std::size_t i = 0; i < m_verbs.size(); ++i) {
+        const bool isPossible = allows(snapshot, static_cast<Verb>(i));
+        m_verbs[i]->setEnabled(isPossible);
+        if (m_deafKeys[i])
+            m_deafKeys[i]->setEnabled(!isPossible); // one key of two that are on would do nothing
+    }
     acknowledgeAlarms->setEnabled(
         !std::ranges::all_of(snapshot.alarms, [](const Alarm& alarm) { return alarm.isAcknowledged; }));
     const bool edits = allowsEdits(snapshot.state);
+    endRecording->setEnabled(edits && !snapshot.recordingPath.empty());
     newExperiment->setEnabled(edits);
     m_exampleMenu->setEnabled(edits);
     m_toolsMenu->setEnabled(snapshot.simulated);
@@ -385,6 +421,11 @@ void Actions::showTemperatureUnit(TemperatureUnit unit) {
 void Actions::showTheme(Theme theme) {
     for (std::size_t i = 0; i < kThemes.size(); ++i)
         m_themes[i]->setChecked(kThemes[i] == theme);
+}
+
+void Actions::showHornMode(HornMode mode) {
+    for (std::size_t i = 0; i < kHornModes.size(); ++i)
+        m_horns[i]->setChecked(kHornModes[i] == mode);
 }
 
 void Actions::showTextSize(int percent) {

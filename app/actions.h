@@ -2,6 +2,7 @@
 // Every action of the window: texts, tool tips, shortcuts, and which of them the engine's reported state
 // allows.
 
+#include "app/horn.h"
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
@@ -15,13 +16,14 @@
 class QActionGroup;
 class QMenu;
 class QMenuBar;
+class QShortcut;
 class QWidget;
 
 namespace bask {
 
 /// Verbs of a run, in the order of use.
-enum class Verb { Arm, Start, Hold, Resume, Stop, EmergencyStop, Reset };
-inline constexpr int kVerbs = 7;
+enum class Verb { Arm, Start, Hold, Resume, Stop, Retreat, EmergencyStop, Reset };
+inline constexpr int kVerbs = 8;
 inline constexpr int kPages = 6;
 
 /// Whether the engine takes the verb now; nothing else enables a button.
@@ -46,6 +48,7 @@ public:
     void showTemperatureUnit(TemperatureUnit unit);
     void showTheme(Theme theme);
     void showTextSize(int percent);
+    void showHornMode(HornMode mode);
     void showLanguage(const QString& code);
     void showPage(int page);
 
@@ -56,15 +59,18 @@ public:
 
     QAction *newExperiment, *open, *save, *saveAs, *saveSession, *quit;
     QAction *undo, *redo; ///< their texts are UndoActions'
-    QAction* acknowledgeAlarms;
+    QAction *endRecording, *acknowledgeAlarms;
     QAction *manual, *firstFiveMinutes, *reportProblem, *about;
 
 signals:
     void verbTriggered(bask::Verb verb);
+    /// The key of a verb that is not possible now.
+    void verbRefused(bask::Verb verb);
     void pageChosen(int page);
     void unitChosen(bask::TemperatureUnit unit);
     void themeChosen(bask::Theme theme);
     void textSizeChosen(int percent);
+    void hornModeChosen(bask::HornMode mode);
     void languageChosen(const QString& code);
     void exampleChosen(const QString& name);
     void recentChosen(const QString& path);
@@ -85,14 +91,16 @@ private:
     QWidget* m_window;
     QAction* m_clearRecent;
     std::array<QAction*, kVerbs> m_verbs{};
+    std::array<QShortcut*, kVerbs>
+        m_deafKeys{}; ///< the same keys while the verb is not possible; null: no key
     std::array<QAction*, kPages> m_pages{};
-    QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_textSizeGroup, *m_languageGroup;
-    std::array<QAction*, 3> m_units{}, m_themes{};
+    QActionGroup *m_pageGroup, *m_unitGroup, *m_themeGroup, *m_textSizeGroup, *m_hornGroup, *m_languageGroup;
+    std::array<QAction*, 3> m_units{}, m_themes{}, m_horns{};
     QList<QAction*> m_textSizes, m_languages;
     std::array<QAction*, kSimulatedFaults> m_rigFaults{}; ///< by SimulatedFault; null: of objects
     std::array<QMenu*, kSimulatedFaults> m_objectFaults{};
     QMenu *m_fileMenu, *m_exampleMenu, *m_recentMenu, *m_editMenu, *m_runMenu, *m_viewMenu, *m_unitMenu,
-        *m_themeMenu, *m_textSizeMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_helpMenu;
+        *m_themeMenu, *m_textSizeMenu, *m_hornMenu, *m_languageMenu, *m_toolsMenu, *m_faultMenu, *m_helpMenu;
 };
 
 } // namespace bask

@@ -42,6 +42,12 @@ BottomDock::BottomDock(QWidget* parent)
             [this](quint64 id) { emit commandIssued(AcknowledgeAlarm{id}); });
     connect(m_alarmList, &AlarmList::acknowledgeAllRequested, this,
             [this] { emit commandIssued(AcknowledgeAll{}); });
+    connect(m_alarmList, &AlarmList::shelveRequested, this,
+            [this](quint64 id, double for_s, const QString& reason) {
+                emit commandIssued(ShelveAlarm{id, for_s, reason.toStdString()});
+            });
+    connect(m_alarmList, &AlarmList::unshelveRequested, this,
+            [this](quint64 id) { emit commandIssued(UnshelveAlarm{id}); });
     connect(m_eventList, &EventList::timeChosen, this, &BottomDock::timeChosen);
     connect(m_tabs, &QTabWidget::currentChanged, this, &BottomDock::fit);
     fit();
@@ -81,6 +87,7 @@ void BottomDock::takeAlarms(const std::vector<Alarm>& alarms) {
                });
     });
     m_alarms = alarms;
+    m_groups = groupAlarms(alarms);
     showParts();
     if (isUrgent)
         bringAlarmsToFront();
@@ -161,10 +168,15 @@ void BottomDock::showAlarm(std::uint64_t id) {
 
 void BottomDock::showParts() {
     const int alarmTab = m_tabs->indexOf(m_alarmList);
-    m_tabs->setTabText(alarmTab, m_alarms.empty() ? tr("Alarms") : tr("Alarms (%1)").arg(m_alarms.size()));
-    m_tabs->setTabIcon(alarmTab, m_alarms.empty() ? QIcon()
-                                                  : QIcon(alarmPixmap(m_alarms.front().priority, isDark(this),
-                                                                      14, devicePixelRatioF())));
+    const std::vector<AlarmGroup>& present = m_groups.present;
+    QString title = present.empty() ? tr("Alarms") : tr("Alarms (%1)").arg(present.size());
+    if (!m_groups.shelved.empty())
+        title += tr(", %1 shelved", "behind the number of alarms").arg(m_groups.shelved.size());
+    m_tabs->setTabText(alarmTab, title);
+    m_tabs->setTabIcon(alarmTab, present.empty()
+                                     ? QIcon()
+                                     : QIcon(alarmPixmap(present.front().alarm.priority, isDark(this), 14,
+                                                         devicePixelRatioF(), !present.front().isActive())));
     m_tabs->setTabVisible(m_tabs->indexOf(m_eventList), !m_isReviewing);
     setVisible(!m_isReviewing || !m_alarms.empty());
 }

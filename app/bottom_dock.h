@@ -3,6 +3,7 @@
 
 #include "engine/runtime/command.h"
 #include "engine/runtime/snapshot.h"
+#include "widgets/common/alarm_groups.h"
 
 #include <QDockWidget>
 
@@ -59,6 +60,7 @@ private:
     EventList* m_eventList;
     RecipePanel* m_recipe;
     std::vector<Alarm> m_alarms;
+    AlarmGroups m_groups; ///< of them
     std::uint64_t m_runId = 0;
     std::vector<TraceEvent> m_events;
     std::vector<TraceNote> m_notes;

@@ -4,9 +4,27 @@
 
 #include <QThread>
 
+#include <mutex>
+
 namespace bask {
 
-EngineClient::EngineClient(QObject* parent) : QObject(parent) {
+/// What other threads know of the worker.
+struct EngineClient::Ending {
+    void begin() {
+        const std::lock_guard lock(mutex);
+        if (worker != nullptr)
+            QMetaObject::invokeMethod(worker, &EngineWorker::shutdown, Qt::QueuedConnection);
+    }
+    void set(EngineWorker* now) {
+        const std::lock_guard lock(mutex);
+        worker = now;
+    }
+
+    std::mutex mutex;
+    EngineWorker* worker = nullptr;
+};
+
+EngineClient::EngineClient(QObject* parent) : QObject(parent), m_ending(std::make_shared<Ending>()) {
     m_silence.setInterval(kSilence);
     m_silence.setSingleShot(true);
     connect(&m_silence, &QTimer::timeout, this, [this] {
@@ -19,13 +37,14 @@ EngineClient::~EngineClient() {
     shutDown(kEnd);
 }
 
-void EngineClient::start(const QString& alarmFile) {
+void EngineClient::start(const QString& alarmFile, const QString& deviceFile) {
     if (m_thread != nullptr)
         return;
     m_thread = new QThread;
     m_thread->setObjectName(QStringLiteral("engine"));
-    m_worker = new EngineWorker(alarmFile.toStdString());
+    m_worker = new EngineWorker(alarmFile.toStdString(), deviceFile.toStdString());
     m_worker->moveToThread(m_thread);
+    m_ending->set(m_worker);
     connect(m_thread, &QThread::started, m_worker, &EngineWorker::start);
     connect(m_thread, &QThread::finished, m_worker, &QObject::deleteLater);
     connect(m_worker, &EngineWorker::published, this, &EngineClient::take);
@@ -44,6 +63,7 @@ bool EngineClient::shutDown(std::chrono::milliseconds bound) {
     if (m_thread == nullptr)
         return true;
     m_silence.stop();
+    m_ending->set(nullptr);
     disconnect(m_worker, nullptr, this, nullptr);
     QThread* thread = std::exchange(m_thread, nullptr);
     QMetaObject::invokeMethod(
@@ -58,6 +78,10 @@ bool EngineClient::shutDown(std::chrono::milliseconds bound) {
     if (ended)
         delete thread;
     return ended;
+}
+
+std::function<void()> EngineClient::ender() const {
+    return [ending = m_ending] { ending->begin(); };
 }
 
 void EngineClient::take(const Snapshot& received) {

@@ -10,6 +10,7 @@
 #include <QTimer>
 
 #include <chrono>
+#include <functional>
 #include <memory>
 
 class QThread;
@@ -25,18 +26,22 @@ class EngineClient : public QObject {
 
 public:
     static constexpr std::chrono::milliseconds kSilence{2000};
-    static constexpr std::chrono::milliseconds kEnd{5000}; ///< a heat source is given 2 s to go off
+    static constexpr std::chrono::milliseconds kEnd{
+        8000}; ///< a heat source is given 2 s to go off, files then 3 s
 
     explicit EngineClient(QObject* parent = nullptr);
     ~EngineClient() override; ///< shutDown with a bound of kEnd
 
-    /// `alarmFile` keeps the alarms over a restart; empty: nothing does.
-    void start(const QString& alarmFile = {});
+    /// `alarmFile` keeps the alarms over a restart, `deviceFile` which devices were met; empty: nothing does.
+    void start(const QString& alarmFile = {}, const QString& deviceFile = {});
     void send(const Command& command);
 
     /// Safe state, recording closed, thread ended. False when the engine did not answer in time; its thread
     /// is then left to the end of the process, and the devices' own watchdogs act.
     bool shutDown(std::chrono::milliseconds bound);
+
+    /// Begins the same from any thread, also when this one hangs. What it gives may outlive this.
+    std::function<void()> ender() const;
 
     bool answering() const { return m_answering; }
 
@@ -50,8 +55,11 @@ signals:
 private:
     void take(const Snapshot& snapshot);
 
+    struct Ending;
+
     QThread* m_thread = nullptr;
     EngineWorker* m_worker = nullptr;
+    std::shared_ptr<Ending> m_ending;
     QTimer m_silence;
     bool m_answering = true;
 };

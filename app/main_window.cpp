@@ -3,6 +3,7 @@
 #include "app/bottom_dock.h"
 #include "app/coach.h"
 #include "app/cut_off_run.h"
+#include "app/data_folder.h"
 #include "app/error_text.h"
 #include "app/infeasible_dialog.h"
 #include "app/manual_window.h"
@@ -13,6 +14,7 @@
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "app/undo_actions.h"
+#include "app/why_not.h"
 #include "engine/base/message_code.h"
 #include "engine/recipe/recipe.h"
 #include "engine/session/rig_file.h"
@@ -20,6 +22,8 @@
 #include "widgets/common/display.h"
 #include "widgets/common/point_at.h"
 #include "widgets/common/run_state_chip.h"
+#include "widgets/rig/device_words.h"
+#include "widgets/rig/way_up_question.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -34,7 +38,26 @@
 #include <QToolBar>
 #include <QUrl>
 
+#include <algorithm>
+#include <cmath>
+
 namespace bask {
+namespace {
+
+constexpr double kHot_K = 30.0; ///< over the room: more than a hand likes
+constexpr double kNear = 0.02;  ///< view factor: further away a source of 300 degC does little
+
+/// No run is on, and a hot source warms the objects all the same.
+bool isOverHotSource(const Snapshot& snapshot, double environment_K) {
+    const bool isHot =
+        std::isfinite(snapshot.sourceAge_s) && snapshot.latest.source_K > environment_K + kHot_K;
+    return isHot && !isRunOn(snapshot.state) &&
+           std::ranges::any_of(snapshot.latest.objects, [](const ObjectSample& object) {
+               return object.viewFactor > kNear; // NaN where the robot's place is not sure
+           });
+}
+
+} // namespace
 
 MainWindow::MainWindow()
     : m_autosave(m_document, unsavedFolder()), m_files(m_document, m_settings, this),
@@ -48,6 +71,8 @@ MainWindow::MainWindow()
     m_actions.setRecent(m_settings.recentFiles());
     m_actions.showTheme(m_settings.theme());
     m_actions.showTextSize(m_textSize_percent);
+    m_actions.showHornMode(m_settings.hornMode());
+    m_horn.setMode(m_settings.hornMode());
     m_actions.showLanguage(m_language.current());
     m_statusLine->showLanguage(m_language.current());
     setTemperatureUnit(m_settings.temperatureUnit());
@@ -60,10 +85,12 @@ MainWindow::MainWindow()
     m_pages->show(Page::Run);
 }
 
-MainWindow::~MainWindow() = default;
+MainWindow::~MainWindow() {
+    m_engine.shutDown(EngineClient::kEnd); // before anything is written
+}
 
 void MainWindow::begin(const QString& path) {
-    m_engine.start(alarmFile());
+    m_engine.start(alarmFile(), deviceFile());
     m_cutOff->begin();
     m_recovery->begin(unsavedFolder());
     if (!m_settings.isCoachAnswered() && path.isEmpty())
@@ -85,22 +112,27 @@ void MainWindow::apply(const Snapshot& snapshot) {
     const bool isVerb = m_stateBar->isAncestorOf(focused);
     m_actions.apply(snapshot);
     m_stateBar->apply(snapshot);
+    showNotes();
     if (isVerb && focusWidget() != focused) // or the verb beside it has the keyboard, and Space presses that
         m_stateBar->focusChip();
     m_statusLine->apply(snapshot);
     m_pages->apply(snapshot);
     m_dock->apply(snapshot);
+    m_horn.apply(snapshot);
     m_files.setRecording(QString::fromStdString(snapshot.recordingPath));
     m_cutOff->apply(snapshot);
     m_recipe->apply(snapshot);
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
+    if (m_refused && !m_pages->keepWhile(inUnit(whyNot(snapshot, *m_refused), m_settings.temperatureUnit())))
+        m_refused.reset();
     m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
     closeAtRest();
 }
 
 void MainWindow::perform(Verb verb) {
+    m_pages->dropRefusal();
     // Before the order goes out: no reset or load of the recipe's may follow it.
     if (verb == Verb::Hold || verb == Verb::Stop || verb == Verb::EmergencyStop)
         m_recipe->takeOver(verb == Verb::Hold);
@@ -116,6 +148,8 @@ void MainWindow::perform(Verb verb) {
         return m_engine.send(Resume{});
     case Verb::Stop:
         return m_engine.send(Stop{});
+    case Verb::Retreat:
+        return askRetreat();
     case Verb::EmergencyStop:
         return m_engine.send(EmergencyStop{});
     case Verb::Reset:
@@ -142,6 +176,17 @@ void MainWindow::askArm() {
     box->show();
 }
 
+void MainWindow::askRetreat() {
+    askOnTheWayUp(this, QStringLiteral("retreatQuestion"), tr("Retreat"),
+                  tr("The robot moves now: it takes the objects away from the source, and the heat goes off. "
+                     "Are all hands off "
+                     "the robot and is nothing in its way?"),
+                  tr("Retreat now"), [this] {
+                      m_recipe->takeOver();
+                      m_engine.send(Retreat{});
+                  });
+}
+
 void MainWindow::arm() {
     const QString path = m_files.nextRecordingPath();
     if (!path.isEmpty())
@@ -157,9 +202,14 @@ void MainWindow::refuse(const Message& refusal) {
         refusal.code == MessageCode::TargetAboveWarning && !checkTargets(m_document.experiment());
     const bool isTooLate = refusal.code == MessageCode::CommandNotNow && refusal.args[0] == "Set targets";
     if (allowsEdits(m_last.state) || !(isTooHot || isTooLate))
-        return m_pages->showRefusal(sentence(refusal));
+        return m_pages->showRefusal(sentence(refusal), m_last, refusal);
     (void)m_document.setTargets(m_last.targets_K);
     m_pages->showRefusal(tr("Not taken: the targets stay as they were.") + u' ' + sentence(refusal));
+}
+
+void MainWindow::sayWhyNot(Verb verb) {
+    m_refused = verb;
+    m_pages->showWhile(inUnit(whyNot(m_last, verb), m_settings.temperatureUnit()));
 }
 
 void MainWindow::askInfeasible() {
@@ -261,6 +311,18 @@ void MainWindow::setTextSize(int percent) {
     m_pages->showNote(note);
 }
 
+void MainWindow::setHornMode(HornMode mode) {
+    m_settings.setHornMode(mode);
+    m_actions.showHornMode(mode);
+    m_horn.setMode(mode);
+    if (mode != HornMode::Off) {
+        m_horn.sample();
+        m_pages->showNote(
+            tr("This was the horn: the desktop's bell. If you heard nothing, it is off in the desktop's "
+               "settings."));
+    }
+}
+
 void MainWindow::setTemperatureUnit(TemperatureUnit unit) {
     m_settings.setTemperatureUnit(unit);
     m_actions.showTemperatureUnit(unit);
@@ -269,6 +331,7 @@ void MainWindow::setTemperatureUnit(TemperatureUnit unit) {
     m_stateBar->setTemperatureUnit(unit);
     m_dock->setTemperatureUnit(unit);
     m_coach->setTemperatureUnit(unit);
+    showNotes();
 }
 
 void MainWindow::showTitle() {
@@ -276,8 +339,26 @@ void MainWindow::showTitle() {
     setWindowModified(m_document.modified());
 }
 
-void MainWindow::showAges() {
-    m_stateBar->chip()->setNotes(calibrationAges(m_document.experiment().vision));
+void MainWindow::takeAges() {
+    m_ages = calibrationAges(m_document.experiment().vision);
+    showNotes();
+}
+
+void MainWindow::showNotes() {
+    QStringList notes;
+    if (m_last.remedy.code != MessageCode::None)
+        notes << inUnit(sentence(m_last.remedy), m_settings.temperatureUnit());
+    const TemperatureUnit unit = m_settings.temperatureUnit();
+    const bool isOverHeat = isOverHotSource(m_last, m_document.experiment().environment_K);
+    if (isOverHeat)
+        notes << tr("The objects are over the source, which has %1: they get warm although no run is on. "
+                    "Retreat takes "
+                    "them away.")
+                     .arg(sourceReadingText(m_last, unit));
+    m_stateBar->chip()->setNotes(notes + m_ages);
+    m_stateBar->chip()->setCaption(isOverHeat ? tr("source %1 below", "a temperature; under the objects")
+                                                    .arg(formatTemperature(m_last.latest.source_K, unit, 0))
+                                              : QString());
 }
 
 void MainWindow::retranslate() {
@@ -288,7 +369,7 @@ void MainWindow::retranslate() {
     m_coach->retranslate();
     m_navigation->setWindowTitle(tr("Pages"));
     showTitle();
-    showAges();
+    takeAges();
 }
 
 void MainWindow::changeEvent(QEvent* event) {
@@ -350,9 +431,11 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
+    const bool hasEnded =
+        m_engine.shutDown(EngineClient::kEnd); // first: the disk may hang in all that follows
     m_settings.setWindow(saveGeometry(), saveState());
     m_autosave.end();
-    if (m_engine.shutDown(EngineClient::kEnd))
+    if (hasEnded)
         m_cutOff->end();
     event->accept();
 }

@@ -7,6 +7,7 @@
 #include "app/close_question.h"
 #include "app/document.h"
 #include "app/engine_client.h"
+#include "app/horn.h"
 #include "app/page_host.h"
 #include "app/session_actions.h"
 #include "app/settings_store.h"
@@ -43,6 +44,7 @@ public:
     PageHost& pages() { return *m_pages; }
     EngineClient& engine() { return m_engine; }
     Actions& actions() { return m_actions; }
+    Horn& horn() { return m_horn; }
     const Snapshot& lastSnapshot() const { return m_last; }
     RecipeControl& recipe() { return *m_recipe; }
     /// Asks the person, unless a test answers.
@@ -52,6 +54,7 @@ public:
     void setTheme(Theme theme);
     void setTextSize(int percent); ///< of the next start
     void setTemperatureUnit(TemperatureUnit unit);
+    void setHornMode(HornMode mode);
 
 signals:
     void snapshotApplied(const bask::Snapshot& snapshot);
@@ -74,15 +77,18 @@ private:
     void apply(const Snapshot& snapshot);
     void perform(Verb verb);
     void askArm();
+    void askRetreat();
     void arm();
     void askInfeasible();
     void refuse(const Message& refusal);
+    void sayWhyNot(Verb verb);
     void showReason(int index);
     void showControl(Page page, const QString& name);
     void showManual(const QString& page);
     void reportProblem();
     void showTitle();
-    void showAges(); ///< of the calibrations, in the list behind the chip
+    void takeAges();  ///< of the calibrations
+    void showNotes(); ///< in the list behind the chip
     void retranslate();
     void restyle();
     bool runIsOn() const;
@@ -98,6 +104,7 @@ private:
     EngineClient m_engine;
     SessionActions m_files;
     Actions m_actions;
+    Horn m_horn;
     StateBar* m_stateBar = nullptr;
     PageHost* m_pages = nullptr;
     UndoActions* m_undo = nullptr;
@@ -111,6 +118,8 @@ private:
     ManualWindow* m_manual = nullptr;
 
     Snapshot m_last;
+    QStringList m_ages;            ///< of the calibrations, in words
+    std::optional<Verb> m_refused; ///< the message bar says why it cannot be done
     std::function<Closing()> m_closeQuestion;
     bool m_closesAtRest = false; ///< a person has said so
 };

@@ -93,6 +93,7 @@ void MainWindow::connectActions() {
     on(m_actions.saveAs, [this] { m_files.saveAs(); });
     on(m_actions.saveSession, [this] { m_files.saveSession(); });
     on(m_actions.quit, [this] { close(); });
+    on(m_actions.endRecording, [this] { m_engine.send(EndRecording{}); });
     on(m_actions.acknowledgeAlarms, [this] { m_engine.send(AcknowledgeAll{}); });
     on(m_actions.manual, [this] { showManual(QStringLiteral("manual.md")); });
     on(m_actions.firstFiveMinutes, [this] { m_coach->begin(); });
@@ -103,11 +104,14 @@ void MainWindow::connectActions() {
     connect(m_undo, &UndoActions::undone, m_pages, &PageHost::showUndone);
     connect(m_undo, &UndoActions::redone, m_pages, &PageHost::showRedone);
     connect(&m_actions, &Actions::verbTriggered, this, &MainWindow::perform);
+    connect(&m_actions, &Actions::verbRefused, this, &MainWindow::sayWhyNot);
+    connect(m_stateBar, &StateBar::verbRefused, this, &MainWindow::sayWhyNot);
     connect(&m_actions, &Actions::pageChosen, this,
             [this](int page) { m_pages->show(static_cast<Page>(page)); });
     connect(&m_actions, &Actions::unitChosen, this, &MainWindow::setTemperatureUnit);
     connect(&m_actions, &Actions::themeChosen, this, &MainWindow::setTheme);
     connect(&m_actions, &Actions::textSizeChosen, this, &MainWindow::setTextSize);
+    connect(&m_actions, &Actions::hornModeChosen, this, &MainWindow::setHornMode);
     connect(&m_actions, &Actions::languageChosen, this, &MainWindow::setLanguage);
     connect(&m_actions, &Actions::exampleChosen, this,
             [this](const QString& name) { m_files.openExample(name); });
@@ -127,6 +131,7 @@ void MainWindow::connectParts() {
             [this](const std::shared_ptr<const VisionView>& view) { m_pages->show(*view); });
     connect(&m_engine, &EngineClient::answeringChanged, m_stateBar, &StateBar::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
+    connect(&m_engine, &EngineClient::answeringChanged, &m_horn, &Horn::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_dock, &BottomDock::setAnswering);
     connect(m_pages, &PageHost::commandIssued, this, [this](const Command& command) {
         if (isManual(command))
@@ -156,9 +161,9 @@ void MainWindow::connectParts() {
             list << QString::fromStdString(object.name);
         m_actions.setObjects(list);
     };
-    connect(&m_document, &Document::changed, this, &MainWindow::showAges);
+    connect(&m_document, &Document::changed, this, &MainWindow::takeAges);
     auto* minute = new QTimer(this);
-    connect(minute, &QTimer::timeout, this, &MainWindow::showAges);
+    connect(minute, &QTimer::timeout, this, &MainWindow::takeAges);
     minute->start(std::chrono::minutes(1));
     connect(&m_document, &Document::opened, this, names);
     connect(&m_document, &Document::edited, this, names);

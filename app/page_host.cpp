@@ -3,6 +3,8 @@
 #include "app/actions.h"
 #include "app/error_text.h"
 #include "widgets/calibrate/calibrate_page.h"
+#include "widgets/common/countdown_bar.h"
+#include "widgets/common/display.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/common/scrolling.h"
 #include "widgets/objects/objects_page.h"
@@ -12,6 +14,7 @@
 #include "widgets/review/session_list.h"
 #include "widgets/rig/device_words.h"
 #include "widgets/rig/rig_page.h"
+#include "widgets/rig/way_up_question.h"
 #include "widgets/run/run_page.h"
 #include "widgets/targets/targets_page.h"
 #include "widgets/targets/verdict_text.h"
@@ -22,16 +25,18 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <utility>
 
 namespace bask {
 
 PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
-    : QWidget(parent), m_document(document), m_files(files), m_cutOff(new MessageBar(this)),
-      m_recipe(new MessageBar(this)), m_question(new MessageBar(this)), m_coach(new MessageBar(this)),
-      m_bar(new MessageBar(this)), m_pages(new QStackedWidget(this)), m_rig(new RigPage),
-      m_objects(new ObjectsPage), m_calibrate(new CalibratePage), m_targets(new TargetsPage),
-      m_run(new RunPage), m_review(new ReviewPage), m_library(*m_review->sessions()) {
+    : QWidget(parent), m_document(document), m_files(files), m_countdown(new CountdownBar(this)),
+      m_cutOff(new MessageBar(this)), m_recipe(new MessageBar(this)), m_question(new MessageBar(this)),
+      m_coach(new MessageBar(this)), m_bar(new MessageBar(this)), m_pages(new QStackedWidget(this)),
+      m_rig(new RigPage), m_objects(new ObjectsPage), m_calibrate(new CalibratePage),
+      m_targets(new TargetsPage), m_run(new RunPage), m_review(new ReviewPage),
+      m_library(*m_review->sessions()) {
     m_cutOff->setObjectName(QStringLiteral("cutOffBar"));
     m_question->setObjectName(QStringLiteral("questionBar"));
     m_recipe->setObjectName(QStringLiteral("recipeBar"));
@@ -44,6 +49,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
+    column->addWidget(m_countdown);
     column->addWidget(m_cutOff);
     column->addWidget(m_recipe);
     column->addWidget(m_question);
@@ -68,6 +74,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
         if (const auto set = m_document.setController(settings); !set)
             showProblem(sentence(set.error()));
     });
+    connect(m_run, &RunPage::sensorConfirmed, this, &PageHost::askConfirm);
     connect(m_run, &RunPage::noteAdded, this,
             [this](const QString& text) { emit commandIssued(AddNote{text.toStdString()}); });
     connect(m_run, &RunPage::simulationSpeedChosen, this,
@@ -155,7 +162,10 @@ void PageHost::connectCount() {
 }
 
 void PageHost::connectRig() {
-    connect(m_rig, &RigPage::commandIssued, this, &PageHost::commandIssued);
+    connect(m_rig, &RigPage::commandIssued, this, [this](const Command& command) {
+        dropRefusal();
+        emit commandIssued(command);
+    });
     connect(m_rig, &RigPage::experimentEdited, this, [this](const Experiment& experiment) {
         if (const auto edited = m_document.edit(experiment, Page::Rig); !edited)
             m_rig->showError(sentence(edited.error()));
@@ -188,8 +198,10 @@ void PageHost::connectCalibrate() {
             });
     connect(m_calibrate, &CalibratePage::cameraWanted, this,
             [this](const QString& name) { emit commandIssued(ChooseCamera{name.toStdString()}); });
-    connect(m_calibrate, &CalibratePage::moveWanted, this,
-            [this](const Vector6d& goal) { emit commandIssued(MoveTo{goal}); });
+    connect(m_calibrate, &CalibratePage::moveWanted, this, [this](const Vector6d& goal) {
+        dropRefusal();
+        emit commandIssued(MoveTo{goal});
+    });
     connect(m_calibrate, &CalibratePage::holdWanted, this, [this] { emit commandIssued(Hold{}); });
     const auto edit = [this](const Experiment& changed) {
         if (const auto edited = m_document.edit(changed, Page::Calibrate); !edited)
@@ -406,6 +418,9 @@ void PageHost::show(const VisionView& view) {
 }
 
 void PageHost::apply(const Snapshot& snapshot) {
+    keepRefusal(snapshot);
+    m_countdown->setPending(snapshot.pending);
+    m_told_K = snapshot.toldReadings_K;
     m_run->apply(snapshot);
     if (const QString path = QString::fromStdString(snapshot.recordingPath); path != m_recording) {
         m_recording = path;
@@ -426,6 +441,8 @@ void PageHost::apply(const Snapshot& snapshot) {
 }
 
 void PageHost::setTemperatureUnit(TemperatureUnit unit) {
+    m_unit = unit;
+    m_countdown->setTemperatureUnit(unit);
     m_rig->setTemperatureUnit(unit);
     m_objects->setTemperatureUnit(unit);
     m_targets->setTemperatureUnit(unit);
@@ -457,6 +474,17 @@ void PageHost::showStep(const EditStep& step, const QString& words) {
     showNote(m_ofEdit);
 }
 
+/// A sensor is believed again only by a person who has looked.
+void PageHost::askConfirm(std::size_t object) {
+    if (object >= m_document.experiment().objects.size() || object >= m_told_K.size())
+        return;
+    askOnTheWayUp(this, QStringLiteral("confirmQuestion"), tr("Confirm a sensor"),
+                  tr("The sensor of \"%1\" reads %2. Have you looked, and is it on its object and right?")
+                      .arg(QString::fromStdString(m_document.experiment().objects[object].name),
+                           formatTemperature(m_told_K[object], m_unit)),
+                  tr("Confirm"), [this, object] { emit commandIssued(ConfirmSensor{object}); });
+}
+
 void PageHost::takeFile(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     if (suffix == QLatin1String("json") || suffix == QLatin1String("bask"))
@@ -477,6 +505,47 @@ void PageHost::showRefusal(const QString& text) {
     m_ofEdit = text;
     showProblem(text);
 }
+void PageHost::showRefusal(const QString& text, const Snapshot& snapshot, const Message& refusal) {
+    m_refusalSaid = text;
+    m_refusal = refusal;
+    m_isOfReason = false;
+    m_refusedIn = snapshot.state;
+    showRefusal(text);
+}
+
+void PageHost::dropRefusal() {
+    for (QString* said : {&m_refusalSaid, &m_ofMoment})
+        if (const QString text = std::exchange(*said, {}); !text.isEmpty() && m_bar->sentence() == text)
+            m_bar->clear();
+}
+
+/// What was refused for a state or a reason is not said any longer than that lasts.
+void PageHost::keepRefusal(const Snapshot& snapshot) {
+    if (m_refusalSaid.isEmpty())
+        return;
+    const bool isReason = std::ranges::find(snapshot.reasons, m_refusal) != snapshot.reasons.end();
+    m_isOfReason = m_isOfReason || isReason;
+    if (snapshot.state != m_refusedIn || (m_isOfReason && !isReason))
+        dropRefusal();
+}
+
+void PageHost::showWhile(const QString& text) {
+    m_ofMoment = text;
+    showProblem(text);
+}
+
+bool PageHost::keepWhile(const QString& text) {
+    if (m_ofMoment.isEmpty() || m_bar->sentence() != m_ofMoment)
+        return false;
+    if (text.isEmpty()) {
+        m_bar->clear();
+        return false;
+    }
+    if (text != m_ofMoment)
+        showWhile(text);
+    return true;
+}
+
 void PageHost::showNote(const QString& text) {
     m_bar->say(MessageBar::Kind::Note, text);
 }

@@ -22,6 +22,7 @@ class QStackedWidget;
 namespace bask {
 
 class CalibratePage;
+class CountdownBar;
 class MessageBar;
 class ObjectsPage;
 class ReviewPage;
@@ -55,7 +56,14 @@ public:
 
     /// A sentence over the pages, until it is closed.
     void showProblem(const QString& sentence);
-    void showRefusal(const QString& sentence); ///< the engine's; gone with the next edit
+    void showRefusal(const QString& sentence); ///< gone with the next edit
+    /// The engine's: gone with the next edit or command, and with the state or the reason that it is about.
+    void showRefusal(const QString& sentence, const Snapshot& snapshot, const Message& refusal);
+    void dropRefusal(); ///< of the engine or of a verb: something else was asked for
+    /// Gone as soon as `keepWhile` says something else, or nothing.
+    void showWhile(const QString& sentence);
+    /// Changes or clears what `showWhile` has said. False: it is shown no more.
+    bool keepWhile(const QString& sentence);
     void showNote(const QString& sentence);
 
     /// Over all, for what waits for an answer.
@@ -91,11 +99,13 @@ private:
     void showIdentified();
     void useIdentified();
     void showEditable();
+    void askConfirm(std::size_t object);
     void showStep(const EditStep& step, const QString& words);
 
     Document& m_document;
     TargetJudge m_judge;
     SessionActions& m_files;
+    CountdownBar* m_countdown;
     MessageBar *m_cutOff, *m_recipe, *m_question, *m_coach, *m_bar;
     QStackedWidget* m_pages;
     RigPage* m_rig;
@@ -105,7 +115,16 @@ private:
     RunPage* m_run;
     ReviewPage* m_review;
     SessionLibrary m_library;
-    QString m_ofEdit;    ///< said last of the newest edit
+    void keepRefusal(const Snapshot& snapshot);
+
+    QString m_ofEdit;      ///< said last of the newest edit
+    QString m_ofMoment;    ///< said for as long as it is so
+    QString m_refusalSaid; ///< the engine's last one
+    Message m_refusal;
+    bool m_isOfReason = false; ///< it is one of the reasons for the state
+    RunState m_refusedIn = RunState::Idle;
+    std::vector<double> m_told_K; ///< newest reading of each sensor, believed or not
+    TemperatureUnit m_unit = TemperatureUnit::Celsius;
     QString m_recording; ///< the file that is being recorded into
     std::shared_ptr<RecordedSession> m_session;
     std::shared_ptr<const SessionNumbers> m_numbers; ///< of m_session; null: on their way, or not to be had

@@ -4,6 +4,7 @@
 #include "app/error_text.h"
 #include "app/examples.h"
 #include "engine/base/message_code.h"
+#include "engine/session/limits_widened.h"
 #include "widgets/common/display.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/recipe/recipe_panel.h"
@@ -210,6 +211,14 @@ void RecipeControl::ask(RecipeExperiments experiments) {
     }
     if (m_recipe.steps.size() > kMostShown)
         lines << tr("and %n more", nullptr, static_cast<int>(m_recipe.steps.size() - kMostShown));
+    QStringList limits; // of all its steps, each told once
+    for (const auto& experiment : experiments)
+        for (const Message& limit : widenedOnRealRig(m_document.experiment(), *experiment))
+            if (const QString words = sentence(limit); !limits.contains(words))
+                limits << words;
+    if (!limits.isEmpty())
+        lines << QString() << tr("Its steps allow the real rig more than now:") << limits
+              << tr("Do robot, source, objects and sensors bear it?");
     dropQuestion(m_window, kRecipeQuestion);
     auto* box =
         new QMessageBox(rig ? QMessageBox::Warning : QMessageBox::Question, tr("Start the recipe"),

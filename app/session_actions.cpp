@@ -5,7 +5,9 @@
 #include "app/settings_store.h"
 #include "engine/base/message_code.h"
 #include "engine/recipe/recipe.h"
+#include "engine/session/limits_widened.h"
 #include "engine/session/rig_file.h"
+#include "widgets/rig/way_up_question.h"
 
 #include <QDateTime>
 #include <QDir>
@@ -178,7 +180,29 @@ void SessionActions::adopt(const Result<Experiment>& read, const QString& path, 
     }
     if (refusedByRun() || refusedByEdits(since, name)) // which may have begun while the file was read
         return;
-    m_document.open(*read, path);
+    if (widenedOnRealRig(m_document.experiment(), *read).empty())
+        put(*read, path);
+    else
+        askAboutLimits(*read, path, since);
+}
+
+/// Like an edit that raises a limit: a file brings in nothing that nobody was asked about.
+void SessionActions::askAboutLimits(const Experiment& experiment, const QString& path, int since) {
+    QStringList lines;
+    for (const Message& limit : widenedOnRealRig(m_document.experiment(), experiment))
+        lines << sentence(limit);
+    askOnTheWayUp(m_window, QStringLiteral("limitsOfFile"), tr("Limits of the real rig"),
+                  tr("\"%1\" allows the real rig more than now:").arg(QFileInfo(path).fileName()) +
+                      QStringLiteral("\n\n") + lines.join(u'\n') + QStringLiteral("\n\n") +
+                      tr("Do robot, source, objects and sensors bear it?"),
+                  tr("Open with these limits"), [this, experiment, path, since] {
+                      if (!refusedByRun() && !refusedByEdits(since, QFileInfo(path).fileName()))
+                          put(experiment, path);
+                  });
+}
+
+void SessionActions::put(const Experiment& experiment, const QString& path) {
+    m_document.open(experiment, path);
     if (!path.isEmpty()) {
         m_settings.addRecentFile(path);
         emit recentChanged();

@@ -102,6 +102,8 @@ signals:
 
 private:
     bool isEditedSince(int since) const { return m_document.modified() && m_document.generation() != since; }
+    void askAboutLimits(const Experiment& experiment, const QString& path, int since);
+    void put(const Experiment& experiment, const QString& path);
     void adopt(const Result<Experiment>& read, const QString& path, const QString& name, int since);
     void openExperiment(const QString& path);
     void openSession(const QString& path);

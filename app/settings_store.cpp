@@ -1,5 +1,6 @@
 #include "app/settings_store.h"
 
+#include "app/data_folder.h"
 #include "widgets/common/language.h"
 
 #include <QDir>
@@ -24,11 +25,6 @@ QString settingsFile() {
                             : QDir(folder).filePath(QStringLiteral("bask.ini"));
 }
 
-QDir dataFolder() {
-    const QString folder = overrideFolder();
-    return folder.isEmpty() ? QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) : folder;
-}
-
 QString windowKey(const char* what) {
     return QStringLiteral("window/%1-%2").arg(what).arg(kWindowVersion);
 }
@@ -45,11 +41,6 @@ QString unsavedFolder() {
 
 QString runMarkFolder() {
     return dataFolder().filePath(QStringLiteral("runs-on"));
-}
-
-QString alarmFile() {
-    const QDir folder = dataFolder();
-    return folder.mkpath(QStringLiteral(".")) ? folder.filePath(QStringLiteral("alarms.json")) : QString();
 }
 
 SettingsStore::SettingsStore() : m_settings(settingsFile(), QSettings::IniFormat) {}
@@ -87,6 +78,19 @@ int SettingsStore::textSize_percent() const {
 
 void SettingsStore::setTextSize_percent(int percent) {
     m_settings.setValue(QStringLiteral("textSize"), percent);
+}
+
+HornMode SettingsStore::hornMode() const {
+    const QString value = m_settings.value(QStringLiteral("horn")).toString();
+    return value == QLatin1String("off")      ? HornMode::Off
+           : value == QLatin1String("always") ? HornMode::Always
+                                              : HornMode::RealRig;
+}
+
+void SettingsStore::setHornMode(HornMode mode) {
+    m_settings.setValue(QStringLiteral("horn"), mode == HornMode::Off      ? QStringLiteral("off")
+                                                : mode == HornMode::Always ? QStringLiteral("always")
+                                                                           : QStringLiteral("real"));
 }
 
 QString SettingsStore::language() const {

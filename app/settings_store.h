@@ -1,6 +1,8 @@
 #pragma once
 // What Bask remembers between starts: recent files, units, theme, language, window places.
 
+#include "app/data_folder.h"
+#include "app/horn.h"
 #include "engine/base/units.h"
 #include "widgets/common/theme.h"
 
@@ -30,6 +32,10 @@ public:
     /// Of text and all that is drawn with it, one of kTextSizes_percent; from the program's start on.
     int textSize_percent() const;
     void setTextSize_percent(int percent);
+
+    /// On a real rig, unless it was chosen otherwise.
+    HornMode hornMode() const;
+    void setHornMode(HornMode mode);
 
     /// One of Language::codes(); the desktop's language when it was never chosen.
     QString language() const;
@@ -67,7 +73,5 @@ QString recordingFolder();
 QString unsavedFolder();
 /// Where runs that are on are marked.
 QString runMarkFolder();
-/// Where alarms are kept over a restart; its folder is made. Empty: it cannot be.
-QString alarmFile();
 
 } // namespace bask

@@ -76,8 +76,9 @@ int runWindow(int& argc, char** argv, const QString& file) {
     QLocale::setDefault(QLocale::c());
     applyTheme(application, SettingsStore().theme());
 
-    const EndSignals endSignals;
+    EndSignals endSignals;
     MainWindow window;
+    endSignals.setFirst(window.engine().ender());
     if (qEnvironmentVariableIntValue("BASK_TIMING") == 1)
         reportStart(window, sinceStart);
     window.show();

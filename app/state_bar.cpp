@@ -13,13 +13,15 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
-constexpr int kRoomyWidth = 1250; // for everything in words, in the longest language
-constexpr int kLeastWidth = 540;  // what is left when all is short fits beside the navigation
+constexpr int kLeastWidth = 540; // what is left when all is short fits beside the navigation
 constexpr int kShortParts = 4;
 constexpr int kBarGap = 8;
+constexpr int kAlarmText = 70; // of the gravest alarm this is worth more than the words on buttons
 
 } // namespace
 
@@ -39,8 +41,10 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     m_start = makeButton(actions.verb(Verb::Start), "startButton");
     m_hold = makeButton(actions.verb(Verb::Hold), "holdButton");
     m_stop = makeButton(actions.verb(Verb::Stop), "stopRunButton");
+    m_retreat = makeButton(actions.verb(Verb::Retreat), "retreatButton");
     m_reset = makeButton(actions.verb(Verb::Reset), "resetButton");
-    m_reset->hide();
+    for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
+        button->installEventFilter(this);
 
     m_clock->setObjectName(QStringLiteral("runClock"));
     QFont clockFont = font();
@@ -52,7 +56,7 @@ StateBar::StateBar(Actions& actions, QWidget* parent)
     row->addWidget(m_tag);
     row->addWidget(m_chip);
     row->addSpacing(8);
-    for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_reset})
+    for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
         row->addWidget(button);
     row->addSpacing(12);
     row->addWidget(m_clockCaption);
@@ -75,7 +79,6 @@ QToolButton* StateBar::makeButton(QAction* action, const char* name) {
     button->setObjectName(QLatin1String(name));
     button->setDefaultAction(action);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    button->setIconSize({20, 20});
     button->setMinimumHeight(38);
     button->setFocusPolicy(Qt::StrongFocus);
     return button;
@@ -95,10 +98,6 @@ void StateBar::apply(const Snapshot& snapshot) {
         m_hold->removeAction(m_hold->defaultAction());
         m_hold->setDefaultAction(hold);
     }
-    const bool isFault = snapshot.state == RunState::Fault;
-    m_arm->setVisible(!isFault); // neither can be pressed, and the alarm needs their room
-    m_start->setVisible(!isFault);
-    m_reset->setVisible(isFault);
     m_clock->setText(formatDuration(snapshot.runTime_s));
     m_alarm->setAlarms(snapshot.alarms);
     fit();
@@ -108,30 +107,52 @@ void StateBar::focusChip() {
     m_chip->setFocus(Qt::OtherFocusReason);
 }
 
-/// In a small window an alarm takes the words of Arm and Start; in a smaller one more gives way to STOP.
+/// By the width and the language alone: an alarm or another state moves no verb.
 void StateBar::fit() {
-    const bool hasAlarms = !m_alarm->isHidden();
-    QStringList shown{QString::number(width()), m_chip->text(), m_tagWord->text(),
-                      QString::number(hasAlarms ? m_alarm->minimumSizeHint().width() : 0)};
-    for (const QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_reset})
-        shown << (button->isHidden() ? QString() : button->text());
+    QStringList shown{QString::number(width()), m_tagWord->text()};
+    for (const Verb verb :
+         {Verb::Arm, Verb::Start, Verb::Hold, Verb::Resume, Verb::Stop, Verb::Retreat, Verb::Reset})
+        shown << m_actions.verb(verb)->iconText();
     if (const QString now = shown.join(u'\n'); now != m_fitted) {
         m_fitted = now;
-        int parts = hasAlarms && width() < kRoomyWidth ? 1 : 0;
+        int parts = 0;
         shorten(parts);
-        while (parts < kShortParts && layout()->minimumSize().width() > width())
+        while (parts < kShortParts && roomNeeded(parts) > width())
             shorten(++parts);
     }
+}
+
+/// With an alarm, also while there is none.
+int StateBar::roomNeeded(int parts) const {
+    int room = layout()->minimumSize().width();
+    if (!m_alarm->isHidden())
+        room -= m_alarm->minimumSizeHint().width() + layout()->spacing();
+    return room + layout()->spacing() + m_alarm->widthWithoutText() + (parts < kShortParts ? kAlarmText : 0);
+}
+
+/// Resume has Hold's place and pushes nothing aside.
+void StateBar::reserveHold() {
+    m_hold->setMinimumWidth(0);
+    int more = 0;
+    if (m_hold->toolButtonStyle() != Qt::ToolButtonIconOnly)
+        for (const Verb verb : {Verb::Hold, Verb::Resume})
+            more = std::max(more, m_hold->fontMetrics().horizontalAdvance(m_actions.verb(verb)->iconText()) -
+                                      m_hold->fontMetrics().horizontalAdvance(m_hold->text()));
+    m_hold->setMinimumWidth(m_hold->sizeHint().width() + more);
 }
 
 void StateBar::shorten(int parts) {
     const auto style = [](bool isShort) {
         return isShort ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon;
     };
-    for (QToolButton* button : {m_arm, m_start})
+    for (QToolButton* button : {m_arm, m_start, m_reset})
         button->setToolButtonStyle(style(parts >= 1));
-    for (QToolButton* button : {m_hold, m_stop, m_reset})
+    for (QToolButton* button : {m_hold, m_stop, m_retreat})
         button->setToolButtonStyle(style(parts >= 2));
+    const int icon = parts < kShortParts ? 20 : 16;
+    for (QToolButton* button : {m_arm, m_start, m_hold, m_stop, m_retreat, m_reset})
+        button->setIconSize({icon, icon});
+    reserveHold();
     m_tagWord->setVisible(parts < 3);
     m_clockCaption->setVisible(parts < 3);
     const int gap = parts < kShortParts ? kBarGap : kBarGap / 2;
@@ -151,6 +172,16 @@ bool StateBar::event(QEvent* event) {
     return QFrame::event(event);
 }
 
+/// A button that is greyed hears no click, but what watches it does.
+bool StateBar::eventFilter(QObject* watched, QEvent* event) {
+    const auto* button = qobject_cast<QToolButton*>(watched);
+    if (button != nullptr && !button->isEnabled() && event->type() == QEvent::MouseButtonPress)
+        for (int i = 0; i < kVerbs; ++i)
+            if (m_actions.verb(static_cast<Verb>(i)) == button->defaultAction())
+                emit verbRefused(static_cast<Verb>(i));
+    return QFrame::eventFilter(watched, event);
+}
+
 void StateBar::resizeEvent(QResizeEvent* event) {
     QFrame::resizeEvent(event);
     fit();
@@ -168,10 +199,9 @@ void StateBar::setTemperatureUnit(TemperatureUnit unit) {
 
 void StateBar::showChip() {
     if (!m_answering) {
-        m_chip->setState(
-            RunState::Fault,
-            {tr("The engine is not answering. The robot ends its step, and a heat source with a "
-                "watchdog goes off by itself. Look at the rig, then close Bask and start it again.")});
+        m_chip->setUnknown(
+            tr("The engine is not answering. The robot ends its step, and a heat source with a "
+               "watchdog goes off by itself. Look at the rig, then close Bask and start it again."));
         return;
     }
     QStringList sentences;

@@ -15,10 +15,10 @@ class AlarmButton;
 class RunStateChip;
 class StopButton;
 
-/// Object names: "rigTag", "runStateChip", "armButton" and "startButton" (but for faults), "holdButton" (Hold
-/// or Resume), "stopRunButton", "resetButton" (only while it can be pressed), "runClock", "alarmButton" (only
-/// with alarms), "stopButton". Where it is narrow its buttons and its tag lose their words, then its clock
-/// goes: STOP stays whole.
+/// Object names: "rigTag", "runStateChip", "armButton", "startButton", "holdButton" (Hold or Resume),
+/// "stopRunButton", "retreatButton", "resetButton", "runClock", "alarmButton" (only with alarms),
+/// "stopButton". Where it is narrow its buttons and its tag lose their words, then its clock goes: STOP stays
+/// whole. Its verbs have the same places in every state and with every alarm.
 class StateBar : public QFrame {
     Q_OBJECT
 
@@ -35,11 +35,14 @@ public:
 
 signals:
     void stopRequested();
+    /// A verb was clicked that is not possible now.
+    void verbRefused(bask::Verb verb);
     void reasonActivated(int index);
     void alarmChosen(quint64 id);
 
 protected:
     bool event(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
 
@@ -47,6 +50,8 @@ private:
     QToolButton* makeButton(QAction* action, const char* name);
     void fit();
     void shorten(int parts);
+    int roomNeeded(int parts) const;
+    void reserveHold();
     void showTag();
     void showChip();
     void retranslate();
@@ -61,7 +66,7 @@ private:
     QLabel* m_tagIcon;
     QLabel* m_tagWord;
     RunStateChip* m_chip;
-    QToolButton *m_arm, *m_start, *m_hold, *m_stop, *m_reset;
+    QToolButton *m_arm, *m_start, *m_hold, *m_stop, *m_retreat, *m_reset;
     QLabel* m_clockCaption;
     QLabel* m_clock;
     AlarmButton* m_alarm;

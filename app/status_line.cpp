@@ -2,6 +2,7 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/elided_label.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/language.h"
 #include "widgets/rig/device_words.h"
 
@@ -10,19 +11,16 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include <algorithm>
-#include <cmath>
-
 namespace bask {
-
 StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     : QStatusBar(parent), m_ageLabel(new ElidedLabel(this)), m_loopLabel(new ElidedLabel(this)),
-      m_sourceLabel(new QLabel(this)), m_trackingLabel(new ElidedLabel(this)),
-      m_recordingLabel(new ElidedLabel(this)), m_unit(new QToolButton(this)),
-      m_language(new QToolButton(this)) {
+      m_sourceLabel(new QLabel(this)), m_heatMark(new QLabel(this)), m_heatLabel(new QLabel(this)),
+      m_trackingLabel(new ElidedLabel(this)), m_recordingLabel(new ElidedLabel(this)),
+      m_unit(new QToolButton(this)), m_language(new QToolButton(this)) {
     m_ageLabel->setObjectName(QStringLiteral("sampleAge"));
     m_loopLabel->setObjectName(QStringLiteral("loopRate"));
     m_sourceLabel->setObjectName(QStringLiteral("sourceState"));
+    m_heatLabel->setObjectName(QStringLiteral("heatWord"));
     m_trackingLabel->setObjectName(QStringLiteral("tracking"));
     m_recordingLabel->setObjectName(QStringLiteral("recording"));
     m_unit->setObjectName(QStringLiteral("unitButton"));
@@ -33,7 +31,10 @@ StatusLine::StatusLine(QMenu* unitMenu, QMenu* languageMenu, QWidget* parent)
     for (QLabel* label : {m_ageLabel, m_loopLabel, m_recordingLabel})
         addWidget(label);
     addPermanentWidget(m_trackingLabel); // no tip hides it
-    addPermanentWidget(m_sourceLabel);
+    m_sourceLabel->setContentsMargins(6, 0, 0, 0);
+    m_heatLabel->setContentsMargins(0, 0, 10, 0);
+    for (QLabel* label : {m_sourceLabel, m_heatMark, m_heatLabel})
+        addPermanentWidget(label);
     m_unit->setMenu(unitMenu);
     m_language->setMenu(languageMenu);
     for (QToolButton* button : {m_unit, m_language}) {
@@ -50,18 +51,15 @@ void StatusLine::apply(const Snapshot& snapshot) {
     m_age_s = snapshot.sampleAge_s;
     m_rate_Hz = snapshot.loopRate_Hz;
     m_late = snapshot.lateSteps;
-    m_speed = snapshot.simulationSpeed;
+    m_speed = snapshot.simulated ? snapshot.simulationSpeed : 1.0;
     m_rows = snapshot.recordedRows;
     m_tracking = snapshot.tracking;
     m_devices = snapshot.devices;
-    m_source_K = sourceTemperature_K(snapshot);
-    m_heatOn = snapshot.heatOn;
-    m_isHeatKnown = snapshot.simulated ? snapshot.source_K.has_value()
-                                       : std::ranges::any_of(m_devices, [](const RigDeviceState& device) {
-                                             return device.role == DeviceRole::HeatSource &&
-                                                    device.status.link == LinkState::Live;
-                                         });
-    m_isSourceByHand = snapshot.isSourceByHand;
+    m_source.source_K = snapshot.source_K;
+    m_source.latest.source_K = snapshot.latest.source_K;
+    m_source.sourceAge_s = snapshot.sourceAge_s;
+    m_source.heat = snapshot.heat;
+    m_source.isSourceByHand = snapshot.isSourceByHand;
     m_recording = QString::fromStdString(snapshot.recordingPath);
     refresh();
 }
@@ -76,7 +74,8 @@ void StatusLine::refresh() {
         if (label->text() != text)
             label->setText(text);
     };
-    m_sourceLabel->setVisible(m_answering && m_any);
+    m_sourceLabel->setVisible(m_any);
+    showHeat();
     if (!m_answering) {
         set(m_ageLabel, tr("engine not answering"));
         return;
@@ -108,13 +107,35 @@ QString StatusLine::ageText() const {
 }
 
 QString StatusLine::sourceText() const {
-    const QString now = formatTemperature(m_source_K, m_temperatureUnit);
-    if (m_isSourceByHand)
-        return std::isfinite(m_source_K) ? tr("source %1 as typed, heated by hand").arg(now)
-                                         : tr("source heated by hand, no temperature typed");
-    if (!m_isHeatKnown)
-        return tr("source %1, heat not known").arg(now);
-    return m_heatOn ? tr("source %1, heat on").arg(now) : tr("source %1, heat off").arg(now);
+    const QString now = sourceReadingText(m_source, m_temperatureUnit);
+    if (!m_source.isSourceByHand)
+        return tr("source %1,").arg(now);
+    return m_source.source_K ? tr("source %1 as typed,").arg(now) : tr("source: no temperature typed,");
+}
+
+QString StatusLine::heatText() const {
+    if (m_source.isSourceByHand)
+        return tr("heated by hand");
+    switch (m_answering ? m_source.heat : HeatState::Unknown) {
+    case HeatState::Off:
+        return tr("heat off");
+    case HeatState::On:
+        return tr("heat on");
+    case HeatState::Unknown:
+        break;
+    }
+    return tr("heat UNKNOWN");
+}
+
+/// Unknown is a word, a mark and a colour of its own, and the last temperature is grey.
+void StatusLine::showHeat() {
+    const bool isUnknown = !m_source.isSourceByHand && (!m_answering || m_source.heat == HeatState::Unknown);
+    if (const QString text = heatText(); text != m_heatLabel->text())
+        m_heatLabel->setText(text);
+    showOld(m_sourceLabel, !m_answering || !m_source.source_K);
+    showUnknown(m_heatMark, m_heatLabel, isUnknown);
+    m_heatMark->setVisible(m_any && isUnknown);
+    m_heatLabel->setVisible(m_any);
 }
 
 QString StatusLine::trackingText() const {
@@ -146,7 +167,10 @@ void StatusLine::retranslate() {
     m_ageLabel->setToolTip(
         tr("Age of the newest temperature readings; of a real rig, of each device's newest answer"));
     m_loopLabel->setToolTip(tr("Control steps a second, and how many began late"));
-    m_sourceLabel->setToolTip(tr("Newest temperature of the source, and whether it is heated"));
+    for (QLabel* label : {m_sourceLabel, m_heatMark, m_heatLabel})
+        label->setToolTip(
+            tr("Newest temperature of the source, and whether it is heated, as the device has confirmed. "
+               "UNKNOWN: it may be hot, whatever was ordered."));
     m_trackingLabel->setToolTip(tr("How the camera follows the source: time from the light to the pose, two "
                                    "standard deviations of its place"));
     m_unit->setToolTip(tr("Temperature unit"));
@@ -160,6 +184,8 @@ void StatusLine::changeEvent(QEvent* event) {
     QStatusBar::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        showHeat();
 }
 
 } // namespace bask

@@ -1,13 +1,11 @@
 #pragma once
-// The line at the window's foot: the source and its heat, age of the readings or of each device's answers,
-// loop rate and late steps, how the source is followed, recording, unit, language.
+// The line at the window's foot: the source and its heat, as far as they are known, age of the readings or of
+// each device's answers, loop rate and late steps, how the source is followed, recording, unit, language.
 
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
 
 #include <QStatusBar>
-
-#include <limits>
 
 class QLabel;
 class QMenu;
@@ -15,8 +13,8 @@ class QToolButton;
 
 namespace bask {
 
-/// Object names: "sampleAge", "loopRate", "sourceState", "tracking", "recording", "unitButton",
-/// "languageButton".
+/// Object names: "sampleAge", "loopRate", "sourceState" and "heatWord", "tracking", "recording",
+/// "unitButton", "languageButton".
 class StatusLine : public QStatusBar {
     Q_OBJECT
 
@@ -36,6 +34,8 @@ private:
     void retranslate();
     QString ageText() const;
     QString sourceText() const;
+    QString heatText() const;
+    void showHeat();
     QString trackingText() const;
 
     bool m_answering = true;
@@ -48,14 +48,13 @@ private:
     QString m_recording;
     std::optional<SourceTracking> m_tracking;
     std::vector<RigDeviceState> m_devices; ///< of a real rig
-    double m_source_K = std::numeric_limits<double>::quiet_NaN();
-    bool m_heatOn = false;
-    bool m_isHeatKnown = false;
-    bool m_isSourceByHand = false;
+    Snapshot m_source;                     ///< what it says of the source
     TemperatureUnit m_temperatureUnit = TemperatureUnit::Celsius;
     QLabel* m_ageLabel;
     QLabel* m_loopLabel;
     QLabel* m_sourceLabel;
+    QLabel* m_heatMark;
+    QLabel* m_heatLabel;
     QLabel* m_trackingLabel;
     QLabel* m_recordingLabel;
     QToolButton* m_unit;

@@ -24,14 +24,15 @@ ENGINE = {
     "control": {"radiation", "thermal", "shape", "base"},
     "devices": {"shape", "base"},
     "protocols": {"base"},
-    "drivers": {"protocols", "devices", "base"},
+    "guard": set(),
+    "drivers": {"protocols", "devices", "guard", "base"},
     "device_simulators": {"protocols", "simulation", "radiation", "thermal", "shape", "base"},
     "vision": {"devices", "calibration", "shape", "base"},
     "simulation": {"devices", "calibration", "radiation", "thermal", "shape", "base"},
     "session": {"calibration", "protocols", "control", "thermal", "shape", "base"},
     "export": {"session", "exchange", "control", "radiation", "thermal", "shape", "base"},
     "recipe": {"runtime", "session", "simulation", "control", "base"},
-    "runtime": {"exchange", "vision", "drivers", "protocols", "simulation", "calibration", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
+    "runtime": {"exchange", "vision", "drivers", "guard", "protocols", "simulation", "calibration", "devices", "session", "control", "radiation", "thermal", "shape", "base"},
 }
 
 # Engine headers that widgets and the window may see: values, never devices, simulation or the worker.
@@ -101,7 +102,7 @@ QAbstractEventDispatcher QAtomicInt QAtomicInteger QByteArray QChar QCoreApplica
 QDeadlineTimer QDebug QDir QElapsedTimer QEvent QEventLoop QFile QFileDevice QFileInfo QFlags QGlobalStatic QHash
 QIODevice QList QLocale QLockFile QMap QMetaObject QMetaType QMutex QMutexLocker QObject QPair QPointer QRegularExpression
 QSaveFile QScopeGuard QScopedPointer QSemaphore QSet QSharedPointer QStandardPaths QString QStringBuilder QStringList
-QStringView QSysInfo QTemporaryDir QTemporaryFile QTextStream QThread QTime QTimeZone QTimer QUrl QUuid QVariant QVariantList
+QStringView QSysInfo QTemporaryDir QTemporaryFile QTextStream QThread QThreadPool QTime QTimeZone QTimer QUrl QUuid QVariant QVariantList
 QVariantMap QVector QWaitCondition QWeakPointer QtGlobal QtNumeric
 QSqlDatabase QSqlDriver QSqlError QSqlField QSqlIndex QSqlQuery QSqlRecord QSqlResult
 """.split())
@@ -114,7 +115,7 @@ QPaintDevice QPaintEngine QPainter QPainterPath QStringConverter QSvgRenderer QX
 # The links of engine/drivers.
 QT_LINKS = set("""
 QHostAddress QIODevice QModbusDataUnit QModbusDevice QModbusReply QModbusRequest QModbusResponse QModbusRtuSerialClient
-QSerialPort QSerialPortInfo QTcpSocket QAbstractSocket
+QSerialPort QSerialPortInfo QTcpSocket QAbstractSocket QDBusConnection QDBusMessage QDBusReply QDBusUnixFileDescriptor
 """.split())
 
 
@@ -164,7 +165,7 @@ def qt_in_engine(path):
 OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "devices")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
-SYSTEM_HEADER = re.compile(r"(unistd|fcntl|signal|pthread|immintrin|sched|errno|termios|poll)\.h|(sys|netinet)/[a-z_]+\.h")
+SYSTEM_HEADER = re.compile(r"(unistd|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 QT_NAME = re.compile(r"\bQ(?:t(?=::)|[A-Z]\w*)")

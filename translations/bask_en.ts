@@ -1,147 +1,158 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
-    <context>
-        <name>bask::DeviceCard</name>
-        <message numerus="yes">
-            <source>%n answer(s) discarded</source>
-            <translation>
-                <numerusform>%n answer discarded</numerusform>
-                <numerusform>%n answers discarded</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CalibrationAge</name>
-        <message numerus="yes">
-            <source>%n minute(s) ago</source>
-            <translation>
-                <numerusform>%n minute ago</numerusform>
-                <numerusform>%n minutes ago</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n hour(s) ago</source>
-            <translation>
-                <numerusform>%n hour ago</numerusform>
-                <numerusform>%n hours ago</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n day(s) ago</source>
-            <translation>
-                <numerusform>%n day ago</numerusform>
-                <numerusform>%n days ago</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SessionList</name>
-        <message numerus="yes">
-            <source>%1 of %n session(s)</source>
-            <translation>
-                <numerusform>%1 of %n session</numerusform>
-                <numerusform>%1 of %n sessions</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n session(s)</source>
-            <translation>
-                <numerusform>%n session</numerusform>
-                <numerusform>%n sessions</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n sample(s)</source>
-            <translation>
-                <numerusform>%n sample</numerusform>
-                <numerusform>%n samples</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::PageHost</name>
-        <message numerus="yes">
-            <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
-            <translation>
-                <numerusform>It is shown already, or there is %n run over the open one: take it away first.</numerusform>
-                <numerusform>It is shown already, or there are %n runs over the open one: take one away first.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SessionExport</name>
-        <message numerus="yes">
-            <source>%n file(s) written to %1</source>
-            <translation>
-                <numerusform>%n file written to %1</numerusform>
-                <numerusform>%n files written to %1</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RunReport</name>
-        <message numerus="yes">
-            <source>%1 (min:s), %n sample(s)</source>
-            <translation>
-                <numerusform>%1 (min:s), %n sample</numerusform>
-                <numerusform>%1 (min:s), %n samples</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
-            <translation>
-                <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view</numerusform>
-                <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n views</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n alarm(s)</source>
-            <translation>
-                <numerusform>%n alarm</numerusform>
-                <numerusform>%n alarms</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n hole(s)</source>
-            <translation>
-                <numerusform>%n hole</numerusform>
-                <numerusform>%n holes</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n marker(s) of dictionary %1</source>
-            <translation>
-                <numerusform>%n marker of dictionary %1</numerusform>
-                <numerusform>%n markers of dictionary %1</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
-            <translation>
-                <numerusform>%n more row is in the session file; bask export --csv lists it.</numerusform>
-                <numerusform>%n more rows are in the session file; bask export --csv lists them.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RecipePanel</name>
-        <message numerus="yes">
-            <source>%n step(s), at most %1</source>
-            <translation>
-                <numerusform>%n step, at most %1</numerusform>
-                <numerusform>%n steps, at most %1</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RecipeControl</name>
-        <message numerus="yes">
-            <source>and %n more</source>
-            <translation>
-                <numerusform>and %n more</numerusform>
-                <numerusform>and %n more</numerusform>
-            </translation>
-        </message>
-    </context>
+<context>
+    <name>bask::AlarmList</name>
+    <message numerus="yes">
+        <source>, %n follow(s)</source>
+        <comment>from this alarm</comment>
+        <translation>
+            <numerusform>, %n follows</numerusform>
+            <numerusform>, %n follow</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::CalibrationAge</name>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>%n minute ago</numerusform>
+            <numerusform>%n minutes ago</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>%n hour ago</numerusform>
+            <numerusform>%n hours ago</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) ago</source>
+        <translation>
+            <numerusform>%n day ago</numerusform>
+            <numerusform>%n days ago</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::DeviceCard</name>
+    <message numerus="yes">
+        <source>%n answer(s) discarded</source>
+        <translation>
+            <numerusform>%n answer discarded</numerusform>
+            <numerusform>%n answers discarded</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::PageHost</name>
+    <message numerus="yes">
+        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+        <translation>
+            <numerusform>It is shown already, or there is %n run over the open one: take it away first.</numerusform>
+            <numerusform>It is shown already, or there are %n runs over the open one: take one away first.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::RecipeControl</name>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>and %n more</numerusform>
+            <numerusform>and %n more</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::RecipePanel</name>
+    <message numerus="yes">
+        <source>%n step(s), at most %1</source>
+        <translation>
+            <numerusform>%n step, at most %1</numerusform>
+            <numerusform>%n steps, at most %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::RunReport</name>
+    <message numerus="yes">
+        <source>%1 (min:s), %n sample(s)</source>
+        <translation>
+            <numerusform>%1 (min:s), %n sample</numerusform>
+            <numerusform>%1 (min:s), %n samples</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
+        <translation>
+            <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view</numerusform>
+            <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n views</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n alarm</numerusform>
+            <numerusform>%n alarms</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n hole</numerusform>
+            <numerusform>%n holes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s) of dictionary %1</source>
+        <translation>
+            <numerusform>%n marker of dictionary %1</numerusform>
+            <numerusform>%n markers of dictionary %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
+        <translation>
+            <numerusform>%n more row is in the session file; bask export --csv lists it.</numerusform>
+            <numerusform>%n more rows are in the session file; bask export --csv lists them.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::SessionExport</name>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n file written to %1</numerusform>
+            <numerusform>%n files written to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::SessionList</name>
+    <message numerus="yes">
+        <source>%1 of %n session(s)</source>
+        <translation>
+            <numerusform>%1 of %n session</numerusform>
+            <numerusform>%1 of %n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n session</numerusform>
+            <numerusform>%n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n sample</numerusform>
+            <numerusform>%n samples</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

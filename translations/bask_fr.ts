@@ -1,8186 +1,8723 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="fr" sourcelanguage="en">
-    <context>
-        <name>MaterialPreset</name>
-        <message>
-            <source>aluminium, painted black</source>
-            <translation>aluminium peint en noir</translation>
-        </message>
-        <message>
-            <source>aluminium, anodised</source>
-            <translation>aluminium anodisé</translation>
-        </message>
-        <message>
-            <source>copper, polished</source>
-            <translation>cuivre poli</translation>
-        </message>
-        <message>
-            <source>steel, painted black</source>
-            <translation>acier peint en noir</translation>
-        </message>
-        <message>
-            <source>stainless steel, polished</source>
-            <translation>acier inoxydable poli</translation>
-        </message>
-        <message>
-            <source>stainless steel, oxidised</source>
-            <translation>acier inoxydable oxydé</translation>
-        </message>
-        <message>
-            <source>ABS, 30 % infill</source>
-            <translation>ABS, remplissage 30 %</translation>
-        </message>
-        <message>
-            <source>graphite</source>
-            <translation>graphite</translation>
-        </message>
-        <message>
-            <source>cardboard</source>
-            <translation>carton</translation>
-        </message>
-        <message>
-            <source>Hu et al., arXiv 2012.13147 (bulk), flat paint (surface)</source>
-            <translation>Hu et al., arXiv 2012.13147 (masse), peinture mate (surface)</translation>
-        </message>
-        <message>
-            <source>aluminium, painted</source>
-            <translation>aluminium peint</translation>
-        </message>
-        <message>
-            <source>aluminium, bare</source>
-            <translation>aluminium nu</translation>
-        </message>
-        <message>
-            <source>PLA, 30 % infill</source>
-            <translation>PLA, remplissage 30 %</translation>
-        </message>
-        <message>
-            <source>PLA, 50 % infill</source>
-            <translation>PLA, remplissage 50 %</translation>
-        </message>
-        <message>
-            <source>PLA, solid</source>
-            <translation>PLA plein</translation>
-        </message>
-        <message>
-            <source>ABS, solid</source>
-            <translation>ABS plein</translation>
-        </message>
-        <message>
-            <source>copper, oxidised</source>
-            <translation>cuivre oxydé</translation>
-        </message>
-        <message>
-            <source>glass</source>
-            <translation>verre</translation>
-        </message>
-        <message>
-            <source>Incropera, table A.1 (bulk), FLIR tables: matte black lacquer (surface)</source>
-            <translation>Incropera, table A.1 (masse), tables FLIR : laque noire mate (surface)</translation>
-        </message>
-        <message>
-            <source>Incropera, table A.1 (bulk), Neutrium: anodised, 20 °C (surface)</source>
-            <translation>Incropera, table A.1 (masse), Neutrium : anodisé, 20 °C (surface)</translation>
-        </message>
-        <message>
-            <source>Incropera, table A.1 (bulk), FLIR tables: sheet as received (surface)</source>
-            <translation>Incropera, table A.1 (masse), tables FLIR : tôle brute (surface)</translation>
-        </message>
-        <message>
-            <source>Hu et al., arXiv 2012.13147; FLIR tables: 0.04 to 0.06, polished</source>
-            <translation>Hu et al., arXiv 2012.13147 ; tables FLIR : 0.04 à 0.06, poli</translation>
-        </message>
-        <message>
-            <source>Incropera, table A.1 (bulk), FLIR tables (surface)</source>
-            <translation>Incropera, table A.1 (masse), tables FLIR (surface)</translation>
-        </message>
-        <message>
-            <source>AISI 1010, Matmake (bulk), FLIR tables: matte black lacquer (surface)</source>
-            <translation>AISI 1010, Matmake (masse), tables FLIR : laque noire mate (surface)</translation>
-        </message>
-        <message>
-            <source>EN 10088-1, 1.4301 (bulk), Trotec: 18-8, 25 °C (surface)</source>
-            <translation>EN 10088-1, 1.4301 (masse), Trotec : 18-8, 25 °C (surface)</translation>
-        </message>
-        <message>
-            <source>EN 10088-1, 1.4301 (bulk), Thome, EPFL: 0.5 to 0.7 after heating (surface)</source>
-            <translation>EN 10088-1, 1.4301 (masse), Thome, EPFL : 0.5 à 0.7 après chauffage (surface)</translation>
-        </message>
-        <message>
-            <source>FreeCAD card PLA-Generic (bulk), plastics: 0.85 to 0.95 (surface)</source>
-            <translation>fiche FreeCAD PLA-Generic (masse), plastiques : 0.85 à 0.95 (surface)</translation>
-        </message>
-        <message>
-            <source>Kaiao, Granta Design (bulk), plastics: 0.85 to 0.95 (surface)</source>
-            <translation>Kaiao, Granta Design (masse), plastiques : 0.85 à 0.95 (surface)</translation>
-        </message>
-        <message>
-            <source>Pilkington ATS-129; specific heat: tables say 720 to 880 J/(kg·K)</source>
-            <translation>Pilkington ATS-129 ; chaleur massique : 720 à 880 J/(kg·K) selon les tables</translation>
-        </message>
-        <message>
-            <source>Entegris, by FreeCAD's card (bulk), tables: 0.8 to 0.98 (surface)</source>
-            <translation>Entegris, d’après la fiche FreeCAD (masse), tables : 0.8 à 0.98 (surface)</translation>
-        </message>
-        <message>
-            <source>Ashby: 480 to 860 kg/m³ (bulk), FLIR tables: paper (surface)</source>
-            <translation>Ashby : 480 à 860 kg/m³ (masse), tables FLIR : papier (surface)</translation>
-        </message>
-        <message>
-            <source>aluminium, polished</source>
-            <translation>aluminium poli</translation>
-        </message>
-    </context>
-    <context>
-        <name>Message</name>
-        <message>
-            <source>"%1" is not the finite number or numbers that it should be</source>
-            <translation>« %1 » n’est pas le ou les nombres finis attendus</translation>
-        </message>
-        <message>
-            <source>Held for more than %1 s without a reading: the run is ended</source>
-            <translation>En pause depuis plus de %1 s sans mesure : l’essai prend fin</translation>
-        </message>
-        <message>
-            <source>a recipe needs at least one step that runs an experiment</source>
-            <translation>une recette a besoin d’au moins une étape qui exécute une expérience</translation>
-        </message>
-        <message>
-            <source>not one of Bask's files, or a damaged one: it is no valid JSON (%1)</source>
-            <translation>ce n’est pas un fichier de Bask, ou il est endommagé : JSON non valable (%1)</translation>
-        </message>
-        <message>
-            <source>simulated fault of "%2": %1</source>
-            <translation>défaut simulé de « %2 » : %1</translation>
-        </message>
-        <message>
-            <source>simulated fault: %1</source>
-            <translation>défaut simulé : %1</translation>
-        </message>
-        <message>
-            <source>the camera matrix cannot be used: nine numbers fx 0 cx, 0 fy cy, 0 0 1 with focal lengths above zero are needed</source>
-            <translation>la matrice de la caméra est inutilisable : il faut neuf nombres fx 0 cx, 0 fy cy, 0 0 1, avec des focales supérieures à zéro</translation>
-        </message>
-        <message>
-            <source>a distortion of %1 coefficients cannot be used; 4, 5 or 8 can</source>
-            <translation>une distorsion à %1 coefficients est inutilisable ; il en faut 4, 5 ou 8</translation>
-        </message>
-        <message>
-            <source>the camera was calibrated with pictures of %1 pixels, this one has %2; calibrate it at this size</source>
-            <translation>la caméra a été étalonnée avec des images de %1 pixels, celle-ci en a %2 ; étalonnez-la à cette taille</translation>
-        </message>
-        <message>
-            <source>"%1" is not %2 digits 0 or 1</source>
-            <translation>« %1 » n’est pas une suite de %2 chiffres 0 ou 1</translation>
-        </message>
-        <message>
-            <source>"%1" is no board; write chessboard:9x6:0.025 (inner corners, square in m) or charuco:5x7:0.04:0.02:6X6_250 (squares, square and marker in m, dictionary)</source>
-            <translation>« %1 » n’est pas une mire ; écrivez chessboard:9x6:0.025 (coins intérieurs, case en m) ou charuco:5x7:0.04:0.02:6X6_250 (cases, case et marqueur en m, dictionnaire)</translation>
-        </message>
-        <message>
-            <source>"%1" is no marker; write marker:6X6_250:23:0.05 (dictionary, id, side in m)</source>
-            <translation>« %1 » n’est pas un marqueur ; écrivez marker:6X6_250:23:0.05 (dictionnaire, numéro, côté en m)</translation>
-        </message>
-        <message>
-            <source>a marker of %1 m does not fit into a square of %2 m</source>
-            <translation>un marqueur de %1 m ne tient pas dans une case de %2 m</translation>
-        </message>
-        <message>
-            <source>dictionary %1 has %2 markers; %3 are needed</source>
-            <translation>le dictionnaire %1 a %2 marqueurs ; il en faut %3</translation>
-        </message>
-        <message>
-            <source>no chessboard of %1 inner corners is seen; it needs to be whole in the picture, flat, with a light margin</source>
-            <translation>aucun échiquier à %1 coins intérieurs n’est vu ; il doit être entier dans l’image, plan, avec une marge claire</translation>
-        </message>
-        <message>
-            <source>only %1 corners of the board are seen; %2 that are not in one line are needed</source>
-            <translation>seuls %1 coins de la mire sont vus ; il en faut %2 qui ne soient pas alignés</translation>
-        </message>
-        <message>
-            <source>the pictures show the board %1, not %2; correct the setting</source>
-            <translation>les images montrent la mire %1, non %2 ; corrigez le réglage</translation>
-        </message>
-        <message>
-            <source>the picture has %1 pixels, the others %2; take all with one camera at one size</source>
-            <translation>l’image a %1 pixels, les autres %2 ; prenez-les toutes avec une caméra à une seule taille</translation>
-        </message>
-        <message>
-            <source>%1 pictures that can be used are too few; at least %2 are needed, with the board tilted in different ways</source>
-            <translation>%1 images utilisables ne suffisent pas ; il en faut au moins %2, la mire inclinée de différentes façons</translation>
-        </message>
-        <message>
-            <source>in all pictures the board is seen straight on, tilted by %1 degrees at most; at least %2 are needed to tell the focal length</source>
-            <translation>dans toutes les images la mire est vue de face, inclinée de %1 degrés au plus ; il en faut au moins %2 pour connaître la focale</translation>
-        </message>
-        <message>
-            <source>in all pictures the board is held in nearly the same direction, turned by %1 degrees at most between two of them; at least %2 are needed to tell the focal length</source>
-            <translation>dans toutes les images la mire a presque la même orientation, avec %1 degrés au plus entre deux d’entre elles ; il en faut au moins %2 pour connaître la focale</translation>
-        </message>
-        <message>
-            <source>no camera explains these pictures; tilt the board in different ways and check its setting</source>
-            <translation>aucune caméra n’explique ces images ; inclinez la mire de différentes façons et vérifiez son réglage</translation>
-        </message>
-        <message>
-            <source>the focal length is known to %1 % only; at most %2 % can be used, so add pictures with the board tilted in different ways</source>
-            <translation>la focale n’est connue qu’à %1 % ; %2 % au plus conviennent, ajoutez donc des images où la mire est inclinée de différentes façons</translation>
-        </message>
-        <message>
-            <source>the pictures contradict one another by %1 px; at most %2 px can be used, so check that the board is flat, its setting right and all pictures from one camera</source>
-            <translation>les images se contredisent de %1 px ; %2 px au plus conviennent, vérifiez donc que la mire est plane, son réglage juste et que toutes les images viennent d’une même caméra</translation>
-        </message>
-        <message>
-            <source>%1 mm are needed with margins, %2 has room for %3 mm; take larger paper or a smaller pattern</source>
-            <translation>il faut %1 mm avec les marges, %2 n’offre que %3 mm ; prenez un papier plus grand ou un motif plus petit</translation>
-        </message>
-        <message>
-            <source>%1 and %2 overlap; move one of them</source>
-            <translation>%1 et %2 se chevauchent ; déplacez l’un des deux</translation>
-        </message>
-        <message>
-            <source>%1 reaches %2 cm from the end-effector's centre; the robot can carry objects within %3 cm</source>
-            <translation>%1 s’étend à %2 cm du centre de l’effecteur ; le robot peut porter des objets jusqu’à %3 cm</translation>
-        </message>
-        <message>
-            <source>%1, %2 and %3 lie in a line; like temperatures for all three cannot be held together, a triangle is better</source>
-            <translation>%1, %2 et %3 sont alignés ; des températures proches ne peuvent être tenues pour les trois à la fois, un triangle convient mieux</translation>
-        </message>
-        <message>
-            <source>none of the free axes changes the view factor of %1; mount it elsewhere or free another axis</source>
-            <translation>aucun des axes libres ne change le facteur de forme de %1 ; montez-le ailleurs ou libérez un autre axe</translation>
-        </message>
-        <message>
-            <source>%1 and %2 have the same view factor wherever the free axes bring them, so one cannot be heated without the other; mount one elsewhere or free another axis</source>
-            <translation>%1 et %2 ont le même facteur de forme partout où les axes libres les amènent : l’un ne peut être chauffé sans l’autre ; montez l’un d’eux ailleurs ou libérez un autre axe</translation>
-        </message>
-        <message>
-            <source>the free axes cannot change the view factors of %1 independently of one another; mount one elsewhere or free another axis</source>
-            <translation>les axes libres ne peuvent changer les facteurs de forme de %1 indépendamment les uns des autres ; montez l’un d’eux ailleurs ou libérez un autre axe</translation>
-        </message>
-        <message>
-            <source>as many objects as free axes (%1): their heating decides every movement, none is left for keeping away from limits</source>
-            <translation>autant d’objets que d’axes libres (%1) : leur chauffage décide de tout mouvement, il n’en reste aucun pour s’écarter des limites</translation>
-        </message>
-        <message>
-            <source>At rest the sensors' readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
-            <translation>Au repos, les mesures des capteurs s’écartent de %1 K de leur moyenne ; le zéro n’en corrige que %2 K au plus. Vérifiez les capteurs et leur bruit.</translation>
-        </message>
-        <message>
-            <source>there is no such file; check the path</source>
-            <translation>ce fichier n’existe pas ; vérifiez le chemin</translation>
-        </message>
-        <message>
-            <source>the file cannot be read: %1</source>
-            <translation>le fichier ne peut pas être lu : %1</translation>
-        </message>
-        <message>
-            <source>the file cannot be written: %1</source>
-            <translation>le fichier ne peut pas être écrit : %1</translation>
-        </message>
-        <message>
-            <source>the file is empty</source>
-            <translation>le fichier est vide</translation>
-        </message>
-        <message>
-            <source>the file has %1, more than the %2 that are read</source>
-            <translation>le fichier contient %1, plus que les %2 qui peuvent être lus</translation>
-        </message>
-        <message>
-            <source>unknown key "%1"; known here: %2</source>
-            <translation>clé « %1 » inconnue ; clés connues ici : %2</translation>
-        </message>
-        <message>
-            <source>the key "%1" is missing</source>
-            <translation>la clé « %1 » manque</translation>
-        </message>
-        <message>
-            <source>%1 expected, %2 found</source>
-            <translation>%1 attendu, %2 trouvé</translation>
-        </message>
-        <message>
-            <source>the key "%1" is given twice</source>
-            <translation>la clé « %1 » figure deux fois</translation>
-        </message>
-        <message>
-            <source>nested more than %1 levels deep</source>
-            <translation>imbriqué sur plus de %1 niveaux</translation>
-        </message>
-        <message>
-            <source>"%1" and "%2" say the same thing; give one of them</source>
-            <translation>« %1 » et « %2 » disent la même chose ; n’en donnez qu’un</translation>
-        </message>
-        <message>
-            <source>%1 is out of range; allowed: %2 to %3 %4</source>
-            <translation>%1 est hors limites ; admis : de %2 à %3 %4</translation>
-        </message>
-        <message>
-            <source>%1 is not allowed; it must be greater than zero</source>
-            <translation>%1 n’est pas admis ; il faut une valeur supérieure à zéro</translation>
-        </message>
-        <message>
-            <source>"%1" is not known; known: %2</source>
-            <translation>« %1 » est inconnu ; connus : %2</translation>
-        </message>
-        <message>
-            <source>made by a newer version of Bask (format %1, this one knows up to %2); update Bask to open it</source>
-            <translation>créé par une version plus récente de Bask (format %1, celle-ci connaît jusqu’au %2) ; mettez Bask à jour pour l’ouvrir</translation>
-        </message>
-        <message>
-            <source>not a regular file; choose another name</source>
-            <translation>ce n’est pas un fichier ordinaire ; choisissez un autre nom</translation>
-        </message>
-        <message>
-            <source>this file is also an input; choose another name for the output</source>
-            <translation>ce fichier est aussi une entrée ; choisissez un autre nom pour la sortie</translation>
-        </message>
-        <message>
-            <source>another output goes there; give each its own name</source>
-            <translation>une autre sortie y va déjà ; donnez à chacune son propre nom</translation>
-        </message>
-        <message>
-            <source>a file of that name exists and is not %1; choose another name</source>
-            <translation>un fichier de ce nom existe et n’est pas %1 ; choisissez un autre nom</translation>
-        </message>
-        <message>
-            <source>a file of that name exists and is not an earlier export; choose another folder</source>
-            <translation>un fichier de ce nom existe et n’est pas un export antérieur ; choisissez un autre dossier</translation>
-        </message>
-        <message>
-            <source>%1 objects, but the robot has only %2 free degrees of freedom; remove objects or free more axes</source>
-            <translation>%1 objets, mais le robot n’a que %2 degrés de liberté libres ; retirez des objets ou libérez des axes</translation>
-        </message>
-        <message>
-            <source>there is no object; add at least one</source>
-            <translation>il n’y a aucun objet ; ajoutez-en au moins un</translation>
-        </message>
-        <message>
-            <source>the name "%1" is used twice; give each object its own</source>
-            <translation>le nom « %1 » est utilisé deux fois ; donnez à chaque objet le sien</translation>
-        </message>
-        <message>
-            <source>an object needs a name</source>
-            <translation>un objet doit avoir un nom</translation>
-        </message>
-        <message>
-            <source>control characters, and spaces at either end, are not allowed in a name</source>
-            <translation>les caractères de contrôle et les espaces aux extrémités ne sont pas admis dans un nom</translation>
-        </message>
-        <message>
-            <source>the axis "%1" is given twice</source>
-            <translation>l’axe « %1 » est donné deux fois</translation>
-        </message>
-        <message>
-            <source>%1 targets given for %2 objects</source>
-            <translation>%1 consignes données pour %2 objets</translation>
-        </message>
-        <message>
-            <source>the start's %1 is %2, outside the workspace of %3 to %4</source>
-            <translation>la coordonnée %1 du départ vaut %2, hors de l’espace de travail de %3 à %4</translation>
-        </message>
-        <message>
-            <source>at the start "%1" is %2 mm from the source plane; at least %3 mm are needed</source>
-            <translation>au départ, « %1 » est à %2 mm du plan de la source ; il faut au moins %3 mm</translation>
-        </message>
-        <message>
-            <source>the times must grow, but %1 s comes after %2 s</source>
-            <translation>les temps doivent croître, mais %1 s vient après %2 s</translation>
-        </message>
-        <message>
-            <source>no pose of the workspace keeps the clearance to the source; widen the workspace or lower the clearance</source>
-            <translation>aucune pose de l’espace de travail ne respecte la distance à la source ; élargissez l’espace de travail ou réduisez cette distance</translation>
-        </message>
-        <message>
-            <source>"%1" cannot be held at %2 °C: with this source it settles at %3 °C at most, even at a view factor of 1</source>
-            <translation>« %1 » ne peut être tenu à %2 °C : avec cette source il se stabilise à %3 °C au plus, même avec un facteur de forme de 1</translation>
-        </message>
-        <message>
-            <source>"%1" cannot be held at %2 °C: it settles at %3 °C where it does not see the source</source>
-            <translation>« %1 » ne peut être tenu à %2 °C : il se stabilise à %3 °C là où il ne voit pas la source</translation>
-        </message>
-        <message>
-            <source>"%1" needs a view factor of %2; within the workspace it has at most %3</source>
-            <translation>« %1 » demande un facteur de forme de %2 ; dans l’espace de travail il a au plus %3</translation>
-        </message>
-        <message>
-            <source>"%1" needs a view factor of %2; within the workspace it has at least %3</source>
-            <translation>« %1 » demande un facteur de forme de %2 ; dans l’espace de travail il a au moins %3</translation>
-        </message>
-        <message>
-            <source>"%1" is to be %3 K hotter than "%2"; with this mounting and workspace at most %4 K are possible</source>
-            <translation>« %1 » doit être plus chaud que « %2 » de %3 K ; avec ce montage et cet espace de travail, au plus %4 K sont possibles</translation>
-        </message>
-        <message>
-            <source>"%1" is to be %3 K hotter than "%2"; with this mounting and workspace it is at least %4 K hotter everywhere</source>
-            <translation>« %1 » doit être plus chaud que « %2 » de %3 K ; avec ce montage et cet espace de travail, l’écart est d’au moins %4 K</translation>
-        </message>
-        <message>
-            <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and "%1" is %2 K off</source>
-            <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble : là où elles sont le plus proches dans l’espace de travail, les surfaces de consigne se manquent de %3 cm, et « %1 » est à %2 K de sa consigne</translation>
-        </message>
-        <message>
-            <source>each target can be held by itself, but not all together: the best pose leaves "%1" %2 K off</source>
-            <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble : la meilleure pose laisse « %1 » à %2 K de sa consigne</translation>
-        </message>
-        <message>
-            <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
-            <translation>le mouvement doit commencer à source.pose, où %1 vaut %3 et non %2</translation>
-        </message>
-        <message>
-            <source>the lower limit %1 must be less than the upper limit %2</source>
-            <translation>la limite inférieure %1 doit être plus petite que la limite supérieure %2</translation>
-        </message>
-        <message>
-            <source>no axis of the robot is free; free at least one</source>
-            <translation>aucun axe du robot n’est libre ; libérez-en au moins un</translation>
-        </message>
-        <message>
-            <source>this source cannot heat: its net power is %1 W/m2; raise its temperature or emittance, or use the gray source model</source>
-            <translation>cette source ne peut pas chauffer : sa puissance nette est de %1 W/m2 ; augmentez sa température ou son émissivité, ou utilisez le modèle de source grise</translation>
-        </message>
-        <message>
-            <source>only %1 points; an outline needs at least %2</source>
-            <translation>%1 points seulement ; un contour en demande au moins %2</translation>
-        </message>
-        <message>
-            <source>%1 has a coordinate that is not a finite number</source>
-            <translation>%1 a une coordonnée qui n’est pas un nombre fini</translation>
-        </message>
-        <message>
-            <source>"%1" in line %2 is not a number</source>
-            <translation>« %1 » à la ligne %2 n’est pas un nombre</translation>
-        </message>
-        <message>
-            <source>line %1 has %2 column(s); an x and a y are needed</source>
-            <translation>la ligne %1 a %2 colonne(s) ; il faut un x et un y</translation>
-        </message>
-        <message>
-            <source>the outline is open: its ends are %1 mm apart (at most %2 mm)</source>
-            <translation>le contour est ouvert : ses extrémités sont distantes de %1 mm (%2 mm au plus)</translation>
-        </message>
-        <message>
-            <source>the outline crosses itself: edges %1 and %2 meet near (%3, %4) mm</source>
-            <translation>le contour se recoupe : les arêtes %1 et %2 se rencontrent près de (%3, %4) mm</translation>
-        </message>
-        <message>
-            <source>the outline encloses no area</source>
-            <translation>le contour n’entoure aucune surface</translation>
-        </message>
-        <message>
-            <source>the unit of length is not known; give it (mm, cm, m or in)</source>
-            <translation>l’unité de longueur n’est pas connue ; indiquez-la (mm, cm, m ou in)</translation>
-        </message>
-        <message>
-            <source>the file holds no outline</source>
-            <translation>le fichier ne contient aucun contour</translation>
-        </message>
-        <message>
-            <source>not readable as XML near line %2: %1</source>
-            <translation>illisible comme XML vers la ligne %2 : %1</translation>
-        </message>
-        <message>
-            <source>elements are nested or used more than %1 levels deep</source>
-            <translation>les éléments sont imbriqués ou réutilisés sur plus de %1 niveaux</translation>
-        </message>
-        <message>
-            <source>not an SVG drawing</source>
-            <translation>n’est pas un dessin SVG</translation>
-        </message>
-        <message>
-            <source>the drawing's size "%1" cannot be used</source>
-            <translation>la taille du dessin « %1 » est inutilisable</translation>
-        </message>
-        <message>
-            <source>the drawing gives its size in pixels, taken as 1/96 inch (0.2646 mm) each; check its size</source>
-            <translation>le dessin donne sa taille en pixels, comptés pour 1/96 de pouce (0.2646 mm) chacun ; vérifiez sa taille</translation>
-        </message>
-        <message>
-            <source>left out, since they are no outlines: %1</source>
-            <translation>laissés de côté, car ce ne sont pas des contours : %1</translation>
-        </message>
-        <message>
-            <source>the drawing holds more than can be read; save the one outline that is needed</source>
-            <translation>le dessin contient plus que ce qui peut être lu ; enregistrez seulement le contour voulu</translation>
-        </message>
-        <message>
-            <source>the drawing reaches farther than %1 m; check its unit</source>
-            <translation>le dessin s’étend au-delà de %1 m ; vérifiez son unité</translation>
-        </message>
-        <message>
-            <source>a path has more than the %1 parts that can be read; simplify it, or save the outline as DXF or CSV</source>
-            <translation>un tracé a plus que les %1 éléments qui peuvent être lus ; simplifiez-le, ou enregistrez le contour en DXF ou CSV</translation>
-        </message>
-        <message>
-            <source>no silhouette found; the picture needs one dark object on a light ground or the reverse</source>
-            <translation>aucune silhouette trouvée ; l’image doit montrer un objet sombre sur fond clair, ou l’inverse</translation>
-        </message>
-        <message>
-            <source>the silhouette touches the picture's border; take the picture with a margin all round</source>
-            <translation>la silhouette touche le bord de l’image ; refaites la photo avec une marge tout autour</translation>
-        </message>
-        <message>
-            <source>not a picture that can be read, or a damaged one</source>
-            <translation>ce n’est pas une image lisible, ou elle est endommagée</translation>
-        </message>
-        <message>
-            <source>the scale is %1 pixels per mm; it must be greater than zero</source>
-            <translation>l’échelle est de %1 pixels par mm ; elle doit être supérieure à zéro</translation>
-        </message>
-        <message>
-            <source>the scale of the picture is not known; give it in pixels per mm</source>
-            <translation>l’échelle de l’image n’est pas connue ; indiquez-la en pixels par mm</translation>
-        </message>
-        <message>
-            <source>%1 harmonics; between %2 and %3 can be used</source>
-            <translation>%1 harmoniques ; on peut en utiliser de %2 à %3</translation>
-        </message>
-        <message>
-            <source>files of type "%1" are not read; known: %2</source>
-            <translation>les fichiers de type « %1 » ne sont pas lus ; connus : %2</translation>
-        </message>
-        <message>
-            <source>there is no outline %1; they are numbered from 0 to %2</source>
-            <translation>il n’y a pas de contour %1 ; ils sont numérotés de 0 à %2</translation>
-        </message>
-        <message>
-            <source>the file holds %1 outlines; the largest is taken</source>
-            <translation>le fichier contient %1 contours ; le plus grand est retenu</translation>
-        </message>
-        <message>
-            <source>holes left out, since they cross or touch something or are more than %2: %1</source>
-            <translation>trous laissés de côté car ils croisent ou touchent quelque chose, ou sont plus de %2 : %1</translation>
-        </message>
-        <message>
-            <source>the corners of the holes were thinned from %1 to %2, within %3 mm</source>
-            <translation>les sommets des trous ont été réduits de %1 à %2, à %3 mm près</translation>
-        </message>
-        <message>
-            <source>the fitted contour cuts a hole; use more harmonics</source>
-            <translation>le contour ajusté coupe un trou ; prenez plus d’harmoniques</translation>
-        </message>
-        <message>
-            <source>%1 holes; there may be %2 at most</source>
-            <translation>%1 trous ; il peut y en avoir %2 au plus</translation>
-        </message>
-        <message>
-            <source>the hole does not lie wholly inside the outline</source>
-            <translation>le trou n’est pas entièrement à l’intérieur du contour</translation>
-        </message>
-        <message>
-            <source>the hole meets hole %1 or lies in it, or round it</source>
-            <translation>le trou touche le trou %1, se trouve dedans ou l’entoure</translation>
-        </message>
-        <message>
-            <source>silhouettes left out since they touch the picture's border: %1</source>
-            <translation>silhouettes laissées de côté car elles touchent le bord de l’image : %1</translation>
-        </message>
-        <message>
-            <source>more than one scale is given; give pixels per mm, a known length or a marker</source>
-            <translation>plusieurs échelles sont indiquées ; indiquez des pixels par mm, une longueur connue ou un marqueur</translation>
-        </message>
-        <message>
-            <source>no marker of dictionary %1 is seen; it needs to lie flat in the picture with a light margin</source>
-            <translation>aucun marqueur du dictionnaire %1 n’est visible ; il doit être à plat dans l’image avec une marge claire</translation>
-        </message>
-        <message>
-            <source>%1 markers are seen; marker %2, the largest, gives the scale</source>
-            <translation>%1 marqueurs sont visibles ; le marqueur %2, le plus grand, donne l’échelle</translation>
-        </message>
-        <message>
-            <source>the marker is only %1 pixels wide; the scale is uncertain below %2</source>
-            <translation>le marqueur n’a que %1 pixels de large ; l’échelle est incertaine au-dessous de %2</translation>
-        </message>
-        <message>
-            <source>the outline reaches the horizon of the marker's plane; look at it more from above</source>
-            <translation>le contour atteint l’horizon du plan du marqueur ; regardez-le davantage d’en haut</translation>
-        </message>
-        <message>
-            <source>the fitted contour crosses itself; use more harmonics</source>
-            <translation>le contour ajusté se croise lui-même ; utilisez plus d’harmoniques</translation>
-        </message>
-        <message>
-            <source>the outline cannot be fitted to %1 mm without crossing itself: with %2 harmonics %3 mm are left</source>
-            <translation>le contour ne peut être ajusté à %1 mm sans se croiser : avec %2 harmoniques, il reste %3 mm</translation>
-        </message>
-        <message>
-            <source>binary DXF is not read; save the drawing as ASCII DXF</source>
-            <translation>le DXF binaire n’est pas lu ; enregistrez le dessin en DXF ASCII</translation>
-        </message>
-        <message>
-            <source>the drawing is cut off: its end mark (EOF) is missing</source>
-            <translation>le dessin est tronqué : sa marque de fin (EOF) manque</translation>
-        </message>
-        <message>
-            <source>the drawing is damaged: what line %1 says cannot be</source>
-            <translation>le dessin est endommagé : ce que dit la ligne %1 est impossible</translation>
-        </message>
-        <message>
-            <source>block "%1" contains itself</source>
-            <translation>le bloc « %1 » se contient lui-même</translation>
-        </message>
-        <message>
-            <source>the drawing names no known unit of length; it is taken as millimetres</source>
-            <translation>le dessin n’indique aucune unité de longueur connue ; il est pris en millimètres</translation>
-        </message>
-        <message>
-            <source>%1 hidden entities were left out (layer off or frozen, invisible, or on paper)</source>
-            <translation>%1 entités masquées ont été omises (calque désactivé ou gelé, invisible, ou dans l’espace papier)</translation>
-        </message>
-        <message>
-            <source>the outline crosses itself so far that it does not go round %1 % of its area exactly once; at most 1 % is taken, use other harmonics</source>
-            <translation>le contour se recoupe tant qu’il ne fait pas exactement une fois le tour de %1 % de sa surface ; 1 % au plus est admis, choisissez d’autres harmoniques</translation>
-        </message>
-        <message>
-            <source>the outline crosses itself near (%1, %2) mm</source>
-            <translation>le contour se recoupe près de (%1, %2) mm</translation>
-        </message>
-        <message>
-            <source>%1 samples, more than the %2 that there may be; take larger steps or a smaller range</source>
-            <translation>%1 échantillons, plus que les %2 permis ; prenez des pas plus grands ou une plage plus petite</translation>
-        </message>
-        <message>
-            <source>the sampling was cancelled</source>
-            <translation>l’échantillonnage a été annulé</translation>
-        </message>
-        <message>
-            <source>"%1" is an axis and cannot be held as well</source>
-            <translation>« %1 » est un axe et ne peut pas être fixé en même temps</translation>
-        </message>
-        <message>
-            <source>not a Bask session file</source>
-            <translation>ce n’est pas un fichier de session Bask</translation>
-        </message>
-        <message>
-            <source>the session file is damaged: %1</source>
-            <translation>le fichier de session est endommagé : %1</translation>
-        </message>
-        <message>
-            <source>the session file is in use: %1</source>
-            <translation>le fichier de session est en cours d’utilisation : %1</translation>
-        </message>
-        <message>
-            <source>%1 readings in windows long enough are too few: at least %2 windows of %3 s are needed; record a longer run</source>
-            <translation>%1 mesures dans des fenêtres assez longues, c’est trop peu : il faut au moins %2 fenêtres de %3 s ; enregistrez un essai plus long</translation>
-        </message>
-        <message>
-            <source>the source was never in view; record a run that heats</source>
-            <translation>la source n’a jamais été en vue ; enregistrez un essai qui chauffe</translation>
-        </message>
-        <message>
-            <source>the view factor hardly varied (by %1), so heating and cooling cannot be told apart; record a run that moves</source>
-            <translation>le facteur de forme n’a guère varié (de %1), donc l’échauffement et le refroidissement ne se distinguent pas ; enregistrez un essai avec des mouvements</translation>
-        </message>
-        <message>
-            <source>the record tells %1 within %2 % only; at most 25 % can be used; record a run that heats and cools more</source>
-            <translation>l’enregistrement ne donne %1 qu’à %2 % près ; au plus 25 % sont utilisables ; enregistrez un essai qui chauffe et refroidit davantage</translation>
-        </message>
-        <message>
-            <source>%1 comes out below zero: the heat balance does not describe this record; check the sensor, the source and the environment's temperature</source>
-            <translation>%1 ressort négatif : le bilan thermique ne décrit pas cet enregistrement ; vérifiez le capteur, la source et la température ambiante</translation>
-        </message>
-        <message>
-            <source>No experiment is loaded. Open one or make a new one.</source>
-            <translation>Aucune expérience n’est chargée. Ouvrez-en une ou créez-en une nouvelle.</translation>
-        </message>
-        <message>
-            <source>The rate estimator has %1 of %2 samples. Wait a moment.</source>
-            <translation>L’estimateur de vitesse a %1 échantillons sur %2. Patientez un instant.</translation>
-        </message>
-        <message>
-            <source>The objects are not at rest at the room's temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment's temperature.</source>
-            <translation>Les objets ne sont pas stables à la température ambiante (%1 °C), les capteurs ne peuvent donc pas être ajustés. Laissez-les refroidir ou corrigez la température ambiante.</translation>
-        </message>
-        <message>
-            <source>Held by the operator. Resume or stop.</source>
-            <translation>Mis en pause par l’opérateur. Reprenez ou arrêtez.</translation>
-        </message>
-        <message>
-            <source>The targets cannot be held. See the Targets page.</source>
-            <translation>Les consignes ne peuvent pas être tenues. Voir la page Consignes.</translation>
-        </message>
-        <message>
-            <source>The sensor of "%1" has given nothing new for %2 s. Check its cable, then resume.</source>
-            <translation>Le capteur de « %1 » n’a rien donné depuis %2 s. Vérifiez son câble, puis reprenez.</translation>
-        </message>
-        <message>
-            <source>The source's pose is not measured any more. Bring the source back into view, then resume.</source>
-            <translation>La pose de la source n’est plus mesurée. Ramenez la source dans le champ, puis reprenez.</translation>
-        </message>
-        <message>
-            <source>The source's pose is measured again</source>
-            <translation>La pose de la source est de nouveau mesurée</translation>
-        </message>
-        <message>
-            <source>The robot does not answer: %1. Check its link, then reset.</source>
-            <translation>Le robot ne répond pas : %1. Vérifiez sa liaison, puis réinitialisez.</translation>
-        </message>
-        <message>
-            <source>The heat source does not answer: %1. Check its link, then reset.</source>
-            <translation>La source de chaleur ne répond pas : %1. Vérifiez sa liaison, puis réinitialisez.</translation>
-        </message>
-        <message>
-            <source>STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.</source>
-            <translation>STOP a été pressé : le robot est immobile et le chauffage coupé. Réinitialisez quand tout est sûr.</translation>
-        </message>
-        <message>
-            <source>The recording failed: %1. Free disk space or choose another folder, then reset.</source>
-            <translation>L’enregistrement a échoué : %1. Libérez de l’espace disque ou choisissez un autre dossier, puis réinitialisez.</translation>
-        </message>
-        <message>
-            <source>The engine met an internal fault: %1. Reset, and report it if it comes again.</source>
-            <translation>Le moteur a rencontré un défaut interne : %1. Réinitialisez, et signalez-le s’il revient.</translation>
-        </message>
-        <message>
-            <source>Armed</source>
-            <translation>Armé</translation>
-        </message>
-        <message>
-            <source>Started</source>
-            <translation>Démarré</translation>
-        </message>
-        <message>
-            <source>Held</source>
-            <translation>Mis en pause</translation>
-        </message>
-        <message>
-            <source>Resumed</source>
-            <translation>Repris</translation>
-        </message>
-        <message>
-            <source>Stopped</source>
-            <translation>Arrêté</translation>
-        </message>
-        <message>
-            <source>STOP pressed</source>
-            <translation>STOP pressé</translation>
-        </message>
-        <message>
-            <source>Reset</source>
-            <translation>Réinitialisé</translation>
-        </message>
-        <message>
-            <source>All objects settled</source>
-            <translation>Tous les objets sont stabilisés</translation>
-        </message>
-        <message>
-            <source>Not settled: %1</source>
-            <translation>Non stabilisés : %1</translation>
-        </message>
-        <message>
-            <source>Targets: %1</source>
-            <translation>Consignes : %1</translation>
-        </message>
-        <message>
-            <source>Controller or gains changed</source>
-            <translation>Régulateur ou gains modifiés</translation>
-        </message>
-        <message>
-            <source>Sensors zeroed at ambient</source>
-            <translation>Capteurs ajustés à l’ambiante</translation>
-        </message>
-        <message>
-            <source>The sensor of "%1" is back</source>
-            <translation>Le capteur de « %1 » est de retour</translation>
-        </message>
-        <message>
-            <source>"%1" cannot be done in the state "%2"</source>
-            <translation>« %1 » est impossible dans l’état « %2 »</translation>
-        </message>
-        <message>
-            <source>A run is on; stop it first</source>
-            <translation>Un essai est en cours ; arrêtez-le d’abord</translation>
-        </message>
-        <message>
-            <source>no part of the picture is clearly of this colour; set a tolerance or take another colour</source>
-            <translation>aucune partie de l’image n’est nettement de cette couleur ; donnez une tolérance ou prenez une autre couleur</translation>
-        </message>
-        <message>
-            <source>the drawing names its unit itself (%1); the unit given is not used</source>
-            <translation>le dessin nomme lui-même son unité (%1) ; l’unité donnée n’est pas utilisée</translation>
-        </message>
-        <message>
-            <source>marker %1 is listed twice; each id is one marker</source>
-            <translation>le marqueur %1 figure deux fois ; à chaque identifiant un seul marqueur</translation>
-        </message>
-        <message>
-            <source>none of the markers %1 was seen</source>
-            <translation>aucun des marqueurs %1 n’a été vu</translation>
-        </message>
-        <message>
-            <source>marker %1 moved by %2 px while it was looked at; camera, source and end-effector must keep still</source>
-            <translation>le marqueur %1 s’est déplacé de %2 px pendant la prise de vues ; la caméra, la source et l’effecteur doivent rester immobiles</translation>
-        </message>
-        <message>
-            <source>no pose shows the markers %1 within %2 px of where they are seen; check their ids, sides and places</source>
-            <translation>aucune pose ne montre les marqueurs %1 à moins de %2 px de l’endroit où ils sont vus ; vérifiez leurs identifiants, leurs côtés et leurs positions</translation>
-        </message>
-        <message>
-            <source>marker %1 was left out: it is seen %2 px from where the others put it; check its id and place</source>
-            <translation>le marqueur %1 a été écarté : il est vu à %2 px de l’endroit que donnent les autres ; vérifiez son identifiant et sa position</translation>
-        </message>
-        <message>
-            <source>marker %1 is %2 mm wide by the others, not %3 mm; measure the print</source>
-            <translation>le marqueur %1 mesure %2 mm de côté d’après les autres, et non %3 mm ; mesurez l’impression</translation>
-        </message>
-        <message>
-            <source>the markers are seen %1 px from where they fit best together; the uncertainty is widened accordingly; check their sides and places, and the camera's calibration</source>
-            <translation>les marqueurs sont vus à %1 px de l’endroit où ils s’accordent le mieux ; l’incertitude est élargie en conséquence ; vérifiez leurs côtés et leurs positions, et l’étalonnage de la caméra</translation>
-        </message>
-        <message>
-            <source>the markers' corners allow two poses, %1 degrees apart; use more or larger markers, or tilt them against the camera</source>
-            <translation>les coins des marqueurs permettent deux poses, à %1 degrés l’une de l’autre ; utilisez des marqueurs plus nombreux ou plus grands, ou inclinez-les par rapport à la caméra</translation>
-        </message>
-        <message>
-            <source>the pose is good to %1 mm and %2 degrees (2 sigma)</source>
-            <translation>la pose est sûre à %1 mm et %2 degrés près (2 sigma)</translation>
-        </message>
-        <message>
-            <source>the pose is good to %1 mm and %2 degrees only (2 sigma), and these markers before this camera allow no better than %3 mm and %4 degrees; use more or larger markers farther apart, tilt them against the camera, or bring it nearer</source>
-            <translation>la pose n’est sûre qu’à %1 mm et %2 degrés près (2 sigma), et ces marqueurs devant cette caméra ne permettent pas mieux que %3 mm et %4 degrés ; utilisez des marqueurs plus nombreux, plus grands ou plus écartés, inclinez-les par rapport à la caméra ou rapprochez-la</translation>
-        </message>
-        <message>
-            <source>the pose is good to %1 mm and %2 degrees only (2 sigma), though these markers before this camera allow %3 mm and %4 degrees; check light and focus, that all markers are seen, and their places</source>
-            <translation>la pose n’est sûre qu’à %1 mm et %2 degrés près (2 sigma), alors que ces marqueurs devant cette caméra permettent %3 mm et %4 degrés ; vérifiez l’éclairage et la mise au point, que tous les marqueurs sont vus, et leurs positions</translation>
-        </message>
-        <message>
-            <source>the end-effector's markers were seen at %1 poses of the robot; at least %2 are needed</source>
-            <translation>les marqueurs de l’effecteur ont été vus à %1 poses du robot ; il en faut au moins %2</translation>
-        </message>
-        <message>
-            <source>the robot hardly turned (by %1 degrees between poses; %2 are needed): without turns the camera's place cannot be told from the markers' mounting; turn it about two axes, or measure where the markers sit on the end-effector</source>
-            <translation>le robot n’a guère tourné (de %1 degrés d’une pose à l’autre ; il en faut %2) : sans rotation, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour de deux axes, ou mesurez où sont les marqueurs sur l’effecteur</translation>
-        </message>
-        <message>
-            <source>the robot turned about one axis only (by %1 degrees about any other; %2 are needed): along that axis the camera's place cannot be told from the markers' mounting; turn it about a second one, or measure where the markers sit on the end-effector</source>
-            <translation>le robot n’a tourné qu’autour d’un seul axe (de %1 degrés autour de tout autre ; il en faut %2) : le long de cet axe, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour d’un second, ou mesurez où sont les marqueurs sur l’effecteur</translation>
-        </message>
-        <message>
-            <source>the robot's poses and the pictures contradict one another; check that each picture was taken at its pose, that the camera kept still, and the markers' sides and places</source>
-            <translation>les poses du robot et les images se contredisent ; vérifiez que chaque image a été prise à sa pose, que la caméra est restée immobile, ainsi que les côtés et les positions des marqueurs</translation>
-        </message>
-        <message>
-            <source>pose %1 of the robot was left out: the markers are seen %2 mm and %3 degrees from where the robot has them</source>
-            <translation>la pose %1 du robot a été écartée : les marqueurs sont vus à %2 mm et %3 degrés de l’endroit où le robot les place</translation>
-        </message>
-        <message>
-            <source>camera "%1" is being opened</source>
-            <translation>la caméra « %1 » est en cours d’ouverture</translation>
-        </message>
-        <message>
-            <source>camera "%1" cannot be opened (%2); a camera is a number, a device, a video file, a folder of pictures or an address such as rtsp://host/stream</source>
-            <translation>impossible d’ouvrir la caméra « %1 » (%2) ; une caméra est un numéro, un périphérique, un fichier vidéo, un dossier d’images ou une adresse telle que rtsp://hôte/flux</translation>
-        </message>
-        <message>
-            <source>no picture from camera "%1" for a second (%2); check cable and power. It is taken up again as soon as it answers</source>
-            <translation>aucune image de la caméra « %1 » depuis une seconde (%2) ; vérifiez le câble et l’alimentation. Elle est reprise dès qu’elle répond</translation>
-        </message>
-        <message>
-            <source>the source has markers and is followed by the camera, which is not calibrated yet: calibrate the camera and measure where it stands on the Calibrate page, or leave the source untracked</source>
-            <translation>la source porte des marqueurs et est suivie par la caméra, qui n’est pas encore étalonnée : étalonnez la caméra et mesurez sa place sur la page Étalonner, ou ne suivez pas la source</translation>
-        </message>
-        <message>
-            <source>the robot cannot go there: outside of its workspace, or too near to the source</source>
-            <translation>le robot ne peut pas y aller : hors de son espace de travail, ou trop près de la source</translation>
-        </message>
-        <message>
-            <source>the calibration was cancelled</source>
-            <translation>l’étalonnage a été annulé</translation>
-        </message>
-        <message>
-            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it</source>
-            <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci</translation>
-        </message>
-        <message>
-            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; check that the board is flat, measured and sharp in the pictures, and leave out views that stand out</source>
-            <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; vérifiez que la mire est plane, mesurée et nette sur les images, et écartez les vues qui se distinguent</translation>
-        </message>
-        <message>
-            <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; take more views with the board tilted, near the camera and at the picture's edges</source>
-            <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; prenez davantage de vues avec la mire inclinée, près de la caméra et aux bords de l’image</translation>
-        </message>
-        <message>
-            <source>%1 views cannot be checked against one another; take at least %2</source>
-            <translation>%1 vues ne se laissent pas vérifier les unes par les autres ; prenez-en au moins %2</translation>
-        </message>
-        <message>
-            <source>bring the board to the left edge of the picture</source>
-            <translation>amenez la mire au bord gauche de l’image</translation>
-        </message>
-        <message>
-            <source>bring the board to the right edge of the picture</source>
-            <translation>amenez la mire au bord droit de l’image</translation>
-        </message>
-        <message>
-            <source>bring the board to the upper edge of the picture</source>
-            <translation>amenez la mire au bord supérieur de l’image</translation>
-        </message>
-        <message>
-            <source>bring the board to the lower edge of the picture</source>
-            <translation>amenez la mire au bord inférieur de l’image</translation>
-        </message>
-        <message>
-            <source>bring the board nearer to the camera</source>
-            <translation>approchez la mire de la caméra</translation>
-        </message>
-        <message>
-            <source>tilt the board more, its left or right edge towards the camera</source>
-            <translation>inclinez davantage la mire, son bord gauche ou droit vers la caméra</translation>
-        </message>
-        <message>
-            <source>tilt the board more, its upper or lower edge towards the camera</source>
-            <translation>inclinez davantage la mire, son bord supérieur ou inférieur vers la caméra</translation>
-        </message>
-        <message>
-            <source>%1 views of %2 that are enough</source>
-            <translation>%1 vues sur les %2 qui suffisent</translation>
-        </message>
-        <message>
-            <source>"%1" cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.</source>
-            <translation>« %1 » ne peut pas être ouvert : %2. Vérifiez le câble et le nom du port ; Bask réessaie de lui-même.</translation>
-        </message>
-        <message>
-            <source>"%1" exists and is not a link; choose another path</source>
-            <translation>« %1 » existe et n’est pas un lien ; choisissez un autre chemin</translation>
-        </message>
-        <message>
-            <source>"%1" has %2 °C, above its limit of %3 °C. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
-            <translation>« %1 » est à %2 °C, au-dessus de sa limite de %3 °C. Il est éloigné et le chauffage est coupé. Vérifiez l’objet et son capteur ; réarmez une fois qu’il a refroidi.</translation>
-        </message>
-        <message>
-            <source>"%1" has %2 °C, above its warning limit of %3 °C. The robot holds: look whether target and limits are right, then resume or stop.</source>
-            <translation>« %1 » est à %2 °C, au-dessus de sa limite d’avertissement de %3 °C. Le robot attend : voyez si la consigne et les limites sont justes, puis reprenez ou arrêtez.</translation>
-        </message>
-        <message>
-            <source>"%1" is not an axis; axes are X, Y, Z, A, B, C and R</source>
-            <translation>« %1 » n’est pas un axe ; les axes sont X, Y, Z, A, B, C et R</translation>
-        </message>
-        <message>
-            <source>"%1" takes no more bytes: the device does not read. Check its power and the flow control of the port.</source>
-            <translation>« %1 » ne prend plus d’octets : l’appareil ne lit pas. Vérifiez son alimentation et le contrôle de flux du port.</translation>
-        </message>
-        <message>
-            <source>%1 channels for %2 objects; give each object one</source>
-            <translation>%1 voies pour %2 objets ; donnez-en une à chaque objet</translation>
-        </message>
-        <message>
-            <source>%1 is free, but no axis of the robot drives it</source>
-            <translation>%1 est libre, mais aucun axe du robot ne l’entraîne</translation>
-        </message>
-        <message>
-            <source>Bask has just connected to the rig. Check it, then reset.</source>
-            <translation>Bask vient de se connecter au banc. Vérifiez-le, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.</source>
-            <translation>Il ne reste que %1 Mo sur le disque ; un enregistrement en demande %2 Mo. Libérez de la place, puis armez de nouveau.</translation>
-        </message>
-        <message>
-            <source>The robot is held at its own panel (%1). Release it there, then clear the alarm.</source>
-            <translation>Le robot est retenu à son propre panneau (%1). Libérez-le là, puis effacez l’alarme.</translation>
-        </message>
-        <message>
-            <source>The robot is switched off at its own controller. Enable it, then clear the alarm.</source>
-            <translation>Le robot est désactivé à son propre contrôleur. Activez-le, puis effacez l’alarme.</translation>
-        </message>
-        <message>
-            <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
-            <translation>Le robot signale l’alarme %1 : %2. Remédiez-y, effacez l’alarme, et faites la prise d’origine si sa position n’est pas sûre.</translation>
-        </message>
-        <message>
-            <source>The robot's controller has restarted: what it was told last is lost, and its place is not sure. Home it, or confirm its place, then reset.</source>
-            <translation>Le contrôleur du robot a redémarré : le dernier ordre est perdu et sa position n’est pas sûre. Faites sa prise d’origine, ou confirmez sa position, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The sensor of "%1" has given the very same value for %2 s: it, or its device, has stopped. Check it, then resume.</source>
-            <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s : lui ou son appareil s’est arrêté. Vérifiez-le, puis reprenez.</translation>
-        </message>
-        <message>
-            <source>The sensor of "%1" is open: a wire or the plug is off. Mend it, then resume.</source>
-            <translation>Le capteur de « %1 » est ouvert : un fil ou la fiche est débranché. Réparez, puis reprenez.</translation>
-        </message>
-        <message>
-            <source>The sensor of "%1" is shorted: look at its wires and plug. Mend it, then resume.</source>
-            <translation>Le capteur de « %1 » est en court-circuit : voyez ses fils et sa fiche. Réparez, puis reprenez.</translation>
-        </message>
-        <message>
-            <source>The sensor of "%1" jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, then resume.</source>
-            <translation>Le capteur de « %1 » a sauté de %2 K/s, plus que les %3 K/s que la chaleur permet. Cherchez un faux contact, puis reprenez.</translation>
-        </message>
-        <message>
-            <source>The source has %1 °C, above its limit of %2 °C. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
-            <translation>La source est à %1 °C, au-dessus de sa limite de %2 °C. Les objets sont éloignés et le chauffage est coupé. Vérifiez son régulateur et son capteur ; réarmez une fois qu’elle a refroidi.</translation>
-        </message>
-        <message>
-            <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
-            <translation>La source est à %1 °C et ne s’approche plus de %2 °C depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
-            <translation>La source a été réglée à %1 °C et relit %2 °C. Vérifiez son propre panneau et ses limites, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
-            <translation>un pas du robot sortirait de son espace de travail ou s’approcherait trop de la source ; il n’a pas été envoyé</translation>
-        </message>
-        <message>
-            <source>faults can be simulated on the simulated rig only</source>
-            <translation>les défauts ne peuvent être simulés que sur le banc simulé</translation>
-        </message>
-        <message>
-            <source>over: %1</source>
-            <translation>terminé : %1</translation>
-        </message>
-        <message>
-            <source>the axis %1 is given twice</source>
-            <translation>l’axe %1 est donné deux fois</translation>
-        </message>
-        <message>
-            <source>the device on "%1" has not answered for %2 s. Check its power, the cable, and the speed and unit set for it.</source>
-            <translation>l’appareil sur « %1 » ne répond plus depuis %2 s. Vérifiez son alimentation, le câble, ainsi que la vitesse et l’adresse réglées.</translation>
-        </message>
-        <message>
-            <source>the device on "%1" is not the one that is set: it says "%2". Check the port and the driver.</source>
-            <translation>l’appareil sur « %1 » n’est pas celui qui est réglé : il dit « %2 ». Vérifiez le port et le pilote.</translation>
-        </message>
-        <message>
-            <source>the experiment has no rig of its own ("rig"), only the simulated one</source>
-            <translation>l’expérience n’a pas de banc à elle (« rig »), seulement le banc simulé</translation>
-        </message>
-        <message>
-            <source>the link to "%1" was lost: %2. Check the cable; Bask opens it again as soon as it is there.</source>
-            <translation>la liaison avec « %1 » est perdue : %2. Vérifiez le câble ; Bask la rouvre dès qu’elle revient.</translation>
-        </message>
-        <message>
-            <source>the profile "%1" is that of another kind of device</source>
-            <translation>le profil « %1 » est celui d’une autre sorte d’appareil</translation>
-        </message>
-        <message>
-            <source>the rig has no %1; set one, or use the simulated rig</source>
-            <translation>il manque au banc : %1 ; configurez cet appareil, ou utilisez le banc simulé</translation>
-        </message>
-        <message>
-            <source>the robot has no axis</source>
-            <translation>le robot n’a aucun axe</translation>
-        </message>
-        <message>
-            <source>this robot has no homing</source>
-            <translation>ce robot n’a pas de prise d’origine</translation>
-        </message>
-        <message>
-            <source>two axes drive %1</source>
-            <translation>deux axes entraînent %1</translation>
-        </message>
-        <message>
-            <source>two devices are on "%1"; only Modbus devices of different units and the same line settings can share a port</source>
-            <translation>deux appareils sont sur « %1 » ; seuls des appareils Modbus d’adresses différentes et de mêmes réglages de ligne peuvent partager un port</translation>
-        </message>
-        <message>
-            <source>two objects have channel %1; give each its own</source>
-            <translation>deux objets ont la voie %1 ; donnez à chacun la sienne</translation>
-        </message>
-        <message>
-            <source>unit %2 on "%1" refuses the request with exception %3. Check the profile set for it.</source>
-            <translation>l’appareil d’adresse %2 sur « %1 » refuse la demande avec l’exception %3. Vérifiez le profil réglé.</translation>
-        </message>
-        <message>
-            <source>The heat source did not take the order to switch off. Switch it off at its mains. It says: %1</source>
-            <translation>La source de chaleur n’a pas pris l’ordre de s’éteindre. Coupez-la au secteur. Elle dit : %1</translation>
-        </message>
-        <message>
-            <source>The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.</source>
-            <translation>La source de chaleur n’a donné aucune température depuis %1 s. Vérifiez son capteur et sa liaison, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.</source>
-            <translation>Le robot n’a rien dit ni rien pris depuis %1 s ; le chauffage est coupé. Vérifiez son contrôleur, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.</source>
-            <translation>La source est chauffée à la main, Bask ne peut donc pas l’éteindre : elle est à %1 °C. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
-        </message>
-        <message>
-            <source>The temperature of "%1" should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
-            <translation>La température de « %1 » aurait dû changer de %2 K en %3 s et ne l’a pas fait : capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The target of "%1", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
-            <translation>La consigne de « %1 », %2 °C, dépasse sa limite d’avertissement de %3 °C, où tout essai se met en pause. Baissez la consigne, ou relevez la limite si l’objet et le capteur la supportent.</translation>
-        </message>
-        <message>
-            <source>The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
-            <translation>La source est encore à %1 °C, %2 s après l’arrêt de son chauffage. Coupez-la au secteur, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The heat source has no watchdog: if Bask or this computer stops, it stays hot. Do not leave it alone.</source>
-            <translation>La source de chaleur n’a pas de chien de garde : si Bask ou cet ordinateur s’arrête, elle reste chaude. Ne la laissez pas sans surveillance.</translation>
-        </message>
-        <message>
-            <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
-            <translation>Le robot a refusé une ligne, erreur %1 : %2. Remédiez à la cause, effacez l’alarme, puis réinitialisez.</translation>
-        </message>
-        <message>
-            <source>The robot has not told its state yet. Wait a moment; if it stays so, check its power, its link and the driver set for it.</source>
-            <translation>Le robot n’a pas encore donné son état. Attendez un instant ; si cela dure, vérifiez son alimentation, sa liaison et le pilote réglé.</translation>
-        </message>
-        <message>
-            <source>the device on "%1" answered something else than was asked: %2. It was not used. Check the settings of the port, and of the device itself.</source>
-            <translation>l’appareil sur « %1 » a répondu autre chose que demandé : %2. La réponse n’a pas été utilisée. Vérifiez les réglages du port et ceux de l’appareil.</translation>
-        </message>
-        <message>
-            <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets. The Targets page shows what can be held.</source>
-            <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes. La page Consignes montre ce qui peut être tenu.</translation>
-        </message>
-        <message>
-            <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.</source>
-            <translation>La source de chaleur a été arrêtée à son propre panneau ou par sa propre protection ; Bask la laisse éteinte. Cherchez-en la cause, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>with the profile "%1" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with "unattended_heat": true.</source>
-            <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par "unattended_heat": true.</translation>
-        </message>
-        <message>
-            <source>"%1" and "%2" are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
-            <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K, plus que %4 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
-        </message>
-        <message>
-            <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
-            <translation>La boucle de commande a été retenue %1 s, plus que les %2 s admises ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
-        </message>
-        <message>
-            <source>The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.</source>
-            <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener, plus que %2 mm. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
-            <translation>Le robot ne connaît peut-être pas sa position : sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
-        </message>
-        <message>
-            <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
-            <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé, plus que les %3 K admis : son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réarmez.</translation>
-        </message>
-        <message>
-            <source>The sensor of "%1" gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it, then resume.</source>
-            <translation>Le capteur de « %1 » ne donne aucune valeur plausible : fil coupé, faux contact, ou un autre appareil que celui configuré. Vérifiez-le, puis reprenez.</translation>
-        </message>
-    </context>
-    <context>
-        <name>OutlinePainting</name>
-        <message>
-            <source>1 harmonic</source>
-            <translation>1 harmonique</translation>
-        </message>
-        <message>
-            <source>%1 harmonics</source>
-            <translation>%1 harmoniques</translation>
-        </message>
-        <message>
-            <source>1 hole</source>
-            <translation>1 trou</translation>
-        </message>
-        <message>
-            <source>%1 holes</source>
-            <translation>%1 trous</translation>
-        </message>
-        <message>
-            <source>%1 mm</source>
-            <translation>%1 mm</translation>
-        </message>
-    </context>
-    <context>
-        <name>Verb</name>
-        <message>
-            <source>Arm</source>
-            <translation>Armer</translation>
-        </message>
-        <message>
-            <source>Disarm</source>
-            <translation>Désarmer</translation>
-        </message>
-        <message>
-            <source>Set targets</source>
-            <translation>Fixer les consignes</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Démarrer</translation>
-        </message>
-        <message>
-            <source>Hold</source>
-            <translation>Pause</translation>
-        </message>
-        <message>
-            <source>Resume</source>
-            <translation>Reprendre</translation>
-        </message>
-        <message>
-            <source>Stop</source>
-            <translation>Arrêter</translation>
-        </message>
-        <message>
-            <source>Reset</source>
-            <translation>Réinitialiser</translation>
-        </message>
-        <message>
-            <source>Connecting</source>
-            <translation>Connexion en cours</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Actions</name>
-        <message>
-            <source>&amp;File</source>
-            <translation>&amp;Fichier</translation>
-        </message>
-        <message>
-            <source>&amp;Examples</source>
-            <translation>E&amp;xemples</translation>
-        </message>
-        <message>
-            <source>&amp;Recent files</source>
-            <translation>Fichiers &amp;récents</translation>
-        </message>
-        <message>
-            <source>&amp;Edit</source>
-            <translation>É&amp;dition</translation>
-        </message>
-        <message>
-            <source>&amp;Help</source>
-            <translation>&amp;Aide</translation>
-        </message>
-        <message>
-            <source>&amp;New experiment</source>
-            <translation>&amp;Nouvelle expérience</translation>
-        </message>
-        <message>
-            <source>&amp;Open…</source>
-            <translation>&amp;Ouvrir…</translation>
-        </message>
-        <message>
-            <source>Open an experiment (*.json) or a recorded session (*.bask)</source>
-            <translation>Ouvrir une expérience (*.json) ou une session enregistrée (*.bask)</translation>
-        </message>
-        <message>
-            <source>&amp;Save experiment</source>
-            <translation>&amp;Enregistrer l’expérience</translation>
-        </message>
-        <message>
-            <source>Save experiment &amp;as…</source>
-            <translation>Enregistrer l’expérience &amp;sous…</translation>
-        </message>
-        <message>
-            <source>Save s&amp;ession…</source>
-            <translation>Enregistrer la sess&amp;ion…</translation>
-        </message>
-        <message>
-            <source>Copy the recording of the present or last run to a file of your choice</source>
-            <translation>Copier l’enregistrement de l’essai en cours ou du dernier dans un fichier de votre choix</translation>
-        </message>
-        <message>
-            <source>&amp;Quit</source>
-            <translation>&amp;Quitter</translation>
-        </message>
-        <message>
-            <source>&amp;About Bask</source>
-            <translation>À &amp;propos de Bask</translation>
-        </message>
-        <message>
-            <source>&amp;Run</source>
-            <translation>&amp;Essai</translation>
-        </message>
-        <message>
-            <source>&amp;Arm</source>
-            <translation>&amp;Armer</translation>
-        </message>
-        <message>
-            <source>Zero the sensors at ambient and open the recording. Nothing moves or heats yet.</source>
-            <translation>Ajuster les capteurs à l’ambiante et ouvrir l’enregistrement. Rien ne bouge ni ne chauffe encore.</translation>
-        </message>
-        <message>
-            <source>S&amp;tart</source>
-            <translation>&amp;Démarrer</translation>
-        </message>
-        <message>
-            <source>Open the heat and servo every object to its target.</source>
-            <translation>Ouvrir le chauffage et asservir chaque objet à sa consigne.</translation>
-        </message>
-        <message>
-            <source>&amp;Hold</source>
-            <translation>&amp;Pause</translation>
-        </message>
-        <message>
-            <source>Zero velocity; the controller keeps its state and Resume goes on from here.</source>
-            <translation>Vitesse nulle ; le régulateur garde son état et Reprendre continue d’ici.</translation>
-        </message>
-        <message>
-            <source>R&amp;esume</source>
-            <translation>&amp;Reprendre</translation>
-        </message>
-        <message>
-            <source>Go on from where the run was held.</source>
-            <translation>Continuer là où l’essai a été mis en pause.</translation>
-        </message>
-        <message>
-            <source>Sto&amp;p</source>
-            <translation>A&amp;rrêter</translation>
-        </message>
-        <message>
-            <source>End the run: heat off, retreat upwards, close the recording. While armed: disarm.</source>
-            <translation>Terminer l’essai : chauffage coupé, retrait vers le haut, enregistrement clos. Si armé : désarmer.</translation>
-        </message>
-        <message>
-            <source>STOP now</source>
-            <translation>STOP immédiat</translation>
-        </message>
-        <message>
-            <source>Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop.</source>
-            <translation>Vitesse nulle et chauffage coupé immédiatement, verrouillé. Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
-        </message>
-        <message>
-            <source>Rese&amp;t</source>
-            <translation>Réin&amp;itialiser</translation>
-        </message>
-        <message>
-            <source>Clear a latched stop or fault. It never starts anything.</source>
-            <translation>Lever un arrêt ou un défaut verrouillé. Ne démarre jamais rien.</translation>
-        </message>
-        <message>
-            <source>&amp;View</source>
-            <translation>&amp;Affichage</translation>
-        </message>
-        <message>
-            <source>Objects</source>
-            <translation>Objets</translation>
-        </message>
-        <message>
-            <source>Targets</source>
-            <translation>Consignes</translation>
-        </message>
-        <message>
-            <source>Run</source>
-            <translation>Essai</translation>
-        </message>
-        <message>
-            <source>Review</source>
-            <translation>Relecture</translation>
-        </message>
-        <message>
-            <source>What is held in front of the source: outlines, materials, mounting</source>
-            <translation>Ce qui est tenu devant la source : contours, matériaux, montage</translation>
-        </message>
-        <message>
-            <source>What temperature each object shall have, and whether it can be reached</source>
-            <translation>La température que chaque objet doit avoir, et si elle peut être atteinte</translation>
-        </message>
-        <message>
-            <source>Temperatures, the scene and the controller during a run</source>
-            <translation>Températures, scène et régulateur pendant un essai</translation>
-        </message>
-        <message>
-            <source>A recorded run, opened again</source>
-            <translation>Un essai enregistré, rouvert</translation>
-        </message>
-        <message>
-            <source>Temperature &amp;unit</source>
-            <translation>&amp;Unité de température</translation>
-        </message>
-        <message>
-            <source>Degrees Celsius (°C)</source>
-            <translation>Degrés Celsius (°C)</translation>
-        </message>
-        <message>
-            <source>Kelvin (K)</source>
-            <translation>Kelvins (K)</translation>
-        </message>
-        <message>
-            <source>Degrees Fahrenheit (°F)</source>
-            <translation>Degrés Fahrenheit (°F)</translation>
-        </message>
-        <message>
-            <source>&amp;Theme</source>
-            <translation>&amp;Thème</translation>
-        </message>
-        <message>
-            <source>As the desktop</source>
-            <translation>Comme le bureau</translation>
-        </message>
-        <message>
-            <source>Light</source>
-            <translation>Clair</translation>
-        </message>
-        <message>
-            <source>Dark</source>
-            <translation>Sombre</translation>
-        </message>
-        <message>
-            <source>&amp;Language</source>
-            <translation>&amp;Langue</translation>
-        </message>
-        <message>
-            <source>&amp;Tools</source>
-            <translation>&amp;Outils</translation>
-        </message>
-        <message>
-            <source>&amp;Simulate fault</source>
-            <translation>&amp;Simuler un défaut</translation>
-        </message>
-        <message>
-            <source>Calibrate</source>
-            <translation>Étalonner</translation>
-        </message>
-        <message>
-            <source>The camera: its lens, where it stands, and where the source is</source>
-            <translation>La caméra : son objectif, sa place, et celle de la source</translation>
-        </message>
-        <message>
-            <source>Rig</source>
-            <translation>Banc</translation>
-        </message>
-        <message>
-            <source>The devices, what must be so before a run, and the robot and the heat by hand</source>
-            <translation>Les appareils, ce qui doit être en ordre avant un essai, le robot et le chauffage à la main</translation>
-        </message>
-        <message>
-            <source>Ac&amp;knowledge all alarms</source>
-            <translation>A&amp;cquitter toutes les alarmes</translation>
-        </message>
-        <message>
-            <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
-            <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste. (F9)</translation>
-        </message>
-        <message>
-            <source>&amp;Clear the list</source>
-            <translation>&amp;Vider la liste</translation>
-        </message>
-        <message>
-            <source>&amp;Manual</source>
-            <translation>&amp;Manuel</translation>
-        </message>
-        <message>
-            <source>Report a &amp;problem…</source>
-            <translation>Signaler un &amp;problème…</translation>
-        </message>
-        <message>
-            <source>The &amp;first five minutes</source>
-            <translation>Les cinq &amp;premières minutes</translation>
-        </message>
-        <message>
-            <source>Te&amp;xt size</source>
-            <translation>Taille du te&amp;xte</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::AxisTable</name>
-        <message>
-            <source>Axis</source>
-            <translation>Axe</translation>
-        </message>
-        <message>
-            <source>Where the axis reads zero</source>
-            <translation>Là où l’axe indique zéro</translation>
-        </message>
-        <message>
-            <source>Axis that drives %1</source>
-            <translation>Axe qui entraîne %1</translation>
-        </message>
-        <message>
-            <source>reversed</source>
-            <translation>inversé</translation>
-        </message>
-        <message>
-            <source>The axis of %1 counts the other way</source>
-            <translation>L’axe de %1 compte dans l’autre sens</translation>
-        </message>
-        <message>
-            <source>%1 where its axis reads zero</source>
-            <translation>%1 là où son axe indique zéro</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CalibrationAge</name>
-        <message>
-            <source>at an unknown time</source>
-            <translation>à une date inconnue</translation>
-        </message>
-        <message>
-            <source>in the future: check the computer's clock</source>
-            <translation>dans le futur : vérifiez l’horloge de l’ordinateur</translation>
-        </message>
-        <message>
-            <source>just now</source>
-            <translation>à l’instant</translation>
-        </message>
-        <message>
-            <source>Camera calibrated %1.</source>
-            <translation>Caméra étalonnée %1.</translation>
-        </message>
-        <message>
-            <source>Camera not calibrated.</source>
-            <translation>Caméra non étalonnée.</translation>
-        </message>
-        <message>
-            <source>Where the camera stands was measured %1.</source>
-            <translation>La place de la caméra a été mesurée %1.</translation>
-        </message>
-        <message>
-            <source>Where the camera stands is not measured.</source>
-            <translation>La place de la caméra n’est pas mesurée.</translation>
-        </message>
-        <message>
-            <source>The source's place is as typed, not measured by the camera.</source>
-            <translation>La place de la source est celle saisie, non mesurée par la caméra.</translation>
-        </message>
-        <message>
-            <source>The source's place was measured %1.</source>
-            <translation>La place de la source a été mesurée %1.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n minute(s) ago</source>
-            <translation>
-                <numerusform>il y a %n minute</numerusform>
-                <numerusform>il y a %n minutes</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n hour(s) ago</source>
-            <translation>
-                <numerusform>il y a %n heure</numerusform>
-                <numerusform>il y a %n heures</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n day(s) ago</source>
-            <translation>
-                <numerusform>il y a %n jour</numerusform>
-                <numerusform>il y a %n jours</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CheckList</name>
-        <message>
-            <source>done</source>
-            <translation>fait</translation>
-        </message>
-        <message>
-            <source>wrong</source>
-            <translation>en défaut</translation>
-        </message>
-        <message>
-            <source>not yet</source>
-            <translation>pas encore</translation>
-        </message>
-        <message>
-            <source>Before a run</source>
-            <translation>Avant un essai</translation>
-        </message>
-        <message>
-            <source>Devices: simulated</source>
-            <translation>Appareils : simulés</translation>
-        </message>
-        <message>
-            <source>Devices: none set up as %1</source>
-            <translation>Appareils : aucun réglé pour %1</translation>
-        </message>
-        <message>
-            <source>Devices: no answer from %1</source>
-            <translation>Appareils : pas de réponse de %1</translation>
-        </message>
-        <message>
-            <source>Devices: all answer</source>
-            <translation>Appareils : tous répondent</translation>
-        </message>
-        <message>
-            <source>Robot: in alarm</source>
-            <translation>Robot : en alarme</translation>
-        </message>
-        <message>
-            <source>Robot: its place is not sure</source>
-            <translation>Robot : sa position n’est pas sûre</translation>
-        </message>
-        <message>
-            <source>Robot: its place is sure</source>
-            <translation>Robot : sa position est sûre</translation>
-        </message>
-        <message>
-            <source>Sensors: no readings yet</source>
-            <translation>Capteurs : pas encore de mesures</translation>
-        </message>
-        <message>
-            <source>Sensors: the newest readings are %1 old</source>
-            <translation>Capteurs : les dernières mesures datent de %1</translation>
-        </message>
-        <message>
-            <source>Sensors: %1 of %2 without a valid reading</source>
-            <translation>Capteurs : %1 sur %2 sans mesure valable</translation>
-        </message>
-        <message>
-            <source>Sensors: fresh and valid</source>
-            <translation>Capteurs : mesures récentes et valables</translation>
-        </message>
-        <message>
-            <source>Source: no temperature</source>
-            <translation>Source : pas de température</translation>
-        </message>
-        <message>
-            <source>Source: warm, %1</source>
-            <translation>Source : chaude, %1</translation>
-        </message>
-        <message>
-            <source>Source: %1, not at %2 yet</source>
-            <translation>Source : %1, pas encore à %2</translation>
-        </message>
-        <message>
-            <source>Source: %1, above %2</source>
-            <translation>Source : %1, au-dessus de %2</translation>
-        </message>
-        <message>
-            <source>Recording: not possible</source>
-            <translation>Enregistrement : impossible</translation>
-        </message>
-        <message>
-            <source>Recording: begins with Arm</source>
-            <translation>Enregistrement : commence avec Armer</translation>
-        </message>
-        <message>
-            <source>Recording: on</source>
-            <translation>Enregistrement : en cours</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ControllerPanel</name>
-        <message>
-            <source>Not applied: %1</source>
-            <comment>number of changes</comment>
-            <translation>Non appliqué : %1</translation>
-        </message>
-        <message>
-            <source>Controller and gains</source>
-            <translation>Régulateur et gains</translation>
-        </message>
-        <message>
-            <source>Controller</source>
-            <translation>Régulateur</translation>
-        </message>
-        <message>
-            <source>Moves to the view factor each object needs; learns the rates on the way.</source>
-            <translation>Rejoint le facteur de forme dont chaque objet a besoin ; apprend les vitesses en chemin.</translation>
-        </message>
-        <message>
-            <source>The paper's law with adapted heat rates.</source>
-            <translation>La loi de l’article à coefficients thermiques adaptés.</translation>
-        </message>
-        <message>
-            <source>Time constant</source>
-            <translation>Constante de temps</translation>
-        </message>
-        <message>
-            <source>s</source>
-            <translation>s</translation>
-        </message>
-        <message>
-            <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
-            <translation>Vitesse voulue = écart / constante de temps : plus courte, plus rapide et plus brusque.</translation>
-        </message>
-        <message>
-            <source>Integral time</source>
-            <translation>Temps intégral</translation>
-        </message>
-        <message>
-            <source>Of the slow integral action near the target.</source>
-            <translation>De l’action intégrale lente près de la consigne.</translation>
-        </message>
-        <message>
-            <source>Damping D</source>
-            <translation>Amortissement D</translation>
-        </message>
-        <message>
-            <source>1/s</source>
-            <translation>1/s</translation>
-        </message>
-        <message>
-            <source>Stiffness K</source>
-            <translation>Raideur K</translation>
-        </message>
-        <message>
-            <source>1/s²</source>
-            <translation>1/s²</translation>
-        </message>
-        <message>
-            <source>Weight of the error μ</source>
-            <translation>Poids de l’écart μ</translation>
-        </message>
-        <message>
-            <source>ζ = v + μ Δτ</source>
-            <translation>ζ = v + μ Δτ</translation>
-        </message>
-        <message>
-            <source>Feedback K</source>
-            <translation>Rétroaction K</translation>
-        </message>
-        <message>
-            <source>1/K</source>
-            <translation>1/K</translation>
-        </message>
-        <message>
-            <source>Of ζ in the velocity command</source>
-            <translation>De ζ dans la commande de vitesse</translation>
-        </message>
-        <message>
-            <source>Adaptation γ₁</source>
-            <translation>Adaptation γ₁</translation>
-        </message>
-        <message>
-            <source>s³/K³</source>
-            <translation>s³/K³</translation>
-        </message>
-        <message>
-            <source>Speed at which 1/λ₁ is adapted</source>
-            <translation>Rapidité d’adaptation de 1/λ₁</translation>
-        </message>
-        <message>
-            <source>Adaptation γ₂</source>
-            <translation>Adaptation γ₂</translation>
-        </message>
-        <message>
-            <source>s/K⁹</source>
-            <translation>s/K⁹</translation>
-        </message>
-        <message>
-            <source>Speed at which λ₂/λ₁ is adapted</source>
-            <translation>Rapidité d’adaptation de λ₂/λ₁</translation>
-        </message>
-        <message>
-            <source>Apply</source>
-            <translation>Appliquer</translation>
-        </message>
-        <message>
-            <source>Use these settings from the next control step on; noted in the run's log.</source>
-            <translation>Utiliser ces réglages dès le prochain pas de commande ; noté dans le journal de l’essai.</translation>
-        </message>
-        <message>
-            <source>Revert</source>
-            <translation>Revenir</translation>
-        </message>
-        <message>
-            <source>Back to the settings in use.</source>
-            <translation>Revenir aux réglages en service.</translation>
-        </message>
-        <message>
-            <source>The paper's law with known heat rates: dv/dt = −D v − K Δτ.</source>
-            <translation>La loi de l’article à coefficients thermiques connus : dv/dt = −D v − K Δτ.</translation>
-        </message>
-        <message>
-            <source>dv/dt = −D v − K Δτ</source>
-            <translation>dv/dt = −D v − K Δτ</translation>
-        </message>
-        <message>
-            <source>After a step of %1 K, without limits and noise: it never settles.</source>
-            <translation>Après un échelon de %1 K, sans limites ni bruit : ne se stabilise jamais.</translation>
-        </message>
-        <message>
-            <source>After a step of %1 K, without limits and noise: overshoot %2 %, within ±%3 K after %4 s.</source>
-            <translation>Après un échelon de %1 K, sans limites ni bruit : dépassement %2 %, à ±%3 K près après %4 s.</translation>
-        </message>
-        <message>
-            <source>After a step of %1 K, once it has adapted, without limits and noise: no overshoot, within ±%2 K after %3 s at best.</source>
-            <translation>Après un échelon de %1 K, une fois adapté, sans limites ni bruit : aucun dépassement, à ±%2 K près après %3 s au mieux.</translation>
-        </message>
-        <message>
-            <source>Frequency ω</source>
-            <translation>Pulsation ω</translation>
-        </message>
-        <message>
-            <source>rad/s</source>
-            <translation>rad/s</translation>
-        </message>
-        <message>
-            <source>Natural frequency: ω = √K. Changes D and K together.</source>
-            <translation>Pulsation propre : ω = √K. Modifie D et K ensemble.</translation>
-        </message>
-        <message>
-            <source>Damping ratio ζ</source>
-            <translation>Taux d’amortissement ζ</translation>
-        </message>
-        <message>
-            <source>ζ = D / (2√K): overshoots below 1. Changes D.</source>
-            <translation>ζ = D / (2√K) : dépassement au-dessous de 1. Modifie D.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CutControls</name>
-        <message>
-            <source>No cut</source>
-            <translation>Pas de coupe</translation>
-        </message>
-        <message>
-            <source>Cut: %1</source>
-            <translation>Coupe : %1</translation>
-        </message>
-        <message>
-            <source>Object whose field is cut</source>
-            <translation>Objet dont le champ est coupé</translation>
-        </message>
-        <message>
-            <source>A plane in the colours of what one object would have there.</source>
-            <translation>Un plan aux couleurs de ce qu’un objet y aurait.</translation>
-        </message>
-        <message>
-            <source>What the cut shows: T, the steady temperature, or F, the view factor</source>
-            <translation>Ce que montre la coupe : T, la température d’équilibre, ou F, le facteur de forme</translation>
-        </message>
-        <message>
-            <source>T: the temperature that the object settles at there. F: its view factor.</source>
-            <translation>T : la température où l’objet s’y stabilise. F : son facteur de forme.</translation>
-        </message>
-        <message>
-            <source>Axis that the plane is square to</source>
-            <translation>Axe perpendiculaire au plan</translation>
-        </message>
-        <message>
-            <source>Place of the plane along its axis</source>
-            <translation>Place du plan le long de son axe</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CutOffRun</name>
-        <message>
-            <source>Bask ended in the middle of a run (%1) and could not stop the rig: look at the robot and the source before you go on.</source>
-            <translation>Bask s’est arrêté au milieu d’un essai (%1) sans pouvoir arrêter le banc : examinez le robot et la source avant de continuer.</translation>
-        </message>
-        <message>
-            <source>Bask ended in the middle of a simulated run (%1).</source>
-            <translation>Bask s’est arrêté au milieu d’un essai simulé (%1).</translation>
-        </message>
-        <message>
-            <source>Show in Review</source>
-            <translation>Afficher dans Relecture</translation>
-        </message>
-        <message>
-            <source>What it had recorded is kept.</source>
-            <translation>Ce qui était enregistré est conservé.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Device</name>
-        <message>
-            <source>Robot</source>
-            <translation>Robot</translation>
-        </message>
-        <message>
-            <source>Thermometer</source>
-            <translation>Thermomètre</translation>
-        </message>
-        <message>
-            <source>Heat source</source>
-            <translation>Source de chaleur</translation>
-        </message>
-        <message>
-            <source>Camera</source>
-            <translation>Caméra</translation>
-        </message>
-        <message>
-            <source>Closed</source>
-            <translation>Fermé</translation>
-        </message>
-        <message>
-            <source>Opening</source>
-            <translation>En ouverture</translation>
-        </message>
-        <message>
-            <source>Live</source>
-            <translation>Actif</translation>
-        </message>
-        <message>
-            <source>Lost</source>
-            <translation>Perdu</translation>
-        </message>
-        <message>
-            <source>Grbl or grblHAL (G-code)</source>
-            <translation>Grbl ou grblHAL (G-code)</translation>
-        </message>
-        <message>
-            <source>Dobot MG400 or M1 Pro (network)</source>
-            <translation>Dobot MG400 ou M1 Pro (réseau)</translation>
-        </message>
-        <message>
-            <source>Modbus RTU module</source>
-            <translation>Module Modbus RTU</translation>
-        </message>
-        <message>
-            <source>Lines of text (MAX31865)</source>
-            <translation>Lignes de texte (MAX31865)</translation>
-        </message>
-        <message>
-            <source>Kept hot by a person</source>
-            <translation>Maintenue chaude par une personne</translation>
-        </message>
-        <message>
-            <source>Hotplate (NAMUR, IKA)</source>
-            <translation>Plaque chauffante (NAMUR, IKA)</translation>
-        </message>
-        <message>
-            <source>Modbus RTU controller</source>
-            <translation>Régulateur Modbus RTU</translation>
-        </message>
-        <message>
-            <source>Pictures</source>
-            <translation>Images</translation>
-        </message>
-        <message>
-            <source>%1 ms</source>
-            <translation>%1 ms</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::DeviceCard</name>
-        <message>
-            <source>Change…</source>
-            <translation>Modifier…</translation>
-        </message>
-        <message>
-            <source>Set up…</source>
-            <translation>Régler…</translation>
-        </message>
-        <message>
-            <source>Simulated</source>
-            <translation>Simulé</translation>
-        </message>
-        <message>
-            <source>None</source>
-            <translation>Aucun</translation>
-        </message>
-        <message>
-            <source>%1 ago</source>
-            <translation>il y a %1</translation>
-        </message>
-        <message>
-            <source>%1 Hz</source>
-            <translation>%1 Hz</translation>
-        </message>
-        <message>
-            <source>Not in use yet</source>
-            <translation>Pas encore utilisé</translation>
-        </message>
-        <message>
-            <source>Remove</source>
-            <translation>Retirer</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n answer(s) discarded</source>
-            <translation>
-                <numerusform>%n réponse écartée</numerusform>
-                <numerusform>%n réponses écartées</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Age of its newest answer, answers a second, and answers that nobody can read or that were not asked for</source>
-            <translation>Âge de sa dernière réponse, réponses par seconde, et réponses illisibles ou non demandées</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::DeviceDialog</name>
-        <message>
-            <source>Take a profile from a file</source>
-            <translation>Prendre un profil dans un fichier</translation>
-        </message>
-        <message>
-            <source>Profiles (*.json)</source>
-            <translation>Profils (*.json)</translation>
-        </message>
-        <message>
-            <source>Asking…</source>
-            <translation>Interrogation…</translation>
-        </message>
-        <message>
-            <source>Channels %1</source>
-            <translation>Voies %1</translation>
-        </message>
-        <message>
-            <source>Temperature %1</source>
-            <translation>Température %1</translation>
-        </message>
-        <message>
-            <source>Camera</source>
-            <translation>Caméra</translation>
-        </message>
-        <message>
-            <source>A number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…)</source>
-            <translation>Un numéro (0), un appareil (/dev/video0), un fichier vidéo, un dossier d’images ou une adresse (rtsp://…)</translation>
-        </message>
-        <message>
-            <source>Port</source>
-            <translation>Port</translation>
-        </message>
-        <message>
-            <source>Address</source>
-            <translation>Adresse</translation>
-        </message>
-        <message>
-            <source>Choose one, or type its path</source>
-            <translation>Choisissez-en un, ou tapez son chemin</translation>
-        </message>
-        <message>
-            <source>Host name or IP address of the robot</source>
-            <translation>Nom d’hôte ou adresse IP du robot</translation>
-        </message>
-        <message>
-            <source>Set up: %1</source>
-            <translation>Réglage : %1</translation>
-        </message>
-        <message>
-            <source>Driver</source>
-            <translation>Pilote</translation>
-        </message>
-        <message>
-            <source>Refresh</source>
-            <translation>Actualiser</translation>
-        </message>
-        <message>
-            <source>Look for ports anew</source>
-            <translation>Chercher de nouveau les ports</translation>
-        </message>
-        <message>
-            <source>Line</source>
-            <translation>Ligne</translation>
-        </message>
-        <message>
-            <source>Axes</source>
-            <translation>Axes</translation>
-        </message>
-        <message>
-            <source>Its place is not sure before it was homed</source>
-            <translation>Sa position n’est sûre qu’après la prise d’origine</translation>
-        </message>
-        <message>
-            <source>Device</source>
-            <translation>Appareil</translation>
-        </message>
-        <message>
-            <source>From file…</source>
-            <translation>D’un fichier…</translation>
-        </message>
-        <message>
-            <source>Take what the device's registers mean from a file</source>
-            <translation>Prendre dans un fichier le sens des registres de l’appareil</translation>
-        </message>
-        <message>
-            <source>Unit</source>
-            <translation>Unité</translation>
-        </message>
-        <message>
-            <source>The device's Modbus address</source>
-            <translation>L’adresse Modbus de l’appareil</translation>
-        </message>
-        <message>
-            <source>Channels</source>
-            <translation>Voies</translation>
-        </message>
-        <message>
-            <source>The channel of each object's sensor, counted from 0</source>
-            <translation>La voie du capteur de chaque objet, comptée à partir de 0</translation>
-        </message>
-        <message>
-            <source>Watchdog</source>
-            <translation>Chien de garde</translation>
-        </message>
-        <message>
-            <source>The device switches its heat off when it has heard nothing for so long</source>
-            <translation>L’appareil coupe son chauffage s’il n’entend rien pendant ce temps</translation>
-        </message>
-        <message>
-            <source>Its external probe measures the surface</source>
-            <translation>Sa sonde externe mesure la surface</translation>
-        </message>
-        <message>
-            <source>Test read</source>
-            <translation>Lecture d’essai</translation>
-        </message>
-        <message>
-            <source>Use</source>
-            <translation>Utiliser</translation>
-        </message>
-        <message>
-            <source>Use this device in the experiment</source>
-            <translation>Utiliser cet appareil dans l’expérience</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Asks the device without using it. Nothing moves or heats.</source>
-            <translation>Interroge l’appareil sans l’utiliser. Rien ne bouge ni ne chauffe.</translation>
-        </message>
-        <message>
-            <source>No serial port was found. Plug the device in and refresh, or type a path.</source>
-            <translation>Aucun port série n’a été trouvé. Branchez l’appareil et actualisez, ou tapez un chemin.</translation>
-        </message>
-        <message>
-            <source>1. Which device</source>
-            <translation>1. Quel appareil</translation>
-        </message>
-        <message>
-            <source>2. Where it is connected</source>
-            <translation>2. Où il est branché</translation>
-        </message>
-        <message>
-            <source>3. Does it answer?</source>
-            <translation>3. Répond-il ?</translation>
-        </message>
-        <message>
-            <source>4. Its axes</source>
-            <translation>4. Ses axes</translation>
-        </message>
-        <message>
-            <source>4. The objects' channels</source>
-            <translation>4. Les voies des objets</translation>
-        </message>
-        <message>
-            <source>4. The device's own settings</source>
-            <translation>4. Les réglages propres à l’appareil</translation>
-        </message>
-        <message>
-            <source>May heat without a watchdog</source>
-            <translation>Peut chauffer sans chien de garde</translation>
-        </message>
-        <message>
-            <source>Then the source stays hot when Bask or the computer stops. Never leave it alone.</source>
-            <translation>La source reste alors chaude quand Bask ou l’ordinateur s’arrête. Ne la laissez jamais seule.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Display</name>
-        <message>
-            <source>%1/min</source>
-            <comment>a rate; %1 is K or °F</comment>
-            <translation>%1/min</translation>
-        </message>
-        <message>
-            <source>Camera lost</source>
-            <translation>Caméra perdue</translation>
-        </message>
-        <message>
-            <source>Heat source cannot be switched off</source>
-            <translation>La source ne s’éteint plus</translation>
-        </message>
-        <message>
-            <source>Heat source does not heat</source>
-            <translation>La source ne chauffe pas</translation>
-        </message>
-        <message>
-            <source>Heat source heats unasked</source>
-            <translation>La source chauffe sans ordre</translation>
-        </message>
-        <message>
-            <source>Heat source limited by itself</source>
-            <translation>Source limitée par elle-même</translation>
-        </message>
-        <message>
-            <source>Heat source lost</source>
-            <translation>Perte de la source de chaleur</translation>
-        </message>
-        <message>
-            <source>Heat source overheats</source>
-            <translation>La source surchauffe</translation>
-        </message>
-        <message>
-            <source>Heat source without temperature</source>
-            <translation>Source sans température</translation>
-        </message>
-        <message>
-            <source>Idle</source>
-            <translation>Au repos</translation>
-        </message>
-        <message>
-            <source>Not ready</source>
-            <translation>Pas prêt</translation>
-        </message>
-        <message>
-            <source>Object heated otherwise</source>
-            <translation>Objet chauffé autrement</translation>
-        </message>
-        <message>
-            <source>Ready</source>
-            <translation>Prêt</translation>
-        </message>
-        <message>
-            <source>Armed</source>
-            <translation>Armé</translation>
-        </message>
-        <message>
-            <source>Restore all devices</source>
-            <translation>Rétablir tous les appareils</translation>
-        </message>
-        <message>
-            <source>Robot in alarm</source>
-            <translation>Robot en alarme</translation>
-        </message>
-        <message>
-            <source>Robot lost</source>
-            <translation>Perte du robot</translation>
-        </message>
-        <message>
-            <source>Robot restarted</source>
-            <translation>Robot redémarré</translation>
-        </message>
-        <message>
-            <source>Robot slow</source>
-            <translation>Robot lent</translation>
-        </message>
-        <message>
-            <source>Running</source>
-            <translation>En marche</translation>
-        </message>
-        <message>
-            <source>Holding</source>
-            <translation>En pause</translation>
-        </message>
-        <message>
-            <source>Sensor frozen</source>
-            <translation>Capteur figé</translation>
-        </message>
-        <message>
-            <source>Sensor jumping</source>
-            <translation>Capteur qui saute</translation>
-        </message>
-        <message>
-            <source>Sensor lost</source>
-            <translation>Perte d’un capteur</translation>
-        </message>
-        <message>
-            <source>Sensor off its object</source>
-            <translation>Capteur décollé</translation>
-        </message>
-        <message>
-            <source>Sensor open</source>
-            <translation>Capteur ouvert</translation>
-        </message>
-        <message>
-            <source>Sensor shorted</source>
-            <translation>Capteur en court-circuit</translation>
-        </message>
-        <message>
-            <source>Settled</source>
-            <translation>Stabilisé</translation>
-        </message>
-        <message>
-            <source>Source hidden from the camera</source>
-            <translation>Source cachée à la caméra</translation>
-        </message>
-        <message>
-            <source>Stopping</source>
-            <translation>Arrêt en cours</translation>
-        </message>
-        <message>
-            <source>Stopped</source>
-            <translation>Arrêté</translation>
-        </message>
-        <message>
-            <source>Fault (latched)</source>
-            <translation>Défaut (verrouillé)</translation>
-        </message>
-        <message>
-            <source>Nothing is armed. Heat and motion are off.</source>
-            <translation>Rien n’est armé. Chauffage et mouvement sont coupés.</translation>
-        </message>
-        <message>
-            <source>The rig cannot be armed or started yet.</source>
-            <translation>Le banc ne peut pas encore être armé ni démarré.</translation>
-        </message>
-        <message>
-            <source>Nothing stands in the way: press Arm.</source>
-            <translation>Rien ne s’y oppose : pressez Armer.</translation>
-        </message>
-        <message>
-            <source>The sensors are zeroed and the recording is open: press Start.</source>
-            <translation>Les capteurs sont ajustés et l’enregistrement est ouvert : pressez Démarrer.</translation>
-        </message>
-        <message>
-            <source>The robot moves the objects towards their targets.</source>
-            <translation>Le robot amène les objets vers leurs consignes.</translation>
-        </message>
-        <message>
-            <source>Zero velocity; the controller's state is kept. Press Resume to go on.</source>
-            <translation>Vitesse nulle ; l’état du régulateur est conservé. Pressez Reprendre pour continuer.</translation>
-        </message>
-        <message>
-            <source>All objects stay within their tolerance band. The controller keeps working.</source>
-            <translation>Tous les objets restent dans leur bande de tolérance. Le régulateur continue.</translation>
-        </message>
-        <message>
-            <source>The run is ending: the robot retreats and the heat is off.</source>
-            <translation>L’essai se termine : le robot se retire et le chauffage est coupé.</translation>
-        </message>
-        <message>
-            <source>The run has ended. Heat and motion are off.</source>
-            <translation>L’essai est terminé. Chauffage et mouvement sont coupés.</translation>
-        </message>
-        <message>
-            <source>Heat and motion are off. Remove the cause, then press Reset.</source>
-            <translation>Chauffage et mouvement sont coupés. Supprimez la cause, puis pressez Réinitialiser.</translation>
-        </message>
-        <message>
-            <source>Level servo</source>
-            <translation>Asservissement de niveau</translation>
-        </message>
-        <message>
-            <source>Model-based</source>
-            <translation>À modèle</translation>
-        </message>
-        <message>
-            <source>Adaptive</source>
-            <translation>Adaptatif</translation>
-        </message>
-        <message>
-            <source>a sample is missing</source>
-            <translation>il manque un échantillon</translation>
-        </message>
-        <message>
-            <source>database disk image is malformed</source>
-            <translation>la base de données n’est pas lisible</translation>
-        </message>
-        <message>
-            <source>it does not say whether the rig was simulated</source>
-            <translation>il ne dit pas si le banc était simulé</translation>
-        </message>
-        <message>
-            <source>it is cut short</source>
-            <translation>il est tronqué</translation>
-        </message>
-        <message>
-            <source>robot</source>
-            <translation>robot</translation>
-        </message>
-        <message>
-            <source>thermometer</source>
-            <translation>thermomètre</translation>
-        </message>
-        <message>
-            <source>heat source</source>
-            <translation>source de chaleur</translation>
-        </message>
-        <message>
-            <source>source temperature</source>
-            <translation>température de la source</translation>
-        </message>
-        <message>
-            <source>heat source kept by hand</source>
-            <translation>source chauffée à la main</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Document</name>
-        <message>
-            <source>Untitled</source>
-            <translation>Sans titre</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::EventList</name>
-        <message>
-            <source>Priority %1</source>
-            <translation>Priorité %1</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>Note</translation>
-        </message>
-        <message>
-            <source>Event</source>
-            <translation>Événement</translation>
-        </message>
-        <message>
-            <source>Events and notes</source>
-            <translation>Événements et notes</translation>
-        </message>
-        <message>
-            <source>Time</source>
-            <translation>Temps</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>Nature</translation>
-        </message>
-        <message>
-            <source>What happened</source>
-            <translation>Ce qui s’est passé</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ExportBar</name>
-        <message>
-            <source>Computing…</source>
-            <translation>Calcul…</translation>
-        </message>
-        <message>
-            <source>Picture %1 of %2</source>
-            <translation>Image %1 sur %2</translation>
-        </message>
-        <message>
-            <source>Progress of the export</source>
-            <translation>Avancement de l’exportation</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Cancel the export</source>
-            <translation>Annuler l’exportation</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::FinalValuesTable</name>
-        <message>
-            <source>Final values</source>
-            <translation>Valeurs finales</translation>
-        </message>
-        <message>
-            <source>Object</source>
-            <translation>Objet</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Final, true</source>
-            <translation>Finale, vraie</translation>
-        </message>
-        <message>
-            <source>Final, estimated</source>
-            <translation>Finale, estimée</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>Écart</translation>
-        </message>
-        <message>
-            <source>Settled after</source>
-            <translation>Stabilisé après</translation>
-        </message>
-        <message>
-            <source>The simulated plant's own temperature when the run was stopped</source>
-            <translation>La température propre de l’installation simulée à l’arrêt de l’essai</translation>
-        </message>
-        <message>
-            <source>The estimate from the sensor when the run was stopped</source>
-            <translation>L’estimation tirée du capteur à l’arrêt de l’essai</translation>
-        </message>
-        <message>
-            <source>Time from which the object stays within %1 of its target until the end</source>
-            <translation>Instant à partir duquel l’objet reste à moins de %1 de sa consigne jusqu’à la fin</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>not settled</source>
-            <translation>non stabilisé</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::HeatPanel</name>
-        <message>
-            <source>Heat the source</source>
-            <translation>Chauffer la source</translation>
-        </message>
-        <message>
-            <source>The source heats towards %1 until it is switched off. Is nothing on it or near it that must not get hot?</source>
-            <translation>La source chauffe vers %1 jusqu’à ce qu’on l’arrête. N’y a-t-il rien dessus ou à côté qui ne doive pas chauffer ?</translation>
-        </message>
-        <message>
-            <source>Heat</source>
-            <translation>Chauffer</translation>
-        </message>
-        <message>
-            <source>A person keeps the source hot: %1 as typed last.</source>
-            <translation>Une personne maintient la source chaude : %1 selon la dernière saisie.</translation>
-        </message>
-        <message>
-            <source>Heating towards %1: %2 now.</source>
-            <translation>Chauffage vers %1 : %2 à présent.</translation>
-        </message>
-        <message>
-            <source>The heat is on: %1 now.</source>
-            <translation>Le chauffage est en marche : %1 à présent.</translation>
-        </message>
-        <message>
-            <source>The heat is off: %1 now.</source>
-            <translation>Le chauffage est arrêté : %1 à présent.</translation>
-        </message>
-        <message>
-            <source>Set point</source>
-            <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Set point of the source</source>
-            <translation>Consigne de la source</translation>
-        </message>
-        <message>
-            <source>Heat the source until it is switched off</source>
-            <translation>Chauffer la source jusqu’à ce qu’on l’arrête</translation>
-        </message>
-        <message>
-            <source>Heat off</source>
-            <translation>Arrêter le chauffage</translation>
-        </message>
-        <message>
-            <source>Measured by you</source>
-            <translation>Mesurée par vous</translation>
-        </message>
-        <message>
-            <source>Temperature of the source as you measured it</source>
-            <translation>Température de la source que vous avez mesurée</translation>
-        </message>
-        <message>
-            <source>Take</source>
-            <translation>Prendre</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::HeldControls</name>
-        <message>
-            <source>Play</source>
-            <translation>Animer</translation>
-        </message>
-        <message>
-            <source>Play the surfaces through the robot's range of the value held, in nine steps.</source>
-            <translation>Animer les surfaces sur la plage du robot de la valeur fixée, en neuf pas.</translation>
-        </message>
-        <message>
-            <source>As at the pose</source>
-            <translation>À la pose</translation>
-        </message>
-        <message>
-            <source>Draw the surfaces at the values of the pose that was found.</source>
-            <translation>Tracer les surfaces aux valeurs de la pose trouvée.</translation>
-        </message>
-        <message>
-            <source>Position at which the surfaces are drawn: %1</source>
-            <translation>Position à laquelle les surfaces sont tracées : %1</translation>
-        </message>
-        <message>
-            <source>Angle at which the surfaces are drawn: %1</source>
-            <translation>Angle auquel les surfaces sont tracées : %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::IdentifiedTable</name>
-        <message>
-            <source>Heat rates from the record</source>
-            <translation>Coefficients thermiques tirés de l’enregistrement</translation>
-        </message>
-        <message>
-            <source>Object</source>
-            <translation>Objet</translation>
-        </message>
-        <message>
-            <source>Identified</source>
-            <translation>Identifié</translation>
-        </message>
-        <message>
-            <source>Controller</source>
-            <translation>Régulateur</translation>
-        </message>
-        <message>
-            <source>Material</source>
-            <translation>Matériau</translation>
-        </message>
-        <message>
-            <source>λ₁ by least squares on the whole record, with its standard error</source>
-            <translation>λ₁ par moindres carrés sur tout l’enregistrement, avec son erreur type</translation>
-        </message>
-        <message>
-            <source>λ₁ that the controller believed at the end</source>
-            <translation>λ₁ que le régulateur retenait à la fin</translation>
-        </message>
-        <message>
-            <source>λ₁ of the experiment's material and source</source>
-            <translation>λ₁ du matériau et de la source de l’expérience</translation>
-        </message>
-        <message>
-            <source>λ₂ = %1 1/(K³ s), λ₃ = %2 K/s</source>
-            <translation>λ₂ = %1 1/(K³ s), λ₃ = %2 K/s</translation>
-        </message>
-        <message>
-            <source>not usable</source>
-            <translation>inutilisable</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::HarmonicsPanel</name>
-        <message>
-            <source>&amp;Harmonics</source>
-            <translation>&amp;Harmoniques</translation>
-        </message>
-        <message>
-            <source>Number of harmonics</source>
-            <translation>Nombre d’harmoniques</translation>
-        </message>
-        <message>
-            <source>Residual</source>
-            <translation>Résidu</translation>
-        </message>
-        <message>
-            <source>With this number of harmonics the outline crosses itself; choose another.</source>
-            <translation>Avec ce nombre d’harmoniques, le contour se recoupe ; choisissez-en un autre.</translation>
-        </message>
-        <message>
-            <source>Fitting…</source>
-            <translation>Ajustement en cours…</translation>
-        </message>
-        <message>
-            <source>Residual &lt;b&gt;%1 mm&lt;/b&gt; rms, &lt;b&gt;%2 mm&lt;/b&gt; at most; Hausdorff &lt;b&gt;%3 mm&lt;/b&gt;; area &lt;b&gt;%4 %&lt;/b&gt;</source>
-            <translation>Résidu &lt;b&gt;%1 mm&lt;/b&gt; efficace, &lt;b&gt;%2 mm&lt;/b&gt; au plus ; Hausdorff &lt;b&gt;%3 mm&lt;/b&gt; ; aire &lt;b&gt;%4 %&lt;/b&gt;</translation>
-        </message>
-        <message>
-            <source>%1 mm cannot be reached with up to %2 harmonics: %3 of them come closest, within %4 mm. The outline itself is exact.</source>
-            <translation>%1 mm ne peut être atteint avec au plus %2 harmoniques : %3 s’en approchent le mieux, à moins de %4 mm. Le contour lui-même est exact.</translation>
-        </message>
-        <message>
-            <source>With any number of harmonics up to %1 the outline crosses itself. The outline itself is exact.</source>
-            <translation>Quel que soit le nombre d’harmoniques jusqu’à %1, le contour se recoupe. Le contour lui-même est exact.</translation>
-        </message>
-        <message>
-            <source>Fitting… %1 of %2</source>
-            <translation>Ajustement… %1 sur %2</translation>
-        </message>
-        <message>
-            <source>Fewest harmonics &amp;within</source>
-            <translation>Le &amp;moins d’harmoniques pour</translation>
-        </message>
-        <message>
-            <source>Chooses the fewest harmonics whose outline does not cross itself and is nowhere farther from the imported one than this (Hausdorff distance).</source>
-            <translation>Choisit le plus petit nombre d’harmoniques dont le contour ne se recoupe pas et ne s’éloigne nulle part davantage du contour importé (distance de Hausdorff).</translation>
-        </message>
-        <message>
-            <source> mm</source>
-            <translation> mm</translation>
-        </message>
-        <message>
-            <source>Distance within which the Fourier outline shall be</source>
-            <translation>Distance à laquelle le contour de Fourier doit rester</translation>
-        </message>
-        <message>
-            <source>Use the outli&amp;ne itself</source>
-            <translation>&amp;Utiliser le contour lui-même</translation>
-        </message>
-        <message>
-            <source>Takes the imported outline as a polygon, corner by corner, in place of a Fourier outline. Exact; slower the more corners it has.</source>
-            <translation>Prend le contour importé comme polygone, sommet par sommet, au lieu d’un contour de Fourier. Exact ; d’autant plus lent qu’il a de sommets.</translation>
-        </message>
-        <message>
-            <source>Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of one outline is from the other. Area: of the Fourier outline against the imported one.</source>
-            <translation>Résidu : entre points de même abscisse curviligne. Distance de Hausdorff : le plus grand éloignement d’un point d’un contour à l’autre. Aire : celle du contour de Fourier par rapport au contour importé.</translation>
-        </message>
-        <message>
-            <source>The imported outline itself is used: %1 corners.</source>
-            <translation>Le contour importé lui-même est utilisé : %1 sommets.</translation>
-        </message>
-        <message>
-            <source>The imported outline itself is used, thinned from %1 to %2 corners.</source>
-            <translation>Le contour importé lui-même est utilisé, réduit de %1 à %2 sommets.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ImportPanel</name>
-        <message>
-            <source>%1, hole in %2</source>
-            <translation>%1, trou dans %2</translation>
-        </message>
-        <message>
-            <source>%1, open</source>
-            <translation>%1, ouvert</translation>
-        </message>
-        <message>
-            <source>&amp;Outlines</source>
-            <translation>C&amp;ontours</translation>
-        </message>
-        <message>
-            <source>Area</source>
-            <translation>Aire</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Import</source>
-            <translation>Importer</translation>
-        </message>
-        <message>
-            <source>Import an outline</source>
-            <translation>Importer un contour</translation>
-        </message>
-        <message>
-            <source>Outline</source>
-            <translation>Contour</translation>
-        </message>
-        <message>
-            <source>Outline %1: %2 points, %3 around.</source>
-            <translation>Contour %1 : %2 points, périmètre %3.</translation>
-        </message>
-        <message>
-            <source>Outlines of the file</source>
-            <translation>Contours du fichier</translation>
-        </message>
-        <message>
-            <source>Reading the file</source>
-            <translation>Lecture du fichier</translation>
-        </message>
-        <message>
-            <source>Size</source>
-            <translation>Taille</translation>
-        </message>
-        <message>
-            <source>mm</source>
-            <translation>mm</translation>
-        </message>
-        <message>
-            <source>px</source>
-            <translation>px</translation>
-        </message>
-        <message>
-            <source>%1 counted off.</source>
-            <translation>%1 déduits de l’aire.</translation>
-        </message>
-        <message>
-            <source>units</source>
-            <translation>unités</translation>
-        </message>
-        <message>
-            <source>The outline is %1 across; an object may be %2 at most. Correct its size.</source>
-            <translation>Le contour fait %1 de large ; un objet peut faire %2 au plus. Corrigez sa taille.</translation>
-        </message>
-        <message>
-            <source>Its true size is not known yet: answer the question above.</source>
-            <translation>Sa taille vraie n’est pas encore connue : répondez à la question ci-dessus.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ImportQuestions</name>
-        <message>
-            <source> mm</source>
-            <translation> mm</translation>
-        </message>
-        <message>
-            <source> px/mm</source>
-            <translation> px/mm</translation>
-        </message>
-        <message>
-            <source>&amp;Dictionary</source>
-            <translation>&amp;Dictionnaire</translation>
-        </message>
-        <message>
-            <source>&amp;Length</source>
-            <translation>&amp;Longueur</translation>
-        </message>
-        <message>
-            <source>&amp;Scale</source>
-            <translation>É&amp;chelle</translation>
-        </message>
-        <message>
-            <source>&amp;Scale from</source>
-            <translation>É&amp;chelle d’après</translation>
-        </message>
-        <message>
-            <source>&amp;Tolerance</source>
-            <translation>&amp;Tolérance</translation>
-        </message>
-        <message>
-            <source>&amp;Unit</source>
-            <translation>&amp;Unité</translation>
-        </message>
-        <message>
-            <source>A printed ArUco marker lies beside the object, in the plane of its face. It tells the scale and undoes the perspective.</source>
-            <translation>Un marqueur ArUco imprimé est posé à côté de l’objet, dans le plan de sa face. Il donne l’échelle et corrige la perspective.</translation>
-        </message>
-        <message>
-            <source>Click its two ends</source>
-            <translation>Cliquer ses deux bouts</translation>
-        </message>
-        <message>
-            <source>Click the object</source>
-            <translation>Cliquer l’objet</translation>
-        </message>
-        <message>
-            <source>Dictionary of the marker</source>
-            <translation>Dictionnaire du marqueur</translation>
-        </message>
-        <message>
-            <source>Largest distance from the colour clicked, in CIE Lab; 0: found by itself</source>
-            <translation>Distance maximale à la couleur cliquée, en CIE Lab ; 0 : trouvée automatiquement</translation>
-        </message>
-        <message>
-            <source>Lay the ruler over a length that you know: drag its ends, or click both. The picture must be taken straight from above.</source>
-            <translation>Posez la règle sur une longueur connue : glissez ses bouts ou cliquez-les. La photo doit être prise bien d’en haut.</translation>
-        </message>
-        <message>
-            <source>Length of the ruler</source>
-            <translation>Longueur de la règle</translation>
-        </message>
-        <message>
-            <source>Object</source>
-            <translation>Objet</translation>
-        </message>
-        <message>
-            <source>Otherwise by the picture’s opacity or brightness.</source>
-            <translation>Sinon à l’opacité ou à la luminosité de l’image.</translation>
-        </message>
-        <message>
-            <source>S&amp;ide of its square</source>
-            <translation>&amp;Côté de son carré</translation>
-        </message>
-        <message>
-            <source>Scale of the picture, pixels per millimetre</source>
-            <translation>Échelle de l’image, pixels par millimètre</translation>
-        </message>
-        <message>
-            <source>Side of the marker’s black square</source>
-            <translation>Côté du carré noir du marqueur</translation>
-        </message>
-        <message>
-            <source>The picture must be taken straight from above, or scanned.</source>
-            <translation>La photo doit être prise bien d’en haut, ou numérisée à plat.</translation>
-        </message>
-        <message>
-            <source>Tolerance of the colour</source>
-            <translation>Tolérance de la couleur</translation>
-        </message>
-        <message>
-            <source>Unit of the coordinates</source>
-            <translation>Unité des coordonnées</translation>
-        </message>
-        <message>
-            <source>What gives the picture its scale</source>
-            <translation>Ce qui donne l’échelle de l’image</translation>
-        </message>
-        <message>
-            <source>a known length</source>
-            <translation>une longueur connue</translation>
-        </message>
-        <message>
-            <source>an ArUco marker in it</source>
-            <translation>un marqueur ArUco</translation>
-        </message>
-        <message>
-            <source>as its header says</source>
-            <translation>selon l’en-tête</translation>
-        </message>
-        <message>
-            <source>automatic</source>
-            <translation>automatique</translation>
-        </message>
-        <message>
-            <source>pixels per millimetre</source>
-            <translation>pixels par millimètre</translation>
-        </message>
-        <message>
-            <source>tell it by its colour</source>
-            <translation>le reconnaître à sa couleur</translation>
-        </message>
-        <message>
-            <source>&amp;Width</source>
-            <translation>&amp;Largeur</translation>
-        </message>
-        <message>
-            <source>Width of the outline chosen</source>
-            <translation>Largeur du contour choisi</translation>
-        </message>
-        <message>
-            <source>As the drawing says. Type another to make all of it larger or smaller.</source>
-            <translation>Selon le dessin. Tapez-en une autre pour agrandir ou réduire le tout.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::InfeasibleDialog</name>
-        <message>
-            <source>Start all the same; the recording says so</source>
-            <translation>Démarrer malgré tout ; l’enregistrement le mentionne</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Démarrer</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Targets out of reach</source>
-            <translation>Consignes hors d’atteinte</translation>
-        </message>
-        <message>
-            <source>The run would end at the best compromise it finds.
-The Targets page says more and offers the nearest targets that can be held.</source>
-            <translation>L’essai finirait au meilleur compromis trouvé.
-La page Consignes en dit plus et propose les consignes les plus proches qui peuvent être tenues.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::JogPanel</name>
-        <message>
-            <source>Step</source>
-            <translation>Pas</translation>
-        </message>
-        <message>
-            <source>Step along an axis</source>
-            <translation>Pas le long d’un axe</translation>
-        </message>
-        <message>
-            <source>Step about an axis</source>
-            <translation>Pas autour d’un axe</translation>
-        </message>
-        <message>
-            <source>Speed while held</source>
-            <translation>Vitesse (maintien)</translation>
-        </message>
-        <message>
-            <source>Of the largest speed that the robot's limits allow</source>
-            <translation>Part de la plus grande vitesse que permettent les limites du robot</translation>
-        </message>
-        <message>
-            <source>Go to</source>
-            <translation>Aller à</translation>
-        </message>
-        <message>
-            <source>One step of %1 down</source>
-            <translation>Un pas de %1 vers le bas</translation>
-        </message>
-        <message>
-            <source>One step of %1 up</source>
-            <translation>Un pas de %1 vers le haut</translation>
-        </message>
-        <message>
-            <source>%1 downwards for as long as this is held</source>
-            <translation>%1 diminue tant que ce bouton est maintenu</translation>
-        </message>
-        <message>
-            <source>%1 upwards for as long as this is held</source>
-            <translation>%1 augmente tant que ce bouton est maintenu</translation>
-        </message>
-        <message>
-            <source>%1 to go to</source>
-            <translation>%1 à atteindre</translation>
-        </message>
-        <message>
-            <source>Go</source>
-            <translation>Aller</translation>
-        </message>
-        <message>
-            <source>Move to these coordinates; Hold (F7) ends it</source>
-            <translation>Aller à ces coordonnées ; Pause (F7) y met fin</translation>
-        </message>
-        <message>
-            <source>Here</source>
-            <translation>Ici</translation>
-        </message>
-        <message>
-            <source>Put in where the robot is</source>
-            <translation>Mettre la position présente du robot</translation>
-        </message>
-        <message>
-            <source>Home</source>
-            <translation>Prise d’origine</translation>
-        </message>
-        <message>
-            <source>The robot seeks its switches to know its place: it moves</source>
-            <translation>Le robot cherche ses butées pour connaître sa position : il bouge</translation>
-        </message>
-        <message>
-            <source>Clear alarm</source>
-            <translation>Effacer l’alarme</translation>
-        </message>
-        <message>
-            <source>After you have seen to it: the robot is where it says. Nothing moves.</source>
-            <translation>Après y avoir remédié : le robot est là où il le dit. Rien ne bouge.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::LimitsPanel</name>
-        <message>
-            <source>Heat source</source>
-            <translation>Source de chaleur</translation>
-        </message>
-        <message>
-            <source>Measured temperature</source>
-            <translation>Température mesurée</translation>
-        </message>
-        <message>
-            <source>Set point of runs</source>
-            <translation>Consigne des essais</translation>
-        </message>
-        <message>
-            <source>Emittance</source>
-            <translation>Émissivité</translation>
-        </message>
-        <message>
-            <source>Emittance of the source</source>
-            <translation>Émissivité de la source</translation>
-        </message>
-        <message>
-            <source>Workspace of the end-effector</source>
-            <translation>Espace de travail de l’effecteur</translation>
-        </message>
-        <message>
-            <source>From</source>
-            <translation>De</translation>
-        </message>
-        <message>
-            <source>To</source>
-            <translation>À</translation>
-        </message>
-        <message>
-            <source>Least %1</source>
-            <translation>%1 le plus petit</translation>
-        </message>
-        <message>
-            <source>Largest %1</source>
-            <translation>%1 le plus grand</translation>
-        </message>
-        <message>
-            <source>Limits of motion</source>
-            <translation>Limites de mouvement</translation>
-        </message>
-        <message>
-            <source>Largest speed</source>
-            <translation>Plus grande vitesse</translation>
-        </message>
-        <message>
-            <source>Largest turning speed</source>
-            <translation>Plus grande vitesse de rotation</translation>
-        </message>
-        <message>
-            <source>Clearance to the source</source>
-            <translation>Distance de garde à la source</translation>
-        </message>
-        <message>
-            <source>Least distance of any point of an object from the source's plane</source>
-            <translation>Plus petite distance de tout point d’un objet au plan de la source</translation>
-        </message>
-        <message>
-            <source>%1: %2 instead of %3</source>
-            <translation>%1 : %2 au lieu de %3</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::MainWindow</name>
-        <message>
-            <source>Not taken: the targets stay as they were.</source>
-            <translation>Refusé : les consignes restent ce qu’elles étaient.</translation>
-        </message>
-        <message>
-            <source>Pages</source>
-            <translation>Pages</translation>
-        </message>
-        <message>
-            <source>Arm the real rig</source>
-            <translation>Armer le banc réel</translation>
-        </message>
-        <message>
-            <source>This rig is real: once the run is started, the robot moves and the source heats. Is everybody and everything out of the way?</source>
-            <translation>Ce banc est réel : une fois l’essai lancé, le robot bouge et la source chauffe. Personne ni rien n’est-il sur le passage ?</translation>
-        </message>
-        <message>
-            <source>Arm</source>
-            <translation>Armer</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Only files of this computer can be opened: save it here first.</source>
-            <translation>Seuls les fichiers de cet ordinateur peuvent être ouverts : enregistrez-le d’abord ici.</translation>
-        </message>
-        <message>
-            <source>Only one file can be opened at a time.</source>
-            <translation>Un seul fichier peut être ouvert à la fois.</translation>
-        </message>
-        <message>
-            <source>Unsaved edits cannot be kept for a crash: %1</source>
-            <translation>Les modifications non enregistrées ne peuvent pas être gardées en cas de panne : %1</translation>
-        </message>
-        <message>
-            <source>From the next start of Bask on, text and all that is drawn with it has %1 % of its size.</source>
-            <translation>À partir du prochain démarrage de Bask, le texte et tout ce qui est dessiné avec lui auront %1 % de leur taille.</translation>
-        </message>
-        <message>
-            <source>The window will then be larger than this screen.</source>
-            <translation>La fenêtre sera alors plus grande que cet écran.</translation>
-        </message>
-        <message>
-            <source>Bask closes when the objects are away from the source.</source>
-            <translation>Bask se ferme quand les objets sont loin de la source.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::MarkerEditor</name>
-        <message>
-            <source>%1 px off</source>
-            <translation>à %1 px près</translation>
-        </message>
-        <message>
-            <source>Add</source>
-            <translation>Ajouter</translation>
-        </message>
-        <message>
-            <source>Base</source>
-            <translation>Base</translation>
-        </message>
-        <message>
-            <source>Camera</source>
-            <translation>Caméra</translation>
-        </message>
-        <message>
-            <source>Dictionary</source>
-            <translation>Dictionnaire</translation>
-        </message>
-        <message>
-            <source>End-effector</source>
-            <translation>Effecteur</translation>
-        </message>
-        <message>
-            <source>Id</source>
-            <translation>Numéro</translation>
-        </message>
-        <message>
-            <source>Lists another marker: one that the camera sees and that is not listed, if there is one</source>
-            <translation>Ajoute un marqueur à la liste : un que la caméra voit et qui n’y est pas, s’il y en a un</translation>
-        </message>
-        <message>
-            <source>Markers of the rig</source>
-            <translation>Marqueurs du montage</translation>
-        </message>
-        <message>
-            <source>On</source>
-            <translation>Sur</translation>
-        </message>
-        <message>
-            <source>Remove</source>
-            <translation>Retirer</translation>
-        </message>
-        <message>
-            <source>Side</source>
-            <translation>Côté</translation>
-        </message>
-        <message>
-            <source>Side, mm</source>
-            <translation>Côté, mm</translation>
-        </message>
-        <message>
-            <source>Sits on</source>
-            <translation>Posé sur</translation>
-        </message>
-        <message>
-            <source>Source</source>
-            <translation>Source</translation>
-        </message>
-        <message>
-            <source>Where the marker's middle is on its part, and how its axes (x right, y up, z out of it) are turned there</source>
-            <translation>Où le milieu du marqueur se trouve sur sa pièce, et comment ses axes (x à droite, y en haut, z vers l’extérieur) y sont tournés</translation>
-        </message>
-        <message>
-            <source>With the black border, as measured on the print</source>
-            <translation>Avec le bord noir, mesuré sur l’impression</translation>
-        </message>
-        <message>
-            <source>about y, °</source>
-            <translation>autour de y, °</translation>
-        </message>
-        <message>
-            <source>about z, °</source>
-            <translation>autour de z, °</translation>
-        </message>
-        <message>
-            <source>not seen</source>
-            <translation>non vu</translation>
-        </message>
-        <message>
-            <source>seen</source>
-            <translation>vu</translation>
-        </message>
-        <message>
-            <source>turned about x, °</source>
-            <translation>tourné autour de x, °</translation>
-        </message>
-        <message>
-            <source>two poses fit</source>
-            <translation>deux poses possibles</translation>
-        </message>
-        <message>
-            <source>x, mm</source>
-            <translation>x, mm</translation>
-        </message>
-        <message>
-            <source>y, mm</source>
-            <translation>y, mm</translation>
-        </message>
-        <message>
-            <source>z, mm</source>
-            <translation>z, mm</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::MessageBar</name>
-        <message>
-            <source>Close the message</source>
-            <translation>Fermer le message</translation>
-        </message>
-        <message>
-            <source>Problem</source>
-            <translation>Problème</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>Note</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::MountingPlan</name>
-        <message>
-            <source>Plan of the objects on the end-effector</source>
-            <translation>Plan des objets sur l’effecteur</translation>
-        </message>
-        <message>
-            <source>The objects on the end-effector, to scale. Drag one to move it in steps of 5 mm, its handle to turn it in steps of 5°; with Alt finely. Arrow keys move the selected one by 1 mm, Page Up and Page Down turn it.</source>
-            <translation>Les objets sur l’effecteur, à l’échelle. Faites-en glisser un pour le déplacer par pas de 5 mm, sa poignée pour le tourner par pas de 5° ; avec Alt, finement. Les flèches déplacent de 1 mm celui qui est sélectionné, Page préc. et Page suiv. le tournent.</translation>
-        </message>
-        <message>
-            <source>Grid %1, snap %2</source>
-            <translation>Grille %1, pas %2</translation>
-        </message>
-        <message>
-            <source>x %1 cm, y %2 cm, %3°</source>
-            <translation>x %1 cm, y %2 cm, %3°</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ObjectList</name>
-        <message>
-            <source>disk, %1 cm</source>
-            <translation>disque, %1 cm</translation>
-        </message>
-        <message>
-            <source>polygon</source>
-            <translation>polygone</translation>
-        </message>
-        <message>
-            <source>Objects</source>
-            <translation>Objets</translation>
-        </message>
-        <message>
-            <source>%1 · %2</source>
-            <comment>kind and target of an object</comment>
-            <translation>%1 · %2</translation>
-        </message>
-        <message>
-            <source>%1: %2. Press F2 to rename.</source>
-            <translation>%1 : %2. F2 pour renommer.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ObjectProperties</name>
-        <message>
-            <source>Heat capacity</source>
-            <translation>Capacité thermique</translation>
-        </message>
-        <message>
-            <source>Time constant</source>
-            <translation>Constante de temps</translation>
-        </message>
-        <message>
-            <source>Of the plate, per area that is seen</source>
-            <translation>De la plaque, par surface vue</translation>
-        </message>
-        <message>
-            <source>Of small changes about the target</source>
-            <translation>Pour de petits écarts autour de la consigne</translation>
-        </message>
-        <message>
-            <source>Heating at view factor 1 with the source as it is set</source>
-            <translation>Chauffe au facteur de forme 1 avec la source telle que réglée</translation>
-        </message>
-        <message>
-            <source>Times T⁴: what the object radiates</source>
-            <translation>Fois T⁴ : ce que l’objet rayonne</translation>
-        </message>
-        <message>
-            <source>What the surroundings give</source>
-            <translation>Ce que donne l’environnement</translation>
-        </message>
-        <message>
-            <source>typed values</source>
-            <translation>valeurs saisies</translation>
-        </message>
-        <message>
-            <source>typed values (%1)</source>
-            <translation>valeurs saisies (%1)</translation>
-        </message>
-        <message>
-            <source>Disk</source>
-            <translation>Disque</translation>
-        </message>
-        <message>
-            <source>Fourier outline, %1</source>
-            <translation>Contour de Fourier, %1</translation>
-        </message>
-        <message>
-            <source>Polygon</source>
-            <translation>Polygone</translation>
-        </message>
-        <message>
-            <source>%1 cm²</source>
-            <translation>%1 cm²</translation>
-        </message>
-        <message>
-            <source>%1 cm</source>
-            <translation>%1 cm</translation>
-        </message>
-        <message>
-            <source>Object</source>
-            <translation>Objet</translation>
-        </message>
-        <message>
-            <source>Material</source>
-            <translation>Matériau</translation>
-        </message>
-        <message>
-            <source>Mounting on the end-effector</source>
-            <translation>Montage sur l’effecteur</translation>
-        </message>
-        <message>
-            <source>Name</source>
-            <translation>Nom</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Radius</source>
-            <translation>Rayon</translation>
-        </message>
-        <message>
-            <source>Area</source>
-            <translation>Aire</translation>
-        </message>
-        <message>
-            <source>Perimeter</source>
-            <translation>Périmètre</translation>
-        </message>
-        <message>
-            <source>Preset</source>
-            <translation>Préréglage</translation>
-        </message>
-        <message>
-            <source>Emittance</source>
-            <translation>Émissivité</translation>
-        </message>
-        <message>
-            <source>Absorptance</source>
-            <translation>Absorptivité</translation>
-        </message>
-        <message>
-            <source>Specific heat</source>
-            <translation>Chaleur massique</translation>
-        </message>
-        <message>
-            <source>Density</source>
-            <translation>Masse volumique</translation>
-        </message>
-        <message>
-            <source>Thickness</source>
-            <translation>Épaisseur</translation>
-        </message>
-        <message>
-            <source>Infill</source>
-            <translation>Remplissage</translation>
-        </message>
-        <message>
-            <source>x</source>
-            <translation>x</translation>
-        </message>
-        <message>
-            <source>y</source>
-            <translation>y</translation>
-        </message>
-        <message>
-            <source>z</source>
-            <translation>z</translation>
-        </message>
-        <message>
-            <source>Rotation about z</source>
-            <translation>Rotation autour de z</translation>
-        </message>
-        <message>
-            <source>Mounting x</source>
-            <translation>Montage x</translation>
-        </message>
-        <message>
-            <source>Mounting y</source>
-            <translation>Montage y</translation>
-        </message>
-        <message>
-            <source>Mounting z</source>
-            <translation>Montage z</translation>
-        </message>
-        <message>
-            <source> cm</source>
-            <translation> cm</translation>
-        </message>
-        <message>
-            <source> mm</source>
-            <translation> mm</translation>
-        </message>
-        <message>
-            <source> J/(kg·K)</source>
-            <translation> J/(kg·K)</translation>
-        </message>
-        <message>
-            <source> kg/m³</source>
-            <translation> kg/m³</translation>
-        </message>
-        <message>
-            <source> %</source>
-            <translation> %</translation>
-        </message>
-        <message>
-            <source> °</source>
-            <translation> °</translation>
-        </message>
-        <message>
-            <source>%1 J/(m²·K)</source>
-            <translation>%1 J/(m²·K)</translation>
-        </message>
-        <message>
-            <source>%1 K/s</source>
-            <translation>%1 K/s</translation>
-        </message>
-        <message>
-            <source>%1 K⁻³·s⁻¹</source>
-            <translation>%1 K⁻³·s⁻¹</translation>
-        </message>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>%1 min</source>
-            <translation>%1 min</translation>
-        </message>
-        <message>
-            <source>%1 h</source>
-            <translation>%1 h</translation>
-        </message>
-        <message>
-            <source>%1 without holes</source>
-            <translation>%1 sans les trous</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ObjectTile</name>
-        <message>
-            <source>Mean of the last 10 s</source>
-            <translation>Moyenne des 10 dernières secondes</translation>
-        </message>
-        <message>
-            <source>No reading yet</source>
-            <translation>Pas encore de mesure</translation>
-        </message>
-        <message>
-            <source>Sensor invalid</source>
-            <translation>Capteur non valide</translation>
-        </message>
-        <message>
-            <source>Heating</source>
-            <translation>Chauffe</translation>
-        </message>
-        <message>
-            <source>Cooling</source>
-            <translation>Refroidit</translation>
-        </message>
-        <message>
-            <source>Off target</source>
-            <comment>steady, outside the tolerance band</comment>
-            <translation>Hors consigne</translation>
-        </message>
-        <message>
-            <source>Settling</source>
-            <translation>Se stabilise</translation>
-        </message>
-        <message>
-            <source>Settled</source>
-            <translation>Stabilisé</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Error</source>
-            <translation>Écart</translation>
-        </message>
-        <message>
-            <source>Measured minus target</source>
-            <translation>Mesure moins consigne</translation>
-        </message>
-        <message>
-            <source>Rate</source>
-            <translation>Vitesse</translation>
-        </message>
-        <message>
-            <source>Object %1</source>
-            <translation>Objet %1</translation>
-        </message>
-        <message>
-            <source>Measured temperature of %1</source>
-            <translation>Température mesurée de %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ObjectsPage</name>
-        <message>
-            <source>Reading %1…</source>
-            <translation>Lecture de %1…</translation>
-        </message>
-        <message>
-            <source>disk</source>
-            <translation>disque</translation>
-        </message>
-        <message>
-            <source>“%1” was removed.</source>
-            <translation>« %1 » a été supprimé.</translation>
-        </message>
-        <message>
-            <source>Undo</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
-            <translation>%1 n’est pas un type de fichier importable. Utilisez un dessin (SVG, DXF), un CSV de points x, y ou l’image d’une silhouette (PNG, JPEG, BMP, TIFF).</translation>
-        </message>
-        <message>
-            <source>Import an outline</source>
-            <translation>Importer un contour</translation>
-        </message>
-        <message>
-            <source>Outlines (%1);;All files (*)</source>
-            <translation>Contours (%1);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>A disk is used as it is; it needs no fit.</source>
-            <translation>Un disque est utilisé tel quel ; il n’a pas besoin d’ajustement.</translation>
-        </message>
-        <message>
-            <source>No imported outline is kept with this object, so it cannot be fitted again.</source>
-            <translation>Aucun contour importé n’est conservé avec cet objet ; il ne peut donc pas être réajusté.</translation>
-        </message>
-        <message>
-            <source>Each object needs a free axis of the robot of its own; all are used. Remove an object first.</source>
-            <translation>Chaque objet demande un axe libre du robot ; tous sont pris. Supprimez d’abord un objet.</translation>
-        </message>
-        <message>
-            <source>&amp;Objects</source>
-            <translation>&amp;Objets</translation>
-        </message>
-        <message>
-            <source>Add &amp;disk</source>
-            <translation>Ajouter un &amp;disque</translation>
-        </message>
-        <message>
-            <source>&amp;Import outline…</source>
-            <translation>&amp;Importer un contour…</translation>
-        </message>
-        <message>
-            <source>Du&amp;plicate</source>
-            <translation>Du&amp;pliquer</translation>
-        </message>
-        <message>
-            <source>&amp;Remove</source>
-            <translation>&amp;Supprimer</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Annuler</translation>
-        </message>
-        <message>
-            <source>Redo</source>
-            <translation>Rétablir</translation>
-        </message>
-        <message>
-            <source>%1 of %2 degrees of freedom used</source>
-            <translation>%1 degrés de liberté utilisés sur %2</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>&amp;Sample shapes</source>
-            <translation>&amp;Formes d’exemple</translation>
-        </message>
-        <message>
-            <source>Bunny</source>
-            <translation>Lapin</translation>
-        </message>
-        <message>
-            <source>Circle</source>
-            <translation>Cercle</translation>
-        </message>
-        <message>
-            <source>Gear</source>
-            <translation>Engrenage</translation>
-        </message>
-        <message>
-            <source>Hand</source>
-            <translation>Main</translation>
-        </message>
-        <message>
-            <source>Leaf</source>
-            <translation>Feuille</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::OutlinePicker</name>
-        <message>
-            <source>%1 px</source>
-            <translation>%1 px</translation>
-        </message>
-        <message>
-            <source>Outlines of the file</source>
-            <translation>Contours du fichier</translation>
-        </message>
-        <message>
-            <source>Click an outline to choose it. The wheel zooms, a double click shows all.</source>
-            <translation>Cliquez un contour pour le choisir. La molette agrandit, un double clic montre tout.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::OutlinePreview</name>
-        <message>
-            <source>Outline</source>
-            <translation>Contour</translation>
-        </message>
-        <message>
-            <source>%1, %2 mm wide and %3 mm high</source>
-            <translation>%1, largeur %2 mm et hauteur %3 mm</translation>
-        </message>
-        <message>
-            <source>Imported outline, %1 points</source>
-            <translation>Contour importé, %1 points</translation>
-        </message>
-        <message>
-            <source>Fourier outline, %1</source>
-            <translation>Contour de Fourier, %1</translation>
-        </message>
-        <message>
-            <source>Outline used</source>
-            <translation>Contour utilisé</translation>
-        </message>
-        <message>
-            <source>Drop a drawing, a CSV or a picture of a silhouette here, or add a disk.</source>
-            <translation>Déposez ici un dessin, un CSV ou l’image d’une silhouette, ou ajoutez un disque.</translation>
-        </message>
-        <message>
-            <source>%1 mm × %2 mm</source>
-            <translation>%1 mm × %2 mm</translation>
-        </message>
-        <message>
-            <source>Centroid, principal axes: radii of gyration %1 mm and %2 mm</source>
-            <translation>Centre et axes principaux : rayons de giration %1 mm et %2 mm</translation>
-        </message>
-        <message>
-            <source>Imported outline at most %1 mm from the Fourier outline</source>
-            <translation>Contour importé à %1 mm au plus du contour de Fourier</translation>
-        </message>
-        <message>
-            <source>Imported outline, %1 points, coloured by its distance</source>
-            <translation>Contour importé, %1 points, coloré selon sa distance</translation>
-        </message>
-        <message>
-            <source>%1 mm</source>
-            <translation>%1 mm</translation>
-        </message>
-        <message>
-            <source>0 mm</source>
-            <translation>0 mm</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::PageHost</name>
-        <message>
-            <source>A run is armed or on. Objects can be changed once it has stopped.</source>
-            <translation>Un essai est armé ou en cours. Les objets pourront être modifiés après son arrêt.</translation>
-        </message>
-        <message>
-            <source>The run is stopping. Targets can be changed once it has.</source>
-            <translation>L’essai s’arrête. Les consignes pourront être modifiées ensuite.</translation>
-        </message>
-        <message>
-            <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
-            <translation>Aucun objet de l’expérience ouverte n’a le nom et le matériau d’un objet de cet essai, sous la même source et dans le même milieu.</translation>
-        </message>
-        <message>
-            <source>Start values taken from this run: %1</source>
-            <translation>Valeurs de départ reprises de cet essai : %1</translation>
-        </message>
-        <message>
-            <source>Runs start at %1 from now on.</source>
-            <translation>Les essais partent désormais de %1.</translation>
-        </message>
-        <message>
-            <source>A run is armed or on. The start can be changed once it has stopped.</source>
-            <translation>Un essai est armé ou en cours. Le départ pourra être changé une fois qu’il sera arrêté.</translation>
-        </message>
-        <message>
-            <source>The source is followed no more: that takes markers on it, a calibrated camera and its place.</source>
-            <translation>La source n’est plus suivie : il y faut des marqueurs sur elle, une caméra étalonnée et sa place.</translation>
-        </message>
-        <message>
-            <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
-            <translation>%1 ne peut pas être ouvert. Bask ouvre des expériences et des bancs (JSON), des sessions enregistrées (BASK) et des contours (SVG, DXF, CSV, images).</translation>
-        </message>
-        <message>
-            <source>Redone: %1</source>
-            <translation>Rétabli : %1</translation>
-        </message>
-        <message>
-            <source>Undone: %1</source>
-            <translation>Annulé : %1</translation>
-        </message>
-        <message>
-            <source>%1 was closed properly: its outcome is "interrupted" now.</source>
-            <translation>%1 a été clôturée : son issue est maintenant « interrompu ».</translation>
-        </message>
-        <message numerus="yes">
-            <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
-            <translation>
-                <numerusform>Elle est déjà affichée, ou il y a %n essai superposé à celui qui est ouvert : retirez-en un d’abord.</numerusform>
-                <numerusform>Elle est déjà affichée, ou il y a %n essais superposés à celui qui est ouvert : retirez-en un d’abord.</numerusform>
-            </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::PairsView</name>
-        <message>
-            <source>Folder for the tables and pictures</source>
-            <translation>Dossier pour les tables et les images</translation>
-        </message>
-        <message>
-            <source>Tables and pictures of the pairs written to %1</source>
-            <translation>Tables et images des paires écrites dans %1</translation>
-        </message>
-        <message>
-            <source>Maps need two objects or more.</source>
-            <translation>Les cartes demandent au moins deux objets.</translation>
-        </message>
-        <message>
-            <source>No pose of the workspace keeps the clearance: there is nothing to map.</source>
-            <translation>Aucune pose de l’espace de travail ne respecte la garde : il n’y a rien à représenter.</translation>
-        </message>
-        <message>
-            <source>Which temperatures two objects can have together, whatever the others do. Drag a point, or double-click, to set their targets.</source>
-            <translation>Températures que deux objets peuvent avoir ensemble, quoi que fassent les autres. Glisser un point, ou double-cliquer, pour fixer leurs consignes.</translation>
-        </message>
-        <message>
-            <source>few poses</source>
-            <translation>peu de poses</translation>
-        </message>
-        <message>
-            <source>rare</source>
-            <translation>rare</translation>
-        </message>
-        <message>
-            <source>Some pose has both, found by search; none of the poses that were counted does.</source>
-            <translation>Une pose a les deux, trouvée par recherche ; aucune des poses comptées ne les a.</translation>
-        </message>
-        <message>
-            <source>many (log)</source>
-            <translation>beaucoup (log)</translation>
-        </message>
-        <message>
-            <source>Share of the workspace's poses at which the pair settles there, on a logarithmic scale. Where it is small, the pair asks for a pose that is hard to keep.</source>
-            <translation>Part des poses de l’espace de travail où la paire se stabilise là, en échelle logarithmique. Là où elle est faible, la paire demande une pose difficile à tenir.</translation>
-        </message>
-        <message>
-            <source>Export…</source>
-            <translation>Exporter…</translation>
-        </message>
-        <message>
-            <source>Write each map as a table (CSV) and as a picture (PNG).</source>
-            <translation>Écrire chaque carte en table (CSV) et en image (PNG).</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::PickedPanel</name>
-        <message>
-            <source>For each object at this point: its view factor, the temperature that it settles at, and how fast that rises along its arrow.</source>
-            <translation>Pour chaque objet en ce point : son facteur de forme, la température où il se stabilise, et de combien elle monte le long de sa flèche.</translation>
-        </message>
-        <message>
-            <source>Start here</source>
-            <translation>Partir d’ici</translation>
-        </message>
-        <message>
-            <source>Runs start at this point.</source>
-            <translation>Les essais partent de ce point.</translation>
-        </message>
-        <message>
-            <source>Runs cannot start at this point: %1.</source>
-            <translation>Les essais ne peuvent partir de ce point : %1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::PictureDialog</name>
-        <message>
-            <source> px</source>
-            <translation> px</translation>
-        </message>
-        <message>
-            <source>As the view: %1 × %2</source>
-            <translation>Comme la vue : %1 × %2</translation>
-        </message>
-        <message>
-            <source>Twice the view: %1 × %2</source>
-            <translation>Deux fois la vue : %1 × %2</translation>
-        </message>
-        <message>
-            <source>Screen: %1 × %2</source>
-            <translation>Écran : %1 × %2</translation>
-        </message>
-        <message>
-            <source>A4 across at 300 dpi: %1 × %2</source>
-            <translation>A4 en largeur à 300 ppp : %1 × %2</translation>
-        </message>
-        <message>
-            <source>A4 upright at 300 dpi: %1 × %2</source>
-            <translation>A4 en hauteur à 300 ppp : %1 × %2</translation>
-        </message>
-        <message>
-            <source>Another</source>
-            <translation>Autre</translation>
-        </message>
-        <message>
-            <source>Choose the place…</source>
-            <translation>Choisir l’emplacement…</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>&amp;Size</source>
-            <translation>&amp;Taille</translation>
-        </message>
-        <message>
-            <source>&amp;Width</source>
-            <translation>&amp;Largeur</translation>
-        </message>
-        <message>
-            <source>&amp;Height</source>
-            <translation>&amp;Hauteur</translation>
-        </message>
-        <message>
-            <source>Save the picture</source>
-            <translation>Enregistrer l’image</translation>
-        </message>
-        <message>
-            <source>Save the animation</source>
-            <translation>Enregistrer l’animation</translation>
-        </message>
-        <message>
-            <source>Folder for the pictures</source>
-            <translation>Dossier des images</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ReachBar</name>
-        <message>
-            <source>Reachable temperatures</source>
-            <translation>Températures atteignables</translation>
-        </message>
-        <message>
-            <source>The range is being worked out.</source>
-            <translation>La plage est en cours de calcul.</translation>
-        </message>
-        <message>
-            <source>Target %1. Here it can be held between %2 and %3; with nothing but the source in view, up to %4.</source>
-            <translation>Consigne %1. Ici, elle peut être tenue entre %2 et %3 ; avec la source seule en vue, jusqu’à %4.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ReachMap</name>
-        <message>
-            <source>Checking…</source>
-            <translation>Vérification…</translation>
-        </message>
-        <message>
-            <source>%1 inside</source>
-            <translation>%1 à l’intérieur</translation>
-        </message>
-        <message>
-            <source>%1 outside</source>
-            <translation>%1 à l’extérieur</translation>
-        </message>
-        <message>
-            <source>Temperatures that %1 and %2 can have together</source>
-            <translation>Températures que %1 et %2 peuvent avoir ensemble</translation>
-        </message>
-        <message>
-            <source>Targets %1 and %2: %3</source>
-            <translation>Consignes %1 et %2 : %3</translation>
-        </message>
-        <message>
-            <source>%1 %2 and %3 %4: some pose has both</source>
-            <translation>%1 à %2 et %3 à %4 : une pose a les deux</translation>
-        </message>
-        <message>
-            <source>%1 %2 and %3 %4: no pose has both</source>
-            <translation>%1 à %2 et %3 à %4 : aucune pose n’a les deux</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ResidualPlot</name>
-        <message>
-            <source>Residual against the number of harmonics</source>
-            <translation>Résidu selon le nombre d’harmoniques</translation>
-        </message>
-        <message>
-            <source>Distance between the imported outline and the Fourier outline. Click to choose a number of harmonics.</source>
-            <translation>Distance entre le contour importé et le contour de Fourier. Cliquez pour choisir un nombre d’harmoniques.</translation>
-        </message>
-        <message>
-            <source>Residual, mm: rms (line), largest (dashes)</source>
-            <translation>Résidu, mm : efficace (trait), maximal (tirets)</translation>
-        </message>
-        <message>
-            <source>harmonics</source>
-            <translation>harmoniques</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ReviewPage</name>
-        <message>
-            <source>Interrupted: the recording ended without a Stop. What had been written is here.</source>
-            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt. Ce qui avait été écrit est ici.</translation>
-        </message>
-        <message>
-            <source>All objects settled</source>
-            <translation>Tous les objets sont stabilisés</translation>
-        </message>
-        <message>
-            <source>Not all objects settled</source>
-            <translation>Tous les objets ne sont pas stabilisés</translation>
-        </message>
-        <message>
-            <source>Ended by a fault</source>
-            <translation>Terminé par un défaut</translation>
-        </message>
-        <message>
-            <source>No session open</source>
-            <translation>Aucune session ouverte</translation>
-        </message>
-        <message>
-            <source>&amp;Open session…</source>
-            <translation>&amp;Ouvrir une session…</translation>
-        </message>
-        <message>
-            <source>Final values</source>
-            <translation>Valeurs finales</translation>
-        </message>
-        <message>
-            <source>Events and notes</source>
-            <translation>Événements et notes</translation>
-        </message>
-        <message>
-            <source>Outcome</source>
-            <translation>Issue</translation>
-        </message>
-        <message>
-            <source>Duration</source>
-            <translation>Durée</translation>
-        </message>
-        <message>
-            <source>Controller</source>
-            <translation>Régulateur</translation>
-        </message>
-        <message>
-            <source>Recorded</source>
-            <translation>Enregistré</translation>
-        </message>
-        <message>
-            <source>Software</source>
-            <translation>Logiciel</translation>
-        </message>
-        <message>
-            <source>SIMULATED</source>
-            <translation>SIMULÉ</translation>
-        </message>
-        <message>
-            <source>LIVE</source>
-            <translation>RÉEL</translation>
-        </message>
-        <message>
-            <source>Heat rates λ₁ in K/s</source>
-            <translation>Coefficients thermiques λ₁ en K/s</translation>
-        </message>
-        <message>
-            <source>Use as start values</source>
-            <translation>Prendre comme départ</translation>
-        </message>
-        <message>
-            <source>Controllers of the open experiment start with the identified rates, in the objects of the same name and material under the same source.</source>
-            <translation>Les régulateurs de l’expérience ouverte partent des coefficients identifiés, pour les objets de même nom et de même matériau sous la même source.</translation>
-        </message>
-        <message>
-            <source>Fitting the heat balance to the record…</source>
-            <translation>Ajustement du bilan thermique à l’enregistrement…</translation>
-        </message>
-        <message>
-            <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
-            <translation>Choisissez un essai enregistré dans la liste et appuyez sur Entrée, ou ouvrez un fichier : ses courbes, événements et indicateurs s’affichent ici, et l’essai peut être rejoué.</translation>
-        </message>
-        <message>
-            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
-            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est ici.</translation>
-        </message>
-        <message>
-            <source>Metrics</source>
-            <translation>Indicateurs</translation>
-        </message>
-        <message>
-            <source>What is known of the run</source>
-            <translation>Ce que l’on sait de l’essai</translation>
-        </message>
-        <message>
-            <source>About the recording</source>
-            <translation>À propos de l’enregistrement</translation>
-        </message>
-        <message>
-            <source>Heat rates</source>
-            <translation>Coefficients thermiques</translation>
-        </message>
-        <message>
-            <source>E&amp;xport</source>
-            <translation>E&amp;xporter</translation>
-        </message>
-        <message>
-            <source>Write this session as a report, as figures or for other programs</source>
-            <translation>Écrire cette session comme rapport, comme figures ou pour d’autres programmes</translation>
-        </message>
-        <message>
-            <source>Report (&amp;PDF)…</source>
-            <translation>Rapport (&amp;PDF)…</translation>
-        </message>
-        <message>
-            <source>Report (&amp;HTML)…</source>
-            <translation>Rapport (&amp;HTML)…</translation>
-        </message>
-        <message>
-            <source>&amp;Figures (PNG, SVG, PDF)…</source>
-            <translation>&amp;Figures (PNG, SVG, PDF)…</translation>
-        </message>
-        <message>
-            <source>Tables (&amp;CSV)…</source>
-            <translation>Tableaux (&amp;CSV)…</translation>
-        </message>
-        <message>
-            <source>&amp;NeXus (HDF5)…</source>
-            <translation>&amp;NeXus (HDF5)…</translation>
-        </message>
-        <message>
-            <source>&amp;VTK, for ParaView…</source>
-            <translation>&amp;VTK, pour ParaView…</translation>
-        </message>
-        <message>
-            <source>Metrics, final values and heat rates are being computed from all samples: %1 %</source>
-            <translation>Indicateurs, valeurs finales et coefficients thermiques se calculent sur tous les échantillons : %1 %</translation>
-        </message>
-        <message>
-            <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
-            <translation>Ni indicateurs, ni valeurs finales, ni coefficients thermiques : l’enregistrement ne peut pas être lu jusqu’au bout.</translation>
-        </message>
-        <message>
-            <source>Stopped</source>
-            <translation>Arrêté</translation>
-        </message>
-        <message>
-            <source>Ended by STOP</source>
-            <translation>Terminé par STOP</translation>
-        </message>
-        <message>
-            <source>Opened while it was being recorded: open it again to see the rest.</source>
-            <translation>Ouvert pendant son enregistrement : rouvrez-le pour voir la suite.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RigDevices</name>
-        <message>
-            <source>Simulated rig</source>
-            <translation>Banc simulé</translation>
-        </message>
-        <message>
-            <source>No device moves or heats. The real rig's set-up is kept for later.</source>
-            <translation>Aucun appareil ne bouge ni ne chauffe. Le réglage du banc réel est gardé pour plus tard.</translation>
-        </message>
-        <message>
-            <source>Real rig</source>
-            <translation>Banc réel</translation>
-        </message>
-        <message>
-            <source>The devices below</source>
-            <translation>Les appareils ci-dessous</translation>
-        </message>
-        <message>
-            <source>Name of the rig</source>
-            <translation>Nom du banc</translation>
-        </message>
-        <message>
-            <source>Open rig…</source>
-            <translation>Ouvrir un banc…</translation>
-        </message>
-        <message>
-            <source>Take the devices from a rig file</source>
-            <translation>Prendre les appareils dans un fichier de banc</translation>
-        </message>
-        <message>
-            <source>Save rig…</source>
-            <translation>Enregistrer le banc…</translation>
-        </message>
-        <message>
-            <source>Write these devices to a rig file, for other experiments</source>
-            <translation>Écrire ces appareils dans un fichier de banc, pour d’autres expériences</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RigPage</name>
-        <message>
-            <source>The rig was set up for %1 objects, and there are %2: check the thermometer's channels.</source>
-            <translation>Le banc était réglé pour %1 objets, et il y en a %2 : vérifiez les voies du thermomètre.</translation>
-        </message>
-        <message>
-            <source>A run is armed or on: it has the robot and the heat.</source>
-            <translation>Un essai est armé ou en cours : il dispose du robot et du chauffage.</translation>
-        </message>
-        <message>
-            <source>A stop or a fault is latched. Press Reset first.</source>
-            <translation>Un arrêt ou un défaut est verrouillé. Appuyez d’abord sur Réinitialiser.</translation>
-        </message>
-        <message>
-            <source>By hand</source>
-            <translation>À la main</translation>
-        </message>
-        <message>
-            <source>Source and limits</source>
-            <translation>Source et limites</translation>
-        </message>
-        <message>
-            <source>Robot</source>
-            <translation>Robot</translation>
-        </message>
-        <message>
-            <source>Heat</source>
-            <translation>Chauffage</translation>
-        </message>
-        <message>
-            <source>Rig</source>
-            <translation>Banc</translation>
-        </message>
-        <message>
-            <source>Raise a limit of the real rig</source>
-            <translation>Élever une limite du banc réel</translation>
-        </message>
-        <message>
-            <source>This allows the rig more than before. Do robot, source, objects and sensors bear it?</source>
-            <translation>Le banc pourra aller plus loin qu’avant. Robot, source, objets et capteurs le supportent-ils ?</translation>
-        </message>
-        <message>
-            <source>Raise the limit</source>
-            <translation>Élever la limite</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RigPanel</name>
-        <message>
-            <source>%1 mm</source>
-            <translation>%1 mm</translation>
-        </message>
-        <message>
-            <source>%1, in use</source>
-            <translation>%1, utilisée</translation>
-        </message>
-        <message>
-            <source>%1°</source>
-            <translation>%1°</translation>
-        </message>
-        <message>
-            <source>Follow the source &amp;during runs</source>
-            <translation>Suivre la source &amp;pendant les essais</translation>
-        </message>
-        <message>
-            <source>&amp;Measure</source>
-            <translation>&amp;Mesurer</translation>
-        </message>
-        <message>
-            <source>&amp;Several poses</source>
-            <translation>Plu&amp;sieurs poses</translation>
-        </message>
-        <message>
-            <source>&amp;Use this pose</source>
-            <translation>&amp;Utiliser cette pose</translation>
-        </message>
-        <message>
-            <source>A run is armed or on, or a stop is not reset. Measure after that.</source>
-            <translation>Un essai est armé ou en cours, ou un arrêt n’est pas réinitialisé. Mesurez après.</translation>
-        </message>
-        <message>
-            <source>As typed</source>
-            <translation>Telle que saisie</translation>
-        </message>
-        <message>
-            <source>By the end-effector's markers, in the robot's base. Several poses of the robot are surer than one.</source>
-            <translation>Par les marqueurs de l’effecteur, dans la base du robot. Plusieurs poses du robot sont plus sûres qu’une seule.</translation>
-        </message>
-        <message>
-            <source>By the markers on the source and on the end-effector, seen in the same pictures.</source>
-            <translation>Par les marqueurs de la source et de l’effecteur, vus sur les mêmes images.</translation>
-        </message>
-        <message>
-            <source>Calibrate the camera first.</source>
-            <translation>Étalonnez d’abord la caméra.</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Chec&amp;k</source>
-            <translation>Vé&amp;rifier</translation>
-        </message>
-        <message>
-            <source>Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.</source>
-            <translation>Vérifiée à une autre pose : écart de %1 et %2 ; jusqu’à %3 et %4 étaient à attendre.</translation>
-        </message>
-        <message>
-            <source>Computing…</source>
-            <translation>Calcul…</translation>
-        </message>
-        <message>
-            <source>Fr&amp;om here</source>
-            <translation>D’&amp;ici</translation>
-        </message>
-        <message>
-            <source>In use</source>
-            <translation>Utilisée</translation>
-        </message>
-        <message>
-            <source>List the markers on the end-effector first.</source>
-            <translation>Listez d’abord les marqueurs de l’effecteur.</translation>
-        </message>
-        <message>
-            <source>Looking, picture %1 of %2. Nothing may move.</source>
-            <translation>Observation, image %1 sur %2. Rien ne doit bouger.</translation>
-        </message>
-        <message>
-            <source>Markers on the rig</source>
-            <translation>Marqueurs sur le montage</translation>
-        </message>
-        <message>
-            <source>Moves the robot to a pose that was not measured, compares where the markers are with where they should be, and moves back.</source>
-            <translation>Amène le robot à une pose qui n’a pas été mesurée, compare où sont les marqueurs avec où ils devraient être, et revient.</translation>
-        </message>
-        <message>
-            <source>No picture from the camera.</source>
-            <translation>Aucune image de la caméra.</translation>
-        </message>
-        <message>
-            <source>Not measured</source>
-            <translation>Non mesurée</translation>
-        </message>
-        <message>
-            <source>Pictures looked at</source>
-            <translation>Images observées</translation>
-        </message>
-        <message>
-            <source>Rig</source>
-            <translation>Montage</translation>
-        </message>
-        <message>
-            <source>That is %1 and %2 from where the experiment has it.</source>
-            <translation>C’est à %1 et %2 de la place que lui donne l’expérience.</translation>
-        </message>
-        <message>
-            <source>The camera stands at %1, measured %2.</source>
-            <translation>La caméra se trouve en %1, mesuré %2.</translation>
-        </message>
-        <message>
-            <source>The camera stands at %1.</source>
-            <translation>La caméra se trouve en %1.</translation>
-        </message>
-        <message>
-            <source>The camera tells the controllers where the source is. Takes markers on the source, a calibrated camera and its place.</source>
-            <translation>La caméra dit aux régulateurs où est la source. Il faut des marqueurs sur la source, une caméra étalonnée et sa place.</translation>
-        </message>
-        <message>
-            <source>The end-effector in the source: %1.</source>
-            <translation>L’effecteur dans la source : %1.</translation>
-        </message>
-        <message>
-            <source>The robot did not move: nothing was checked.</source>
-            <translation>Le robot n’a pas bougé : rien n’a été vérifié.</translation>
-        </message>
-        <message>
-            <source>The robot moves to pose %1 of %2.</source>
-            <translation>Le robot va à la pose %1 sur %2.</translation>
-        </message>
-        <message>
-            <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
-            <translation>Le robot va à quelques poses de son espace de travail, jamais plus près de la source, et revient. Tenez-vous à l’écart.</translation>
-        </message>
-        <message>
-            <source>The robot says where it is to %1 and %2 (one standard deviation).</source>
-            <translation>Le robot dit où il est à %1 et %2 près (un écart-type).</translation>
-        </message>
-        <message>
-            <source>The robot stays where it is.</source>
-            <translation>Le robot reste où il est.</translation>
-        </message>
-        <message>
-            <source>The source in the robot's base: %1.</source>
-            <translation>La source dans la base du robot : %1.</translation>
-        </message>
-        <message>
-            <source>The source lies at %1, measured %2.</source>
-            <translation>La source se trouve en %1, mesuré %2.</translation>
-        </message>
-        <message>
-            <source>The source lies at %1.</source>
-            <translation>La source se trouve en %1.</translation>
-        </message>
-        <message>
-            <source>Use this p&amp;lace</source>
-            <translation>Utiliser cette p&amp;lace</translation>
-        </message>
-        <message>
-            <source>What it sees at the source is known to ±%1 and ±%2 (two standard deviations), by %3 pose(s) of the robot; residual %4 px.</source>
-            <translation>Ce qu’elle voit à la source est connu à ±%1 et ±%2 (deux écarts-types), par %3 pose(s) du robot ; résidu %4 px.</translation>
-        </message>
-        <message>
-            <source>Where the camera stands</source>
-            <translation>Place de la caméra</translation>
-        </message>
-        <message>
-            <source>Where the source is</source>
-            <translation>Place de la source</translation>
-        </message>
-        <message>
-            <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
-            <translation>x %1, y %2, z %3 ; tournée de %4, %5, %6 autour de x, y, z</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RunPage</name>
-        <message>
-            <source>Sensor lost</source>
-            <translation>Capteur perdu</translation>
-        </message>
-        <message>
-            <source>Hold</source>
-            <translation>Pause</translation>
-        </message>
-        <message>
-            <source>Resume</source>
-            <translation>Reprise</translation>
-        </message>
-        <message>
-            <source>Stop</source>
-            <translation>Arrêt</translation>
-        </message>
-        <message>
-            <source>STOP</source>
-            <translation>STOP</translation>
-        </message>
-        <message>
-            <source>Settled</source>
-            <translation>Stabilisé</translation>
-        </message>
-        <message>
-            <source>New targets</source>
-            <translation>Nouvelles consignes</translation>
-        </message>
-        <message>
-            <source>New gains</source>
-            <translation>Nouveaux gains</translation>
-        </message>
-        <message>
-            <source>Fault</source>
-            <translation>Défaut</translation>
-        </message>
-        <message>
-            <source>Compromise</source>
-            <translation>Compromis</translation>
-        </message>
-        <message>
-            <source>Source lost</source>
-            <translation>Source perdue</translation>
-        </message>
-        <message>
-            <source>Source back</source>
-            <translation>Source revenue</translation>
-        </message>
-        <message>
-            <source>Sensor back</source>
-            <translation>Capteur de retour</translation>
-        </message>
-        <message>
-            <source>Behind by %1 — jump to live</source>
-            <translation>En retard de %1 — revenir au direct</translation>
-        </message>
-        <message>
-            <source>Jump to live</source>
-            <translation>Revenir au direct</translation>
-        </message>
-        <message>
-            <source>Follow live</source>
-            <translation>Suivre le direct</translation>
-        </message>
-        <message>
-            <source>Keep the newest samples in view. Zooming or dragging a plot turns it off; no sample is lost.</source>
-            <translation>Garder les derniers échantillons en vue. Zoomer ou déplacer une courbe y met fin ; aucun échantillon n’est perdu.</translation>
-        </message>
-        <message>
-            <source>Show</source>
-            <translation>Montrer</translation>
-        </message>
-        <message>
-            <source>whole run</source>
-            <translation>tout l’essai</translation>
-        </message>
-        <message>
-            <source>last minute</source>
-            <translation>dernière minute</translation>
-        </message>
-        <message>
-            <source>last 5 minutes</source>
-            <translation>5 dernières minutes</translation>
-        </message>
-        <message>
-            <source>last 30 minutes</source>
-            <translation>30 dernières minutes</translation>
-        </message>
-        <message>
-            <source>Stretch of time shown while following</source>
-            <translation>Durée montrée pendant le suivi</translation>
-        </message>
-        <message>
-            <source>Show the newest samples again and follow them.</source>
-            <translation>Montrer de nouveau les derniers échantillons et les suivre.</translation>
-        </message>
-        <message>
-            <source>Errors</source>
-            <translation>Écarts</translation>
-        </message>
-        <message>
-            <source>View factors</source>
-            <translation>Facteurs de forme</translation>
-        </message>
-        <message>
-            <source>Command speed</source>
-            <translation>Vitesse commandée</translation>
-        </message>
-        <message>
-            <source>Rates</source>
-            <translation>Vitesses</translation>
-        </message>
-        <message>
-            <source>Estimates</source>
-            <translation>Estimations</translation>
-        </message>
-        <message>
-            <source>Further traces</source>
-            <translation>Autres courbes</translation>
-        </message>
-        <message>
-            <source>Scene</source>
-            <translation>Scène</translation>
-        </message>
-        <message>
-            <source>Top</source>
-            <translation>Dessus</translation>
-        </message>
-        <message>
-            <source>Look along −z of the source, from above.</source>
-            <translation>Regarder selon −z de la source, d’en haut.</translation>
-        </message>
-        <message>
-            <source>Side</source>
-            <translation>Côté</translation>
-        </message>
-        <message>
-            <source>Look along x of the source, from the side.</source>
-            <translation>Regarder selon x de la source, de côté.</translation>
-        </message>
-        <message>
-            <source>Isometric</source>
-            <translation>Isométrique</translation>
-        </message>
-        <message>
-            <source>Look from above at an angle.</source>
-            <translation>Regarder d’en haut, en biais.</translation>
-        </message>
-        <message>
-            <source>View: %1</source>
-            <translation>Vue : %1</translation>
-        </message>
-        <message>
-            <source>3-D scene: source, objects and their paths</source>
-            <translation>Scène 3D : source, objets et trajectoires</translation>
-        </message>
-        <message>
-            <source>Note</source>
-            <translation>Note</translation>
-        </message>
-        <message>
-            <source>Press N, type, Enter: noted at this moment of the run</source>
-            <translation>N, texte, Entrée : noté à cet instant de l’essai</translation>
-        </message>
-        <message>
-            <source>Note at this moment of the run</source>
-            <translation>Note à cet instant de l’essai</translation>
-        </message>
-        <message>
-            <source>Add</source>
-            <translation>Ajouter</translation>
-        </message>
-        <message>
-            <source>Record the note with the present time.</source>
-            <translation>Enregistrer la note à l’instant présent.</translation>
-        </message>
-        <message>
-            <source>Add the note</source>
-            <translation>Ajouter la note</translation>
-        </message>
-        <message>
-            <source>Simulation speed</source>
-            <translation>Vitesse de simulation</translation>
-        </message>
-        <message>
-            <source>Simulated seconds a second; only on the simulated rig.</source>
-            <translation>Secondes simulées par seconde ; banc simulé seulement.</translation>
-        </message>
-        <message>
-            <source>speed</source>
-            <translation>vitesse</translation>
-        </message>
-        <message>
-            <source>rotation</source>
-            <translation>rotation</translation>
-        </message>
-        <message>
-            <source>acceleration</source>
-            <translation>accélération</translation>
-        </message>
-        <message>
-            <source>angular acceleration</source>
-            <translation>accélération angulaire</translation>
-        </message>
-        <message>
-            <source>clearance</source>
-            <translation>distance à la source</translation>
-        </message>
-        <message>
-            <source>workspace %1</source>
-            <translation>espace de travail %1</translation>
-        </message>
-        <message>
-            <source>No limit holds the robot back.</source>
-            <translation>Aucune limite ne retient le robot.</translation>
-        </message>
-        <message>
-            <source>A limit holds the robot back.</source>
-            <translation>Une limite retient le robot.</translation>
-        </message>
-        <message>
-            <source>Held back by: %1</source>
-            <translation>Retenu par : %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RunStateChip</name>
-        <message>
-            <source>Click for the reasons and what to do.</source>
-            <translation>Cliquez pour les raisons et les remèdes.</translation>
-        </message>
-        <message>
-            <source>State of the run: %1</source>
-            <translation>État de l’essai : %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SceneOverlay</name>
-        <message>
-            <source>x (cm)</source>
-            <translation>x (cm)</translation>
-        </message>
-        <message>
-            <source>y (cm)</source>
-            <translation>y (cm)</translation>
-        </message>
-        <message>
-            <source>z (cm)</source>
-            <translation>z (cm)</translation>
-        </message>
-        <message>
-            <source>θx (°)</source>
-            <translation>θx (°)</translation>
-        </message>
-        <message>
-            <source>θy (°)</source>
-            <translation>θy (°)</translation>
-        </message>
-        <message>
-            <source>θz (°)</source>
-            <translation>θz (°)</translation>
-        </message>
-        <message>
-            <source>object's x (cm)</source>
-            <translation>x de l’objet (cm)</translation>
-        </message>
-        <message>
-            <source>object's y (cm)</source>
-            <translation>y de l’objet (cm)</translation>
-        </message>
-        <message>
-            <source>object's z (cm)</source>
-            <translation>z de l’objet (cm)</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SceneView</name>
-        <message>
-            <source>Source</source>
-            <translation>Source</translation>
-        </message>
-        <message>
-            <source>3-D scene</source>
-            <translation>Scène 3D</translation>
-        </message>
-        <message>
-            <source>The 3-D scene needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
-            <translation>La scène 3D demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SerialForm</name>
-        <message>
-            <source>no parity</source>
-            <translation>sans parité</translation>
-        </message>
-        <message>
-            <source>even parity</source>
-            <translation>parité paire</translation>
-        </message>
-        <message>
-            <source>odd parity</source>
-            <translation>parité impaire</translation>
-        </message>
-        <message>
-            <source>Speed of the line, baud</source>
-            <translation>Vitesse de la ligne, bauds</translation>
-        </message>
-        <message>
-            <source>Data bits</source>
-            <translation>Bits de données</translation>
-        </message>
-        <message>
-            <source>Parity</source>
-            <translation>Parité</translation>
-        </message>
-        <message>
-            <source>Stop bits</source>
-            <translation>Bits d’arrêt</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SessionActions</name>
-        <message>
-            <source>Unsaved experiment</source>
-            <translation>Expérience non enregistrée</translation>
-        </message>
-        <message>
-            <source>"%1" was changed and not saved.</source>
-            <translation>« %1 » a été modifié et n’est pas enregistré.</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>Enregistrer</translation>
-        </message>
-        <message>
-            <source>Discard changes</source>
-            <translation>Abandonner les modifications</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Open an experiment or a session</source>
-            <translation>Ouvrir une expérience ou une session</translation>
-        </message>
-        <message>
-            <source>Experiments and sessions (*.json *.bask);;Experiments (*.json);;Sessions (*.bask);;All files (*)</source>
-            <translation>Expériences et sessions (*.json *.bask);;Expériences (*.json);;Sessions (*.bask);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>Open a session</source>
-            <translation>Ouvrir une session</translation>
-        </message>
-        <message>
-            <source>Sessions (*.bask);;All files (*)</source>
-            <translation>Sessions (*.bask);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>Saved %1</source>
-            <translation>%1 enregistré</translation>
-        </message>
-        <message>
-            <source>Save the experiment</source>
-            <translation>Enregistrer l’expérience</translation>
-        </message>
-        <message>
-            <source>Experiments (*.json)</source>
-            <translation>Expériences (*.json)</translation>
-        </message>
-        <message>
-            <source>Save the session</source>
-            <translation>Enregistrer la session</translation>
-        </message>
-        <message>
-            <source>Sessions (*.bask)</source>
-            <translation>Sessions (*.bask)</translation>
-        </message>
-        <message>
-            <source>Session saved as %1</source>
-            <translation>Session enregistrée sous %1</translation>
-        </message>
-        <message>
-            <source>the folder cannot be made</source>
-            <translation>le dossier ne peut pas être créé</translation>
-        </message>
-        <message>
-            <source>Open a rig</source>
-            <translation>Ouvrir un banc</translation>
-        </message>
-        <message>
-            <source>Rigs (*.json);;All files (*)</source>
-            <translation>Bancs (*.json);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>Save the rig</source>
-            <translation>Enregistrer le banc</translation>
-        </message>
-        <message>
-            <source>The rig was saved as %1.</source>
-            <translation>Le banc a été enregistré sous %1.</translation>
-        </message>
-        <message>
-            <source>Save the report</source>
-            <translation>Enregistrer le rapport</translation>
-        </message>
-        <message>
-            <source>Texts (*.txt);;All files (*)</source>
-            <translation>Textes (*.txt);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>The report was saved as %1.</source>
-            <translation>Le rapport a été enregistré sous %1.</translation>
-        </message>
-        <message>
-            <source>Folder of recorded runs</source>
-            <translation>Dossier des essais enregistrés</translation>
-        </message>
-        <message>
-            <source>Folder for the exported files</source>
-            <translation>Dossier des fichiers exportés</translation>
-        </message>
-        <message>
-            <source>PDF (*.pdf)</source>
-            <translation>PDF (*.pdf)</translation>
-        </message>
-        <message>
-            <source>HTML (*.html)</source>
-            <translation>HTML (*.html)</translation>
-        </message>
-        <message>
-            <source>"%1" was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
-            <translation>« %1 » n’a pas été ouvert : des modifications ont été faites ou récupérées pendant sa lecture. Ouvrez-le à nouveau pour les remplacer.</translation>
-        </message>
-        <message>
-            <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
-            <translation>Les figures et rapports ne sont dessinés que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SheetPanel</name>
-        <message>
-            <source>A marker's side is truly %1.</source>
-            <translation>Le côté d’un marqueur mesure en réalité %1.</translation>
-        </message>
-        <message>
-            <source>A square's side is truly %1.</source>
-            <translation>Le côté d’une case mesure en réalité %1.</translation>
-        </message>
-        <message>
-            <source>&amp;Dictionary</source>
-            <translation>&amp;Dictionnaire</translation>
-        </message>
-        <message>
-            <source>Calibration board</source>
-            <translation>Mire d’étalonnage</translation>
-        </message>
-        <message>
-            <source>Give the markers' numbers such as 1-4, 11.</source>
-            <translation>Donnez les numéros des marqueurs, par exemple 1-4, 11.</translation>
-        </message>
-        <message>
-            <source>Markers</source>
-            <translation>Marqueurs</translation>
-        </message>
-        <message>
-            <source>Measured &amp;length</source>
-            <translation>&amp;Longueur mesurée</translation>
-        </message>
-        <message>
-            <source>&amp;Numbers</source>
-            <translation>&amp;Numéros</translation>
-        </message>
-        <message>
-            <source>Of the ruler on the print, which is 100 mm long.</source>
-            <translation>De la règle imprimée, longue de 100 mm.</translation>
-        </message>
-        <message>
-            <source>&amp;Paper</source>
-            <translation>&amp;Papier</translation>
-        </message>
-        <message>
-            <source>Printers scale, and no picture tells how large a square is: measure the ruler on the print, from 0 to 100 mm.</source>
-            <translation>Les imprimantes changent l’échelle, et aucune image ne dit la taille d’une case : mesurez la règle imprimée, de 0 à 100 mm.</translation>
-        </message>
-        <message>
-            <source>Save as PDF…</source>
-            <translation>Enregistrer en PDF…</translation>
-        </message>
-        <message>
-            <source>Save the sheet</source>
-            <translation>Enregistrer la feuille</translation>
-        </message>
-        <message>
-            <source>Saved. Print it at 100 % (actual size) and measure its ruler.</source>
-            <translation>Enregistré. Imprimez-la à 100 % (taille réelle) et mesurez sa règle.</translation>
-        </message>
-        <message>
-            <source>Sheet</source>
-            <translation>Feuille</translation>
-        </message>
-        <message>
-            <source>Sheets to be printed</source>
-            <translation>Feuilles à imprimer</translation>
-        </message>
-        <message>
-            <source>&amp;Side of a marker</source>
-            <translation>&amp;Côté d’un marqueur</translation>
-        </message>
-        <message>
-            <source>Such as 1-4, 11</source>
-            <translation>Par exemple 1-4, 11</translation>
-        </message>
-        <message>
-            <source>The first of %1 pages</source>
-            <translation>La première de %1 pages</translation>
-        </message>
-        <message>
-            <source>The sheet as it is printed</source>
-            <translation>La feuille telle qu’elle est imprimée</translation>
-        </message>
-        <message>
-            <source>Use the true lengths</source>
-            <translation>Utiliser les longueurs réelles</translation>
-        </message>
-        <message>
-            <source>With its black border.</source>
-            <translation>Avec son bord noir.</translation>
-        </message>
-        <message>
-            <source>Print</source>
-            <translation>Impression</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::StateBar</name>
-        <message>
-            <source>The engine is not answering. The robot ends its step, and a heat source with a watchdog goes off by itself. Look at the rig, then close Bask and start it again.</source>
-            <translation>Le moteur ne répond pas. Le robot termine son pas, et une source de chaleur munie d’un chien de garde s’éteint d’elle-même. Regardez le banc, puis fermez Bask et relancez-le.</translation>
-        </message>
-        <message>
-            <source>SIMULATED</source>
-            <translation>SIMULÉ</translation>
-        </message>
-        <message>
-            <source>LIVE</source>
-            <translation>RÉEL</translation>
-        </message>
-        <message>
-            <source>The rig is simulated: no device moves or heats.</source>
-            <translation>Le banc est simulé : aucun appareil ne bouge ni ne chauffe.</translation>
-        </message>
-        <message>
-            <source>The rig is real: Start moves it and opens the heat.</source>
-            <translation>Le banc est réel : Démarrer le met en mouvement et ouvre le chauffage.</translation>
-        </message>
-        <message>
-            <source>Run</source>
-            <translation>Essai</translation>
-        </message>
-        <message>
-            <source>Time since Start</source>
-            <translation>Temps depuis le démarrage</translation>
-        </message>
-        <message>
-            <source>State of the run</source>
-            <translation>État de l’essai</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::StatusLine</name>
-        <message>
-            <source>Newest temperature of the source, and whether it is heated</source>
-            <translation>Dernière température de la source, et si elle est chauffée</translation>
-        </message>
-        <message>
-            <source>engine not answering</source>
-            <translation>le moteur ne répond pas</translation>
-        </message>
-        <message>
-            <source>readings %1 s old</source>
-            <translation>mesures âgées de %1 s</translation>
-        </message>
-        <message>
-            <source>no readings</source>
-            <translation>aucune mesure</translation>
-        </message>
-        <message>
-            <source>(simulation ×%1)</source>
-            <translation>(simulation ×%1)</translation>
-        </message>
-        <message>
-            <source>loop %1 Hz, late %2</source>
-            <translation>boucle %1 Hz, retards %2</translation>
-        </message>
-        <message>
-            <source>not recording</source>
-            <translation>pas d’enregistrement</translation>
-        </message>
-        <message>
-            <source>recording %1, %2 samples</source>
-            <translation>enregistre %1, %2 échantillons</translation>
-        </message>
-        <message>
-            <source>Control steps a second, and how many began late</source>
-            <translation>Pas de commande par seconde, et combien ont commencé en retard</translation>
-        </message>
-        <message>
-            <source>Temperature unit</source>
-            <translation>Unité de température</translation>
-        </message>
-        <message>
-            <source>Language</source>
-            <translation>Langue</translation>
-        </message>
-        <message>
-            <source>source %1 as typed, heated by hand</source>
-            <translation>source %1 selon la saisie, chauffée à la main</translation>
-        </message>
-        <message>
-            <source>source %1, heat not known</source>
-            <translation>source %1, chauffage inconnu</translation>
-        </message>
-        <message>
-            <source>source %1, heat off</source>
-            <translation>source %1, sans chauffage</translation>
-        </message>
-        <message>
-            <source>source %1, heat on</source>
-            <translation>source %1, en chauffe</translation>
-        </message>
-        <message>
-            <source>source heated by hand, no temperature typed</source>
-            <translation>source chauffée à la main, température non saisie</translation>
-        </message>
-        <message>
-            <source>source not seen</source>
-            <translation>source non vue</translation>
-        </message>
-        <message>
-            <source>source not seen for %1 s, predicted</source>
-            <translation>source non vue depuis %1 s, prédite</translation>
-        </message>
-        <message>
-            <source>source followed</source>
-            <translation>source suivie</translation>
-        </message>
-        <message>
-            <source>%1 ms late</source>
-            <translation>%1 ms de retard</translation>
-        </message>
-        <message>
-            <source>±%1 mm</source>
-            <translation>±%1 mm</translation>
-        </message>
-        <message>
-            <source>How the camera follows the source: time from the light to the pose, two standard deviations of its place</source>
-            <translation>Comment la caméra suit la source : temps de la lumière à la pose, deux écarts types de sa place</translation>
-        </message>
-        <message>
-            <source>Age of the newest temperature readings; of a real rig, of each device's newest answer</source>
-            <translation>Âge des dernières mesures de température ; pour un banc réel, de la dernière réponse de chaque appareil</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::StopButton</name>
-        <message>
-            <source>STOP</source>
-            <translation>STOP</translation>
-        </message>
-        <message>
-            <source>Zero velocity and heater off now; latched until reset (F12).
-This is a software stop, not a safety-rated emergency stop.</source>
-            <translation>Vitesse nulle et chauffage coupé immédiatement ; verrouillé jusqu’à réinitialisation (F12).
-C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</translation>
-        </message>
-        <message>
-            <source>STOP: zero velocity and heater off now (F12)</source>
-            <translation>STOP : vitesse nulle et chauffage coupé immédiatement (F12)</translation>
-        </message>
-        <message>
-            <source>Software stop, not a safety-rated emergency stop.</source>
-            <translation>Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SurfacesView</name>
-        <message>
-            <source>The animation is not whole: the experiment was changed while it was saved.</source>
-            <translation>L’animation n’est pas complète : l’expérience a été modifiée pendant l’enregistrement.</translation>
-        </message>
-        <message>
-            <source>3-D scene: where the end-effector may be for each object to hold its target</source>
-            <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa consigne</translation>
-        </message>
-        <message>
-            <source>End-effector positions</source>
-            <translation>Positions de l’effecteur</translation>
-        </message>
-        <message>
-            <source>Each object's own positions (as in the paper)</source>
-            <translation>Positions de chaque objet (comme dans l’article)</translation>
-        </message>
-        <message>
-            <source>End-effector angles</source>
-            <translation>Angles de l’effecteur</translation>
-        </message>
-        <message>
-            <source>What the surfaces are drawn over</source>
-            <translation>Ce sur quoi les surfaces sont tracées</translation>
-        </message>
-        <message>
-            <source>What the surfaces are drawn over. On its surface an object holds its target.</source>
-            <translation>Ce sur quoi les surfaces sont tracées. Sur sa surface, un objet tient sa consigne.</translation>
-        </message>
-        <message>
-            <source>Picture saved: %1</source>
-            <translation>Image enregistrée : %1</translation>
-        </message>
-        <message>
-            <source>Animation saved in %1: frame-1.png to frame-9.png, and all in panels.png</source>
-            <translation>Animation enregistrée dans %1 : frame-1.png à frame-9.png, et toutes dans panels.png</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::TargetScene</name>
-        <message>
-            <source>Picked</source>
-            <translation>Choisi</translation>
-        </message>
-        <message>
-            <source>All targets</source>
-            <translation>Toutes les consignes</translation>
-        </message>
-        <message>
-            <source>Closest</source>
-            <translation>Au plus près</translation>
-        </message>
-        <message>
-            <source>%1 %2 to %3°</source>
-            <comment>an angle, its least and largest value</comment>
-            <translation>%1 de %2 à %3°</translation>
-        </message>
-        <message>
-            <source>The robot does not turn</source>
-            <translation>Le robot ne tourne pas</translation>
-        </message>
-        <message>
-            <source>Robot: %1</source>
-            <translation>Robot : %1</translation>
-        </message>
-        <message>
-            <source>%1 %2: nowhere here</source>
-            <comment>object, target</comment>
-            <translation>%1 %2 : nulle part ici</translation>
-        </message>
-        <message>
-            <source>3-D scene of the targets</source>
-            <translation>Scène 3D des consignes</translation>
-        </message>
-        <message>
-            <source>The 3-D scene of the targets needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
-            <translation>La scène 3D des consignes demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
-        </message>
-        <message>
-            <source>%1: F %2, steady %3, %4/%5</source>
-            <comment>name, view factor, temperature, slope</comment>
-            <translation>%1 : F %2, équilibre %3, %4/%5</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::TargetsPage</name>
-        <message>
-            <source>Target of %1</source>
-            <translation>Consigne de %1</translation>
-        </message>
-        <message>
-            <source>Checking…</source>
-            <translation>Vérification…</translation>
-        </message>
-        <message>
-            <source>Nearest reachable</source>
-            <translation>La plus proche</translation>
-        </message>
-        <message>
-            <source>Set the target of %1 to the nearest reachable one</source>
-            <translation>Régler la consigne de %1 sur la plus proche atteignable</translation>
-        </message>
-        <message>
-            <source>Set the target to %1</source>
-            <translation>Régler la consigne sur %1</translation>
-        </message>
-        <message>
-            <source>The target is within reach already.</source>
-            <translation>La consigne est déjà atteignable.</translation>
-        </message>
-        <message>
-            <source>There is no object yet. Add one on the Objects page.</source>
-            <translation>Il n’y a pas encore d’objet. Ajoutez-en un sur la page Objets.</translation>
-        </message>
-        <message>
-            <source>, </source>
-            <comment>between names</comment>
-            <translation>, </translation>
-        </message>
-        <message>
-            <source>Checking the targets…</source>
-            <translation>Vérification des consignes…</translation>
-        </message>
-        <message>
-            <source>Targets</source>
-            <translation>Consignes</translation>
-        </message>
-        <message>
-            <source>Object</source>
-            <translation>Objet</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Verdict</source>
-            <translation>Verdict</translation>
-        </message>
-        <message>
-            <source>What is checked</source>
-            <translation>Ce qui est vérifié</translation>
-        </message>
-        <message>
-            <source>To stay at its target an object must take up as much heat as it gives off. That fixes its view factor F, the share of its sight that the source fills: near 0 far away, near 1 close to the source and facing it. A target is reachable if its F occurs somewhere in the robot's workspace with the clearance kept; all can be held together if one pose has the F of each. In the bars, solid is what can be held here, outlined what the source could hold at F = 1.</source>
-            <translation>Pour rester à sa consigne, un objet doit recevoir autant de chaleur qu’il en cède. Cela fixe son facteur de forme F, la part de son champ de vue que la source remplit : proche de 0 au loin, proche de 1 tout près et face à elle. Une consigne est atteignable si son F existe quelque part dans l’espace de travail du robot, la garde étant respectée ; toutes peuvent être tenues ensemble si une pose offre à chaque objet son F. Dans les barres, le plein est ce qui peut être tenu ici, le contour ce que la source pourrait tenir à F = 1.</translation>
-        </message>
-        <message>
-            <source>Starting out of reach</source>
-            <translation>Démarrer hors d’atteinte</translation>
-        </message>
-        <message>
-            <source>All targets can be held together.</source>
-            <translation>Toutes les consignes peuvent être tenues ensemble.</translation>
-        </message>
-        <message>
-            <source>At %1; %2 from the nearest limit: %3.</source>
-            <translation>En %1 ; à %2 de la limite la plus proche : %3.</translation>
-        </message>
-        <message>
-            <source>Best compromise, at %1: %2.</source>
-            <translation>Meilleur compromis, en %1 : %2.</translation>
-        </message>
-        <message>
-            <source>Cannot be held: %1.</source>
-            <translation>Ne peuvent être tenues : %1.</translation>
-        </message>
-        <message>
-            <source>Keep</source>
-            <translation>Garder</translation>
-        </message>
-        <message>
-            <source>Keep the target of %1</source>
-            <translation>Garder la consigne de %1</translation>
-        </message>
-        <message>
-            <source>Leave this target as it is when the nearest ones are sought.</source>
-            <translation>Laisser cette consigne telle quelle quand on cherche les plus proches.</translation>
-        </message>
-        <message>
-            <source>Nearest targets that can be held: %1.</source>
-            <translation>Consignes les plus proches qui peuvent être tenues : %1.</translation>
-        </message>
-        <message>
-            <source>The target can be held.</source>
-            <translation>La consigne peut être tenue.</translation>
-        </message>
-        <message>
-            <source>Those to be kept cannot be held together.</source>
-            <translation>Celles à garder ne peuvent être tenues ensemble.</translation>
-        </message>
-        <message>
-            <source>Use nearest feasible</source>
-            <translation>Prendre les plus proches</translation>
-        </message>
-        <message>
-            <source>Surfaces</source>
-            <translation>Surfaces</translation>
-        </message>
-        <message>
-            <source>Pairs</source>
-            <translation>Paires</translation>
-        </message>
-        <message>
-            <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
-            <translation>Prévision : partant de la pose de départ, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
-        </message>
-        <message>
-            <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
-            <translation>Prévision : partant de la pose de départ, un essai est stabilisé au bout de %1 (simulé).</translation>
-        </message>
-        <message>
-            <source>Predicting how long a run takes…</source>
-            <translation>Prévision de la durée d'un essai…</translation>
-        </message>
-        <message>
-            <source>Reachable alone</source>
-            <translation>Atteignable seule</translation>
-        </message>
-        <message>
-            <source>The targets to be kept cannot be held together: untick “Keep” for one.</source>
-            <translation>Les consignes à garder ne peuvent être tenues ensemble : décochez « Garder » pour l’une d’elles.</translation>
-        </message>
-        <message>
-            <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
-            <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis qu’il trouve, le dit, et l’enregistrement garde trace de votre accord. Pendant un essai, de nouvelles consignes sont prises aussitôt ; si elles ne peuvent être tenues, un événement dit pourquoi.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::TracePlot</name>
-        <message>
-            <source>translation</source>
-            <translation>translation</translation>
-        </message>
-        <message>
-            <source>rotation</source>
-            <translation>rotation</translation>
-        </message>
-        <message>
-            <source>%1 cm/s</source>
-            <translation>%1 cm/s</translation>
-        </message>
-        <message>
-            <source>%1 °/s</source>
-            <translation>%1 °/s</translation>
-        </message>
-        <message>
-            <source>%1 K/s</source>
-            <translation>%1 K/s</translation>
-        </message>
-        <message>
-            <source>Time since start (h:min:s)</source>
-            <translation>Temps depuis le démarrage (h:min:s)</translation>
-        </message>
-        <message>
-            <source>Time since start (min:s)</source>
-            <translation>Temps depuis le démarrage (min:s)</translation>
-        </message>
-        <message>
-            <source>Temperature (%1)</source>
-            <translation>Température (%1)</translation>
-        </message>
-        <message>
-            <source>Error (%1)</source>
-            <comment>measured minus target</comment>
-            <translation>Écart (%1)</translation>
-        </message>
-        <message>
-            <source>View factor</source>
-            <translation>Facteur de forme</translation>
-        </message>
-        <message>
-            <source>Rate (%1/min)</source>
-            <translation>Vitesse (%1/min)</translation>
-        </message>
-        <message>
-            <source>Speed (% of limit)</source>
-            <translation>Vitesse (% de la limite)</translation>
-        </message>
-        <message>
-            <source>Estimated λ₁ (K/s)</source>
-            <translation>λ₁ estimé (K/s)</translation>
-        </message>
-        <message>
-            <source>Plot against time: %1</source>
-            <translation>Courbe temporelle : %1</translation>
-        </message>
-        <message>
-            <source>Arrow keys move, plus and minus zoom, Home shows the whole run, End goes back to live.</source>
-            <translation>Les flèches déplacent, plus et moins zooment, Origine montre tout l’essai, Fin revient au direct.</translation>
-        </message>
-        <message>
-            <source>No samples yet. Traces begin with Start.</source>
-            <translation>Pas encore d’échantillon. Les courbes commencent au démarrage.</translation>
-        </message>
-        <message>
-            <source>This controller does not estimate λ₁.</source>
-            <translation>Ce régulateur n’estime pas λ₁.</translation>
-        </message>
-        <message>
-            <source>Time since Start (h)</source>
-            <translation>Temps depuis le démarrage (h)</translation>
-        </message>
-        <message>
-            <source>Time since Start (min)</source>
-            <translation>Temps depuis le démarrage (min)</translation>
-        </message>
-        <message>
-            <source>Time since Start (s)</source>
-            <translation>Temps depuis le démarrage (s)</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ViewBar</name>
-        <message>
-            <source>Top</source>
-            <translation>Dessus</translation>
-        </message>
-        <message>
-            <source>Side</source>
-            <translation>Côté</translation>
-        </message>
-        <message>
-            <source>Isometric</source>
-            <translation>Isométrique</translation>
-        </message>
-        <message>
-            <source>View: %1</source>
-            <translation>Vue : %1</translation>
-        </message>
-        <message>
-            <source>Export</source>
-            <translation>Exporter</translation>
-        </message>
-        <message>
-            <source>&amp;Picture…</source>
-            <translation>&amp;Image…</translation>
-        </message>
-        <message>
-            <source>&amp;Animation…</source>
-            <translation>&amp;Animation…</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::VerdictText</name>
-        <message>
-            <source>Too hot</source>
-            <translation>Trop chaud</translation>
-        </message>
-        <message>
-            <source>Too cold</source>
-            <translation>Trop froid</translation>
-        </message>
-        <message>
-            <source>Reachable</source>
-            <translation>Atteignable</translation>
-        </message>
-        <message>
-            <source>needs F = %1, at most %2 here; at most %3</source>
-            <translation>demande F = %1, au plus %2 ici ; au plus %3</translation>
-        </message>
-        <message>
-            <source>below the room's %1</source>
-            <translation>sous les %1 de l’ambiante</translation>
-        </message>
-        <message>
-            <source>below the %1 it settles at far from the source</source>
-            <translation>sous les %1 où il se stabilise loin de la source</translation>
-        </message>
-        <message>
-            <source>needs F = %1, at least %2 here; at least %3</source>
-            <translation>demande F = %1, au moins %2 ici ; au moins %3</translation>
-        </message>
-        <message>
-            <source>needs F = %1, up to %2 here</source>
-            <translation>demande F = %1, jusqu’à %2 ici</translation>
-        </message>
-        <message>
-            <source>clearance</source>
-            <translation>dégagement</translation>
-        </message>
-        <message>
-            <source>workspace %1</source>
-            <translation>espace de travail %1</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::BoardForm</name>
-        <message>
-            <source>&amp;Board</source>
-            <translation>&amp;Mire</translation>
-        </message>
-        <message>
-            <source>&amp;Dictionary</source>
-            <translation>&amp;Dictionnaire</translation>
-        </message>
-        <message>
-            <source>As measured on the print: over ten squares, divided by ten.</source>
-            <translation>Tel que mesuré sur l’impression : sur dix cases, divisé par dix.</translation>
-        </message>
-        <message>
-            <source>Boards made by OpenCV before 4.6 with an even number of rows.</source>
-            <translation>Mires faites par OpenCV avant 4.6 avec un nombre pair de rangées.</translation>
-        </message>
-        <message>
-            <source>ChArUco board</source>
-            <translation>Mire ChArUco</translation>
-        </message>
-        <message>
-            <source>Chessboard</source>
-            <translation>Échiquier</translation>
-        </message>
-        <message>
-            <source>Dictionary of the markers</source>
-            <translation>Dictionnaire des marqueurs</translation>
-        </message>
-        <message>
-            <source>Inner cor&amp;ners</source>
-            <translation>Coi&amp;ns intérieurs</translation>
-        </message>
-        <message>
-            <source>Inner corners across</source>
-            <translation>Coins intérieurs en largeur</translation>
-        </message>
-        <message>
-            <source>Inner corners down</source>
-            <translation>Coins intérieurs en hauteur</translation>
-        </message>
-        <message>
-            <source>Kind of board</source>
-            <translation>Type de mire</translation>
-        </message>
-        <message>
-            <source>Lower left square is black</source>
-            <translation>La case en bas à gauche est noire</translation>
-        </message>
-        <message>
-            <source>S&amp;ide of a square</source>
-            <translation>Côté d’une ca&amp;se</translation>
-        </message>
-        <message>
-            <source>S&amp;quares</source>
-            <translation>Cas&amp;es</translation>
-        </message>
-        <message>
-            <source>Side of a &amp;marker</source>
-            <translation>Côté d’un ma&amp;rqueur</translation>
-        </message>
-        <message>
-            <source>Side of a marker</source>
-            <translation>Côté d’un marqueur</translation>
-        </message>
-        <message>
-            <source>Side of a square</source>
-            <translation>Côté d’une case</translation>
-        </message>
-        <message>
-            <source>Squares across</source>
-            <translation>Cases en largeur</translation>
-        </message>
-        <message>
-            <source>Squares down</source>
-            <translation>Cases en hauteur</translation>
-        </message>
-        <message>
-            <source>With its black border, as measured on the print.</source>
-            <translation>Avec sa bordure noire, tel que mesuré sur l’impression.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CalibratePage</name>
-        <message>
-            <source>Calibrate</source>
-            <translation>Étalonner</translation>
-        </message>
-        <message>
-            <source>What is calibrated</source>
-            <translation>Ce qui est étalonné</translation>
-        </message>
-        <message>
-            <source>Camera</source>
-            <translation>Caméra</translation>
-        </message>
-        <message>
-            <source>Simulated camera</source>
-            <translation>Caméra simulée</translation>
-        </message>
-        <message>
-            <source>Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…), and Enter</source>
-            <translation>Ou tapez un numéro (0), un périphérique (/dev/video0), un fichier vidéo, un dossier d’images ou une adresse (rtsp://…), puis Entrée</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CameraPanel</name>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1 : %2</translation>
-        </message>
-        <message>
-            <source>&amp;Calibrate</source>
-            <translation>É&amp;talonner</translation>
-        </message>
-        <message>
-            <source>&amp;Start looking</source>
-            <translation>&amp;Chercher</translation>
-        </message>
-        <message>
-            <source>&amp;Stop looking</source>
-            <translation>Arrêter de &amp;chercher</translation>
-        </message>
-        <message>
-            <source>Calibration board</source>
-            <translation>Mire d’étalonnage</translation>
-        </message>
-        <message>
-            <source>Calibration of the camera</source>
-            <translation>Étalonnage de la caméra</translation>
-        </message>
-        <message>
-            <source>Camera</source>
-            <translation>Caméra</translation>
-        </message>
-        <message>
-            <source>Cameras (%1);;All files (*)</source>
-            <translation>Caméras (%1);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Drops all views. The board can be set again.</source>
-            <translation>Abandonne toutes les vues. La mire peut de nouveau être réglée.</translation>
-        </message>
-        <message>
-            <source>Hold the board still.</source>
-            <translation>Tenez la mire immobile.</translation>
-        </message>
-        <message>
-            <source>Leave &amp;out the views that stand out</source>
-            <translation>Écarter les vues qui se d&amp;istinguent</translation>
-        </message>
-        <message>
-            <source>Load a camera</source>
-            <translation>Charger une caméra</translation>
-        </message>
-        <message>
-            <source>Looks for the board in the live picture.</source>
-            <translation>Cherche la mire dans l’image en direct.</translation>
-        </message>
-        <message>
-            <source>OpenCV YAML (%1)</source>
-            <translation>YAML d’OpenCV (%1)</translation>
-        </message>
-        <message>
-            <source>Progress of the calibration</source>
-            <translation>Avancement de l’étalonnage</translation>
-        </message>
-        <message>
-            <source>ROS camera_info (%1)</source>
-            <translation>camera_info de ROS (%1)</translation>
-        </message>
-        <message>
-            <source>Save the camera</source>
-            <translation>Enregistrer la caméra</translation>
-        </message>
-        <message>
-            <source>Start again</source>
-            <translation>Recommencer</translation>
-        </message>
-        <message>
-            <source>Start looking, then show the board to the camera from near and far, at all edges of the picture and tilted to all sides.</source>
-            <translation>Lancez la recherche, puis montrez la mire à la caméra de près et de loin, à tous les bords de l’image et inclinée de tous les côtés.</translation>
-        </message>
-        <message>
-            <source>Ta&amp;ke this view</source>
-            <translation>&amp;Prendre cette vue</translation>
-        </message>
-        <message>
-            <source>Take still, new views &amp;automatically</source>
-            <translation>Prendre seul les vues nouvelles et immo&amp;biles</translation>
-        </message>
-        <message>
-            <source>The board is seen: hold it still and take the view.</source>
-            <translation>La mire est vue : tenez-la immobile et prenez la vue.</translation>
-        </message>
-        <message>
-            <source>The camera is saved in %1.</source>
-            <translation>La caméra est enregistrée dans %1.</translation>
-        </message>
-        <message>
-            <source>The views are of this board: start again to set another.</source>
-            <translation>Les vues sont de cette mire : recommencez pour en régler une autre.</translation>
-        </message>
-        <message>
-            <source>There is such a view: move the board on.</source>
-            <translation>Cette vue existe déjà : déplacez la mire.</translation>
-        </message>
-        <message>
-            <source>Too little of the board is seen for a view.</source>
-            <translation>La mire est trop peu visible pour une vue.</translation>
-        </message>
-        <message>
-            <source>Use the board seen</source>
-            <translation>Prendre la mire vue</translation>
-        </message>
-        <message>
-            <source>View %1 is taken: move the board on.</source>
-            <translation>La vue %1 est prise : déplacez la mire.</translation>
-        </message>
-        <message>
-            <source>Views</source>
-            <translation>Vues</translation>
-        </message>
-        <message>
-            <source>Waiting for the camera's pictures.</source>
-            <translation>En attente des images de la caméra.</translation>
-        </message>
-        <message>
-            <source>%1.</source>
-            <translation>%1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CameraResult</name>
-        <message>
-            <source>%1 px</source>
-            <translation>%1 px</translation>
-        </message>
-        <message>
-            <source>%1 views</source>
-            <translation>%1 vues</translation>
-        </message>
-        <message>
-            <source>%1 × %2 pixels</source>
-            <translation>%1 × %2 pixels</translation>
-        </message>
-        <message>
-            <source>%1, in use</source>
-            <translation>%1, en service</translation>
-        </message>
-        <message>
-            <source>&amp;Use this camera</source>
-            <translation>&amp;Utiliser cette caméra</translation>
-        </message>
-        <message>
-            <source>Calibrate it by views of a board, or load its file.</source>
-            <translation>Étalonnez-la par des vues d’une mire, ou chargez son fichier.</translation>
-        </message>
-        <message>
-            <source>Good</source>
-            <translation>Bon</translation>
-        </message>
-        <message>
-            <source>Load a camera from a file</source>
-            <translation>Charger une caméra depuis un fichier</translation>
-        </message>
-        <message>
-            <source>Load…</source>
-            <translation>Charger…</translation>
-        </message>
-        <message>
-            <source>No camera yet</source>
-            <translation>Pas encore de caméra</translation>
-        </message>
-        <message>
-            <source>Parameter</source>
-            <translation>Paramètre</translation>
-        </message>
-        <message>
-            <source>Parameters of the camera</source>
-            <translation>Paramètres de la caméra</translation>
-        </message>
-        <message>
-            <source>Poses of markers are computed by it from now on.</source>
-            <translation>Les poses des marqueurs sont désormais calculées par elle.</translation>
-        </message>
-        <message>
-            <source>Read from a file: how far it holds was not checked here.</source>
-            <translation>Lue dans un fichier : sa justesse n’a pas été vérifiée ici.</translation>
-        </message>
-        <message>
-            <source>Redo</source>
-            <translation>À refaire</translation>
-        </message>
-        <message>
-            <source>Save the camera in a file</source>
-            <translation>Enregistrer la caméra dans un fichier</translation>
-        </message>
-        <message>
-            <source>Save…</source>
-            <translation>Enregistrer…</translation>
-        </message>
-        <message>
-            <source>Standard deviation</source>
-            <translation>Écart type</translation>
-        </message>
-        <message>
-            <source>The camera in use</source>
-            <translation>La caméra en service</translation>
-        </message>
-        <message>
-            <source>Usable</source>
-            <translation>Utilisable</translation>
-        </message>
-        <message>
-            <source>Value</source>
-            <translation>Valeur</translation>
-        </message>
-        <message>
-            <source>held-out views %1 px</source>
-            <translation>vues mises de côté %1 px</translation>
-        </message>
-        <message>
-            <source>residual %1 px</source>
-            <translation>résidu %1 px</translation>
-        </message>
-        <message>
-            <source>%1.</source>
-            <translation>%1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::CoverageView</name>
-        <message>
-            <source>%1 of %2 views</source>
-            <translation>%1 vues sur %2</translation>
-        </message>
-        <message>
-            <source>%1 views</source>
-            <translation>%1 vues</translation>
-        </message>
-        <message>
-            <source>Colours the picture by how many corners were seen where.</source>
-            <translation>Colore l’image selon le nombre de coins vus à chaque endroit.</translation>
-        </message>
-        <message>
-            <source>Covered: %1</source>
-            <translation>Couvert : %1</translation>
-        </message>
-        <message>
-            <source>Left to right</source>
-            <translation>De gauche à droite</translation>
-        </message>
-        <message>
-            <source>Nearness</source>
-            <translation>Proximité</translation>
-        </message>
-        <message>
-            <source>Show on the &amp;picture</source>
-            <translation>Montrer sur l’ima&amp;ge</translation>
-        </message>
-        <message>
-            <source>This is enough: calibrate.</source>
-            <translation>Cela suffit : étalonnez.</translation>
-        </message>
-        <message>
-            <source>Tilt</source>
-            <translation>Inclinaison</translation>
-        </message>
-        <message>
-            <source>Top to bottom</source>
-            <translation>De haut en bas</translation>
-        </message>
-        <message>
-            <source>%1.</source>
-            <translation>%1.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::LivePicture</name>
-        <message>
-            <source>%1 pictures/s</source>
-            <translation>%1 images/s</translation>
-        </message>
-        <message>
-            <source>%1 px</source>
-            <translation>%1 px</translation>
-        </message>
-        <message>
-            <source>%1 × %2</source>
-            <translation>%1 × %2</translation>
-        </message>
-        <message>
-            <source>Live picture of the camera</source>
-            <translation>Image en direct de la caméra</translation>
-        </message>
-        <message>
-            <source>No picture yet: no camera is running.</source>
-            <translation>Pas encore d’image : aucune caméra n’est en marche.</translation>
-        </message>
-        <message>
-            <source>Nothing is found in the picture</source>
-            <translation>Rien n’est trouvé dans l’image</translation>
-        </message>
-        <message>
-            <source>age %1 s</source>
-            <translation>âge %1 s</translation>
-        </message>
-        <message>
-            <source>base</source>
-            <translation>base</translation>
-        </message>
-        <message>
-            <source>end-effector</source>
-            <translation>effecteur</translation>
-        </message>
-        <message>
-            <source>latency %1 ms</source>
-            <translation>latence %1 ms</translation>
-        </message>
-        <message>
-            <source>marker %1</source>
-            <translation>marqueur %1</translation>
-        </message>
-        <message>
-            <source>marker %1, %2</source>
-            <translation>marqueur %1, %2</translation>
-        </message>
-        <message>
-            <source>simulated</source>
-            <translation>simulée</translation>
-        </message>
-        <message>
-            <source>source</source>
-            <translation>source</translation>
-        </message>
-        <message>
-            <source>source predicted</source>
-            <translation>source prédite</translation>
-        </message>
-        <message>
-            <source>source searched</source>
-            <translation>source recherchée</translation>
-        </message>
-        <message>
-            <source>source tracked</source>
-            <translation>source suivie</translation>
-        </message>
-        <message>
-            <source>the board</source>
-            <translation>la mire</translation>
-        </message>
-        <message>
-            <source>two poses</source>
-            <translation>deux poses</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ViewList</name>
-        <message>
-            <source>%1 px</source>
-            <translation>%1 px</translation>
-        </message>
-        <message>
-            <source>%1, stands out</source>
-            <translation>%1, se distingue</translation>
-        </message>
-        <message>
-            <source>A view that is not ticked is left out.</source>
-            <translation>Une vue non cochée est écartée.</translation>
-        </message>
-        <message>
-            <source>Residual</source>
-            <translation>Résidu</translation>
-        </message>
-        <message>
-            <source>View</source>
-            <translation>Vue</translation>
-        </message>
-        <message>
-            <source>Views of the calibration</source>
-            <translation>Vues de l’étalonnage</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::AlarmWords</name>
-        <message>
-            <source>Active</source>
-            <translation>Active</translation>
-        </message>
-        <message>
-            <source>Over</source>
-            <translation>Terminée</translation>
-        </message>
-        <message>
-            <source>new</source>
-            <translation>nouvelle</translation>
-        </message>
-        <message>
-            <source>seen</source>
-            <translation>vue</translation>
-        </message>
-        <message>
-            <source>first</source>
-            <translation>première</translation>
-        </message>
-        <message>
-            <source>from before</source>
-            <translation>d’avant</translation>
-        </message>
-        <message>
-            <source>, </source>
-            <comment>between states</comment>
-            <translation>, </translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::AlarmList</name>
-        <message>
-            <source>Priority %1</source>
-            <translation>Priorité %1</translation>
-        </message>
-        <message>
-            <source>Priority %1. %2.</source>
-            <translation>Priorité %1. %2.</translation>
-        </message>
-        <message>
-            <source>%1×</source>
-            <translation>%1×</translation>
-        </message>
-        <message>
-            <source>No alarms.</source>
-            <translation>Aucune alarme.</translation>
-        </message>
-        <message>
-            <source>Choose an alarm to read what to do.</source>
-            <translation>Choisissez une alarme pour lire ce qu’il faut faire.</translation>
-        </message>
-        <message>
-            <source>Raised at %1, %2 times since it was last acknowledged.</source>
-            <translation>Apparue à %1, %2 fois depuis le dernier acquittement.</translation>
-        </message>
-        <message>
-            <source>Raised at %1.</source>
-            <translation>Apparue à %1.</translation>
-        </message>
-        <message>
-            <source>Over at %1.</source>
-            <translation>Terminée à %1.</translation>
-        </message>
-        <message>
-            <source>The first of those that came together: likely their cause.</source>
-            <translation>La première de celles apparues ensemble : sans doute leur cause.</translation>
-        </message>
-        <message>
-            <source>It was active when Bask was last left.</source>
-            <translation>Elle était active quand Bask a été quitté.</translation>
-        </message>
-        <message>
-            <source>The engine is not answering: these alarms may be old.</source>
-            <translation>Le moteur ne répond pas : ces alarmes sont peut-être périmées.</translation>
-        </message>
-        <message>
-            <source>Alarms</source>
-            <translation>Alarmes</translation>
-        </message>
-        <message>
-            <source>Priority</source>
-            <translation>Priorité</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>État</translation>
-        </message>
-        <message>
-            <source>Raised</source>
-            <translation>Apparue</translation>
-        </message>
-        <message>
-            <source>Times</source>
-            <translation>Fois</translation>
-        </message>
-        <message>
-            <source>What is wrong</source>
-            <translation>Ce qui ne va pas</translation>
-        </message>
-        <message>
-            <source>What to do about the alarm</source>
-            <translation>Que faire pour cette alarme</translation>
-        </message>
-        <message>
-            <source>Acknowledge</source>
-            <translation>Acquitter</translation>
-        </message>
-        <message>
-            <source>You have seen this alarm. It stays in the list while its condition holds.</source>
-            <translation>Vous avez vu cette alarme. Elle reste dans la liste tant que sa condition dure.</translation>
-        </message>
-        <message>
-            <source>Acknowledge all</source>
-            <translation>Tout acquitter</translation>
-        </message>
-        <message>
-            <source>You have seen all alarms. Those that are over leave the list.</source>
-            <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::AlarmButton</name>
-        <message>
-            <source>Alarm of priority %1 (%2): %3</source>
-            <translation>Alarme de priorité %1 (%2) : %3</translation>
-        </message>
-        <message>
-            <source>%1 more.</source>
-            <translation>%1 de plus.</translation>
-        </message>
-        <message>
-            <source>This may be old: the engine is not answering.</source>
-            <translation>C’est peut-être périmé : le moteur ne répond pas.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::BottomDock</name>
-        <message>
-            <source>Alarms</source>
-            <translation>Alarmes</translation>
-        </message>
-        <message>
-            <source>Alarms (%1)</source>
-            <translation>Alarmes (%1)</translation>
-        </message>
-        <message>
-            <source>Events</source>
-            <translation>Événements</translation>
-        </message>
-        <message>
-            <source>Alarms and events</source>
-            <translation>Alarmes et événements</translation>
-        </message>
-        <message>
-            <source>Recipe</source>
-            <translation>Recette</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Question</name>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ZeroPanel</name>
-        <message>
-            <source>Offsets: %1.</source>
-            <translation>Corrections : %1.</translation>
-        </message>
-        <message>
-            <source>That of %1 is large: check the sensor and its wiring.</source>
-            <translation>Celle de %1 est grande : vérifiez le capteur et son câblage.</translation>
-        </message>
-        <message>
-            <source>Not while the heat is on.</source>
-            <translation>Pas tant que le chauffage est en marche.</translation>
-        </message>
-        <message>
-            <source>Zeroed on %1 with the room at %2.</source>
-            <translation>Ajustés le %1, la pièce étant à %2.</translation>
-        </message>
-        <message>
-            <source>Not zeroed yet: Arm does it, if all objects are at the room's temperature then.</source>
-            <translation>Pas encore ajustés : l’armement le fait, si tous les objets sont alors à la température ambiante.</translation>
-        </message>
-        <message>
-            <source>Sensors at rest</source>
-            <translation>Capteurs au repos</translation>
-        </message>
-        <message>
-            <source>Zero the sensors</source>
-            <translation>Ajuster les capteurs</translation>
-        </message>
-        <message>
-            <source>Make all sensors agree while the objects are at the room's temperature</source>
-            <translation>Faire concorder tous les capteurs pendant que les objets sont à la température ambiante</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SafetyPanel</name>
-        <message>
-            <source>%1: %2 instead of %3</source>
-            <translation>%1 : %2 au lieu de %3</translation>
-        </message>
-        <message>
-            <source>automatic</source>
-            <translation>automatique</translation>
-        </message>
-        <message>
-            <source>Automatic</source>
-            <translation>Automatique</translation>
-        </message>
-        <message>
-            <source>Automatic trip limit of the source</source>
-            <translation>Limite de déclenchement automatique de la source</translation>
-        </message>
-        <message>
-            <source>Automatic fastest change</source>
-            <translation>Variation plausible maximale automatique</translation>
-        </message>
-        <message>
-            <source>Safety limits</source>
-            <translation>Limites de sécurité</translation>
-        </message>
-        <message>
-            <source>More</source>
-            <translation>Plus</translation>
-        </message>
-        <message>
-            <source>%1 has limits of its own: warning %2, trip %3.</source>
-            <translation>%1 a ses propres limites : avertissement %2, déclenchement %3.</translation>
-        </message>
-        <message>
-            <source>Objects: warning</source>
-            <translation>Objets : avertissement</translation>
-        </message>
-        <message>
-            <source>A run holds, and a priority 2 alarm is given</source>
-            <translation>L’essai se met en pause, avec une alarme de priorité 2</translation>
-        </message>
-        <message>
-            <source>Objects: trip</source>
-            <translation>Objets : déclenchement</translation>
-        </message>
-        <message>
-            <source>Heat off and retreat. What object, paint and sensor bear.</source>
-            <translation>Chauffage coupé et retrait. Ce que supportent l’objet, la peinture et le capteur.</translation>
-        </message>
-        <message>
-            <source>Source: trip</source>
-            <translation>Source : déclenchement</translation>
-        </message>
-        <message>
-            <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
-            <translation>Chauffage coupé et retrait. Automatique : 50 K au-dessus de la consigne la plus haute.</translation>
-        </message>
-        <message>
-            <source>Longest hold</source>
-            <translation>Pause la plus longue</translation>
-        </message>
-        <message>
-            <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
-            <translation>Un capteur ou une source perdus mettent l’essai en pause aussi longtemps, puis il finit par un retrait</translation>
-        </message>
-        <message>
-            <source>Periods a reading is good for</source>
-            <translation>Périodes de validité d’une mesure</translation>
-        </message>
-        <message>
-            <source>A sensor without a newer one is lost; also the source and its place</source>
-            <translation>Un capteur sans mesure plus récente est perdu ; de même la source et sa position</translation>
-        </message>
-        <message>
-            <source>Fastest plausible change</source>
-            <translation>Variation plausible maximale</translation>
-        </message>
-        <message>
-            <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
-            <translation>Plus vite, c’est un saut et non de la chaleur. Automatique : trois fois ce que la source peut faire à l’objet, 2 K/s au moins.</translation>
-        </message>
-        <message>
-            <source>Jumps in a row</source>
-            <translation>Sauts de suite</translation>
-        </message>
-        <message>
-            <source>So many readings that are too fast are a sensor fault</source>
-            <translation>Autant de mesures trop rapides sont un défaut du capteur</translation>
-        </message>
-        <message>
-            <source>Frozen sensor after</source>
-            <translation>Capteur figé après</translation>
-        </message>
-        <message>
-            <source>The very same reading for so long, though the object must have changed</source>
-            <translation>La même mesure aussi longtemps, alors que l’objet a dû changer</translation>
-        </message>
-        <message>
-            <source>Change that must be seen</source>
-            <translation>Variation à constater</translation>
-        </message>
-        <message>
-            <source>An object that must have changed by so much and did not does not follow its heat</source>
-            <translation>Un objet qui aurait dû varier d’autant et ne l’a pas fait ne suit pas sa chaleur</translation>
-        </message>
-        <message>
-            <source>Sensors apart when cold</source>
-            <translation>Écart des capteurs à froid</translation>
-        </message>
-        <message>
-            <source>Sensors of a cold rig that differ by more are told</source>
-            <translation>Les capteurs d’un banc froid qui diffèrent de plus sont signalés</translation>
-        </message>
-        <message>
-            <source>Source: time to gain 2 K</source>
-            <translation>Source : temps pour gagner 2 K</translation>
-        </message>
-        <message>
-            <source>A source that is too cold and no nearer after so long does not heat</source>
-            <translation>Une source trop froide qui ne s’est pas rapprochée après ce temps ne chauffe pas</translation>
-        </message>
-        <message>
-            <source>Source: near its set point</source>
-            <translation>Source : près de sa consigne</translation>
-        </message>
-        <message>
-            <source>Within this the source is not too cold</source>
-            <translation>À moins de cet écart, la source n’est pas trop froide</translation>
-        </message>
-        <message>
-            <source>Source: warming unasked</source>
-            <translation>Source : chauffe non demandée</translation>
-        </message>
-        <message>
-            <source>More warming with the heat off is an alarm</source>
-            <translation>Chauffer davantage, chauffage coupé, est une alarme</translation>
-        </message>
-        <message>
-            <source>Least room on the disk</source>
-            <translation>Place minimale sur le disque</translation>
-        </message>
-        <message>
-            <source>With less no recording is begun</source>
-            <translation>Avec moins, aucun enregistrement ne commence</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ExperimentEdit</name>
-        <message>
-            <source>target of “%1”</source>
-            <translation>consigne de « %1 »</translation>
-        </message>
-        <message>
-            <source>targets</source>
-            <translation>consignes</translation>
-        </message>
-        <message>
-            <source>controller and gains</source>
-            <translation>régulateur et gains</translation>
-        </message>
-        <message>
-            <source>markers</source>
-            <translation>marqueurs</translation>
-        </message>
-        <message>
-            <source>calibration of the camera</source>
-            <translation>étalonnage de la caméra</translation>
-        </message>
-        <message>
-            <source>place of the camera</source>
-            <translation>place de la caméra</translation>
-        </message>
-        <message>
-            <source>calibration</source>
-            <translation>étalonnage</translation>
-        </message>
-        <message>
-            <source>place of the source</source>
-            <translation>place de la source</translation>
-        </message>
-        <message>
-            <source>following of the source</source>
-            <translation>suivi de la source</translation>
-        </message>
-        <message>
-            <source>start of runs</source>
-            <translation>départ des essais</translation>
-        </message>
-        <message>
-            <source>set point of the source</source>
-            <translation>température de consigne de la source</translation>
-        </message>
-        <message>
-            <source>emittance of the source</source>
-            <translation>émissivité de la source</translation>
-        </message>
-        <message>
-            <source>workspace</source>
-            <translation>espace de travail</translation>
-        </message>
-        <message>
-            <source>limits of motion</source>
-            <translation>limites de mouvement</translation>
-        </message>
-        <message>
-            <source>safety limits</source>
-            <translation>limites de sécurité</translation>
-        </message>
-        <message>
-            <source>choice of the real rig</source>
-            <translation>choix du banc réel</translation>
-        </message>
-        <message>
-            <source>devices of the rig</source>
-            <translation>appareils du banc</translation>
-        </message>
-        <message>
-            <source>choice of the simulated rig</source>
-            <translation>choix du banc simulé</translation>
-        </message>
-        <message>
-            <source>move of “%1”</source>
-            <translation>déplacement de « %1 »</translation>
-        </message>
-        <message>
-            <source>moves</source>
-            <translation>déplacements</translation>
-        </message>
-        <message>
-            <source>renaming of “%1”</source>
-            <translation>nouveau nom de « %1 »</translation>
-        </message>
-        <message>
-            <source>names</source>
-            <translation>noms</translation>
-        </message>
-        <message>
-            <source>start values of “%1”</source>
-            <translation>valeurs de départ de « %1 »</translation>
-        </message>
-        <message>
-            <source>start values</source>
-            <translation>valeurs de départ</translation>
-        </message>
-        <message>
-            <source>material of “%1”</source>
-            <translation>matériau de « %1 »</translation>
-        </message>
-        <message>
-            <source>materials</source>
-            <translation>matériaux</translation>
-        </message>
-        <message>
-            <source>outline of “%1”</source>
-            <translation>contour de « %1 »</translation>
-        </message>
-        <message>
-            <source>outlines</source>
-            <translation>contours</translation>
-        </message>
-        <message>
-            <source>change of “%1”</source>
-            <translation>modification de « %1 »</translation>
-        </message>
-        <message>
-            <source>change of several objects</source>
-            <translation>modification de plusieurs objets</translation>
-        </message>
-        <message>
-            <source>addition of “%1”</source>
-            <translation>ajout de « %1 »</translation>
-        </message>
-        <message>
-            <source>removal of “%1”</source>
-            <translation>retrait de « %1 »</translation>
-        </message>
-        <message>
-            <source>change of the experiment</source>
-            <translation>modification de l’expérience</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RecoveryOffer</name>
-        <message>
-            <source>Bask ended before changes of “%1” were saved. They are kept as they were on %2.</source>
-            <translation>Bask s’est arrêté avant l’enregistrement de modifications de « %1 ». Elles sont gardées dans leur état du %2.</translation>
-        </message>
-        <message>
-            <source>Discard</source>
-            <translation>Abandonner</translation>
-        </message>
-        <message>
-            <source>Recover</source>
-            <translation>Récupérer</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::UndoActions</name>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1 : %2</translation>
-        </message>
-        <message>
-            <source>&amp;Redo</source>
-            <translation>&amp;Rétablir</translation>
-        </message>
-        <message>
-            <source>&amp;Undo</source>
-            <translation>&amp;Annuler</translation>
-        </message>
-        <message>
-            <source>A run is armed or on. This can be changed once it has stopped.</source>
-            <translation>Un essai est armé ou en cours. Ceci pourra être modifié une fois l’essai arrêté.</translation>
-        </message>
-        <message>
-            <source>Nothing to redo</source>
-            <translation>Rien à rétablir</translation>
-        </message>
-        <message>
-            <source>Nothing to undo</source>
-            <translation>Rien à annuler</translation>
-        </message>
-        <message>
-            <source>Raise a limit of the real rig</source>
-            <translation>Élever une limite du banc réel</translation>
-        </message>
-        <message>
-            <source>Raise the limit</source>
-            <translation>Élever la limite</translation>
-        </message>
-        <message>
-            <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
-            <translation>Le banc pourra aller plus loin que maintenant. Robot, source, objets et capteurs le supportent-ils ?</translation>
-        </message>
-    </context>
-    <context>
-        <name>About</name>
-        <message>
-            <source>About Bask</source>
-            <translation>À propos de Bask</translation>
-        </message>
-        <message>
-            <source>Radiation-based thermal servoing: a robot brings objects to their temperatures by holding them in front of a heat source.</source>
-            <translation>Asservissement thermique par rayonnement : un robot amène des objets à leurs températures en les tenant devant une source de chaleur.</translation>
-        </message>
-        <message>
-            <source>Qt %1 on %2. Licence: GPL-3.0-or-later.</source>
-            <translation>Qt %1 sur %2. Licence : GPL-3.0-or-later.</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>Fermer</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ManualWindow</name>
-        <message>
-            <source>Bask: manual</source>
-            <translation>Bask : manuel</translation>
-        </message>
-        <message>
-            <source>Back</source>
-            <translation>Retour</translation>
-        </message>
-        <message>
-            <source>Contents</source>
-            <translation>Sommaire</translation>
-        </message>
-        <message>
-            <source>Find in the manual</source>
-            <translation>Chercher dans le manuel</translation>
-        </message>
-        <message>
-            <source>Text of the manual</source>
-            <translation>Texte du manuel</translation>
-        </message>
-        <message>
-            <source>This page is in English only.</source>
-            <translation>Cette page n’existe qu’en anglais.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ProblemDialog</name>
-        <message>
-            <source>Report a problem</source>
-            <translation>Signaler un problème</translation>
-        </message>
-        <message>
-            <source>This is all that the report has. Write at the top what happened and what you expected, take out what nobody should see, save it, and give it to whoever looks after your Bask. Nothing is sent.</source>
-            <translation>Voici tout ce que contient le rapport. Écrivez en haut ce qui s’est passé et ce que vous attendiez, retirez ce que personne ne doit voir, enregistrez-le et donnez-le à la personne qui s’occupe de votre Bask. Rien n’est envoyé.</translation>
-        </message>
-        <message>
-            <source>The report</source>
-            <translation>Le rapport</translation>
-        </message>
-        <message>
-            <source>What happened:</source>
-            <translation>Ce qui s’est passé :</translation>
-        </message>
-        <message>
-            <source>What was expected:</source>
-            <translation>Ce qui était attendu :</translation>
-        </message>
-        <message>
-            <source>Save…</source>
-            <translation>Enregistrer…</translation>
-        </message>
-        <message>
-            <source>Close</source>
-            <translation>Fermer</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Coach</name>
-        <message>
-            <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
-            <translation>Première fois ? Treize petites étapes sur le banc simulé montrent ce que fait Bask. Rien ne peut brûler.</translation>
-        </message>
-        <message>
-            <source>Show me</source>
-            <translation>Montrer</translation>
-        </message>
-        <message>
-            <source>Not now</source>
-            <translation>Pas maintenant</translation>
-        </message>
-        <message>
-            <source>%1 of %2: %3</source>
-            <translation>%1 sur %2 : %3</translation>
-        </message>
-        <message>
-            <source>Show where</source>
-            <translation>Montrer où</translation>
-        </message>
-        <message>
-            <source>Skip</source>
-            <translation>Passer</translation>
-        </message>
-        <message>
-            <source>That was all. F1 opens the manual, which has the rest.</source>
-            <translation>C’est tout. F1 ouvre le manuel, où se trouve le reste.</translation>
-        </message>
-        <message>
-            <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing's.</source>
-            <translation>Page Objets : choisissez « bunny » et faites glisser les harmoniques. Moins il y en a, plus le contour s’écarte du dessin.</translation>
-        </message>
-        <message>
-            <source>Take that back with Ctrl+Z. Every edit can be undone.</source>
-            <translation>Annulez avec Ctrl+Z. Toute modification peut être annulée.</translation>
-        </message>
-        <message>
-            <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
-            <translation>Page Consignes : tapez 200 °C pour un objet et lisez pourquoi cela ne peut être tenu.</translation>
-        </message>
-        <message>
-            <source>Press “Use nearest feasible”: targets that can be held together.</source>
-            <translation>Appuyez sur « Prendre les plus proches » : des consignes tenables ensemble.</translation>
-        </message>
-        <message>
-            <source>Start (F6): the heat is on, and the robot moves.</source>
-            <translation>Démarrer (F6) : le chauffage est en marche et le robot bouge.</translation>
-        </message>
-        <message>
-            <source>The run has ended in a fault, as a hold that lasts does. End it in Tools &gt; Simulate fault, press Reset, then Arm (F5) and Start (F6) again.</source>
-            <translation>L’essai s’est terminé en défaut, comme toute pause qui dure. Levez le défaut dans Outils &gt; Simuler un défaut, pressez Réinitialiser, puis de nouveau Armer (F5) et Démarrer (F6).</translation>
-        </message>
-        <message>
-            <source>The run has ended. Arm (F5) and Start (F6) again.</source>
-            <translation>L’essai est terminé. De nouveau, Armer (F5) et Démarrer (F6).</translation>
-        </message>
-        <message>
-            <source>The run has ended. End the fault in Tools &gt; Simulate fault, then Arm (F5) and Start (F6) again.</source>
-            <translation>L’essai est terminé. Levez le défaut dans Outils &gt; Simuler un défaut, puis de nouveau Armer (F5) et Démarrer (F6).</translation>
-        </message>
-        <message>
-            <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
-            <translation>Les températures vont à leurs consignes. Sur la page Essai, appuyez sur N et notez quelque chose.</translation>
-        </message>
-        <message>
-            <source>Change a gain at the controller and apply it: the traces are marked there.</source>
-            <translation>Changez un gain du régulateur et appliquez-le : les courbes en gardent la marque.</translation>
-        </message>
-        <message>
-            <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
-            <translation>Outils &gt; Simuler un défaut : retirez un capteur. L’essai se met en pause et une alarme dit que faire.</translation>
-        </message>
-        <message>
-            <source>Acknowledge the alarm (F9): you have seen it.</source>
-            <translation>Acquittez l’alarme (F9) : vous l’avez vue.</translation>
-        </message>
-        <message>
-            <source>End the fault in the same menu, then Resume (Shift+F7).</source>
-            <translation>Mettez fin au défaut dans le même menu, puis Reprendre (Maj+F7).</translation>
-        </message>
-        <message>
-            <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
-            <translation>Arrêter (F8) : chauffage coupé, le robot se retire, l’enregistrement est fermé.</translation>
-        </message>
-        <message>
-            <source>On the Review page, open the recording of this run.</source>
-            <translation>Page Relecture : ouvrez l’enregistrement de cet essai.</translation>
-        </message>
-        <message>
-            <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
-            <translation>Retapez-y 40 °C, atteint plus vite. Puis armez (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Metrics</name>
-        <message>
-            <source>%1 s</source>
-            <translation>%1 s</translation>
-        </message>
-        <message>
-            <source>start unknown</source>
-            <translation>départ inconnu</translation>
-        </message>
-        <message>
-            <source>step too small</source>
-            <translation>échelon trop petit</translation>
-        </message>
-        <message>
-            <source>not reached</source>
-            <translation>non atteint</translation>
-        </message>
-        <message>
-            <source>none</source>
-            <translation>aucun</translation>
-        </message>
-        <message>
-            <source>not settled</source>
-            <translation>non stabilisé</translation>
-        </message>
-        <message>
-            <source>%1 (s.d. %2)</source>
-            <comment>mean with its unit, standard deviation without</comment>
-            <translation>%1 (é.-t. %2)</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Final</source>
-            <translation>Finale</translation>
-        </message>
-        <message>
-            <source>Settling time</source>
-            <translation>Temps de stabilisation</translation>
-        </message>
-        <message>
-            <source>Rise time</source>
-            <translation>Temps de montée</translation>
-        </message>
-        <message>
-            <source>Overshoot</source>
-            <translation>Dépassement</translation>
-        </message>
-        <message>
-            <source>Steady-state error</source>
-            <translation>Erreur statique</translation>
-        </message>
-        <message>
-            <source>Path length</source>
-            <translation>Longueur du trajet</translation>
-        </message>
-        <message>
-            <source>Duration of control</source>
-            <translation>Durée de l’asservissement</translation>
-        </message>
-        <message>
-            <source>Path of the end-effector</source>
-            <translation>Trajet de l’effecteur</translation>
-        </message>
-        <message>
-            <source>Rotation of the end-effector</source>
-            <translation>Rotation de l’effecteur</translation>
-        </message>
-        <message>
-            <source>Time at a velocity limit</source>
-            <translation>Temps en limite de vitesse</translation>
-        </message>
-        <message>
-            <source>Time at any limit</source>
-            <translation>Temps en limite, toutes confondues</translation>
-        </message>
-        <message>
-            <source>The last target that was set. The other numbers count from that moment, or from Start when it was not changed, until Stop.</source>
-            <translation>La dernière consigne fixée. Les autres valeurs comptent depuis ce moment, ou depuis le démarrage si elle n’a pas changé, jusqu’à l’arrêt.</translation>
-        </message>
-        <message>
-            <source>The object's temperature at the last sample until Stop: the simulated object's own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
-            <translation>La température de l’objet au dernier échantillon avant l’arrêt : celle de l’objet simulé lui-même ; sur un banc réel, l’estimation issue de son capteur. Les autres valeurs prennent aussi cette température.</translation>
-        </message>
-        <message>
-            <source>Time until the temperature stays within %1 of the target until Stop.</source>
-            <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt.</translation>
-        </message>
-        <message>
-            <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
-            <translation>Temps entre les premiers passages à 10 % et à 90 % de l’échelon, qui va de la température au moment où la consigne est fixée jusqu’à la consigne. Non donné pour un échelon inférieur à deux fois la bande.</translation>
-        </message>
-        <message>
-            <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
-            <translation>De combien la température a dépassé la consigne dans le sens de l’échelon, et en part de l’échelon. Non donné pour un échelon inférieur à deux fois la bande.</translation>
-        </message>
-        <message>
-            <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
-            <translation>Moyenne de la température moins la consigne sur les %1 dernières secondes avant l’arrêt, ou depuis la stabilisation si c’est moins, avec l’écart-type des échantillons.</translation>
-        </message>
-        <message>
-            <source>Length of the path of the object's centre in the robot's base, from Start until Stop.</source>
-            <translation>Longueur du trajet du centre de l’objet dans la base du robot, du démarrage à l’arrêt.</translation>
-        </message>
-        <message>
-            <source>From Start until Stop.</source>
-            <translation>Du démarrage à l’arrêt.</translation>
-        </message>
-        <message>
-            <source>Length of the path of the end-effector's origin in the robot's base, from Start until Stop.</source>
-            <translation>Longueur du trajet de l’origine de l’effecteur dans la base du robot, du démarrage à l’arrêt.</translation>
-        </message>
-        <message>
-            <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
-            <translation>Somme des angles dont l’effecteur a tourné d’un échantillon au suivant.</translation>
-        </message>
-        <message>
-            <source>Time in which the limit of speed or of rotation held the command back.</source>
-            <translation>Temps pendant lequel la limite de vitesse ou de rotation a retenu la commande.</translation>
-        </message>
-        <message>
-            <source>Time in which a limit of any kind held the command back: speed, rotation, acceleration, clearance or workspace.</source>
-            <translation>Temps pendant lequel une limite quelconque a retenu la commande : vitesse, rotation, accélération, garde ou espace de travail.</translation>
-        </message>
-        <message>
-            <source>no samples</source>
-            <translation>aucun échantillon</translation>
-        </message>
-        <message>
-            <source>not known</source>
-            <translation>inconnue</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::MetricsPanel</name>
-        <message>
-            <source>How these numbers are defined</source>
-            <translation>Définition de ces indicateurs</translation>
-        </message>
-        <message>
-            <source>Metrics of the run</source>
-            <translation>Indicateurs de l’essai</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::Outcome</name>
-        <message>
-            <source>Fault</source>
-            <translation>Défaut</translation>
-        </message>
-        <message>
-            <source>Interrupted</source>
-            <translation>Interrompu</translation>
-        </message>
-        <message>
-            <source>Not settled</source>
-            <translation>Non stabilisé</translation>
-        </message>
-        <message>
-            <source>Recording</source>
-            <translation>En cours</translation>
-        </message>
-        <message>
-            <source>Settled</source>
-            <translation>Stabilisé</translation>
-        </message>
-        <message>
-            <source>Stopped</source>
-            <translation>Arrêté</translation>
-        </message>
-        <message>
-            <source>Unreadable</source>
-            <translation>Illisible</translation>
-        </message>
-        <message>
-            <source>STOP</source>
-            <translation>STOP</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::ReplayView</name>
-        <message>
-            <source>3-D scene of the run: source, objects and their paths</source>
-            <translation>Scène 3D de l’essai : source, objets et leurs trajets</translation>
-        </message>
-        <message>
-            <source>Command speed</source>
-            <translation>Vitesse commandée</translation>
-        </message>
-        <message>
-            <source>Errors</source>
-            <translation>Écarts</translation>
-        </message>
-        <message>
-            <source>Estimates</source>
-            <translation>Estimations</translation>
-        </message>
-        <message>
-            <source>Further traces and the scene</source>
-            <translation>Autres courbes et scène</translation>
-        </message>
-        <message>
-            <source>Laid over it:</source>
-            <translation>Superposé :</translation>
-        </message>
-        <message>
-            <source>Rates</source>
-            <translation>Vitesses</translation>
-        </message>
-        <message>
-            <source>Scene</source>
-            <translation>Scène</translation>
-        </message>
-        <message>
-            <source>Take %1 away</source>
-            <translation>Retirer %1</translation>
-        </message>
-        <message>
-            <source>View factors</source>
-            <translation>Facteurs de forme</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SessionList</name>
-        <message numerus="yes">
-            <source>%1 of %n session(s)</source>
-            <translation>
-                <numerusform>%1 sur %n session</numerusform>
-                <numerusform>%1 sur %n sessions</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n sample(s)</source>
-            <translation>
-                <numerusform>%n échantillon</numerusform>
-                <numerusform>%n échantillons</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n session(s)</source>
-            <translation>
-                <numerusform>%n session</numerusform>
-                <numerusform>%n sessions</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>Choose the folder whose runs are listed</source>
-            <translation>Choisir le dossier dont les essais sont listés</translation>
-        </message>
-        <message>
-            <source>Close it properly</source>
-            <translation>Clôturer</translation>
-        </message>
-        <message>
-            <source>Draws the selected run over the one that is open, both from their Start.</source>
-            <translation>Dessine l’essai choisi par-dessus celui qui est ouvert, tous deux depuis leur démarrage.</translation>
-        </message>
-        <message>
-            <source>Duration</source>
-            <translation>Durée</translation>
-        </message>
-        <message>
-            <source>Experiment</source>
-            <translation>Expérience</translation>
-        </message>
-        <message>
-            <source>Folder…</source>
-            <translation>Dossier…</translation>
-        </message>
-        <message>
-            <source>Kept in the session file. A recording without an end has to be closed first.</source>
-            <translation>Conservées dans le fichier de session. Un enregistrement sans fin doit d’abord être clôturé.</translation>
-        </message>
-        <message>
-            <source>LIVE</source>
-            <translation>RÉEL</translation>
-        </message>
-        <message>
-            <source>Lay the selected run over the open one</source>
-            <translation>Superposer l’essai choisi à celui qui est ouvert</translation>
-        </message>
-        <message>
-            <source>No recorded runs in this folder.</source>
-            <translation>Aucun essai enregistré dans ce dossier.</translation>
-        </message>
-        <message>
-            <source>Open on this page</source>
-            <translation>Ouverte sur cette page</translation>
-        </message>
-        <message>
-            <source>Open the selected run</source>
-            <translation>Ouvrir l’essai choisi</translation>
-        </message>
-        <message>
-            <source>Open</source>
-            <translation>Ouvrir</translation>
-        </message>
-        <message>
-            <source>Outcome</source>
-            <translation>Issue</translation>
-        </message>
-        <message>
-            <source>Overlay</source>
-            <translation>Superposer</translation>
-        </message>
-        <message>
-            <source>Reading the folder…</source>
-            <translation>Lecture du dossier…</translation>
-        </message>
-        <message>
-            <source>Recorded runs</source>
-            <translation>Essais enregistrés</translation>
-        </message>
-        <message>
-            <source>Recorded</source>
-            <translation>Enregistré</translation>
-        </message>
-        <message>
-            <source>Rig</source>
-            <translation>Banc</translation>
-        </message>
-        <message>
-            <source>SIMULATED</source>
-            <translation>SIMULÉ</translation>
-        </message>
-        <message>
-            <source>Search names, experiments, notes, tags</source>
-            <translation>Chercher noms, expériences, notes, étiquettes</translation>
-        </message>
-        <message>
-            <source>Search the recorded runs</source>
-            <translation>Chercher dans les essais enregistrés</translation>
-        </message>
-        <message>
-            <source>Tags of the selected run, with commas</source>
-            <translation>Étiquettes de l’essai choisi, séparées par des virgules</translation>
-        </message>
-        <message>
-            <source>Tags</source>
-            <translation>Étiquettes</translation>
-        </message>
-        <message>
-            <source>The recording has no end: Bask or the computer went down. Saved: %1, until %2 after Start; at most the last %3 s before it went down are missing.</source>
-            <translation>L’enregistrement n’a pas de fin : Bask ou l’ordinateur s’est arrêté. Conservé : %1, jusqu’à %2 après le démarrage ; il manque au plus les %3 dernières secondes.</translation>
-        </message>
-        <message>
-            <source>The runs listed are in %1</source>
-            <translation>Les essais listés sont dans %1</translation>
-        </message>
-        <message>
-            <source>This run is being recorded now.</source>
-            <translation>Cet essai est en cours d’enregistrement.</translation>
-        </message>
-        <message>
-            <source>with commas</source>
-            <translation>séparées par des virgules</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::TransportBar</name>
-        <message>
-            <source>Pause</source>
-            <translation>Pause</translation>
-        </message>
-        <message>
-            <source>Play</source>
-            <translation>Lecture</translation>
-        </message>
-        <message>
-            <source>Position and length of the run</source>
-            <translation>Position et durée de l’essai</translation>
-        </message>
-        <message>
-            <source>Position in the run</source>
-            <translation>Position dans l’essai</translation>
-        </message>
-        <message>
-            <source>REPLAY</source>
-            <translation>REJEU</translation>
-        </message>
-        <message>
-            <source>Space, while nothing else on the page takes it</source>
-            <translation>Espace, tant que rien d’autre sur la page ne la prend</translation>
-        </message>
-        <message>
-            <source>Speed of the replay</source>
-            <translation>Vitesse du rejeu</translation>
-        </message>
-        <message>
-            <source>Speed</source>
-            <translation>Vitesse</translation>
-        </message>
-        <message>
-            <source>What is shown here was recorded: nothing moves or heats by it.</source>
-            <translation>Ce qui est affiché ici a été enregistré : rien ne bouge ni ne chauffe.</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::RunReport</name>
-        <message>
-            <source>%1: %2</source>
-            <comment>command: its values</comment>
-            <translation>%1 : %2</translation>
-        </message>
-        <message>
-            <source>, changing by a profile during the run</source>
-            <translation>, variable selon un profil pendant l’essai</translation>
-        </message>
-        <message>
-            <source>, tracked during the run</source>
-            <translation>, suivie pendant l’essai</translation>
-        </message>
-        <message>
-            <source>Absorptance</source>
-            <translation>Absorptance</translation>
-        </message>
-        <message>
-            <source>Acknowledge</source>
-            <translation>Acquitter</translation>
-        </message>
-        <message>
-            <source>Alarms</source>
-            <translation>Alarmes</translation>
-        </message>
-        <message>
-            <source>Alarms, events, notes and commands</source>
-            <translation>Alarmes, événements, notes et commandes</translation>
-        </message>
-        <message>
-            <source>All objects settled.</source>
-            <translation>Tous les objets sont stabilisés.</translation>
-        </message>
-        <message>
-            <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
-            <translation>Toutes les consignes peuvent être tenues ensemble, d’après les matériaux donnés, à %1 ; marge de %2 jusqu’à la limite la plus proche.</translation>
-        </message>
-        <message>
-            <source>Area</source>
-            <translation>Aire</translation>
-        </message>
-        <message>
-            <source>Areal heat capacity</source>
-            <translation>Capacité thermique surfacique</translation>
-        </message>
-        <message>
-            <source>Arm</source>
-            <translation>Armer</translation>
-        </message>
-        <message>
-            <source>By itself</source>
-            <translation>Seule</translation>
-        </message>
-        <message>
-            <source>Calibration</source>
-            <translation>Étalonnage</translation>
-        </message>
-        <message>
-            <source>Camera</source>
-            <translation>Caméra</translation>
-        </message>
-        <message>
-            <source>Clearance to the source's plane</source>
-            <translation>Garde au plan de la source</translation>
-        </message>
-        <message>
-            <source>Commanded speed</source>
-            <translation>Vitesse commandée</translation>
-        </message>
-        <message>
-            <source>Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 °/s.</source>
-            <translation>Vitesse commandée de l’effecteur, en part de ses limites : %1 mm/s et %2 °/s.</translation>
-        </message>
-        <message>
-            <source>Control from Start until Stop</source>
-            <translation>Asservissement, du démarrage à l’arrêt</translation>
-        </message>
-        <message>
-            <source>Controller</source>
-            <translation>Régulateur</translation>
-        </message>
-        <message>
-            <source>Definitions</source>
-            <translation>Définitions</translation>
-        </message>
-        <message>
-            <source>Disarm</source>
-            <translation>Désarmer</translation>
-        </message>
-        <message>
-            <source>Emittance</source>
-            <translation>Émittance</translation>
-        </message>
-        <message>
-            <source>Emittance of the source</source>
-            <translation>Émittance de la source</translation>
-        </message>
-        <message>
-            <source>Ended by a fault.</source>
-            <translation>Terminé par un défaut.</translation>
-        </message>
-        <message>
-            <source>Errors</source>
-            <translation>Écarts</translation>
-        </message>
-        <message>
-            <source>Experiment without a title</source>
-            <translation>Expérience sans titre</translation>
-        </message>
-        <message>
-            <source>Feasibility of the targets</source>
-            <translation>Faisabilité des consignes</translation>
-        </message>
-        <message>
-            <source>Fourier contour, radius %1 mm</source>
-            <translation>contour de Fourier, rayon %1 mm</translation>
-        </message>
-        <message>
-            <source>Free axes</source>
-            <translation>Axes libres</translation>
-        </message>
-        <message>
-            <source>Gains at the start</source>
-            <translation>Gains au départ</translation>
-        </message>
-        <message>
-            <source>Heat source</source>
-            <translation>Source de chaleur</translation>
-        </message>
-        <message>
-            <source>Hold</source>
-            <translation>Pause</translation>
-        </message>
-        <message>
-            <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
-            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt. Ce qui avait été écrit est rapporté.</translation>
-        </message>
-        <message>
-            <source>It was not computed.</source>
-            <translation>Elle n’a pas été calculée.</translation>
-        </message>
-        <message>
-            <source>Kind</source>
-            <translation>Nature</translation>
-        </message>
-        <message>
-            <source>LIVE</source>
-            <translation>RÉEL</translation>
-        </message>
-        <message>
-            <source>Markers</source>
-            <translation>Marqueurs</translation>
-        </message>
-        <message>
-            <source>Material</source>
-            <translation>Matériau</translation>
-        </message>
-        <message>
-            <source>Measured temperature minus target, within %1; grey: the band.</source>
-            <translation>Température mesurée moins consigne, entre %1 ; en gris : la bande.</translation>
-        </message>
-        <message>
-            <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
-            <translation>Températures mesurées. En tirets : les consignes ; en gris : la bande de %1 autour d’elles. Interruptions : pas de mesure valable. Les numéros aux lignes pointillées sont ceux du tableau des événements.</translation>
-        </message>
-        <message>
-            <source>Metrics</source>
-            <translation>Indicateurs</translation>
-        </message>
-        <message>
-            <source>Model of the source</source>
-            <translation>Modèle de la source</translation>
-        </message>
-        <message>
-            <source>Nearest that can be held</source>
-            <translation>La plus proche tenable</translation>
-        </message>
-        <message>
-            <source>No pose keeps the workspace and the clearance.</source>
-            <translation>Aucune pose ne respecte l’espace de travail et la garde.</translation>
-        </message>
-        <message>
-            <source>No samples were recorded: there are no traces, trajectories and metrics.</source>
-            <translation>Aucun échantillon n’a été enregistré : il n’y a ni courbes, ni trajectoires, ni indicateurs.</translation>
-        </message>
-        <message>
-            <source>No.</source>
-            <translation>N°</translation>
-        </message>
-        <message>
-            <source>None was recorded.</source>
-            <translation>Rien n’a été enregistré.</translation>
-        </message>
-        <message>
-            <source>Not all objects settled.</source>
-            <translation>Tous les objets ne sont pas stabilisés.</translation>
-        </message>
-        <message>
-            <source>Object</source>
-            <translation>Objet</translation>
-        </message>
-        <message>
-            <source>Objects</source>
-            <translation>Objets</translation>
-        </message>
-        <message>
-            <source>Origin</source>
-            <translation>Origine</translation>
-        </message>
-        <message>
-            <source>Outcome</source>
-            <translation>Issue</translation>
-        </message>
-        <message>
-            <source>Outline</source>
-            <translation>Contour</translation>
-        </message>
-        <message>
-            <source>Place on the end-effector</source>
-            <translation>Place sur l’effecteur</translation>
-        </message>
-        <message>
-            <source>Pose of the camera in the robot's base</source>
-            <translation>Pose de la caméra dans la base du robot</translation>
-        </message>
-        <message>
-            <source>Pose of the source</source>
-            <translation>Pose de la source</translation>
-        </message>
-        <message>
-            <source>Pose of the source in the robot's base</source>
-            <translation>Pose de la source dans la base du robot</translation>
-        </message>
-        <message>
-            <source>Range in the workspace</source>
-            <translation>Plage dans l’espace de travail</translation>
-        </message>
-        <message>
-            <source>Recorded</source>
-            <translation>Enregistré</translation>
-        </message>
-        <message>
-            <source>Recorded by</source>
-            <translation>Enregistré par</translation>
-        </message>
-        <message>
-            <source>Recorded on a real rig.</source>
-            <translation>Enregistré sur un banc réel.</translation>
-        </message>
-        <message>
-            <source>Report made at</source>
-            <translation>Rapport établi le</translation>
-        </message>
-        <message>
-            <source>Report made by</source>
-            <translation>Rapport établi par</translation>
-        </message>
-        <message>
-            <source>Reset</source>
-            <translation>Réinitialiser</translation>
-        </message>
-        <message>
-            <source>Resume</source>
-            <translation>Reprendre</translation>
-        </message>
-        <message>
-            <source>Rig</source>
-            <translation>Banc</translation>
-        </message>
-        <message>
-            <source>SIMULATED</source>
-            <translation>SIMULÉ</translation>
-        </message>
-        <message>
-            <source>STOP</source>
-            <translation>STOP</translation>
-        </message>
-        <message>
-            <source>Sampling</source>
-            <translation>Échantillonnage</translation>
-        </message>
-        <message>
-            <source>Session file</source>
-            <translation>Fichier de session</translation>
-        </message>
-        <message>
-            <source>Set temperature</source>
-            <translation>Température de consigne</translation>
-        </message>
-        <message>
-            <source>Set-up</source>
-            <translation>Configuration</translation>
-        </message>
-        <message>
-            <source>Size of the session file</source>
-            <translation>Taille du fichier de session</translation>
-        </message>
-        <message>
-            <source>Speed limits</source>
-            <translation>Limites de vitesse</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Démarrer</translation>
-        </message>
-        <message>
-            <source>Start pose</source>
-            <translation>Pose de départ</translation>
-        </message>
-        <message>
-            <source>Steady, all together</source>
-            <translation>Permanente, toutes ensemble</translation>
-        </message>
-        <message>
-            <source>Stop</source>
-            <translation>Arrêter</translation>
-        </message>
-        <message>
-            <source>Surroundings</source>
-            <translation>Environnement</translation>
-        </message>
-        <message>
-            <source>Target</source>
-            <translation>Consigne</translation>
-        </message>
-        <message>
-            <source>Target at the start</source>
-            <translation>Consigne au départ</translation>
-        </message>
-        <message>
-            <source>Targets</source>
-            <translation>Consignes</translation>
-        </message>
-        <message>
-            <source>Temperature (%1)</source>
-            <translation>Température (%1)</translation>
-        </message>
-        <message>
-            <source>Temperatures</source>
-            <translation>Températures</translation>
-        </message>
-        <message>
-            <source>The checksum is of the file without the log beside it.</source>
-            <translation>La somme de contrôle est celle du fichier sans le journal à côté de lui.</translation>
-        </message>
-        <message>
-            <source>The experiment has none: the pose of the source is as typed.</source>
-            <translation>L’expérience n’en a pas : la pose de la source est celle saisie.</translation>
-        </message>
-        <message>
-            <source>The rig was simulated: these are not measurements of a real one.</source>
-            <translation>Le banc était simulé : ce ne sont pas des mesures d’un banc réel.</translation>
-        </message>
-        <message>
-            <source>The targets cannot be held together, by the materials as given: %1.</source>
-            <translation>Les consignes ne peuvent pas être tenues ensemble, d’après les matériaux donnés : %1.</translation>
-        </message>
-        <message>
-            <source>Thickness</source>
-            <translation>Épaisseur</translation>
-        </message>
-        <message>
-            <source>Time (s)</source>
-            <translation>Temps (s)</translation>
-        </message>
-        <message>
-            <source>Traces and trajectories</source>
-            <translation>Courbes et trajectoires</translation>
-        </message>
-        <message>
-            <source>View factor needed</source>
-            <translation>Facteur de forme requis</translation>
-        </message>
-        <message>
-            <source>View factor of the source from each object.</source>
-            <translation>Facteur de forme de la source vue de chaque objet.</translation>
-        </message>
-        <message>
-            <source>View factors</source>
-            <translation>Facteurs de forme</translation>
-        </message>
-        <message>
-            <source>Warning, trip</source>
-            <translation>Avertissement, déclenchement</translation>
-        </message>
-        <message>
-            <source>Trajectories of the objects</source>
-            <translation>Trajectoires des objets</translation>
-        </message>
-        <message>
-            <source>Trajectories of the objects' centres over the source until Stop, from the ring to the dot, coloured by temperature; black: the source.</source>
-            <translation>Trajectoires des centres des objets au-dessus de la source jusqu’à l’arrêt, de l’anneau au point, colorées selon la température ; en noir : la source.</translation>
-        </message>
-        <message>
-            <source>What</source>
-            <translation>Quoi</translation>
-        </message>
-        <message>
-            <source>Workspace</source>
-            <translation>Espace de travail</translation>
-        </message>
-        <message>
-            <source>Zero the sensors</source>
-            <translation>Ajuster les capteurs</translation>
-        </message>
-        <message>
-            <source>alarm, priority %1</source>
-            <translation>alarme, priorité %1</translation>
-        </message>
-        <message>
-            <source>as in the paper, without reflection</source>
-            <translation>comme dans l’article, sans réflexion</translation>
-        </message>
-        <message>
-            <source>as typed</source>
-            <translation>telle que saisie</translation>
-        </message>
-        <message>
-            <source>command</source>
-            <translation>commande</translation>
-        </message>
-        <message>
-            <source>date not known</source>
-            <translation>date inconnue</translation>
-        </message>
-        <message>
-            <source>disk, radius %1 mm</source>
-            <translation>disque, rayon %1 mm</translation>
-        </message>
-        <message>
-            <source>error not known</source>
-            <translation>erreur inconnue</translation>
-        </message>
-        <message>
-            <source>event</source>
-            <translation>événement</translation>
-        </message>
-        <message>
-            <source>every %1 s</source>
-            <translation>toutes les %1 s</translation>
-        </message>
-        <message>
-            <source>grey, with reflection</source>
-            <translation>grise, avec réflexion</translation>
-        </message>
-        <message>
-            <source>measured by the camera, %1</source>
-            <translation>mesurée par la caméra, %1</translation>
-        </message>
-        <message>
-            <source>no event was recorded</source>
-            <translation>aucun événement enregistré</translation>
-        </message>
-        <message>
-            <source>no samples were recorded</source>
-            <translation>aucun échantillon enregistré</translation>
-        </message>
-        <message>
-            <source>none</source>
-            <translation>aucun</translation>
-        </message>
-        <message>
-            <source>not calibrated</source>
-            <translation>non étalonnée</translation>
-        </message>
-        <message>
-            <source>not known</source>
-            <translation>inconnu</translation>
-        </message>
-        <message>
-            <source>note</source>
-            <translation>note</translation>
-        </message>
-        <message>
-            <source>offsets of the sensors %1</source>
-            <translation>écarts des capteurs %1</translation>
-        </message>
-        <message>
-            <source>page %1 of %2</source>
-            <translation>page %1 sur %2</translation>
-        </message>
-        <message>
-            <source>polygon, radius %1 mm</source>
-            <translation>polygone, rayon %1 mm</translation>
-        </message>
-        <message>
-            <source>seen along x of the source</source>
-            <translation>vu le long de x de la source</translation>
-        </message>
-        <message>
-            <source>seen along −z of the source</source>
-            <translation>vu le long de −z de la source</translation>
-        </message>
-        <message>
-            <source>simulated, seed %1</source>
-            <translation>simulé, graine %1</translation>
-        </message>
-        <message>
-            <source>surroundings %1</source>
-            <translation>environnement %1</translation>
-        </message>
-        <message>
-            <source>targets out of reach accepted</source>
-            <translation>consignes hors d’atteinte acceptées</translation>
-        </message>
-        <message>
-            <source>time constant %1 s, integral time %2 s</source>
-            <translation>constante de temps %1 s, temps intégral %2 s</translation>
-        </message>
-        <message>
-            <source>too cold</source>
-            <translation>trop froide</translation>
-        </message>
-        <message>
-            <source>too hot</source>
-            <translation>trop chaude</translation>
-        </message>
-        <message>
-            <source>within the range</source>
-            <translation>dans la plage</translation>
-        </message>
-        <message>
-            <source>without a name</source>
-            <translation>sans nom</translation>
-        </message>
-        <message numerus="yes">
-            <source>%1 (min:s), %n sample(s)</source>
-            <translation>
-                <numerusform>%1 (min:s), %n échantillon</numerusform>
-                <numerusform>%1 (min:s), %n échantillons</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
-            <translation>
-                <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n vue</numerusform>
-                <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n vues</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n alarm(s)</source>
-            <translation>
-                <numerusform>%n alarme</numerusform>
-                <numerusform>%n alarmes</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n hole(s)</source>
-            <translation>
-                <numerusform>%n trou</numerusform>
-                <numerusform>%n trous</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n marker(s) of dictionary %1</source>
-            <translation>
-                <numerusform>%n marqueur du dictionnaire %1</numerusform>
-                <numerusform>%n marqueurs du dictionnaire %1</numerusform>
-            </translation>
-        </message>
-        <message numerus="yes">
-            <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
-            <translation>
-                <numerusform>%n autre ligne est dans le fichier de session ; bask export --csv la donne.</numerusform>
-                <numerusform>%n autres lignes sont dans le fichier de session ; bask export --csv les donne.</numerusform>
-            </translation>
-        </message>
-        <message>
-            <source>%1 bytes</source>
-            <translation>%1 octets</translation>
-        </message>
-        <message>
-            <source>%1 mm/s and %2 °/s</source>
-            <translation>%1 mm/s et %2 °/s</translation>
-        </message>
-        <message>
-            <source>%1 px rms</source>
-            <translation>%1 px rms</translation>
-        </message>
-        <message>
-            <source>%1 to %2</source>
-            <translation>%1 à %2</translation>
-        </message>
-        <message>
-            <source>Stopped.</source>
-            <translation>Arrêté.</translation>
-        </message>
-        <message>
-            <source>Ended by STOP.</source>
-            <translation>Terminé par STOP.</translation>
-        </message>
-        <message>
-            <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
-            <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est rapporté.</translation>
-        </message>
-        <message>
-            <source>zeroed %1 UTC</source>
-            <translation>ajustés le %1 UTC</translation>
-        </message>
-    </context>
-    <context>
-        <name>bask::SessionExport</name>
-        <message>
-            <source>%1 written</source>
-            <translation>%1 écrit</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n file(s) written to %1</source>
-            <translation>
-                <numerusform>%n fichier écrit dans %1</numerusform>
-                <numerusform>%n fichiers écrits dans %1</numerusform>
-            </translation>
-        </message>
-    </context>
 <context>
-    <name>bask::Recipe</name>
-        <message>
-            <source>Wait</source>
-            <translation>Attente</translation>
-        </message>
-        <message>
-            <source>all have been settled for %1</source>
-            <translation>tous sont stabilisés depuis %1</translation>
-        </message>
-        <message>
-            <source>%1 have passed</source>
-            <translation>écoulement de %1</translation>
-        </message>
-        <message>
-            <source>%1 is at %2 or above</source>
-            <translation>%1 est à %2 ou plus</translation>
-        </message>
-        <message>
-            <source>%1 is at %2 or below</source>
-            <translation>%1 est à %2 ou moins</translation>
-        </message>
-        <message>
-            <source>To come</source>
-            <translation>À venir</translation>
-        </message>
-        <message>
-            <source>Under way</source>
-            <translation>En cours</translation>
-        </message>
-        <message>
-            <source>Done</source>
-            <translation>Terminée</translation>
-        </message>
-        <message>
-            <source>Not reached</source>
-            <translation>Non atteinte</translation>
-        </message>
-        <message>
-            <source>Failed</source>
-            <translation>Échouée</translation>
-        </message>
-        <message>
-            <source>Stopped</source>
-            <translation>Arrêtée</translation>
-        </message>
-        <message>
-            <source>The recipe is done.</source>
-            <translation>La recette est terminée.</translation>
-        </message>
-        <message>
-            <source>The recipe has ended: not every step was done.</source>
-            <translation>La recette a pris fin : toutes les étapes n’ont pas abouti.</translation>
-        </message>
-        <message>
-            <source>The recipe was stopped.</source>
-            <translation>La recette a été arrêtée.</translation>
-        </message>
-        <message>
-            <source>The recipe has ended, since the rig or the experiment was taken in hand.</source>
-            <translation>La recette a pris fin : quelqu’un a repris le banc ou l’expérience en main.</translation>
-        </message>
-        <message>
-            <source>The recipe was ended by an alarm.</source>
-            <translation>Une alarme a mis fin à la recette.</translation>
-        </message>
-        <message>
-            <source>The recipe was ended by a fault.</source>
-            <translation>Un défaut a mis fin à la recette.</translation>
-        </message>
-        <message>
-            <source>Held</source>
-            <translation>En pause</translation>
-        </message>
-    </context>
-<context>
-    <name>bask::RecipeStepDialog</name>
-        <message>
-            <source>Run %1</source>
-            <translation>Essai %1</translation>
-        </message>
-        <message>
-            <source>Wait</source>
-            <translation>Attente</translation>
-        </message>
-        <message>
-            <source>All objects have settled</source>
-            <translation>Tous les objets sont stabilisés</translation>
-        </message>
-        <message>
-            <source>A time has passed</source>
-            <translation>Un temps s’est écoulé</translation>
-        </message>
-        <message>
-            <source>An object is so hot or hotter</source>
-            <translation>Un objet est aussi chaud ou plus chaud</translation>
-        </message>
-        <message>
-            <source>An object is so cold or colder</source>
-            <translation>Un objet est aussi froid ou plus froid</translation>
-        </message>
-        <message>
-            <source>End the recipe</source>
-            <translation>Mettre fin à la recette</translation>
-        </message>
-        <message>
-            <source>Go on with the next step</source>
-            <translation>Passer à l’étape suivante</translation>
-        </message>
-        <message>
-            <source>Until</source>
-            <translation>Jusqu’à</translation>
-        </message>
-        <message>
-            <source>For</source>
-            <translation>Pendant</translation>
-        </message>
-        <message>
-            <source>Object</source>
-            <translation>Objet</translation>
-        </message>
-        <message>
-            <source>Temperature</source>
-            <translation>Température</translation>
-        </message>
-        <message>
-            <source>At most</source>
-            <translation>Au plus</translation>
-        </message>
-        <message>
-            <source>Otherwise</source>
-            <translation>Sinon</translation>
-        </message>
-        <message>
-            <source>Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a person's stop always ends the recipe.</source>
-            <translation>Si la condition n’est pas atteinte à temps ou si l’essai ne peut pas commencer. Une alarme, un défaut ou l’arrêt par une personne met toujours fin à la recette.</translation>
-        </message>
-        <message>
-            <source>OK</source>
-            <translation>OK</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-    </context>
-<context>
-    <name>bask::RecipePanel</name>
-        <message>
-            <source>Run %1</source>
-            <translation>Essai %1</translation>
-        </message>
-        <message>
-            <source>%1; otherwise on with the next</source>
-            <translation>%1 ; sinon, passer à la suivante</translation>
-        </message>
-        <message>
-            <source>Step %1 of %2</source>
-            <translation>Étape %1 sur %2</translation>
-        </message>
-        <message>
-            <source>%1 of at most %2</source>
-            <translation>%1 sur %2 au plus</translation>
-        </message>
-        <message>
-            <source>running, %1</source>
-            <translation>essai en cours, %1</translation>
-        </message>
-        <message>
-            <source>waiting, %1</source>
-            <translation>attente, %1</translation>
-        </message>
-        <message>
-            <source>heat off, retreat</source>
-            <translation>chauffage coupé, retrait</translation>
-        </message>
-        <message>
-            <source>getting ready</source>
-            <translation>préparation</translation>
-        </message>
-        <message>
-            <source>%1: %2</source>
-            <translation>%1 : %2</translation>
-        </message>
-        <message>
-            <source>Experiments that are run one after another, with waits. Add a step or open a recipe.</source>
-            <translation>Des expériences l’une après l’autre, avec des attentes. Ajoutez une étape ou ouvrez une recette.</translation>
-        </message>
-        <message numerus="yes">
-            <source>%n step(s), at most %1</source>
-            <translation><numerusform>%n étape, %1 au plus</numerusform><numerusform>%n étapes, %1 au plus</numerusform></translation>
-        </message>
-        <message>
-            <source>not saved yet</source>
-            <translation>pas encore enregistrée</translation>
-        </message>
-        <message>
-            <source>%1, changed</source>
-            <translation>%1, modifiée</translation>
-        </message>
-        <message>
-            <source>File</source>
-            <translation>Fichier</translation>
-        </message>
-        <message>
-            <source>New recipe</source>
-            <translation>Nouvelle recette</translation>
-        </message>
-        <message>
-            <source>Open a recipe…</source>
-            <translation>Ouvrir une recette…</translation>
-        </message>
-        <message>
-            <source>Examples</source>
-            <translation>Exemples</translation>
-        </message>
-        <message>
-            <source>Save the recipe as…</source>
-            <translation>Enregistrer la recette sous…</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>Enregistrer</translation>
-        </message>
-        <message>
-            <source>Add</source>
-            <translation>Ajouter</translation>
-        </message>
-        <message>
-            <source>A run of the open experiment</source>
-            <translation>Un essai de l’expérience ouverte</translation>
-        </message>
-        <message>
-            <source>A run of an experiment from a file…</source>
-            <translation>Un essai d’une expérience d’un fichier…</translation>
-        </message>
-        <message>
-            <source>A wait</source>
-            <translation>Une attente</translation>
-        </message>
-        <message>
-            <source>A wait until an object has cooled</source>
-            <translation>Une attente jusqu’à ce qu’un objet ait refroidi</translation>
-        </message>
-        <message>
-            <source>Edit…</source>
-            <translation>Modifier…</translation>
-        </message>
-        <message>
-            <source>Remove</source>
-            <translation>Supprimer</translation>
-        </message>
-        <message>
-            <source>Start the recipe</source>
-            <translation>Démarrer la recette</translation>
-        </message>
-        <message>
-            <source>Stop after this step</source>
-            <translation>Arrêter après cette étape</translation>
-        </message>
-        <message>
-            <source>Stop the recipe</source>
-            <translation>Arrêter la recette</translation>
-        </message>
-        <message>
-            <source>Look at the run</source>
-            <translation>Voir l’essai</translation>
-        </message>
-        <message>
-            <source>Recipe file</source>
-            <translation>Fichier de la recette</translation>
-        </message>
-        <message>
-            <source>A new recipe, another one, or this one under another name</source>
-            <translation>Une nouvelle recette, une autre, ou celle-ci sous un autre nom</translation>
-        </message>
-        <message>
-            <source>Save the recipe</source>
-            <translation>Enregistrer la recette</translation>
-        </message>
-        <message>
-            <source>Add a step</source>
-            <translation>Ajouter une étape</translation>
-        </message>
-        <message>
-            <source>Add a step after the chosen one</source>
-            <translation>Ajouter une étape après celle qui est choisie</translation>
-        </message>
-        <message>
-            <source>Edit the step</source>
-            <translation>Modifier l’étape</translation>
-        </message>
-        <message>
-            <source>Its condition, its longest time, and what comes if that passes (Enter)</source>
-            <translation>Sa condition, sa durée maximale et ce qui suit si elle est dépassée (Entrée)</translation>
-        </message>
-        <message>
-            <source>Remove the step</source>
-            <translation>Supprimer l’étape</translation>
-        </message>
-        <message>
-            <source>Move the step up</source>
-            <translation>Monter l’étape</translation>
-        </message>
-        <message>
-            <source>Move the step down</source>
-            <translation>Descendre l’étape</translation>
-        </message>
-        <message>
-            <source>Says what it will do, and asks</source>
-            <translation>Dit ce qu’elle va faire, et demande</translation>
-        </message>
-        <message>
-            <source>The step under way is the last one</source>
-            <translation>L’étape en cours est la dernière</translation>
-        </message>
-        <message>
-            <source>Heat off, retreat, and nothing more is begun</source>
-            <translation>Chauffage coupé, retrait, et plus rien ne commence</translation>
-        </message>
-        <message>
-            <source>The recording of the chosen step, on the Review page</source>
-            <translation>L’enregistrement de l’étape choisie, sur la page Relecture</translation>
-        </message>
-        <message>
-            <source>Steps of the recipe</source>
-            <translation>Étapes de la recette</translation>
-        </message>
-        <message>
-            <source>No.</source>
-            <translation>N°</translation>
-        </message>
-        <message>
-            <source>Step</source>
-            <translation>Étape</translation>
-        </message>
-        <message>
-            <source>Until</source>
-            <translation>Jusqu’à</translation>
-        </message>
-        <message>
-            <source>At most</source>
-            <translation>Au plus</translation>
-        </message>
-        <message>
-            <source>Elapsed</source>
-            <translation>Écoulé</translation>
-        </message>
-        <message>
-            <source>State</source>
-            <translation>État</translation>
-        </message>
-    </context>
-<context>
-    <name>bask::RecipeControl</name>
-        <message>
-            <source>A recipe is on, step %1 of %2. It arms, moves and heats by itself.</source>
-            <translation>Une recette est en cours, étape %1 sur %2. Elle arme, déplace et chauffe d’elle-même.</translation>
-        </message>
-        <message>
-            <source>Open a recipe</source>
-            <translation>Ouvrir une recette</translation>
-        </message>
-        <message>
-            <source>Recipes (*.json);;All files (*)</source>
-            <translation>Recettes (*.json);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>Recipes (*.json)</source>
-            <translation>Recettes (*.json)</translation>
-        </message>
-        <message>
-            <source>A recipe is on. Stop it before another one is opened.</source>
-            <translation>Une recette est en cours. Arrêtez-la avant d’en ouvrir une autre.</translation>
-        </message>
-        <message>
-            <source>Show the recipe</source>
-            <translation>Voir la recette</translation>
-        </message>
-        <message>
-            <source>Unsaved recipe</source>
-            <translation>Recette non enregistrée</translation>
-        </message>
-        <message>
-            <source>The recipe was changed and not saved.</source>
-            <translation>La recette a été modifiée et n’est pas enregistrée.</translation>
-        </message>
-        <message>
-            <source>Save</source>
-            <translation>Enregistrer</translation>
-        </message>
-        <message>
-            <source>Discard changes</source>
-            <translation>Abandonner les modifications</translation>
-        </message>
-        <message>
-            <source>Cancel</source>
-            <translation>Annuler</translation>
-        </message>
-        <message>
-            <source>Save the recipe</source>
-            <translation>Enregistrer la recette</translation>
-        </message>
-        <message>
-            <source>Saved %1</source>
-            <translation>%1 enregistré</translation>
-        </message>
-        <message>
-            <source>Add a run of an experiment</source>
-            <translation>Ajouter un essai d’une expérience</translation>
-        </message>
-        <message>
-            <source>Experiments (*.json);;All files (*)</source>
-            <translation>Expériences (*.json);;Tous les fichiers (*)</translation>
-        </message>
-        <message>
-            <source>Step %1 is for another rig than the present one: a recipe runs on one rig, which has been looked at.</source>
-            <translation>L’étape %1 est pour un autre banc que celui-ci : une recette s’exécute sur un seul banc, qui a été vérifié.</translation>
-        </message>
-        <message>
-            <source>%1. %2 until %3</source>
-            <translation>%1. %2 jusqu’à : %3</translation>
-        </message>
-        <message>
-            <source>%1. %2 until %3, at most %4</source>
-            <translation>%1. %2 jusqu’à : %3, au plus %4</translation>
-        </message>
-        <message numerus="yes">
-            <source>and %n more</source>
-            <translation><numerusform>et %n autre</numerusform><numerusform>et %n autres</numerusform></translation>
-        </message>
-        <message>
-            <source>Start the recipe</source>
-            <translation>Démarrer la recette</translation>
-        </message>
-        <message>
-            <source>It takes at most %1 and its retreats:</source>
-            <translation>Elle dure au plus %1, retraits en sus :</translation>
-        </message>
-        <message>
-            <source>This rig is real: the robot moves and the source heats, again and again and by itself. Is everybody and everything out of the way for so long? An alarm, a hold or a stop ends the recipe.</source>
-            <translation>Ce banc est réel : le robot bouge et la source chauffe, encore et encore et sans personne. Tout le monde et tout est-il à l’écart pour aussi longtemps ? Une alarme, une pause ou un arrêt met fin à la recette.</translation>
-        </message>
-        <message>
-            <source>An alarm, a hold or a stop ends the recipe.</source>
-            <translation>Une alarme, une pause ou un arrêt met fin à la recette.</translation>
-        </message>
-        <message>
-            <source>Start</source>
-            <translation>Démarrer</translation>
-        </message>
-        <message>
-            <source>Something was changed meanwhile: start the recipe once more.</source>
-            <translation>Quelque chose a changé entre-temps : démarrez la recette à nouveau.</translation>
-        </message>
-        <message>
-            <source>The experiment has unsaved edits.</source>
-            <translation>L’expérience a des modifications non enregistrées.</translation>
-        </message>
-        <message>
-            <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
-            <translation>La source est chauffée à la main : une recette ne peut pas l’éteindre entre ses étapes.</translation>
-        </message>
-        <message>
-            <source>Its run is held, not ended: nothing but a person resumes or stops it now.</source>
-            <translation>Son essai est en pause, non terminé : seule une personne le reprend ou l’arrête désormais.</translation>
-        </message>
-    </context>
+    <name>About</name>
+    <message>
+        <source>About Bask</source>
+        <translation>À propos de Bask</translation>
+    </message>
+    <message>
+        <source>Radiation-based thermal servoing: a robot brings objects to their temperatures by holding them in front of a heat source.</source>
+        <translation>Asservissement thermique par rayonnement&#xa0;: un robot amène des objets à leurs températures en les tenant devant une source de chaleur.</translation>
+    </message>
+    <message>
+        <source>Qt %1 on %2. Licence: GPL-3.0-or-later.</source>
+        <translation>Qt %1 sur %2. Licence&#xa0;: GPL-3.0-or-later.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
 <context>
     <name>CloseQuestion</name>
-        <message>
-            <source>"Stop, then close" switches the heat off, takes the objects away from the source, and closes when they are there. "Close now" switches the heat off and leaves the objects where they are, perhaps close to a hot source. What is recorded stays.</source>
-            <translation>« Arrêter, puis fermer » coupe la chauffe, éloigne les objets de la source, et ferme quand ils y sont. « Fermer maintenant » coupe la chauffe et laisse les objets où ils sont, peut-être près d’une source brûlante. Ce qui est enregistré reste.</translation>
-        </message>
-        <message>
-            <source>A recipe is on, with nothing heated or moved just now.</source>
-            <translation>Une recette est en cours, sans chauffe ni mouvement en ce moment.</translation>
-        </message>
-        <message>
-            <source>The recipe ends, and its other steps are not run.</source>
-            <translation>La recette prend fin, ses autres étapes n’ont pas lieu.</translation>
-        </message>
-        <message>
-            <source>A run is on</source>
-            <translation>Un essai est en cours</translation>
-        </message>
-        <message>
-            <source>A recipe is on</source>
-            <translation>Une recette est en cours</translation>
-        </message>
-        <message>
-            <source>Stop, then close</source>
-            <translation>Arrêter, puis fermer</translation>
-        </message>
-        <message>
-            <source>Close now</source>
-            <translation>Fermer maintenant</translation>
-        </message>
-        <message>
-            <source>End the recipe and close</source>
-            <translation>Terminer la recette et fermer</translation>
-        </message>
-        <message>
-            <source>Stay</source>
-            <translation>Rester</translation>
-        </message>
-    </context>
+    <message>
+        <source>&quot;Stop, then close&quot; switches the heat off, takes the objects away from the source, and closes when they are there. &quot;Close now&quot; switches the heat off and leaves the objects where they are, perhaps close to a hot source. What is recorded stays.</source>
+        <translation>« Arrêter, puis fermer » coupe la chauffe, éloigne les objets de la source, et ferme quand ils y sont. « Fermer maintenant » coupe la chauffe et laisse les objets où ils sont, peut-être près d’une source brûlante. Ce qui est enregistré reste.</translation>
+    </message>
+    <message>
+        <source>A recipe is on, with nothing heated or moved just now.</source>
+        <translation>Une recette est en cours, sans chauffe ni mouvement en ce moment.</translation>
+    </message>
+    <message>
+        <source>The recipe ends, and its other steps are not run.</source>
+        <translation>La recette prend fin, ses autres étapes n’ont pas lieu.</translation>
+    </message>
+    <message>
+        <source>A run is on</source>
+        <translation>Un essai est en cours</translation>
+    </message>
+    <message>
+        <source>A recipe is on</source>
+        <translation>Une recette est en cours</translation>
+    </message>
+    <message>
+        <source>Stop, then close</source>
+        <translation>Arrêter, puis fermer</translation>
+    </message>
+    <message>
+        <source>Close now</source>
+        <translation>Fermer maintenant</translation>
+    </message>
+    <message>
+        <source>End the recipe and close</source>
+        <translation>Terminer la recette et fermer</translation>
+    </message>
+    <message>
+        <source>Stay</source>
+        <translation>Rester</translation>
+    </message>
+</context>
+<context>
+    <name>MaterialPreset</name>
+    <message>
+        <source>aluminium, painted black</source>
+        <translation>aluminium peint en noir</translation>
+    </message>
+    <message>
+        <source>aluminium, anodised</source>
+        <translation>aluminium anodisé</translation>
+    </message>
+    <message>
+        <source>copper, polished</source>
+        <translation>cuivre poli</translation>
+    </message>
+    <message>
+        <source>steel, painted black</source>
+        <translation>acier peint en noir</translation>
+    </message>
+    <message>
+        <source>stainless steel, polished</source>
+        <translation>acier inoxydable poli</translation>
+    </message>
+    <message>
+        <source>stainless steel, oxidised</source>
+        <translation>acier inoxydable oxydé</translation>
+    </message>
+    <message>
+        <source>ABS, 30 % infill</source>
+        <translation>ABS, remplissage 30 %</translation>
+    </message>
+    <message>
+        <source>graphite</source>
+        <translation>graphite</translation>
+    </message>
+    <message>
+        <source>cardboard</source>
+        <translation>carton</translation>
+    </message>
+    <message>
+        <source>Hu et al., arXiv 2012.13147 (bulk), flat paint (surface)</source>
+        <translation>Hu et al., arXiv 2012.13147 (masse), peinture mate (surface)</translation>
+    </message>
+    <message>
+        <source>aluminium, painted</source>
+        <translation>aluminium peint</translation>
+    </message>
+    <message>
+        <source>aluminium, bare</source>
+        <translation>aluminium nu</translation>
+    </message>
+    <message>
+        <source>PLA, 30 % infill</source>
+        <translation>PLA, remplissage 30&#xa0;%</translation>
+    </message>
+    <message>
+        <source>PLA, 50 % infill</source>
+        <translation>PLA, remplissage 50&#xa0;%</translation>
+    </message>
+    <message>
+        <source>PLA, solid</source>
+        <translation>PLA plein</translation>
+    </message>
+    <message>
+        <source>ABS, solid</source>
+        <translation>ABS plein</translation>
+    </message>
+    <message>
+        <source>copper, oxidised</source>
+        <translation>cuivre oxydé</translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <translation>verre</translation>
+    </message>
+    <message>
+        <source>Incropera, table A.1 (bulk), FLIR tables: matte black lacquer (surface)</source>
+        <translation>Incropera, table A.1 (masse), tables FLIR : laque noire mate (surface)</translation>
+    </message>
+    <message>
+        <source>Incropera, table A.1 (bulk), Neutrium: anodised, 20 °C (surface)</source>
+        <translation>Incropera, table A.1 (masse), Neutrium : anodisé, 20 °C (surface)</translation>
+    </message>
+    <message>
+        <source>Incropera, table A.1 (bulk), FLIR tables: sheet as received (surface)</source>
+        <translation>Incropera, table A.1 (masse), tables FLIR : tôle brute (surface)</translation>
+    </message>
+    <message>
+        <source>Hu et al., arXiv 2012.13147; FLIR tables: 0.04 to 0.06, polished</source>
+        <translation>Hu et al., arXiv 2012.13147 ; tables FLIR : 0.04 à 0.06, poli</translation>
+    </message>
+    <message>
+        <source>Incropera, table A.1 (bulk), FLIR tables (surface)</source>
+        <translation>Incropera, table A.1 (masse), tables FLIR (surface)</translation>
+    </message>
+    <message>
+        <source>AISI 1010, Matmake (bulk), FLIR tables: matte black lacquer (surface)</source>
+        <translation>AISI 1010, Matmake (masse), tables FLIR : laque noire mate (surface)</translation>
+    </message>
+    <message>
+        <source>EN 10088-1, 1.4301 (bulk), Trotec: 18-8, 25 °C (surface)</source>
+        <translation>EN 10088-1, 1.4301 (masse), Trotec : 18-8, 25 °C (surface)</translation>
+    </message>
+    <message>
+        <source>EN 10088-1, 1.4301 (bulk), Thome, EPFL: 0.5 to 0.7 after heating (surface)</source>
+        <translation>EN 10088-1, 1.4301 (masse), Thome, EPFL : 0.5 à 0.7 après chauffage (surface)</translation>
+    </message>
+    <message>
+        <source>FreeCAD card PLA-Generic (bulk), plastics: 0.85 to 0.95 (surface)</source>
+        <translation>fiche FreeCAD PLA-Generic (masse), plastiques : 0.85 à 0.95 (surface)</translation>
+    </message>
+    <message>
+        <source>Kaiao, Granta Design (bulk), plastics: 0.85 to 0.95 (surface)</source>
+        <translation>Kaiao, Granta Design (masse), plastiques : 0.85 à 0.95 (surface)</translation>
+    </message>
+    <message>
+        <source>Pilkington ATS-129; specific heat: tables say 720 to 880 J/(kg·K)</source>
+        <translation>Pilkington ATS-129 ; chaleur massique : 720 à 880 J/(kg·K) selon les tables</translation>
+    </message>
+    <message>
+        <source>Entegris, by FreeCAD&apos;s card (bulk), tables: 0.8 to 0.98 (surface)</source>
+        <translation>Entegris, d’après la fiche FreeCAD (masse), tables : 0.8 à 0.98 (surface)</translation>
+    </message>
+    <message>
+        <source>Ashby: 480 to 860 kg/m³ (bulk), FLIR tables: paper (surface)</source>
+        <translation>Ashby : 480 à 860 kg/m³ (masse), tables FLIR : papier (surface)</translation>
+    </message>
+    <message>
+        <source>aluminium, polished</source>
+        <translation>aluminium poli</translation>
+    </message>
+</context>
+<context>
+    <name>Message</name>
+    <message>
+        <source>&quot;%1&quot; is not the finite number or numbers that it should be</source>
+        <translation>« %1 » n’est pas le ou les nombres finis attendus</translation>
+    </message>
+    <message>
+        <source>Held for more than %1 s without a reading: the run is ended</source>
+        <translation>En pause depuis plus de %1 s sans mesure : l’essai prend fin</translation>
+    </message>
+    <message>
+        <source>a recipe needs at least one step that runs an experiment</source>
+        <translation>une recette a besoin d’au moins une étape qui exécute une expérience</translation>
+    </message>
+    <message>
+        <source>not one of Bask&apos;s files, or a damaged one: it is no valid JSON (%1)</source>
+        <translation>ce n’est pas un fichier de Bask, ou il est endommagé : JSON non valable (%1)</translation>
+    </message>
+    <message>
+        <source>simulated fault of &quot;%2&quot;: %1</source>
+        <translation>défaut simulé de « %2 » : %1</translation>
+    </message>
+    <message>
+        <source>simulated fault: %1</source>
+        <translation>défaut simulé : %1</translation>
+    </message>
+    <message>
+        <source>the camera matrix cannot be used: nine numbers fx 0 cx, 0 fy cy, 0 0 1 with focal lengths above zero are needed</source>
+        <translation>la matrice de la caméra est inutilisable : il faut neuf nombres fx 0 cx, 0 fy cy, 0 0 1, avec des focales supérieures à zéro</translation>
+    </message>
+    <message>
+        <source>a distortion of %1 coefficients cannot be used; 4, 5 or 8 can</source>
+        <translation>une distorsion à %1 coefficients est inutilisable ; il en faut 4, 5 ou 8</translation>
+    </message>
+    <message>
+        <source>the camera was calibrated with pictures of %1 pixels, this one has %2; calibrate it at this size</source>
+        <translation>la caméra a été étalonnée avec des images de %1 pixels, celle-ci en a %2 ; étalonnez-la à cette taille</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not %2 digits 0 or 1</source>
+        <translation>« %1 » n’est pas une suite de %2 chiffres 0 ou 1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no board; write chessboard:9x6:0.025 (inner corners, square in m) or charuco:5x7:0.04:0.02:6X6_250 (squares, square and marker in m, dictionary)</source>
+        <translation>« %1 » n’est pas une mire ; écrivez chessboard:9x6:0.025 (coins intérieurs, case en m) ou charuco:5x7:0.04:0.02:6X6_250 (cases, case et marqueur en m, dictionnaire)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no marker; write marker:6X6_250:23:0.05 (dictionary, id, side in m)</source>
+        <translation>« %1 » n’est pas un marqueur ; écrivez marker:6X6_250:23:0.05 (dictionnaire, numéro, côté en m)</translation>
+    </message>
+    <message>
+        <source>a marker of %1 m does not fit into a square of %2 m</source>
+        <translation>un marqueur de %1 m ne tient pas dans une case de %2 m</translation>
+    </message>
+    <message>
+        <source>dictionary %1 has %2 markers; %3 are needed</source>
+        <translation>le dictionnaire %1 a %2 marqueurs ; il en faut %3</translation>
+    </message>
+    <message>
+        <source>no chessboard of %1 inner corners is seen; it needs to be whole in the picture, flat, with a light margin</source>
+        <translation>aucun échiquier à %1 coins intérieurs n’est vu ; il doit être entier dans l’image, plan, avec une marge claire</translation>
+    </message>
+    <message>
+        <source>only %1 corners of the board are seen; %2 that are not in one line are needed</source>
+        <translation>seuls %1 coins de la mire sont vus ; il en faut %2 qui ne soient pas alignés</translation>
+    </message>
+    <message>
+        <source>the pictures show the board %1, not %2; correct the setting</source>
+        <translation>les images montrent la mire %1, non %2 ; corrigez le réglage</translation>
+    </message>
+    <message>
+        <source>the picture has %1 pixels, the others %2; take all with one camera at one size</source>
+        <translation>l’image a %1 pixels, les autres %2 ; prenez-les toutes avec une caméra à une seule taille</translation>
+    </message>
+    <message>
+        <source>%1 pictures that can be used are too few; at least %2 are needed, with the board tilted in different ways</source>
+        <translation>%1 images utilisables ne suffisent pas ; il en faut au moins %2, la mire inclinée de différentes façons</translation>
+    </message>
+    <message>
+        <source>in all pictures the board is seen straight on, tilted by %1 degrees at most; at least %2 are needed to tell the focal length</source>
+        <translation>dans toutes les images la mire est vue de face, inclinée de %1 degrés au plus ; il en faut au moins %2 pour connaître la focale</translation>
+    </message>
+    <message>
+        <source>in all pictures the board is held in nearly the same direction, turned by %1 degrees at most between two of them; at least %2 are needed to tell the focal length</source>
+        <translation>dans toutes les images la mire a presque la même orientation, avec %1 degrés au plus entre deux d’entre elles ; il en faut au moins %2 pour connaître la focale</translation>
+    </message>
+    <message>
+        <source>no camera explains these pictures; tilt the board in different ways and check its setting</source>
+        <translation>aucune caméra n’explique ces images ; inclinez la mire de différentes façons et vérifiez son réglage</translation>
+    </message>
+    <message>
+        <source>the focal length is known to %1 % only; at most %2 % can be used, so add pictures with the board tilted in different ways</source>
+        <translation>la focale n’est connue qu’à %1 % ; %2 % au plus conviennent, ajoutez donc des images où la mire est inclinée de différentes façons</translation>
+    </message>
+    <message>
+        <source>the pictures contradict one another by %1 px; at most %2 px can be used, so check that the board is flat, its setting right and all pictures from one camera</source>
+        <translation>les images se contredisent de %1 px ; %2 px au plus conviennent, vérifiez donc que la mire est plane, son réglage juste et que toutes les images viennent d’une même caméra</translation>
+    </message>
+    <message>
+        <source>%1 mm are needed with margins, %2 has room for %3 mm; take larger paper or a smaller pattern</source>
+        <translation>il faut %1 mm avec les marges, %2 n’offre que %3 mm ; prenez un papier plus grand ou un motif plus petit</translation>
+    </message>
+    <message>
+        <source>%1 and %2 overlap; move one of them</source>
+        <translation>%1 et %2 se chevauchent ; déplacez l’un des deux</translation>
+    </message>
+    <message>
+        <source>%1 reaches %2 cm from the end-effector&apos;s centre; the robot can carry objects within %3 cm</source>
+        <translation>%1 s’étend à %2 cm du centre de l’effecteur ; le robot peut porter des objets jusqu’à %3 cm</translation>
+    </message>
+    <message>
+        <source>%1, %2 and %3 lie in a line; like temperatures for all three cannot be held together, a triangle is better</source>
+        <translation>%1, %2 et %3 sont alignés ; des températures proches ne peuvent être tenues pour les trois à la fois, un triangle convient mieux</translation>
+    </message>
+    <message>
+        <source>none of the free axes changes the view factor of %1; mount it elsewhere or free another axis</source>
+        <translation>aucun des axes libres ne change le facteur de forme de %1 ; montez-le ailleurs ou libérez un autre axe</translation>
+    </message>
+    <message>
+        <source>%1 and %2 have the same view factor wherever the free axes bring them, so one cannot be heated without the other; mount one elsewhere or free another axis</source>
+        <translation>%1 et %2 ont le même facteur de forme partout où les axes libres les amènent : l’un ne peut être chauffé sans l’autre ; montez l’un d’eux ailleurs ou libérez un autre axe</translation>
+    </message>
+    <message>
+        <source>the free axes cannot change the view factors of %1 independently of one another; mount one elsewhere or free another axis</source>
+        <translation>les axes libres ne peuvent changer les facteurs de forme de %1 indépendamment les uns des autres ; montez l’un d’eux ailleurs ou libérez un autre axe</translation>
+    </message>
+    <message>
+        <source>as many objects as free axes (%1): their heating decides every movement, none is left for keeping away from limits</source>
+        <translation>autant d’objets que d’axes libres (%1) : leur chauffage décide de tout mouvement, il n’en reste aucun pour s’écarter des limites</translation>
+    </message>
+    <message>
+        <source>At rest the sensors&apos; readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.</source>
+        <translation>Au repos, les mesures des capteurs s’écartent de %1 K de leur moyenne ; le zéro n’en corrige que %2 K au plus. Vérifiez les capteurs et leur bruit.</translation>
+    </message>
+    <message>
+        <source>there is no such file; check the path</source>
+        <translation>ce fichier n’existe pas&#xa0;; vérifiez le chemin</translation>
+    </message>
+    <message>
+        <source>the file cannot be read: %1</source>
+        <translation>le fichier ne peut pas être lu&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the file cannot be written: %1</source>
+        <translation>le fichier ne peut pas être écrit&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>le fichier est vide</translation>
+    </message>
+    <message>
+        <source>the file has %1, more than the %2 that are read</source>
+        <translation>le fichier contient&#xa0;%1, plus que les&#xa0;%2 qui peuvent être lus</translation>
+    </message>
+    <message>
+        <source>unknown key &quot;%1&quot;; known here: %2</source>
+        <translation>clé «&#xa0;%1&#xa0;» inconnue&#xa0;; clés connues ici&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is missing</source>
+        <translation>la clé «&#xa0;%1&#xa0;» manque</translation>
+    </message>
+    <message>
+        <source>%1 expected, %2 found</source>
+        <translation>%1 attendu,&#xa0;%2 trouvé</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; is given twice</source>
+        <translation>la clé «&#xa0;%1&#xa0;» figure deux fois</translation>
+    </message>
+    <message>
+        <source>nested more than %1 levels deep</source>
+        <translation>imbriqué sur plus de&#xa0;%1 niveaux</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; say the same thing; give one of them</source>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» disent la même chose&#xa0;; n’en donnez qu’un</translation>
+    </message>
+    <message>
+        <source>%1 is out of range; allowed: %2 to %3 %4</source>
+        <translation>%1 est hors limites&#xa0;; admis&#xa0;: de&#xa0;%2 à&#xa0;%3&#xa0;%4</translation>
+    </message>
+    <message>
+        <source>%1 is not allowed; it must be greater than zero</source>
+        <translation>%1 n’est pas admis&#xa0;; il faut une valeur supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not known; known: %2</source>
+        <translation>«&#xa0;%1&#xa0;» est inconnu&#xa0;; connus&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>made by a newer version of Bask (format %1, this one knows up to %2); update Bask to open it</source>
+        <translation>créé par une version plus récente de Bask (format&#xa0;%1, celle-ci connaît jusqu’au&#xa0;%2)&#xa0;; mettez Bask à jour pour l’ouvrir</translation>
+    </message>
+    <message>
+        <source>not a regular file; choose another name</source>
+        <translation>ce n’est pas un fichier ordinaire ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>this file is also an input; choose another name for the output</source>
+        <translation>ce fichier est aussi une entrée ; choisissez un autre nom pour la sortie</translation>
+    </message>
+    <message>
+        <source>another output goes there; give each its own name</source>
+        <translation>une autre sortie y va déjà ; donnez à chacune son propre nom</translation>
+    </message>
+    <message>
+        <source>a file of that name exists and is not %1; choose another name</source>
+        <translation>un fichier de ce nom existe et n’est pas %1 ; choisissez un autre nom</translation>
+    </message>
+    <message>
+        <source>a file of that name exists and is not an earlier export; choose another folder</source>
+        <translation>un fichier de ce nom existe et n’est pas un export antérieur ; choisissez un autre dossier</translation>
+    </message>
+    <message>
+        <source>%1 objects, but the robot has only %2 free degrees of freedom; remove objects or free more axes</source>
+        <translation>%1 objets, mais le robot n’a que&#xa0;%2 degrés de liberté libres&#xa0;; retirez des objets ou libérez des axes</translation>
+    </message>
+    <message>
+        <source>there is no object; add at least one</source>
+        <translation>il n’y a aucun objet&#xa0;; ajoutez-en au moins un</translation>
+    </message>
+    <message>
+        <source>the name &quot;%1&quot; is used twice; give each object its own</source>
+        <translation>le nom «&#xa0;%1&#xa0;» est utilisé deux fois&#xa0;; donnez à chaque objet le sien</translation>
+    </message>
+    <message>
+        <source>an object needs a name</source>
+        <translation>un objet doit avoir un nom</translation>
+    </message>
+    <message>
+        <source>control characters, and spaces at either end, are not allowed in a name</source>
+        <translation>les caractères de contrôle et les espaces aux extrémités ne sont pas admis dans un nom</translation>
+    </message>
+    <message>
+        <source>the axis &quot;%1&quot; is given twice</source>
+        <translation>l’axe « %1 » est donné deux fois</translation>
+    </message>
+    <message>
+        <source>%1 targets given for %2 objects</source>
+        <translation>%1 consignes données pour&#xa0;%2 objets</translation>
+    </message>
+    <message>
+        <source>the start&apos;s %1 is %2, outside the workspace of %3 to %4</source>
+        <translation>la coordonnée&#xa0;%1 du départ vaut&#xa0;%2, hors de l’espace de travail de&#xa0;%3 à&#xa0;%4</translation>
+    </message>
+    <message>
+        <source>at the start &quot;%1&quot; is %2 mm from the source plane; at least %3 mm are needed</source>
+        <translation>au départ, «&#xa0;%1&#xa0;» est à&#xa0;%2 mm du plan de la source&#xa0;; il faut au moins&#xa0;%3 mm</translation>
+    </message>
+    <message>
+        <source>the times must grow, but %1 s comes after %2 s</source>
+        <translation>les temps doivent croître, mais %1 s vient après %2 s</translation>
+    </message>
+    <message>
+        <source>no pose of the workspace keeps the clearance to the source; widen the workspace or lower the clearance</source>
+        <translation>aucune pose de l’espace de travail ne respecte la distance à la source&#xa0;; élargissez l’espace de travail ou réduisez cette distance</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be held at %2 °C: with this source it settles at %3 °C at most, even at a view factor of 1</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut être tenu à %2&#xa0;°C&#xa0;: avec cette source il se stabilise à %3&#xa0;°C au plus, même avec un facteur de forme de 1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be held at %2 °C: it settles at %3 °C where it does not see the source</source>
+        <translation>«&#xa0;%1&#xa0;» ne peut être tenu à %2&#xa0;°C&#xa0;: il se stabilise à %3&#xa0;°C là où il ne voit pas la source</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs a view factor of %2; within the workspace it has at most %3</source>
+        <translation>«&#xa0;%1&#xa0;» demande un facteur de forme de %2&#xa0;; dans l’espace de travail il a au plus %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; needs a view factor of %2; within the workspace it has at least %3</source>
+        <translation>«&#xa0;%1&#xa0;» demande un facteur de forme de %2&#xa0;; dans l’espace de travail il a au moins %3</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace at most %4 K are possible</source>
+        <translation>«&#xa0;%1&#xa0;» doit être plus chaud que «&#xa0;%2&#xa0;» de %3&#xa0;K&#xa0;; avec ce montage et cet espace de travail, au plus %4&#xa0;K sont possibles</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is to be %3 K hotter than &quot;%2&quot;; with this mounting and workspace it is at least %4 K hotter everywhere</source>
+        <translation>«&#xa0;%1&#xa0;» doit être plus chaud que «&#xa0;%2&#xa0;» de %3&#xa0;K&#xa0;; avec ce montage et cet espace de travail, l’écart est d’au moins %4&#xa0;K</translation>
+    </message>
+    <message>
+        <source>each target can be held by itself, but not all together: where they come nearest within the workspace, the target surfaces miss one another by %3 cm, and &quot;%1&quot; is %2 K off</source>
+        <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble&#xa0;: là où elles sont le plus proches dans l’espace de travail, les surfaces de consigne se manquent de %3&#xa0;cm, et «&#xa0;%1&#xa0;» est à %2&#xa0;K de sa consigne</translation>
+    </message>
+    <message>
+        <source>each target can be held by itself, but not all together: the best pose leaves &quot;%1&quot; %2 K off</source>
+        <translation>chaque consigne peut être tenue seule, mais pas toutes ensemble&#xa0;: la meilleure pose laisse «&#xa0;%1&#xa0;» à %2&#xa0;K de sa consigne</translation>
+    </message>
+    <message>
+        <source>the motion must begin at source.pose, where %1 is %3, not %2</source>
+        <translation>le mouvement doit commencer à source.pose, où %1 vaut %3 et non %2</translation>
+    </message>
+    <message>
+        <source>the lower limit %1 must be less than the upper limit %2</source>
+        <translation>la limite inférieure&#xa0;%1 doit être plus petite que la limite supérieure&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>no axis of the robot is free; free at least one</source>
+        <translation>aucun axe du robot n’est libre&#xa0;; libérez-en au moins un</translation>
+    </message>
+    <message>
+        <source>this source cannot heat: its net power is %1 W/m2; raise its temperature or emittance, or use the gray source model</source>
+        <translation>cette source ne peut pas chauffer&#xa0;: sa puissance nette est de&#xa0;%1 W/m2&#xa0;; augmentez sa température ou son émissivité, ou utilisez le modèle de source grise</translation>
+    </message>
+    <message>
+        <source>only %1 points; an outline needs at least %2</source>
+        <translation>%1 points seulement&#xa0;; un contour en demande au moins&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1 has a coordinate that is not a finite number</source>
+        <translation>%1 a une coordonnée qui n’est pas un nombre fini</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; in line %2 is not a number</source>
+        <translation>«&#xa0;%1&#xa0;» à la ligne&#xa0;%2 n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>line %1 has %2 column(s); an x and a y are needed</source>
+        <translation>la ligne&#xa0;%1 a&#xa0;%2 colonne(s)&#xa0;; il faut un x et un y</translation>
+    </message>
+    <message>
+        <source>the outline is open: its ends are %1 mm apart (at most %2 mm)</source>
+        <translation>le contour est ouvert&#xa0;: ses extrémités sont distantes de&#xa0;%1 mm (%2 mm au plus)</translation>
+    </message>
+    <message>
+        <source>the outline crosses itself: edges %1 and %2 meet near (%3, %4) mm</source>
+        <translation>le contour se recoupe&#xa0;: les arêtes&#xa0;%1 et&#xa0;%2 se rencontrent près de (%3,&#xa0;%4) mm</translation>
+    </message>
+    <message>
+        <source>the outline encloses no area</source>
+        <translation>le contour n’entoure aucune surface</translation>
+    </message>
+    <message>
+        <source>the unit of length is not known; give it (mm, cm, m or in)</source>
+        <translation>l’unité de longueur n’est pas connue&#xa0;; indiquez-la (mm, cm, m ou in)</translation>
+    </message>
+    <message>
+        <source>the file holds no outline</source>
+        <translation>le fichier ne contient aucun contour</translation>
+    </message>
+    <message>
+        <source>not readable as XML near line %2: %1</source>
+        <translation>illisible comme XML vers la ligne %2 : %1</translation>
+    </message>
+    <message>
+        <source>elements are nested or used more than %1 levels deep</source>
+        <translation>les éléments sont imbriqués ou réutilisés sur plus de %1 niveaux</translation>
+    </message>
+    <message>
+        <source>not an SVG drawing</source>
+        <translation>n’est pas un dessin SVG</translation>
+    </message>
+    <message>
+        <source>the drawing&apos;s size &quot;%1&quot; cannot be used</source>
+        <translation>la taille du dessin « %1 » est inutilisable</translation>
+    </message>
+    <message>
+        <source>the drawing gives its size in pixels, taken as 1/96 inch (0.2646 mm) each; check its size</source>
+        <translation>le dessin donne sa taille en pixels, comptés pour 1/96 de pouce (0.2646 mm) chacun ; vérifiez sa taille</translation>
+    </message>
+    <message>
+        <source>left out, since they are no outlines: %1</source>
+        <translation>laissés de côté, car ce ne sont pas des contours : %1</translation>
+    </message>
+    <message>
+        <source>the drawing holds more than can be read; save the one outline that is needed</source>
+        <translation>le dessin contient plus que ce qui peut être lu ; enregistrez seulement le contour voulu</translation>
+    </message>
+    <message>
+        <source>the drawing reaches farther than %1 m; check its unit</source>
+        <translation>le dessin s’étend au-delà de %1 m ; vérifiez son unité</translation>
+    </message>
+    <message>
+        <source>a path has more than the %1 parts that can be read; simplify it, or save the outline as DXF or CSV</source>
+        <translation>un tracé a plus que les %1 éléments qui peuvent être lus ; simplifiez-le, ou enregistrez le contour en DXF ou CSV</translation>
+    </message>
+    <message>
+        <source>no silhouette found; the picture needs one dark object on a light ground or the reverse</source>
+        <translation>aucune silhouette trouvée&#xa0;; l’image doit montrer un objet sombre sur fond clair, ou l’inverse</translation>
+    </message>
+    <message>
+        <source>the silhouette touches the picture&apos;s border; take the picture with a margin all round</source>
+        <translation>la silhouette touche le bord de l’image&#xa0;; refaites la photo avec une marge tout autour</translation>
+    </message>
+    <message>
+        <source>not a picture that can be read, or a damaged one</source>
+        <translation>ce n’est pas une image lisible, ou elle est endommagée</translation>
+    </message>
+    <message>
+        <source>the scale is %1 pixels per mm; it must be greater than zero</source>
+        <translation>l’échelle est de&#xa0;%1 pixels par mm&#xa0;; elle doit être supérieure à zéro</translation>
+    </message>
+    <message>
+        <source>the scale of the picture is not known; give it in pixels per mm</source>
+        <translation>l’échelle de l’image n’est pas connue&#xa0;; indiquez-la en pixels par mm</translation>
+    </message>
+    <message>
+        <source>%1 harmonics; between %2 and %3 can be used</source>
+        <translation>%1 harmoniques&#xa0;; on peut en utiliser de&#xa0;%2 à&#xa0;%3</translation>
+    </message>
+    <message>
+        <source>files of type &quot;%1&quot; are not read; known: %2</source>
+        <translation>les fichiers de type «&#xa0;%1&#xa0;» ne sont pas lus&#xa0;; connus&#xa0;:&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>there is no outline %1; they are numbered from 0 to %2</source>
+        <translation>il n’y a pas de contour %1&#xa0;; ils sont numérotés de 0 à %2</translation>
+    </message>
+    <message>
+        <source>the file holds %1 outlines; the largest is taken</source>
+        <translation>le fichier contient %1 contours&#xa0;; le plus grand est retenu</translation>
+    </message>
+    <message>
+        <source>holes left out, since they cross or touch something or are more than %2: %1</source>
+        <translation>trous laissés de côté car ils croisent ou touchent quelque chose, ou sont plus de %2&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>the corners of the holes were thinned from %1 to %2, within %3 mm</source>
+        <translation>les sommets des trous ont été réduits de %1 à %2, à %3 mm près</translation>
+    </message>
+    <message>
+        <source>the fitted contour cuts a hole; use more harmonics</source>
+        <translation>le contour ajusté coupe un trou&#xa0;; prenez plus d’harmoniques</translation>
+    </message>
+    <message>
+        <source>%1 holes; there may be %2 at most</source>
+        <translation>%1 trous&#xa0;; il peut y en avoir %2 au plus</translation>
+    </message>
+    <message>
+        <source>the hole does not lie wholly inside the outline</source>
+        <translation>le trou n’est pas entièrement à l’intérieur du contour</translation>
+    </message>
+    <message>
+        <source>the hole meets hole %1 or lies in it, or round it</source>
+        <translation>le trou touche le trou %1, se trouve dedans ou l’entoure</translation>
+    </message>
+    <message>
+        <source>silhouettes left out since they touch the picture&apos;s border: %1</source>
+        <translation>silhouettes laissées de côté car elles touchent le bord de l’image&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>more than one scale is given; give pixels per mm, a known length or a marker</source>
+        <translation>plusieurs échelles sont indiquées&#xa0;; indiquez des pixels par mm, une longueur connue ou un marqueur</translation>
+    </message>
+    <message>
+        <source>no marker of dictionary %1 is seen; it needs to lie flat in the picture with a light margin</source>
+        <translation>aucun marqueur du dictionnaire %1 n’est visible&#xa0;; il doit être à plat dans l’image avec une marge claire</translation>
+    </message>
+    <message>
+        <source>%1 markers are seen; marker %2, the largest, gives the scale</source>
+        <translation>%1 marqueurs sont visibles&#xa0;; le marqueur %2, le plus grand, donne l’échelle</translation>
+    </message>
+    <message>
+        <source>the marker is only %1 pixels wide; the scale is uncertain below %2</source>
+        <translation>le marqueur n’a que %1 pixels de large&#xa0;; l’échelle est incertaine au-dessous de %2</translation>
+    </message>
+    <message>
+        <source>the outline reaches the horizon of the marker&apos;s plane; look at it more from above</source>
+        <translation>le contour atteint l’horizon du plan du marqueur&#xa0;; regardez-le davantage d’en haut</translation>
+    </message>
+    <message>
+        <source>the fitted contour crosses itself; use more harmonics</source>
+        <translation>le contour ajusté se croise lui-même&#xa0;; utilisez plus d’harmoniques</translation>
+    </message>
+    <message>
+        <source>the outline cannot be fitted to %1 mm without crossing itself: with %2 harmonics %3 mm are left</source>
+        <translation>le contour ne peut être ajusté à %1 mm sans se croiser&#xa0;: avec %2 harmoniques, il reste %3 mm</translation>
+    </message>
+    <message>
+        <source>binary DXF is not read; save the drawing as ASCII DXF</source>
+        <translation>le DXF binaire n’est pas lu ; enregistrez le dessin en DXF ASCII</translation>
+    </message>
+    <message>
+        <source>the drawing is cut off: its end mark (EOF) is missing</source>
+        <translation>le dessin est tronqué : sa marque de fin (EOF) manque</translation>
+    </message>
+    <message>
+        <source>the drawing is damaged: what line %1 says cannot be</source>
+        <translation>le dessin est endommagé : ce que dit la ligne %1 est impossible</translation>
+    </message>
+    <message>
+        <source>block &quot;%1&quot; contains itself</source>
+        <translation>le bloc « %1 » se contient lui-même</translation>
+    </message>
+    <message>
+        <source>the drawing names no known unit of length; it is taken as millimetres</source>
+        <translation>le dessin n’indique aucune unité de longueur connue ; il est pris en millimètres</translation>
+    </message>
+    <message>
+        <source>%1 hidden entities were left out (layer off or frozen, invisible, or on paper)</source>
+        <translation>%1 entités masquées ont été omises (calque désactivé ou gelé, invisible, ou dans l’espace papier)</translation>
+    </message>
+    <message>
+        <source>the outline crosses itself so far that it does not go round %1 % of its area exactly once; at most 1 % is taken, use other harmonics</source>
+        <translation>le contour se recoupe tant qu’il ne fait pas exactement une fois le tour de %1 % de sa surface ; 1 % au plus est admis, choisissez d’autres harmoniques</translation>
+    </message>
+    <message>
+        <source>the outline crosses itself near (%1, %2) mm</source>
+        <translation>le contour se recoupe près de (%1, %2) mm</translation>
+    </message>
+    <message>
+        <source>%1 samples, more than the %2 that there may be; take larger steps or a smaller range</source>
+        <translation>%1 échantillons, plus que les %2 permis ; prenez des pas plus grands ou une plage plus petite</translation>
+    </message>
+    <message>
+        <source>the sampling was cancelled</source>
+        <translation>l’échantillonnage a été annulé</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is an axis and cannot be held as well</source>
+        <translation>« %1 » est un axe et ne peut pas être fixé en même temps</translation>
+    </message>
+    <message>
+        <source>not a Bask session file</source>
+        <translation>ce n’est pas un fichier de session Bask</translation>
+    </message>
+    <message>
+        <source>the session file is damaged: %1</source>
+        <translation>le fichier de session est endommagé&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the session file is in use: %1</source>
+        <translation>le fichier de session est en cours d’utilisation&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>%1 readings in windows long enough are too few: at least %2 windows of %3 s are needed; record a longer run</source>
+        <translation>%1 mesures dans des fenêtres assez longues, c’est trop peu : il faut au moins %2 fenêtres de %3 s ; enregistrez un essai plus long</translation>
+    </message>
+    <message>
+        <source>the source was never in view; record a run that heats</source>
+        <translation>la source n’a jamais été en vue ; enregistrez un essai qui chauffe</translation>
+    </message>
+    <message>
+        <source>the view factor hardly varied (by %1), so heating and cooling cannot be told apart; record a run that moves</source>
+        <translation>le facteur de forme n’a guère varié (de %1), donc l’échauffement et le refroidissement ne se distinguent pas ; enregistrez un essai avec des mouvements</translation>
+    </message>
+    <message>
+        <source>the record tells %1 within %2 % only; at most 25 % can be used; record a run that heats and cools more</source>
+        <translation>l’enregistrement ne donne %1 qu’à %2 % près ; au plus 25 % sont utilisables ; enregistrez un essai qui chauffe et refroidit davantage</translation>
+    </message>
+    <message>
+        <source>%1 comes out below zero: the heat balance does not describe this record; check the sensor, the source and the environment&apos;s temperature</source>
+        <translation>%1 ressort négatif : le bilan thermique ne décrit pas cet enregistrement ; vérifiez le capteur, la source et la température ambiante</translation>
+    </message>
+    <message>
+        <source>No experiment is loaded. Open one or make a new one.</source>
+        <translation>Aucune expérience n’est chargée. Ouvrez-en une ou créez-en une nouvelle.</translation>
+    </message>
+    <message>
+        <source>The rate estimator has %1 of %2 samples. Wait a moment.</source>
+        <translation>L’estimateur de vitesse a&#xa0;%1 échantillons sur&#xa0;%2. Patientez un instant.</translation>
+    </message>
+    <message>
+        <source>The objects are not at rest at the room&apos;s temperature (%1 °C), so the sensors cannot be zeroed. Let them cool, or correct the environment&apos;s temperature.</source>
+        <translation>Les objets ne sont pas stables à la température ambiante (%1 °C), les capteurs ne peuvent donc pas être ajustés. Laissez-les refroidir ou corrigez la température ambiante.</translation>
+    </message>
+    <message>
+        <source>Held by the operator. Resume or stop.</source>
+        <translation>Mis en pause par l’opérateur. Reprenez ou arrêtez.</translation>
+    </message>
+    <message>
+        <source>The targets cannot be held. See the Targets page.</source>
+        <translation>Les consignes ne peuvent pas être tenues. Voir la page Consignes.</translation>
+    </message>
+    <message>
+        <source>The source&apos;s pose is measured again</source>
+        <translation>La pose de la source est de nouveau mesurée</translation>
+    </message>
+    <message>
+        <source>The robot does not answer: %1. Check its link, then reset.</source>
+        <translation>Le robot ne répond pas&#xa0;:&#xa0;%1. Vérifiez sa liaison, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The heat source does not answer: %1. Check its link, then reset.</source>
+        <translation>La source de chaleur ne répond pas&#xa0;:&#xa0;%1. Vérifiez sa liaison, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.</source>
+        <translation>STOP a été pressé&#xa0;: le robot est immobile et le chauffage coupé. Réinitialisez quand tout est sûr.</translation>
+    </message>
+    <message>
+        <source>The recording failed: %1. Free disk space or choose another folder, then reset.</source>
+        <translation>L’enregistrement a échoué&#xa0;:&#xa0;%1. Libérez de l’espace disque ou choisissez un autre dossier, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The engine met an internal fault: %1. Reset, and report it if it comes again.</source>
+        <translation>Le moteur a rencontré un défaut interne&#xa0;:&#xa0;%1. Réinitialisez, et signalez-le s’il revient.</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Armé</translation>
+    </message>
+    <message>
+        <source>Started</source>
+        <translation>Démarré</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>Mis en pause</translation>
+    </message>
+    <message>
+        <source>Resumed</source>
+        <translation>Repris</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>STOP pressed</source>
+        <translation>STOP pressé</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialisé</translation>
+    </message>
+    <message>
+        <source>All objects settled</source>
+        <translation>Tous les objets sont stabilisés</translation>
+    </message>
+    <message>
+        <source>Not settled: %1</source>
+        <translation>Non stabilisés&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Targets: %1</source>
+        <translation>Consignes : %1</translation>
+    </message>
+    <message>
+        <source>Controller or gains changed</source>
+        <translation>Régulateur ou gains modifiés</translation>
+    </message>
+    <message>
+        <source>Sensors zeroed at ambient</source>
+        <translation>Capteurs ajustés à l’ambiante</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; is back</source>
+        <translation>Le capteur de «&#xa0;%1&#xa0;» est de retour</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be done in the state &quot;%2&quot;</source>
+        <translation>«&#xa0;%1&#xa0;» est impossible dans l’état «&#xa0;%2&#xa0;»</translation>
+    </message>
+    <message>
+        <source>A run is on; stop it first</source>
+        <translation>Un essai est en cours&#xa0;; arrêtez-le d’abord</translation>
+    </message>
+    <message>
+        <source>no part of the picture is clearly of this colour; set a tolerance or take another colour</source>
+        <translation>aucune partie de l’image n’est nettement de cette couleur ; donnez une tolérance ou prenez une autre couleur</translation>
+    </message>
+    <message>
+        <source>the drawing names its unit itself (%1); the unit given is not used</source>
+        <translation>le dessin nomme lui-même son unité (%1) ; l’unité donnée n’est pas utilisée</translation>
+    </message>
+    <message>
+        <source>marker %1 is listed twice; each id is one marker</source>
+        <translation>le marqueur %1 figure deux fois ; à chaque identifiant un seul marqueur</translation>
+    </message>
+    <message>
+        <source>none of the markers %1 was seen</source>
+        <translation>aucun des marqueurs %1 n’a été vu</translation>
+    </message>
+    <message>
+        <source>marker %1 moved by %2 px while it was looked at; camera, source and end-effector must keep still</source>
+        <translation>le marqueur %1 s’est déplacé de %2 px pendant la prise de vues ; la caméra, la source et l’effecteur doivent rester immobiles</translation>
+    </message>
+    <message>
+        <source>no pose shows the markers %1 within %2 px of where they are seen; check their ids, sides and places</source>
+        <translation>aucune pose ne montre les marqueurs %1 à moins de %2 px de l’endroit où ils sont vus ; vérifiez leurs identifiants, leurs côtés et leurs positions</translation>
+    </message>
+    <message>
+        <source>marker %1 was left out: it is seen %2 px from where the others put it; check its id and place</source>
+        <translation>le marqueur %1 a été écarté : il est vu à %2 px de l’endroit que donnent les autres ; vérifiez son identifiant et sa position</translation>
+    </message>
+    <message>
+        <source>marker %1 is %2 mm wide by the others, not %3 mm; measure the print</source>
+        <translation>le marqueur %1 mesure %2 mm de côté d’après les autres, et non %3 mm ; mesurez l’impression</translation>
+    </message>
+    <message>
+        <source>the markers are seen %1 px from where they fit best together; the uncertainty is widened accordingly; check their sides and places, and the camera&apos;s calibration</source>
+        <translation>les marqueurs sont vus à %1 px de l’endroit où ils s’accordent le mieux ; l’incertitude est élargie en conséquence ; vérifiez leurs côtés et leurs positions, et l’étalonnage de la caméra</translation>
+    </message>
+    <message>
+        <source>the markers&apos; corners allow two poses, %1 degrees apart; use more or larger markers, or tilt them against the camera</source>
+        <translation>les coins des marqueurs permettent deux poses, à %1 degrés l’une de l’autre ; utilisez des marqueurs plus nombreux ou plus grands, ou inclinez-les par rapport à la caméra</translation>
+    </message>
+    <message>
+        <source>the pose is good to %1 mm and %2 degrees (2 sigma)</source>
+        <translation>la pose est sûre à %1 mm et %2 degrés près (2 sigma)</translation>
+    </message>
+    <message>
+        <source>the pose is good to %1 mm and %2 degrees only (2 sigma), and these markers before this camera allow no better than %3 mm and %4 degrees; use more or larger markers farther apart, tilt them against the camera, or bring it nearer</source>
+        <translation>la pose n’est sûre qu’à %1 mm et %2 degrés près (2 sigma), et ces marqueurs devant cette caméra ne permettent pas mieux que %3 mm et %4 degrés ; utilisez des marqueurs plus nombreux, plus grands ou plus écartés, inclinez-les par rapport à la caméra ou rapprochez-la</translation>
+    </message>
+    <message>
+        <source>the pose is good to %1 mm and %2 degrees only (2 sigma), though these markers before this camera allow %3 mm and %4 degrees; check light and focus, that all markers are seen, and their places</source>
+        <translation>la pose n’est sûre qu’à %1 mm et %2 degrés près (2 sigma), alors que ces marqueurs devant cette caméra permettent %3 mm et %4 degrés ; vérifiez l’éclairage et la mise au point, que tous les marqueurs sont vus, et leurs positions</translation>
+    </message>
+    <message>
+        <source>the end-effector&apos;s markers were seen at %1 poses of the robot; at least %2 are needed</source>
+        <translation>les marqueurs de l’effecteur ont été vus à %1 poses du robot ; il en faut au moins %2</translation>
+    </message>
+    <message>
+        <source>the robot hardly turned (by %1 degrees between poses; %2 are needed): without turns the camera&apos;s place cannot be told from the markers&apos; mounting; turn it about two axes, or measure where the markers sit on the end-effector</source>
+        <translation>le robot n’a guère tourné (de %1 degrés d’une pose à l’autre ; il en faut %2) : sans rotation, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour de deux axes, ou mesurez où sont les marqueurs sur l’effecteur</translation>
+    </message>
+    <message>
+        <source>the robot turned about one axis only (by %1 degrees about any other; %2 are needed): along that axis the camera&apos;s place cannot be told from the markers&apos; mounting; turn it about a second one, or measure where the markers sit on the end-effector</source>
+        <translation>le robot n’a tourné qu’autour d’un seul axe (de %1 degrés autour de tout autre ; il en faut %2) : le long de cet axe, la position de la caméra ne se distingue pas du montage des marqueurs ; faites-le tourner autour d’un second, ou mesurez où sont les marqueurs sur l’effecteur</translation>
+    </message>
+    <message>
+        <source>the robot&apos;s poses and the pictures contradict one another; check that each picture was taken at its pose, that the camera kept still, and the markers&apos; sides and places</source>
+        <translation>les poses du robot et les images se contredisent ; vérifiez que chaque image a été prise à sa pose, que la caméra est restée immobile, ainsi que les côtés et les positions des marqueurs</translation>
+    </message>
+    <message>
+        <source>pose %1 of the robot was left out: the markers are seen %2 mm and %3 degrees from where the robot has them</source>
+        <translation>la pose %1 du robot a été écartée : les marqueurs sont vus à %2 mm et %3 degrés de l’endroit où le robot les place</translation>
+    </message>
+    <message>
+        <source>camera &quot;%1&quot; is being opened</source>
+        <translation>la caméra « %1 » est en cours d’ouverture</translation>
+    </message>
+    <message>
+        <source>camera &quot;%1&quot; cannot be opened (%2); a camera is a number, a device, a video file, a folder of pictures or an address such as rtsp://host/stream</source>
+        <translation>impossible d’ouvrir la caméra « %1 » (%2) ; une caméra est un numéro, un périphérique, un fichier vidéo, un dossier d’images ou une adresse telle que rtsp://hôte/flux</translation>
+    </message>
+    <message>
+        <source>no picture from camera &quot;%1&quot; for a second (%2); check cable and power. It is taken up again as soon as it answers</source>
+        <translation>aucune image de la caméra « %1 » depuis une seconde (%2) ; vérifiez le câble et l’alimentation. Elle est reprise dès qu’elle répond</translation>
+    </message>
+    <message>
+        <source>the source has markers and is followed by the camera, which is not calibrated yet: calibrate the camera and measure where it stands on the Calibrate page, or leave the source untracked</source>
+        <translation>la source porte des marqueurs et est suivie par la caméra, qui n’est pas encore étalonnée : étalonnez la caméra et mesurez sa place sur la page Étalonner, ou ne suivez pas la source</translation>
+    </message>
+    <message>
+        <source>the robot cannot go there: outside of its workspace, or too near to the source</source>
+        <translation>le robot ne peut pas y aller : hors de son espace de travail, ou trop près de la source</translation>
+    </message>
+    <message>
+        <source>the calibration was cancelled</source>
+        <translation>l’étalonnage a été annulé</translation>
+    </message>
+    <message>
+        <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it</source>
+        <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci</translation>
+    </message>
+    <message>
+        <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; check that the board is flat, measured and sharp in the pictures, and leave out views that stand out</source>
+        <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; vérifiez que la mire est plane, mesurée et nette sur les images, et écartez les vues qui se distinguent</translation>
+    </message>
+    <message>
+        <source>errors at %3 m are %1 mm across the line of sight and %2 mm along it; take more views with the board tilted, near the camera and at the picture&apos;s edges</source>
+        <translation>les erreurs à %3 m sont de %1 mm en travers de la ligne de visée et de %2 mm le long de celle-ci ; prenez davantage de vues avec la mire inclinée, près de la caméra et aux bords de l’image</translation>
+    </message>
+    <message>
+        <source>%1 views cannot be checked against one another; take at least %2</source>
+        <translation>%1 vues ne se laissent pas vérifier les unes par les autres ; prenez-en au moins %2</translation>
+    </message>
+    <message>
+        <source>bring the board to the left edge of the picture</source>
+        <translation>amenez la mire au bord gauche de l’image</translation>
+    </message>
+    <message>
+        <source>bring the board to the right edge of the picture</source>
+        <translation>amenez la mire au bord droit de l’image</translation>
+    </message>
+    <message>
+        <source>bring the board to the upper edge of the picture</source>
+        <translation>amenez la mire au bord supérieur de l’image</translation>
+    </message>
+    <message>
+        <source>bring the board to the lower edge of the picture</source>
+        <translation>amenez la mire au bord inférieur de l’image</translation>
+    </message>
+    <message>
+        <source>bring the board nearer to the camera</source>
+        <translation>approchez la mire de la caméra</translation>
+    </message>
+    <message>
+        <source>tilt the board more, its left or right edge towards the camera</source>
+        <translation>inclinez davantage la mire, son bord gauche ou droit vers la caméra</translation>
+    </message>
+    <message>
+        <source>tilt the board more, its upper or lower edge towards the camera</source>
+        <translation>inclinez davantage la mire, son bord supérieur ou inférieur vers la caméra</translation>
+    </message>
+    <message>
+        <source>%1 views of %2 that are enough</source>
+        <translation>%1 vues sur les %2 qui suffisent</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.</source>
+        <translation>« %1 » ne peut pas être ouvert : %2. Vérifiez le câble et le nom du port ; Bask réessaie de lui-même.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; exists and is not a link; choose another path</source>
+        <translation>« %1 » existe et n’est pas un lien ; choisissez un autre chemin</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 °C, above its limit of %3 °C. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.</source>
+        <translation>« %1 » est à %2 °C, au-dessus de sa limite de %3 °C. Il est éloigné et le chauffage est coupé. Vérifiez l’objet et son capteur ; réarmez une fois qu’il a refroidi.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is not an axis; axes are X, Y, Z, A, B, C and R</source>
+        <translation>« %1 » n’est pas un axe ; les axes sont X, Y, Z, A, B, C et R</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; takes no more bytes: the device does not read. Check its power and the flow control of the port.</source>
+        <translation>« %1 » ne prend plus d’octets : l’appareil ne lit pas. Vérifiez son alimentation et le contrôle de flux du port.</translation>
+    </message>
+    <message>
+        <source>%1 channels for %2 objects; give each object one</source>
+        <translation>%1 voies pour %2 objets ; donnez-en une à chaque objet</translation>
+    </message>
+    <message>
+        <source>%1 is free, but no axis of the robot drives it</source>
+        <translation>%1 est libre, mais aucun axe du robot ne l’entraîne</translation>
+    </message>
+    <message>
+        <source>Bask has just connected to the rig. Check it, then reset.</source>
+        <translation>Bask vient de se connecter au banc. Vérifiez-le, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>Only %1 MB of disk space are left; a recording needs %2 MB. Free some, then arm again.</source>
+        <translation>Il ne reste que %1 Mo sur le disque ; un enregistrement en demande %2 Mo. Libérez de la place, puis armez de nouveau.</translation>
+    </message>
+    <message>
+        <source>The robot is held at its own panel (%1). Release it there, then clear the alarm.</source>
+        <translation>Le robot est retenu à son propre panneau (%1). Libérez-le là, puis effacez l’alarme.</translation>
+    </message>
+    <message>
+        <source>The robot is switched off at its own controller. Enable it, then clear the alarm.</source>
+        <translation>Le robot est désactivé à son propre contrôleur. Activez-le, puis effacez l’alarme.</translation>
+    </message>
+    <message>
+        <source>The robot reports alarm %1: %2. See to it, clear the alarm, and home the robot if its place is not sure.</source>
+        <translation>Le robot signale l’alarme %1 : %2. Remédiez-y, effacez l’alarme, et faites la prise d’origine si sa position n’est pas sûre.</translation>
+    </message>
+    <message>
+        <source>The robot&apos;s controller has restarted: what it was told last is lost, and its place is not sure. Home it, or confirm its place, then reset.</source>
+        <translation>Le contrôleur du robot a redémarré : le dernier ordre est perdu et sa position n’est pas sûre. Faites sa prise d’origine, ou confirmez sa position, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The source has %1 °C, above its limit of %2 °C. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.</source>
+        <translation>La source est à %1 °C, au-dessus de sa limite de %2 °C. Les objets sont éloignés et le chauffage est coupé. Vérifiez son régulateur et son capteur ; réarmez une fois qu’elle a refroidi.</translation>
+    </message>
+    <message>
+        <source>The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.</source>
+        <translation>La source est à %1 °C et ne s’approche plus de %2 °C depuis %3 s. Vérifiez qu’elle est allumée et son capteur en place, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The source was set to %1 °C and reads back %2 °C. Check its own panel and limits, then reset.</source>
+        <translation>La source a été réglée à %1 °C et relit %2 °C. Vérifiez son propre panneau et ses limites, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>a step of the robot would leave its workspace or come too near to the source; it was not sent</source>
+        <translation>un pas du robot sortirait de son espace de travail ou s’approcherait trop de la source ; il n’a pas été envoyé</translation>
+    </message>
+    <message>
+        <source>faults can be simulated on the simulated rig only</source>
+        <translation>les défauts ne peuvent être simulés que sur le banc simulé</translation>
+    </message>
+    <message>
+        <source>over: %1</source>
+        <translation>terminé : %1</translation>
+    </message>
+    <message>
+        <source>the axis %1 is given twice</source>
+        <translation>l’axe %1 est donné deux fois</translation>
+    </message>
+    <message>
+        <source>the device on &quot;%1&quot; has not answered for %2 s. Check its power, the cable, and the speed and unit set for it.</source>
+        <translation>l’appareil sur « %1 » ne répond plus depuis %2 s. Vérifiez son alimentation, le câble, ainsi que la vitesse et l’adresse réglées.</translation>
+    </message>
+    <message>
+        <source>the device on &quot;%1&quot; is not the one that is set: it says &quot;%2&quot;. Check the port and the driver.</source>
+        <translation>l’appareil sur « %1 » n’est pas celui qui est réglé : il dit « %2 ». Vérifiez le port et le pilote.</translation>
+    </message>
+    <message>
+        <source>the experiment has no rig of its own (&quot;rig&quot;), only the simulated one</source>
+        <translation>l’expérience n’a pas de banc à elle (« rig »), seulement le banc simulé</translation>
+    </message>
+    <message>
+        <source>the link to &quot;%1&quot; was lost: %2. Check the cable; Bask opens it again as soon as it is there.</source>
+        <translation>la liaison avec « %1 » est perdue : %2. Vérifiez le câble ; Bask la rouvre dès qu’elle revient.</translation>
+    </message>
+    <message>
+        <source>the profile &quot;%1&quot; is that of another kind of device</source>
+        <translation>le profil « %1 » est celui d’une autre sorte d’appareil</translation>
+    </message>
+    <message>
+        <source>the rig has no %1; set one, or use the simulated rig</source>
+        <translation>il manque au banc : %1 ; configurez cet appareil, ou utilisez le banc simulé</translation>
+    </message>
+    <message>
+        <source>the robot has no axis</source>
+        <translation>le robot n’a aucun axe</translation>
+    </message>
+    <message>
+        <source>this robot has no homing</source>
+        <translation>ce robot n’a pas de prise d’origine</translation>
+    </message>
+    <message>
+        <source>two axes drive %1</source>
+        <translation>deux axes entraînent %1</translation>
+    </message>
+    <message>
+        <source>two devices are on &quot;%1&quot;; only Modbus devices of different units and the same line settings can share a port</source>
+        <translation>deux appareils sont sur « %1 » ; seuls des appareils Modbus d’adresses différentes et de mêmes réglages de ligne peuvent partager un port</translation>
+    </message>
+    <message>
+        <source>two objects have channel %1; give each its own</source>
+        <translation>deux objets ont la voie %1 ; donnez à chacun la sienne</translation>
+    </message>
+    <message>
+        <source>unit %2 on &quot;%1&quot; refuses the request with exception %3. Check the profile set for it.</source>
+        <translation>l’appareil d’adresse %2 sur « %1 » refuse la demande avec l’exception %3. Vérifiez le profil réglé.</translation>
+    </message>
+    <message>
+        <source>The heat source did not take the order to switch off. Switch it off at its mains. It says: %1</source>
+        <translation>La source de chaleur n’a pas pris l’ordre de s’éteindre. Coupez-la au secteur. Elle dit : %1</translation>
+    </message>
+    <message>
+        <source>The heat source has told no temperature for %1 s. Check its sensor and its link, then reset.</source>
+        <translation>La source de chaleur n’a donné aucune température depuis %1 s. Vérifiez son capteur et sa liaison, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.</source>
+        <translation>Le robot n’a rien dit ni rien pris depuis %1 s ; le chauffage est coupé. Vérifiez son contrôleur, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.</source>
+        <translation>La source est chauffée à la main, Bask ne peut donc pas l’éteindre : elle est à %1 °C. Éteignez-la vous-même et gardez les objets loin d’elle.</translation>
+    </message>
+    <message>
+        <source>The temperature of &quot;%1&quot; should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.</source>
+        <translation>La température de « %1 » aurait dû changer de %2 K en %3 s et ne l’a pas fait : capteur décollé, objet absent, ou source ailleurs que prévu. Le chauffage est coupé. Vérifiez, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The target of &quot;%1&quot;, %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.</source>
+        <translation>La consigne de « %1 », %2 °C, dépasse sa limite d’avertissement de %3 °C, où tout essai se met en pause. Baissez la consigne, ou relevez la limite si l’objet et le capteur la supportent.</translation>
+    </message>
+    <message>
+        <source>The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.</source>
+        <translation>La source est encore à %1 °C, %2 s après l’arrêt de son chauffage. Coupez-la au secteur, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The robot refused a line with error %1: %2. See to the cause, clear the alarm, then reset.</source>
+        <translation>Le robot a refusé une ligne, erreur %1 : %2. Remédiez à la cause, effacez l’alarme, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The robot has not told its state yet. Wait a moment; if it stays so, check its power, its link and the driver set for it.</source>
+        <translation>Le robot n’a pas encore donné son état. Attendez un instant ; si cela dure, vérifiez son alimentation, sa liaison et le pilote réglé.</translation>
+    </message>
+    <message>
+        <source>the device on &quot;%1&quot; answered something else than was asked: %2. It was not used. Check the settings of the port, and of the device itself.</source>
+        <translation>l’appareil sur « %1 » a répondu autre chose que demandé : %2. La réponse n’a pas été utilisée. Vérifiez les réglages du port et ceux de l’appareil.</translation>
+    </message>
+    <message>
+        <source>No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets. The Targets page shows what can be held.</source>
+        <translation>Aucune pose de l’espace de travail ne tient toutes les consignes ensemble ; le robot rejoint le meilleur compromis trouvé, attendu à %1 des consignes. La page Consignes montre ce qui peut être tenu.</translation>
+    </message>
+    <message>
+        <source>The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.</source>
+        <translation>La source de chaleur a été arrêtée à son propre panneau ou par sa propre protection ; Bask la laisse éteinte. Cherchez-en la cause, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>with the profile &quot;%1&quot; the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with &quot;unattended_heat&quot;: true.</source>
+        <translation>avec le profil « %1 », la source n’a pas de chien de garde : elle reste chaude si Bask ou l’ordinateur s’arrête. Prenez un régulateur qui en a un, ou autorisez-le par &quot;unattended_heat&quot;: true.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; and &quot;%2&quot; are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.</source>
+        <translation>« %1 » et « %2 » sont loin de la source, mais diffèrent de %3 K, plus que %4 K. Un capteur est faux ou décollé de son objet : vérifiez les deux.</translation>
+    </message>
+    <message>
+        <source>The control loop was held up for %1 s, more than the %2 s it may be; the robot stood. Close other programs on this computer.</source>
+        <translation>La boucle de commande a été retenue %1 s, plus que les %2 s admises ; le robot est resté immobile. Fermez les autres programmes de cet ordinateur.</translation>
+    </message>
+    <message>
+        <source>The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.</source>
+        <translation>Le robot est à %1 mm de là où ses pas auraient dû l’amener, plus que %2 mm. Il a peut-être été poussé ou a perdu des pas : vérifiez-le, faites sa prise d’origine, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The robot may not know its own place: it was not homed, or lost it in a restart or a stop. Home it, or confirm its place.</source>
+        <translation>Le robot ne connaît peut-être pas sa position : sans prise d’origine, ou perdue par un redémarrage ou un arrêt. Faites sa prise d’origine, ou confirmez sa position.</translation>
+    </message>
+    <message>
+        <source>The source warmed by %1 K in %2 s though its heat is off, more than the %3 K it may: its relay may be stuck, or somebody heats it at its panel. Switch it off at its mains, then reset.</source>
+        <translation>La source a chauffé de %1 K en %2 s alors que son chauffage est coupé, plus que les %3 K admis : son relais est peut-être collé, ou quelqu’un la chauffe depuis son pupitre. Coupez-la au secteur, puis réarmez.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.</source>
+        <translation>Le capteur de « %1 » a sauté de %2 K/s, plus que les %3 K/s que la chaleur permet. Cherchez un faux contact, et voyez s’il s’est détaché. Il est cru de nouveau quand il s’accorde avec la chaleur, ou quand il est confirmé.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2 °C, but by the heat since it was right its object has %3 to %4 °C. Look whether it is on its object, then confirm it.</source>
+        <translation>Le capteur de « %1 » indique %2 °C, mais d’après la chaleur reçue depuis qu’il était juste, son objet est entre %3 et %4 °C. Voyez s’il est sur son objet, puis confirmez-le.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.</source>
+        <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s, sans son bruit habituel : il s’est peut-être arrêté. Voyez s’il suit, ou confirmez-le.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; is confirmed at %2 °C</source>
+        <translation>Le capteur de « %1 » est confirmé à %2 °C</translation>
+    </message>
+    <message>
+        <source>The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.</source>
+        <translation>La source de chaleur n’a pas de chien de garde : si cet ordinateur s’arrête, elle reste chaude. Ne la laissez pas seule.</translation>
+    </message>
+    <message>
+        <source>No heat without the guard process, which switches the heater off if Bask dies; it cannot be started: %1. Install Bask again.</source>
+        <translation>Pas de chauffage sans le processus de garde, qui coupe le chauffage si Bask meurt ; il ne peut pas démarrer : %1. Réinstallez Bask.</translation>
+    </message>
+    <message>
+        <source>The guard process has taken the heater over and switches it off: %1. Its log tells what it did. See why, then reset.</source>
+        <translation>Le processus de garde a repris le chauffage et le coupe : %1. Son journal dit ce qu’il a fait. Voyez pourquoi, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The heater&apos;s guard process has ended; Bask has taken the port back and switches the heat off. Reset starts a new guard.</source>
+        <translation>Le processus de garde du chauffage a pris fin ; Bask a repris le port et coupe le chauffage. Réinitialiser en démarre un nouveau.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; has given nothing new for %2 s. Check its cable.</source>
+        <translation>Le capteur de « %1 » n’a rien donné de nouveau depuis %2 s. Vérifiez son câble.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it.</source>
+        <translation>Le capteur de « %1 » ne donne aucune valeur plausible : fil coupé, faux contact, ou un autre appareil que celui configuré. Vérifiez-le.</translation>
+    </message>
+    <message>
+        <source>The source&apos;s pose is not measured any more. Bring the source back into view.</source>
+        <translation>La pose de la source n’est plus mesurée. Ramenez la source dans le champ.</translation>
+    </message>
+    <message>
+        <source>Held by the engine: %1</source>
+        <translation>Mis en pause par le moteur : %1</translation>
+    </message>
+    <message>
+        <source>Ended by the engine: %1</source>
+        <translation>Terminé par le moteur : %1</translation>
+    </message>
+    <message>
+        <source>Everything is cold: the recording ends</source>
+        <translation>Tout est froid : l’enregistrement prend fin</translation>
+    </message>
+    <message>
+        <source>Retreat: the heat is off, the robot takes the objects away</source>
+        <translation>Retrait : chauffage coupé, le robot éloigne les objets</translation>
+    </message>
+    <message>
+        <source>The robot takes the objects away by itself: %1</source>
+        <translation>Le robot éloigne les objets de lui-même : %1</translation>
+    </message>
+    <message>
+        <source>Held for more than %1 s without a reading of &quot;%2&quot;: the run is ended</source>
+        <translation>En pause depuis plus de %1 s sans mesure de « %2 » : l’essai prend fin</translation>
+    </message>
+    <message>
+        <source>Held for more than %1 s without the source&apos;s pose: the run is ended</source>
+        <translation>En pause depuis plus de %1 s sans la pose de la source : l’essai prend fin</translation>
+    </message>
+    <message>
+        <source>The robot stops</source>
+        <translation>Le robot s’arrête</translation>
+    </message>
+    <message>
+        <source>The run ends, with a retreat and the heat off</source>
+        <translation>L’essai prend fin, avec retrait et chauffage coupé</translation>
+    </message>
+    <message>
+        <source>The heat is switched off</source>
+        <translation>Le chauffage est coupé</translation>
+    </message>
+    <message>
+        <source>The robot takes the objects away from the source</source>
+        <translation>Le robot éloigne les objets de la source</translation>
+    </message>
+    <message>
+        <source>Reset when the rig is safe.</source>
+        <translation>Réinitialisez quand le banc est sûr.</translation>
+    </message>
+    <message>
+        <source>Reset is possible when this is over: %1</source>
+        <translation>Réinitialiser sera possible quand ceci sera passé : %1</translation>
+    </message>
+    <message>
+        <source>Keep your hands off the robot and press Retreat: it takes the objects away from the heat.</source>
+        <translation>N’approchez pas les mains du robot et pressez Retrait : il éloigne les objets de la chaleur.</translation>
+    </message>
+    <message>
+        <source>Resume, or stop the run.</source>
+        <translation>Reprenez, ou arrêtez l’essai.</translation>
+    </message>
+    <message>
+        <source>Resume is possible when this is over; Stop ends the run: %1</source>
+        <translation>Reprendre sera possible quand ceci sera passé ; Arrêter termine l’essai : %1</translation>
+    </message>
+    <message>
+        <source>an alarm is shelved with a reason; say why</source>
+        <translation>une alarme se met de côté avec une raison ; dites pourquoi</translation>
+    </message>
+    <message>
+        <source>%1: %3 instead of %2</source>
+        <translation>%1 : %3 au lieu de %2</translation>
+    </message>
+    <message>
+        <source>this allows the real rig more than before: %1. Whether robot, source, objects and sensors bear it is for a person to say</source>
+        <translation>le banc réel pourra aller plus loin qu’avant : %1. C’est à une personne de dire si robot, source, objets et capteurs le supportent</translation>
+    </message>
+    <message>
+        <source>The robot was told to take the objects away and does not move; %1 cm are left. The heat is off. Take them away by hand, mind the heat; check the robot&apos;s power and its drives.</source>
+        <translation>Le robot doit éloigner les objets et ne bouge pas ; il reste %1 cm. Le chauffage est coupé. Éloignez-les à la main, gare à la chaleur ; vérifiez l’alimentation du robot et ses moteurs.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; has %2 °C, above its warning limit of %3 °C. Let it cool: Stop or Retreat takes it away. Check its target and its limits.</source>
+        <translation>« %1 » est à %2 °C, au-dessus de sa limite d’avertissement de %3 °C. Laissez-le refroidir : Arrêter ou Retrait l’éloigne. Vérifiez sa consigne et ses limites.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; is open: a wire or the plug is off. Mend it.</source>
+        <translation>Le capteur de « %1 » est ouvert : un fil ou la fiche est débranché. Réparez-le.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; is shorted: look at its wires and plug. Mend it.</source>
+        <translation>Le capteur de « %1 » est en court-circuit : voyez ses fils et sa fiche. Réparez-le.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; has given the very same value for %2 s: it, or its device, has stopped. Check it.</source>
+        <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s : lui ou son appareil s’est arrêté. Vérifiez-le.</translation>
+    </message>
+    <message>
+        <source>The heat source tells %1 °C, more than %3 K below the room&apos;s %2 °C: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.</source>
+        <translation>La source de chaleur indique %1 °C, plus de %3 K au-dessous des %2 °C de la pièce : elle compte peut-être dans une autre unité (°C, °F) que ne le dit son profil, ou son capteur est faux. Elle n’est pas chauffée. Réglez les deux de la même façon, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.</source>
+        <translation>La source de chaleur indique %1 °C là où elle devrait être à %2 °C, ce qui est le même nombre en °F : elle compte dans une autre unité que ne le dit son profil. Elle n’est pas chauffée. Réglez les deux de la même façon, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The computer was suspended for %1 s while the source was hot or the robot moved: nobody knows what happened meanwhile. The heat is off. Look at the rig, then reset.</source>
+        <translation>L’ordinateur a été en veille pendant %1 s alors que la source était chaude ou que le robot bougeait : personne ne sait ce qui s’est passé entre-temps. Le chauffage est coupé. Regardez le banc, puis réinitialisez.</translation>
+    </message>
+    <message>
+        <source>The computer was suspended for %1 s</source>
+        <translation>L’ordinateur a été en veille pendant %1 s</translation>
+    </message>
+    <message>
+        <source>This computer cannot be kept awake while heat is on (%1): switch off its standby, and keep its lid open</source>
+        <translation>Cet ordinateur ne peut pas être gardé éveillé pendant le chauffage (%1) : désactivez sa mise en veille et gardez son capot ouvert</translation>
+    </message>
+    <message>
+        <source>The device that answers at %1 is the right one from now on</source>
+        <translation>L’appareil qui répond sur %1 est dorénavant le bon</translation>
+    </message>
+    <message>
+        <source>Another device than before answers at %1: it was &quot;%2&quot; and is &quot;%3&quot;. Nothing is written to it. Put the plugs right, or say on the Rig page that this is the one.</source>
+        <translation>Un autre appareil que d’habitude répond sur %1 : c’était « %2 », c’est « %3 ». Rien ne lui est écrit. Remettez les prises en ordre, ou dites sur la page Banc que c’est le bon.</translation>
+    </message>
+</context>
+<context>
+    <name>OutlinePainting</name>
+    <message>
+        <source>1 harmonic</source>
+        <translation>1 harmonique</translation>
+    </message>
+    <message>
+        <source>%1 harmonics</source>
+        <translation>%1 harmoniques</translation>
+    </message>
+    <message>
+        <source>1 hole</source>
+        <translation>1 trou</translation>
+    </message>
+    <message>
+        <source>%1 holes</source>
+        <translation>%1 trous</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>Verb</name>
+    <message>
+        <source>Arm</source>
+        <translation>Armer</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Désarmer</translation>
+    </message>
+    <message>
+        <source>Set targets</source>
+        <translation>Fixer les consignes</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Connecting</source>
+        <translation>Connexion en cours</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Actions</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>E&amp;xemples</translation>
+    </message>
+    <message>
+        <source>&amp;Recent files</source>
+        <translation>Fichiers &amp;récents</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>&amp;New experiment</source>
+        <translation>&amp;Nouvelle expérience</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Ouvrir…</translation>
+    </message>
+    <message>
+        <source>Open an experiment (*.json) or a recorded session (*.bask)</source>
+        <translation>Ouvrir une expérience (*.json) ou une session enregistrée (*.bask)</translation>
+    </message>
+    <message>
+        <source>&amp;Save experiment</source>
+        <translation>&amp;Enregistrer l’expérience</translation>
+    </message>
+    <message>
+        <source>Save experiment &amp;as…</source>
+        <translation>Enregistrer l’expérience &amp;sous…</translation>
+    </message>
+    <message>
+        <source>Save s&amp;ession…</source>
+        <translation>Enregistrer la sess&amp;ion…</translation>
+    </message>
+    <message>
+        <source>Copy the recording of the present or last run to a file of your choice</source>
+        <translation>Copier l’enregistrement de l’essai en cours ou du dernier dans un fichier de votre choix</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>&amp;About Bask</source>
+        <translation>À &amp;propos de Bask</translation>
+    </message>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Essai</translation>
+    </message>
+    <message>
+        <source>&amp;Arm</source>
+        <translation>&amp;Armer</translation>
+    </message>
+    <message>
+        <source>Zero the sensors at ambient and open the recording. Nothing moves or heats yet.</source>
+        <translation>Ajuster les capteurs à l’ambiante et ouvrir l’enregistrement. Rien ne bouge ni ne chauffe encore.</translation>
+    </message>
+    <message>
+        <source>S&amp;tart</source>
+        <translation>&amp;Démarrer</translation>
+    </message>
+    <message>
+        <source>Open the heat and servo every object to its target.</source>
+        <translation>Ouvrir le chauffage et asservir chaque objet à sa consigne.</translation>
+    </message>
+    <message>
+        <source>&amp;Hold</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>Zero velocity; the controller keeps its state and Resume goes on from here.</source>
+        <translation>Vitesse nulle&#xa0;; le régulateur garde son état et Reprendre continue d’ici.</translation>
+    </message>
+    <message>
+        <source>R&amp;esume</source>
+        <translation>&amp;Reprendre</translation>
+    </message>
+    <message>
+        <source>Go on from where the run was held.</source>
+        <translation>Continuer là où l’essai a été mis en pause.</translation>
+    </message>
+    <message>
+        <source>Sto&amp;p</source>
+        <translation>A&amp;rrêter</translation>
+    </message>
+    <message>
+        <source>End the run: heat off, retreat upwards, close the recording. While armed: disarm.</source>
+        <translation>Terminer l’essai&#xa0;: chauffage coupé, retrait vers le haut, enregistrement clos. Si armé&#xa0;: désarmer.</translation>
+    </message>
+    <message>
+        <source>STOP now</source>
+        <translation>STOP immédiat</translation>
+    </message>
+    <message>
+        <source>Zero velocity and heat off now, latched. A software stop, not a safety-rated emergency stop.</source>
+        <translation>Vitesse nulle et chauffage coupé immédiatement, verrouillé. Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
+    </message>
+    <message>
+        <source>Rese&amp;t</source>
+        <translation>Réin&amp;itialiser</translation>
+    </message>
+    <message>
+        <source>Clear a latched stop or fault. It never starts anything.</source>
+        <translation>Lever un arrêt ou un défaut verrouillé. Ne démarre jamais rien.</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Affichage</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objets</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Consignes</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Review</source>
+        <translation>Relecture</translation>
+    </message>
+    <message>
+        <source>What is held in front of the source: outlines, materials, mounting</source>
+        <translation>Ce qui est tenu devant la source&#xa0;: contours, matériaux, montage</translation>
+    </message>
+    <message>
+        <source>What temperature each object shall have, and whether it can be reached</source>
+        <translation>La température que chaque objet doit avoir, et si elle peut être atteinte</translation>
+    </message>
+    <message>
+        <source>Temperatures, the scene and the controller during a run</source>
+        <translation>Températures, scène et régulateur pendant un essai</translation>
+    </message>
+    <message>
+        <source>A recorded run, opened again</source>
+        <translation>Un essai enregistré, rouvert</translation>
+    </message>
+    <message>
+        <source>Temperature &amp;unit</source>
+        <translation>&amp;Unité de température</translation>
+    </message>
+    <message>
+        <source>Degrees Celsius (°C)</source>
+        <translation>Degrés Celsius (°C)</translation>
+    </message>
+    <message>
+        <source>Kelvin (K)</source>
+        <translation>Kelvins (K)</translation>
+    </message>
+    <message>
+        <source>Degrees Fahrenheit (°F)</source>
+        <translation>Degrés Fahrenheit (°F)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Thème</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Comme le bureau</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Clair</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Sombre</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Langue</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Outils</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate fault</source>
+        <translation>&amp;Simuler un défaut</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Étalonner</translation>
+    </message>
+    <message>
+        <source>The camera: its lens, where it stands, and where the source is</source>
+        <translation>La caméra : son objectif, sa place, et celle de la source</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>The devices, what must be so before a run, and the robot and the heat by hand</source>
+        <translation>Les appareils, ce qui doit être en ordre avant un essai, le robot et le chauffage à la main</translation>
+    </message>
+    <message>
+        <source>Ac&amp;knowledge all alarms</source>
+        <translation>A&amp;cquitter toutes les alarmes</translation>
+    </message>
+    <message>
+        <source>You have seen all alarms. Those that are over leave the list. (F9)</source>
+        <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste. (F9)</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Vider la liste</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>Report a &amp;problem…</source>
+        <translation>Signaler un &amp;problème…</translation>
+    </message>
+    <message>
+        <source>The &amp;first five minutes</source>
+        <translation>Les cinq &amp;premières minutes</translation>
+    </message>
+    <message>
+        <source>Te&amp;xt size</source>
+        <translation>Taille du te&amp;xte</translation>
+    </message>
+    <message>
+        <source>&amp;Retreat…</source>
+        <translation>Re&amp;trait…</translation>
+    </message>
+    <message>
+        <source>The robot takes the objects away from the source and the heat goes off, in every state in which the robot answers. A fault stays latched.</source>
+        <translation>Le robot éloigne les objets de la source et le chauffage est coupé, dans tout état où le robot répond. Un défaut reste verrouillé.</translation>
+    </message>
+    <message>
+        <source>End the re&amp;cording</source>
+        <translation>Clore l’&amp;enregistrement</translation>
+    </message>
+    <message>
+        <source>After a stop or a fault the recording goes on until everything is cold. This ends it now.</source>
+        <translation>Après un arrêt ou un défaut, l’enregistrement continue jusqu’à ce que tout soit froid. Ceci le termine maintenant.</translation>
+    </message>
+    <message>
+        <source>Alarm &amp;horn</source>
+        <translation>A&amp;vertisseur d’alarme</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Désactivé</translation>
+    </message>
+    <message>
+        <source>On a real rig</source>
+        <translation>Sur un banc réel</translation>
+    </message>
+    <message>
+        <source>Always</source>
+        <translation>Toujours</translation>
+    </message>
+    <message>
+        <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over</source>
+        <translation>Le signal sonore du bureau, jusqu’à ce que les alarmes de priorité 1 et 2 soient acquittées ou passées</translation>
+    </message>
+</context>
+<context>
+    <name>bask::AlarmButton</name>
+    <message>
+        <source>Alarm of priority %1 (%2): %3</source>
+        <translation>Alarme de priorité %1 (%2) : %3</translation>
+    </message>
+    <message>
+        <source>%1 more.</source>
+        <translation>%1 de plus.</translation>
+    </message>
+    <message>
+        <source>This may be old: the engine is not answering.</source>
+        <translation>C’est peut-être périmé : le moteur ne répond pas.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::AlarmList</name>
+    <message>
+        <source>Priority %1</source>
+        <translation>Priorité %1</translation>
+    </message>
+    <message>
+        <source>Priority %1. %2.</source>
+        <translation>Priorité %1. %2.</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>No alarms.</source>
+        <translation>Aucune alarme.</translation>
+    </message>
+    <message>
+        <source>Choose an alarm to read what to do.</source>
+        <translation>Choisissez une alarme pour lire ce qu’il faut faire.</translation>
+    </message>
+    <message>
+        <source>Raised at %1, %2 times since it was last acknowledged.</source>
+        <translation>Apparue à %1, %2 fois depuis le dernier acquittement.</translation>
+    </message>
+    <message>
+        <source>Raised at %1.</source>
+        <translation>Apparue à %1.</translation>
+    </message>
+    <message>
+        <source>Over at %1.</source>
+        <translation>Terminée à %1.</translation>
+    </message>
+    <message>
+        <source>The first of those that came together: likely their cause.</source>
+        <translation>La première de celles apparues ensemble : sans doute leur cause.</translation>
+    </message>
+    <message>
+        <source>It was active when Bask was last left.</source>
+        <translation>Elle était active quand Bask a été quitté.</translation>
+    </message>
+    <message>
+        <source>The engine is not answering: these alarms may be old.</source>
+        <translation>Le moteur ne répond pas : ces alarmes sont peut-être périmées.</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Priority</source>
+        <translation>Priorité</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+    <message>
+        <source>Raised</source>
+        <translation>Apparue</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Fois</translation>
+    </message>
+    <message>
+        <source>What is wrong</source>
+        <translation>Ce qui ne va pas</translation>
+    </message>
+    <message>
+        <source>What to do about the alarm</source>
+        <translation>Que faire pour cette alarme</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Acquitter</translation>
+    </message>
+    <message>
+        <source>You have seen this alarm. It stays in the list while its condition holds.</source>
+        <translation>Vous avez vu cette alarme. Elle reste dans la liste tant que sa condition dure.</translation>
+    </message>
+    <message>
+        <source>Acknowledge all</source>
+        <translation>Tout acquitter</translation>
+    </message>
+    <message>
+        <source>You have seen all alarms. Those that are over leave the list.</source>
+        <translation>Vous avez vu toutes les alarmes. Celles qui sont terminées quittent la liste.</translation>
+    </message>
+    <message>
+        <source>Shelved: %1</source>
+        <translation>Mises de côté : %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>, %n follow(s)</source>
+        <comment>from this alarm</comment>
+        <translation>
+            <numerusform>, %n en découle</numerusform>
+            <numerusform>, %n en découlent</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It follows from the alarm over it, and goes with that.</source>
+        <translation>Elle découle de l’alarme au-dessus et disparaît avec elle.</translation>
+    </message>
+    <message>
+        <source>Take the alarm back from the shelf</source>
+        <translation>Reprendre l’alarme mise de côté</translation>
+    </message>
+    <message>
+        <source>Shelve: put the alarm aside for a time, with a reason</source>
+        <translation>Mettre l’alarme de côté pour un temps, avec une raison</translation>
+    </message>
+</context>
+<context>
+    <name>bask::AlarmWords</name>
+    <message>
+        <source>Active</source>
+        <translation>Active</translation>
+    </message>
+    <message>
+        <source>Over</source>
+        <translation>Terminée</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>nouvelle</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>vue</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>première</translation>
+    </message>
+    <message>
+        <source>from before</source>
+        <translation>d’avant</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between states</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Shelved until %1: %2</source>
+        <translation>De côté jusqu’à %1 : %2</translation>
+    </message>
+</context>
+<context>
+    <name>bask::AxisTable</name>
+    <message>
+        <source>Axis</source>
+        <translation>Axe</translation>
+    </message>
+    <message>
+        <source>Where the axis reads zero</source>
+        <translation>Là où l’axe indique zéro</translation>
+    </message>
+    <message>
+        <source>Axis that drives %1</source>
+        <translation>Axe qui entraîne %1</translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <translation>inversé</translation>
+    </message>
+    <message>
+        <source>The axis of %1 counts the other way</source>
+        <translation>L’axe de %1 compte dans l’autre sens</translation>
+    </message>
+    <message>
+        <source>%1 where its axis reads zero</source>
+        <translation>%1 là où son axe indique zéro</translation>
+    </message>
+</context>
+<context>
+    <name>bask::BoardForm</name>
+    <message>
+        <source>&amp;Board</source>
+        <translation>&amp;Mire</translation>
+    </message>
+    <message>
+        <source>&amp;Dictionary</source>
+        <translation>&amp;Dictionnaire</translation>
+    </message>
+    <message>
+        <source>As measured on the print: over ten squares, divided by ten.</source>
+        <translation>Tel que mesuré sur l’impression : sur dix cases, divisé par dix.</translation>
+    </message>
+    <message>
+        <source>Boards made by OpenCV before 4.6 with an even number of rows.</source>
+        <translation>Mires faites par OpenCV avant 4.6 avec un nombre pair de rangées.</translation>
+    </message>
+    <message>
+        <source>ChArUco board</source>
+        <translation>Mire ChArUco</translation>
+    </message>
+    <message>
+        <source>Chessboard</source>
+        <translation>Échiquier</translation>
+    </message>
+    <message>
+        <source>Dictionary of the markers</source>
+        <translation>Dictionnaire des marqueurs</translation>
+    </message>
+    <message>
+        <source>Inner cor&amp;ners</source>
+        <translation>Coi&amp;ns intérieurs</translation>
+    </message>
+    <message>
+        <source>Inner corners across</source>
+        <translation>Coins intérieurs en largeur</translation>
+    </message>
+    <message>
+        <source>Inner corners down</source>
+        <translation>Coins intérieurs en hauteur</translation>
+    </message>
+    <message>
+        <source>Kind of board</source>
+        <translation>Type de mire</translation>
+    </message>
+    <message>
+        <source>Lower left square is black</source>
+        <translation>La case en bas à gauche est noire</translation>
+    </message>
+    <message>
+        <source>S&amp;ide of a square</source>
+        <translation>Côté d’une ca&amp;se</translation>
+    </message>
+    <message>
+        <source>S&amp;quares</source>
+        <translation>Cas&amp;es</translation>
+    </message>
+    <message>
+        <source>Side of a &amp;marker</source>
+        <translation>Côté d’un ma&amp;rqueur</translation>
+    </message>
+    <message>
+        <source>Side of a marker</source>
+        <translation>Côté d’un marqueur</translation>
+    </message>
+    <message>
+        <source>Side of a square</source>
+        <translation>Côté d’une case</translation>
+    </message>
+    <message>
+        <source>Squares across</source>
+        <translation>Cases en largeur</translation>
+    </message>
+    <message>
+        <source>Squares down</source>
+        <translation>Cases en hauteur</translation>
+    </message>
+    <message>
+        <source>With its black border, as measured on the print.</source>
+        <translation>Avec sa bordure noire, tel que mesuré sur l’impression.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::BottomDock</name>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Alarms (%1)</source>
+        <translation>Alarmes (%1)</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Événements</translation>
+    </message>
+    <message>
+        <source>Alarms and events</source>
+        <translation>Alarmes et événements</translation>
+    </message>
+    <message>
+        <source>Recipe</source>
+        <translation>Recette</translation>
+    </message>
+    <message>
+        <source>, %1 shelved</source>
+        <comment>behind the number of alarms</comment>
+        <translation>, %1 de côté</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CalibratePage</name>
+    <message>
+        <source>Calibrate</source>
+        <translation>Étalonner</translation>
+    </message>
+    <message>
+        <source>What is calibrated</source>
+        <translation>Ce qui est étalonné</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Simulated camera</source>
+        <translation>Caméra simulée</translation>
+    </message>
+    <message>
+        <source>Or type a number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…), and Enter</source>
+        <translation>Ou tapez un numéro (0), un périphérique (/dev/video0), un fichier vidéo, un dossier d’images ou une adresse (rtsp://…), puis Entrée</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CalibrationAge</name>
+    <message>
+        <source>at an unknown time</source>
+        <translation>à une date inconnue</translation>
+    </message>
+    <message>
+        <source>in the future: check the computer&apos;s clock</source>
+        <translation>dans le futur : vérifiez l’horloge de l’ordinateur</translation>
+    </message>
+    <message>
+        <source>just now</source>
+        <translation>à l’instant</translation>
+    </message>
+    <message>
+        <source>Camera calibrated %1.</source>
+        <translation>Caméra étalonnée %1.</translation>
+    </message>
+    <message>
+        <source>Camera not calibrated.</source>
+        <translation>Caméra non étalonnée.</translation>
+    </message>
+    <message>
+        <source>Where the camera stands was measured %1.</source>
+        <translation>La place de la caméra a été mesurée %1.</translation>
+    </message>
+    <message>
+        <source>Where the camera stands is not measured.</source>
+        <translation>La place de la caméra n’est pas mesurée.</translation>
+    </message>
+    <message>
+        <source>The source&apos;s place is as typed, not measured by the camera.</source>
+        <translation>La place de la source est celle saisie, non mesurée par la caméra.</translation>
+    </message>
+    <message>
+        <source>The source&apos;s place was measured %1.</source>
+        <translation>La place de la source a été mesurée %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minute(s) ago</source>
+        <translation>
+            <numerusform>il y a %n minute</numerusform>
+            <numerusform>il y a %n minutes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hour(s) ago</source>
+        <translation>
+            <numerusform>il y a %n heure</numerusform>
+            <numerusform>il y a %n heures</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n day(s) ago</source>
+        <translation>
+            <numerusform>il y a %n jour</numerusform>
+            <numerusform>il y a %n jours</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::CameraPanel</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>&amp;Calibrate</source>
+        <translation>É&amp;talonner</translation>
+    </message>
+    <message>
+        <source>&amp;Start looking</source>
+        <translation>&amp;Chercher</translation>
+    </message>
+    <message>
+        <source>&amp;Stop looking</source>
+        <translation>Arrêter de &amp;chercher</translation>
+    </message>
+    <message>
+        <source>Calibration board</source>
+        <translation>Mire d’étalonnage</translation>
+    </message>
+    <message>
+        <source>Calibration of the camera</source>
+        <translation>Étalonnage de la caméra</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Cameras (%1);;All files (*)</source>
+        <translation>Caméras (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Drops all views. The board can be set again.</source>
+        <translation>Abandonne toutes les vues. La mire peut de nouveau être réglée.</translation>
+    </message>
+    <message>
+        <source>Hold the board still.</source>
+        <translation>Tenez la mire immobile.</translation>
+    </message>
+    <message>
+        <source>Leave &amp;out the views that stand out</source>
+        <translation>Écarter les vues qui se d&amp;istinguent</translation>
+    </message>
+    <message>
+        <source>Load a camera</source>
+        <translation>Charger une caméra</translation>
+    </message>
+    <message>
+        <source>Looks for the board in the live picture.</source>
+        <translation>Cherche la mire dans l’image en direct.</translation>
+    </message>
+    <message>
+        <source>OpenCV YAML (%1)</source>
+        <translation>YAML d’OpenCV (%1)</translation>
+    </message>
+    <message>
+        <source>Progress of the calibration</source>
+        <translation>Avancement de l’étalonnage</translation>
+    </message>
+    <message>
+        <source>ROS camera_info (%1)</source>
+        <translation>camera_info de ROS (%1)</translation>
+    </message>
+    <message>
+        <source>Save the camera</source>
+        <translation>Enregistrer la caméra</translation>
+    </message>
+    <message>
+        <source>Start again</source>
+        <translation>Recommencer</translation>
+    </message>
+    <message>
+        <source>Start looking, then show the board to the camera from near and far, at all edges of the picture and tilted to all sides.</source>
+        <translation>Lancez la recherche, puis montrez la mire à la caméra de près et de loin, à tous les bords de l’image et inclinée de tous les côtés.</translation>
+    </message>
+    <message>
+        <source>Ta&amp;ke this view</source>
+        <translation>&amp;Prendre cette vue</translation>
+    </message>
+    <message>
+        <source>Take still, new views &amp;automatically</source>
+        <translation>Prendre seul les vues nouvelles et immo&amp;biles</translation>
+    </message>
+    <message>
+        <source>The board is seen: hold it still and take the view.</source>
+        <translation>La mire est vue : tenez-la immobile et prenez la vue.</translation>
+    </message>
+    <message>
+        <source>The camera is saved in %1.</source>
+        <translation>La caméra est enregistrée dans %1.</translation>
+    </message>
+    <message>
+        <source>The views are of this board: start again to set another.</source>
+        <translation>Les vues sont de cette mire : recommencez pour en régler une autre.</translation>
+    </message>
+    <message>
+        <source>There is such a view: move the board on.</source>
+        <translation>Cette vue existe déjà : déplacez la mire.</translation>
+    </message>
+    <message>
+        <source>Too little of the board is seen for a view.</source>
+        <translation>La mire est trop peu visible pour une vue.</translation>
+    </message>
+    <message>
+        <source>Use the board seen</source>
+        <translation>Prendre la mire vue</translation>
+    </message>
+    <message>
+        <source>View %1 is taken: move the board on.</source>
+        <translation>La vue %1 est prise : déplacez la mire.</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Vues</translation>
+    </message>
+    <message>
+        <source>Waiting for the camera&apos;s pictures.</source>
+        <translation>En attente des images de la caméra.</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CameraResult</name>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 views</source>
+        <translation>%1 vues</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 pixels</translation>
+    </message>
+    <message>
+        <source>%1, in use</source>
+        <translation>%1, en service</translation>
+    </message>
+    <message>
+        <source>&amp;Use this camera</source>
+        <translation>&amp;Utiliser cette caméra</translation>
+    </message>
+    <message>
+        <source>Calibrate it by views of a board, or load its file.</source>
+        <translation>Étalonnez-la par des vues d’une mire, ou chargez son fichier.</translation>
+    </message>
+    <message>
+        <source>Good</source>
+        <translation>Bon</translation>
+    </message>
+    <message>
+        <source>Load a camera from a file</source>
+        <translation>Charger une caméra depuis un fichier</translation>
+    </message>
+    <message>
+        <source>Load…</source>
+        <translation>Charger…</translation>
+    </message>
+    <message>
+        <source>No camera yet</source>
+        <translation>Pas encore de caméra</translation>
+    </message>
+    <message>
+        <source>Parameter</source>
+        <translation>Paramètre</translation>
+    </message>
+    <message>
+        <source>Parameters of the camera</source>
+        <translation>Paramètres de la caméra</translation>
+    </message>
+    <message>
+        <source>Poses of markers are computed by it from now on.</source>
+        <translation>Les poses des marqueurs sont désormais calculées par elle.</translation>
+    </message>
+    <message>
+        <source>Read from a file: how far it holds was not checked here.</source>
+        <translation>Lue dans un fichier : sa justesse n’a pas été vérifiée ici.</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>À refaire</translation>
+    </message>
+    <message>
+        <source>Save the camera in a file</source>
+        <translation>Enregistrer la caméra dans un fichier</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Standard deviation</source>
+        <translation>Écart type</translation>
+    </message>
+    <message>
+        <source>The camera in use</source>
+        <translation>La caméra en service</translation>
+    </message>
+    <message>
+        <source>Usable</source>
+        <translation>Utilisable</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>held-out views %1 px</source>
+        <translation>vues mises de côté %1 px</translation>
+    </message>
+    <message>
+        <source>residual %1 px</source>
+        <translation>résidu %1 px</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CheckList</name>
+    <message>
+        <source>done</source>
+        <translation>fait</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>en défaut</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>pas encore</translation>
+    </message>
+    <message>
+        <source>Before a run</source>
+        <translation>Avant un essai</translation>
+    </message>
+    <message>
+        <source>Devices: simulated</source>
+        <translation>Appareils : simulés</translation>
+    </message>
+    <message>
+        <source>Devices: none set up as %1</source>
+        <translation>Appareils : aucun réglé pour %1</translation>
+    </message>
+    <message>
+        <source>Devices: no answer from %1</source>
+        <translation>Appareils : pas de réponse de %1</translation>
+    </message>
+    <message>
+        <source>Devices: all answer</source>
+        <translation>Appareils : tous répondent</translation>
+    </message>
+    <message>
+        <source>Robot: in alarm</source>
+        <translation>Robot : en alarme</translation>
+    </message>
+    <message>
+        <source>Robot: its place is not sure</source>
+        <translation>Robot : sa position n’est pas sûre</translation>
+    </message>
+    <message>
+        <source>Robot: its place is sure</source>
+        <translation>Robot : sa position est sûre</translation>
+    </message>
+    <message>
+        <source>Sensors: no readings yet</source>
+        <translation>Capteurs : pas encore de mesures</translation>
+    </message>
+    <message>
+        <source>Sensors: the newest readings are %1 old</source>
+        <translation>Capteurs : les dernières mesures datent de %1</translation>
+    </message>
+    <message>
+        <source>Sensors: %1 of %2 without a valid reading</source>
+        <translation>Capteurs : %1 sur %2 sans mesure valable</translation>
+    </message>
+    <message>
+        <source>Sensors: fresh and valid</source>
+        <translation>Capteurs : mesures récentes et valables</translation>
+    </message>
+    <message>
+        <source>Source: no temperature</source>
+        <translation>Source : pas de température</translation>
+    </message>
+    <message>
+        <source>Source: warm, %1</source>
+        <translation>Source : chaude, %1</translation>
+    </message>
+    <message>
+        <source>Source: %1, not at %2 yet</source>
+        <translation>Source : %1, pas encore à %2</translation>
+    </message>
+    <message>
+        <source>Source: %1, above %2</source>
+        <translation>Source : %1, au-dessus de %2</translation>
+    </message>
+    <message>
+        <source>Recording: not possible</source>
+        <translation>Enregistrement : impossible</translation>
+    </message>
+    <message>
+        <source>Recording: begins with Arm</source>
+        <translation>Enregistrement : commence avec Armer</translation>
+    </message>
+    <message>
+        <source>Recording: on</source>
+        <translation>Enregistrement : en cours</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>Robot: its place is UNKNOWN, what it told last is %1</source>
+        <translation>Robot : position INCONNUE, ce qu’il a dit en dernier : %1</translation>
+    </message>
+    <message>
+        <source>Sensors: %1 of %2 not believed</source>
+        <translation>Capteurs : %1 sur %2 non crus</translation>
+    </message>
+    <message>
+        <source>Sensors: %1 of %2 stale</source>
+        <translation>Capteurs : %1 sur %2 périmés</translation>
+    </message>
+    <message>
+        <source>Source: UNKNOWN whether it heats, %1</source>
+        <translation>Source : INCONNU si elle chauffe, %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Coach</name>
+    <message>
+        <source>New here? Thirteen small steps on the simulated rig show what Bask does. Nothing can burn.</source>
+        <translation>Première fois ? Treize petites étapes sur le banc simulé montrent ce que fait Bask. Rien ne peut brûler.</translation>
+    </message>
+    <message>
+        <source>Show me</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Pas maintenant</translation>
+    </message>
+    <message>
+        <source>%1 of %2: %3</source>
+        <extracomment>number of the step, of so many, what to do</extracomment>
+        <translation>%1 sur %2 : %3</translation>
+    </message>
+    <message>
+        <source>Show where</source>
+        <translation>Montrer où</translation>
+    </message>
+    <message>
+        <source>Skip</source>
+        <translation>Passer</translation>
+    </message>
+    <message>
+        <source>That was all. F1 opens the manual, which has the rest.</source>
+        <translation>C’est tout. F1 ouvre le manuel, où se trouve le reste.</translation>
+    </message>
+    <message>
+        <source>On the Objects page, select “bunny” and drag Harmonics. With fewer of them its outline leaves the drawing&apos;s.</source>
+        <translation>Page Objets : choisissez « bunny » et faites glisser les harmoniques. Moins il y en a, plus le contour s’écarte du dessin.</translation>
+    </message>
+    <message>
+        <source>Take that back with Ctrl+Z. Every edit can be undone.</source>
+        <translation>Annulez avec Ctrl+Z. Toute modification peut être annulée.</translation>
+    </message>
+    <message>
+        <source>On the Targets page, type 200 °C for one object and read why it cannot be held.</source>
+        <translation>Page Consignes : tapez 200 °C pour un objet et lisez pourquoi cela ne peut être tenu.</translation>
+    </message>
+    <message>
+        <source>Press “Use nearest feasible”: targets that can be held together.</source>
+        <translation>Appuyez sur « Prendre les plus proches » : des consignes tenables ensemble.</translation>
+    </message>
+    <message>
+        <source>Start (F6): the heat is on, and the robot moves.</source>
+        <translation>Démarrer (F6) : le chauffage est en marche et le robot bouge.</translation>
+    </message>
+    <message>
+        <source>The run has ended in a fault, as a hold that lasts does. End it in Tools &gt; Simulate fault, press Reset, then Arm (F5) and Start (F6) again.</source>
+        <translation>L’essai s’est terminé en défaut, comme toute pause qui dure. Levez le défaut dans Outils &gt; Simuler un défaut, pressez Réinitialiser, puis de nouveau Armer (F5) et Démarrer (F6).</translation>
+    </message>
+    <message>
+        <source>The run has ended. Arm (F5) and Start (F6) again.</source>
+        <translation>L’essai est terminé. De nouveau, Armer (F5) et Démarrer (F6).</translation>
+    </message>
+    <message>
+        <source>The run has ended. End the fault in Tools &gt; Simulate fault, then Arm (F5) and Start (F6) again.</source>
+        <translation>L’essai est terminé. Levez le défaut dans Outils &gt; Simuler un défaut, puis de nouveau Armer (F5) et Démarrer (F6).</translation>
+    </message>
+    <message>
+        <source>The temperatures go to their targets. Press N on the Run page and note something.</source>
+        <translation>Les températures vont à leurs consignes. Sur la page Essai, appuyez sur N et notez quelque chose.</translation>
+    </message>
+    <message>
+        <source>Change a gain at the controller and apply it: the traces are marked there.</source>
+        <translation>Changez un gain du régulateur et appliquez-le : les courbes en gardent la marque.</translation>
+    </message>
+    <message>
+        <source>Tools &gt; Simulate fault: take a sensor away. The run holds, and an alarm says what to do.</source>
+        <translation>Outils &gt; Simuler un défaut : retirez un capteur. L’essai se met en pause et une alarme dit que faire.</translation>
+    </message>
+    <message>
+        <source>Acknowledge the alarm (F9): you have seen it.</source>
+        <translation>Acquittez l’alarme (F9) : vous l’avez vue.</translation>
+    </message>
+    <message>
+        <source>End the fault in the same menu, then Resume (Shift+F7).</source>
+        <translation>Mettez fin au défaut dans le même menu, puis Reprendre (Maj+F7).</translation>
+    </message>
+    <message>
+        <source>Stop (F8): heat off, the robot retreats, the recording is closed.</source>
+        <translation>Arrêter (F8) : chauffage coupé, le robot se retire, l’enregistrement est fermé.</translation>
+    </message>
+    <message>
+        <source>On the Review page, open the recording of this run.</source>
+        <translation>Page Relecture : ouvrez l’enregistrement de cet essai.</translation>
+    </message>
+    <message>
+        <source>Type 40 °C there again, which is reached sooner. Then Arm (F5): the sensors are zeroed and the recording is opened. Nothing moves yet.</source>
+        <translation>Retapez-y 40 °C, atteint plus vite. Puis armez (F5) : les capteurs sont ajustés et l’enregistrement est ouvert. Rien ne bouge encore.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ControllerPanel</name>
+    <message>
+        <source>Not applied: %1</source>
+        <comment>number of changes</comment>
+        <translation>Non appliqué&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Controller and gains</source>
+        <translation>Régulateur et gains</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Régulateur</translation>
+    </message>
+    <message>
+        <source>Moves to the view factor each object needs; learns the rates on the way.</source>
+        <translation>Rejoint le facteur de forme dont chaque objet a besoin&#xa0;; apprend les vitesses en chemin.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with adapted heat rates.</source>
+        <translation>La loi de l’article à coefficients thermiques adaptés.</translation>
+    </message>
+    <message>
+        <source>Time constant</source>
+        <translation>Constante de temps</translation>
+    </message>
+    <message>
+        <source>s</source>
+        <translation>s</translation>
+    </message>
+    <message>
+        <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
+        <translation>Vitesse voulue = écart / constante de temps&#xa0;: plus courte, plus rapide et plus brusque.</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation>Temps intégral</translation>
+    </message>
+    <message>
+        <source>Of the slow integral action near the target.</source>
+        <translation>De l’action intégrale lente près de la consigne.</translation>
+    </message>
+    <message>
+        <source>Damping D</source>
+        <translation>Amortissement D</translation>
+    </message>
+    <message>
+        <source>1/s</source>
+        <translation>1/s</translation>
+    </message>
+    <message>
+        <source>Stiffness K</source>
+        <translation>Raideur K</translation>
+    </message>
+    <message>
+        <source>1/s²</source>
+        <translation>1/s²</translation>
+    </message>
+    <message>
+        <source>Weight of the error μ</source>
+        <translation>Poids de l’écart μ</translation>
+    </message>
+    <message>
+        <source>ζ = v + μ Δτ</source>
+        <translation>ζ = v + μ Δτ</translation>
+    </message>
+    <message>
+        <source>Feedback K</source>
+        <translation>Rétroaction K</translation>
+    </message>
+    <message>
+        <source>1/K</source>
+        <translation>1/K</translation>
+    </message>
+    <message>
+        <source>Of ζ in the velocity command</source>
+        <translation>De ζ dans la commande de vitesse</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₁</source>
+        <translation>Adaptation γ₁</translation>
+    </message>
+    <message>
+        <source>s³/K³</source>
+        <translation>s³/K³</translation>
+    </message>
+    <message>
+        <source>Speed at which 1/λ₁ is adapted</source>
+        <translation>Rapidité d’adaptation de 1/λ₁</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₂</source>
+        <translation>Adaptation γ₂</translation>
+    </message>
+    <message>
+        <source>s/K⁹</source>
+        <translation>s/K⁹</translation>
+    </message>
+    <message>
+        <source>Speed at which λ₂/λ₁ is adapted</source>
+        <translation>Rapidité d’adaptation de λ₂/λ₁</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Appliquer</translation>
+    </message>
+    <message>
+        <source>Use these settings from the next control step on; noted in the run&apos;s log.</source>
+        <translation>Utiliser ces réglages dès le prochain pas de commande&#xa0;; noté dans le journal de l’essai.</translation>
+    </message>
+    <message>
+        <source>Revert</source>
+        <translation>Revenir</translation>
+    </message>
+    <message>
+        <source>Back to the settings in use.</source>
+        <translation>Revenir aux réglages en service.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
+        <translation>La loi de l’article à coefficients thermiques connus&#xa0;: dv/dt = −D v − K Δτ.</translation>
+    </message>
+    <message>
+        <source>dv/dt = −D v − K Δτ</source>
+        <translation>dv/dt = −D v − K Δτ</translation>
+    </message>
+    <message>
+        <source>After a step of %1 K, without limits and noise: it never settles.</source>
+        <translation>Après un échelon de %1 K, sans limites ni bruit : ne se stabilise jamais.</translation>
+    </message>
+    <message>
+        <source>After a step of %1 K, without limits and noise: overshoot %2 %, within ±%3 K after %4 s.</source>
+        <translation>Après un échelon de %1 K, sans limites ni bruit : dépassement %2 %, à ±%3 K près après %4 s.</translation>
+    </message>
+    <message>
+        <source>After a step of %1 K, once it has adapted, without limits and noise: no overshoot, within ±%2 K after %3 s at best.</source>
+        <translation>Après un échelon de %1 K, une fois adapté, sans limites ni bruit : aucun dépassement, à ±%2 K près après %3 s au mieux.</translation>
+    </message>
+    <message>
+        <source>Frequency ω</source>
+        <translation>Pulsation ω</translation>
+    </message>
+    <message>
+        <source>rad/s</source>
+        <translation>rad/s</translation>
+    </message>
+    <message>
+        <source>Natural frequency: ω = √K. Changes D and K together.</source>
+        <translation>Pulsation propre : ω = √K. Modifie D et K ensemble.</translation>
+    </message>
+    <message>
+        <source>Damping ratio ζ</source>
+        <translation>Taux d’amortissement ζ</translation>
+    </message>
+    <message>
+        <source>ζ = D / (2√K): overshoots below 1. Changes D.</source>
+        <translation>ζ = D / (2√K) : dépassement au-dessous de 1. Modifie D.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CountdownBar</name>
+    <message>
+        <source>In %1 s, unless the cause is gone: %2</source>
+        <translation>Dans %1 s, sauf si la cause disparaît : %2</translation>
+    </message>
+    <message>
+        <source>Cause: %1</source>
+        <translation>Cause : %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CoverageView</name>
+    <message>
+        <source>%1 of %2 views</source>
+        <translation>%1 vues sur %2</translation>
+    </message>
+    <message>
+        <source>%1 views</source>
+        <translation>%1 vues</translation>
+    </message>
+    <message>
+        <source>Colours the picture by how many corners were seen where.</source>
+        <translation>Colore l’image selon le nombre de coins vus à chaque endroit.</translation>
+    </message>
+    <message>
+        <source>Covered: %1</source>
+        <translation>Couvert : %1</translation>
+    </message>
+    <message>
+        <source>Left to right</source>
+        <translation>De gauche à droite</translation>
+    </message>
+    <message>
+        <source>Nearness</source>
+        <translation>Proximité</translation>
+    </message>
+    <message>
+        <source>Show on the &amp;picture</source>
+        <translation>Montrer sur l’ima&amp;ge</translation>
+    </message>
+    <message>
+        <source>This is enough: calibrate.</source>
+        <translation>Cela suffit : étalonnez.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <translation>Inclinaison</translation>
+    </message>
+    <message>
+        <source>Top to bottom</source>
+        <translation>De haut en bas</translation>
+    </message>
+    <message>
+        <source>%1.</source>
+        <translation>%1.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CutControls</name>
+    <message>
+        <source>No cut</source>
+        <translation>Pas de coupe</translation>
+    </message>
+    <message>
+        <source>Cut: %1</source>
+        <translation>Coupe : %1</translation>
+    </message>
+    <message>
+        <source>Object whose field is cut</source>
+        <translation>Objet dont le champ est coupé</translation>
+    </message>
+    <message>
+        <source>A plane in the colours of what one object would have there.</source>
+        <translation>Un plan aux couleurs de ce qu’un objet y aurait.</translation>
+    </message>
+    <message>
+        <source>What the cut shows: T, the steady temperature, or F, the view factor</source>
+        <translation>Ce que montre la coupe : T, la température d’équilibre, ou F, le facteur de forme</translation>
+    </message>
+    <message>
+        <source>T: the temperature that the object settles at there. F: its view factor.</source>
+        <translation>T : la température où l’objet s’y stabilise. F : son facteur de forme.</translation>
+    </message>
+    <message>
+        <source>Axis that the plane is square to</source>
+        <translation>Axe perpendiculaire au plan</translation>
+    </message>
+    <message>
+        <source>Place of the plane along its axis</source>
+        <translation>Place du plan le long de son axe</translation>
+    </message>
+</context>
+<context>
+    <name>bask::CutOffRun</name>
+    <message>
+        <source>Bask ended in the middle of a run (%1) and could not stop the rig: look at the robot and the source before you go on.</source>
+        <translation>Bask s’est arrêté au milieu d’un essai (%1) sans pouvoir arrêter le banc : examinez le robot et la source avant de continuer.</translation>
+    </message>
+    <message>
+        <source>Bask ended in the middle of a simulated run (%1).</source>
+        <translation>Bask s’est arrêté au milieu d’un essai simulé (%1).</translation>
+    </message>
+    <message>
+        <source>Show in Review</source>
+        <translation>Afficher dans Relecture</translation>
+    </message>
+    <message>
+        <source>What it had recorded is kept.</source>
+        <translation>Ce qui était enregistré est conservé.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Device</name>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Thermometer</source>
+        <translation>Thermomètre</translation>
+    </message>
+    <message>
+        <source>Heat source</source>
+        <translation>Source de chaleur</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Closed</source>
+        <translation>Fermé</translation>
+    </message>
+    <message>
+        <source>Opening</source>
+        <translation>En ouverture</translation>
+    </message>
+    <message>
+        <source>Live</source>
+        <translation>Actif</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Perdu</translation>
+    </message>
+    <message>
+        <source>Grbl or grblHAL (G-code)</source>
+        <translation>Grbl ou grblHAL (G-code)</translation>
+    </message>
+    <message>
+        <source>Dobot MG400 or M1 Pro (network)</source>
+        <translation>Dobot MG400 ou M1 Pro (réseau)</translation>
+    </message>
+    <message>
+        <source>Modbus RTU module</source>
+        <translation>Module Modbus RTU</translation>
+    </message>
+    <message>
+        <source>Lines of text (MAX31865)</source>
+        <translation>Lignes de texte (MAX31865)</translation>
+    </message>
+    <message>
+        <source>Kept hot by a person</source>
+        <translation>Maintenue chaude par une personne</translation>
+    </message>
+    <message>
+        <source>Hotplate (NAMUR, IKA)</source>
+        <translation>Plaque chauffante (NAMUR, IKA)</translation>
+    </message>
+    <message>
+        <source>Modbus RTU controller</source>
+        <translation>Régulateur Modbus RTU</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Images</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <comment>a temperature and how old it is</comment>
+        <translation>%1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>bask::DeviceCard</name>
+    <message>
+        <source>Change…</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>Set up…</source>
+        <translation>Régler…</translation>
+    </message>
+    <message>
+        <source>Simulated</source>
+        <translation>Simulé</translation>
+    </message>
+    <message>
+        <source>None</source>
+        <translation>Aucun</translation>
+    </message>
+    <message>
+        <source>%1 ago</source>
+        <translation>il y a %1</translation>
+    </message>
+    <message>
+        <source>%1 Hz</source>
+        <translation>%1 Hz</translation>
+    </message>
+    <message>
+        <source>Not in use yet</source>
+        <translation>Pas encore utilisé</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n answer(s) discarded</source>
+        <translation>
+            <numerusform>%n réponse écartée</numerusform>
+            <numerusform>%n réponses écartées</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Age of its newest answer, answers a second, and answers that nobody can read or that were not asked for</source>
+        <translation>Âge de sa dernière réponse, réponses par seconde, et réponses illisibles ou non demandées</translation>
+    </message>
+    <message>
+        <source>This is the one</source>
+        <translation>C’est le bon</translation>
+    </message>
+    <message>
+        <source>Use the device that answers now, and remember it instead of the one before</source>
+        <translation>Utiliser l’appareil qui répond maintenant et le retenir à la place de l’ancien</translation>
+    </message>
+</context>
+<context>
+    <name>bask::DeviceDialog</name>
+    <message>
+        <source>Take a profile from a file</source>
+        <translation>Prendre un profil dans un fichier</translation>
+    </message>
+    <message>
+        <source>Profiles (*.json)</source>
+        <translation>Profils (*.json)</translation>
+    </message>
+    <message>
+        <source>Asking…</source>
+        <translation>Interrogation…</translation>
+    </message>
+    <message>
+        <source>Channels %1</source>
+        <translation>Voies %1</translation>
+    </message>
+    <message>
+        <source>Temperature %1</source>
+        <translation>Température %1</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>A number (0), a device (/dev/video0), a video file, a folder of pictures or an address (rtsp://…)</source>
+        <translation>Un numéro (0), un appareil (/dev/video0), un fichier vidéo, un dossier d’images ou une adresse (rtsp://…)</translation>
+    </message>
+    <message>
+        <source>Port</source>
+        <translation>Port</translation>
+    </message>
+    <message>
+        <source>Address</source>
+        <translation>Adresse</translation>
+    </message>
+    <message>
+        <source>Choose one, or type its path</source>
+        <translation>Choisissez-en un, ou tapez son chemin</translation>
+    </message>
+    <message>
+        <source>Host name or IP address of the robot</source>
+        <translation>Nom d’hôte ou adresse IP du robot</translation>
+    </message>
+    <message>
+        <source>Set up: %1</source>
+        <translation>Réglage : %1</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>Pilote</translation>
+    </message>
+    <message>
+        <source>Refresh</source>
+        <translation>Actualiser</translation>
+    </message>
+    <message>
+        <source>Look for ports anew</source>
+        <translation>Chercher de nouveau les ports</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Axes</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Appareil</translation>
+    </message>
+    <message>
+        <source>From file…</source>
+        <translation>D’un fichier…</translation>
+    </message>
+    <message>
+        <source>Take what the device&apos;s registers mean from a file</source>
+        <translation>Prendre dans un fichier le sens des registres de l’appareil</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>The device&apos;s Modbus address</source>
+        <translation>L’adresse Modbus de l’appareil</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Voies</translation>
+    </message>
+    <message>
+        <source>The channel of each object&apos;s sensor, counted from 0</source>
+        <translation>La voie du capteur de chaque objet, comptée à partir de 0</translation>
+    </message>
+    <message>
+        <source>Watchdog</source>
+        <translation>Chien de garde</translation>
+    </message>
+    <message>
+        <source>The device switches its heat off when it has heard nothing for so long</source>
+        <translation>L’appareil coupe son chauffage s’il n’entend rien pendant ce temps</translation>
+    </message>
+    <message>
+        <source>Its external probe measures the surface</source>
+        <translation>Sa sonde externe mesure la surface</translation>
+    </message>
+    <message>
+        <source>Test read</source>
+        <translation>Lecture d’essai</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utiliser</translation>
+    </message>
+    <message>
+        <source>Use this device in the experiment</source>
+        <translation>Utiliser cet appareil dans l’expérience</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Asks the device without using it. Nothing moves or heats.</source>
+        <translation>Interroge l’appareil sans l’utiliser. Rien ne bouge ni ne chauffe.</translation>
+    </message>
+    <message>
+        <source>No serial port was found. Plug the device in and refresh, or type a path.</source>
+        <translation>Aucun port série n’a été trouvé. Branchez l’appareil et actualisez, ou tapez un chemin.</translation>
+    </message>
+    <message>
+        <source>1. Which device</source>
+        <translation>1. Quel appareil</translation>
+    </message>
+    <message>
+        <source>2. Where it is connected</source>
+        <translation>2. Où il est branché</translation>
+    </message>
+    <message>
+        <source>3. Does it answer?</source>
+        <translation>3. Répond-il ?</translation>
+    </message>
+    <message>
+        <source>4. Its axes</source>
+        <translation>4. Ses axes</translation>
+    </message>
+    <message>
+        <source>4. The objects&apos; channels</source>
+        <translation>4. Les voies des objets</translation>
+    </message>
+    <message>
+        <source>4. The device&apos;s own settings</source>
+        <translation>4. Les réglages propres à l’appareil</translation>
+    </message>
+    <message>
+        <source>May heat without a watchdog</source>
+        <translation>Peut chauffer sans chien de garde</translation>
+    </message>
+    <message>
+        <source>Then the source stays hot when Bask or the computer stops. Never leave it alone.</source>
+        <translation>La source reste alors chaude quand Bask ou l’ordinateur s’arrête. Ne la laissez jamais seule.</translation>
+    </message>
+    <message>
+        <source>Its place is sure</source>
+        <translation>Sa position est sûre</translation>
+    </message>
+    <message>
+        <source>Once it is homed, if its controller can; else once it is confirmed</source>
+        <translation>Après la prise d’origine, si son contrôleur le peut ; sinon après confirmation</translation>
+    </message>
+    <message>
+        <source>Once it is homed</source>
+        <translation>Après la prise d’origine</translation>
+    </message>
+    <message>
+        <source>Once it is homed or confirmed</source>
+        <translation>Après prise d’origine ou confirmation</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Display</name>
+    <message>
+        <source>%1/min</source>
+        <comment>a rate; %1 is K or °F</comment>
+        <translation>%1/min</translation>
+    </message>
+    <message>
+        <source>Camera lost</source>
+        <translation>Caméra perdue</translation>
+    </message>
+    <message>
+        <source>Heat source cannot be switched off</source>
+        <translation>La source ne s’éteint plus</translation>
+    </message>
+    <message>
+        <source>Heat source does not heat</source>
+        <translation>La source ne chauffe pas</translation>
+    </message>
+    <message>
+        <source>Heat source heats unasked</source>
+        <translation>La source chauffe sans ordre</translation>
+    </message>
+    <message>
+        <source>Heat source limited by itself</source>
+        <translation>Source limitée par elle-même</translation>
+    </message>
+    <message>
+        <source>Heat source lost</source>
+        <translation>Perte de la source de chaleur</translation>
+    </message>
+    <message>
+        <source>Heat source overheats</source>
+        <translation>La source surchauffe</translation>
+    </message>
+    <message>
+        <source>Heat source without temperature</source>
+        <translation>Source sans température</translation>
+    </message>
+    <message>
+        <source>Idle</source>
+        <translation>Au repos</translation>
+    </message>
+    <message>
+        <source>Not ready</source>
+        <translation>Pas prêt</translation>
+    </message>
+    <message>
+        <source>Object heated otherwise</source>
+        <translation>Objet chauffé autrement</translation>
+    </message>
+    <message>
+        <source>Ready</source>
+        <translation>Prêt</translation>
+    </message>
+    <message>
+        <source>Armed</source>
+        <translation>Armé</translation>
+    </message>
+    <message>
+        <source>Restore all devices</source>
+        <translation>Rétablir tous les appareils</translation>
+    </message>
+    <message>
+        <source>Robot in alarm</source>
+        <translation>Robot en alarme</translation>
+    </message>
+    <message>
+        <source>Robot lost</source>
+        <translation>Perte du robot</translation>
+    </message>
+    <message>
+        <source>Robot restarted</source>
+        <translation>Robot redémarré</translation>
+    </message>
+    <message>
+        <source>Robot slow</source>
+        <translation>Robot lent</translation>
+    </message>
+    <message>
+        <source>Running</source>
+        <translation>En marche</translation>
+    </message>
+    <message>
+        <source>Holding</source>
+        <translation>En pause</translation>
+    </message>
+    <message>
+        <source>Sensor frozen</source>
+        <translation>Capteur figé</translation>
+    </message>
+    <message>
+        <source>Sensor jumping</source>
+        <translation>Capteur qui saute</translation>
+    </message>
+    <message>
+        <source>Sensor lost</source>
+        <translation>Perte d’un capteur</translation>
+    </message>
+    <message>
+        <source>Sensor off its object</source>
+        <translation>Capteur décollé</translation>
+    </message>
+    <message>
+        <source>Sensor open</source>
+        <translation>Capteur ouvert</translation>
+    </message>
+    <message>
+        <source>Sensor shorted</source>
+        <translation>Capteur en court-circuit</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Stabilisé</translation>
+    </message>
+    <message>
+        <source>Source hidden from the camera</source>
+        <translation>Source cachée à la caméra</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Arrêt en cours</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Fault (latched)</source>
+        <translation>Défaut (verrouillé)</translation>
+    </message>
+    <message>
+        <source>The rig cannot be armed or started yet.</source>
+        <translation>Le banc ne peut pas encore être armé ni démarré.</translation>
+    </message>
+    <message>
+        <source>Nothing stands in the way: press Arm.</source>
+        <translation>Rien ne s’y oppose&#xa0;: pressez Armer.</translation>
+    </message>
+    <message>
+        <source>The sensors are zeroed and the recording is open: press Start.</source>
+        <translation>Les capteurs sont ajustés et l’enregistrement est ouvert&#xa0;: pressez Démarrer.</translation>
+    </message>
+    <message>
+        <source>The robot moves the objects towards their targets.</source>
+        <translation>Le robot amène les objets vers leurs consignes.</translation>
+    </message>
+    <message>
+        <source>Zero velocity; the controller&apos;s state is kept. Press Resume to go on.</source>
+        <translation>Vitesse nulle&#xa0;; l’état du régulateur est conservé. Pressez Reprendre pour continuer.</translation>
+    </message>
+    <message>
+        <source>All objects stay within their tolerance band. The controller keeps working.</source>
+        <translation>Tous les objets restent dans leur bande de tolérance. Le régulateur continue.</translation>
+    </message>
+    <message>
+        <source>Level servo</source>
+        <translation>Asservissement de niveau</translation>
+    </message>
+    <message>
+        <source>Model-based</source>
+        <translation>À modèle</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation>Adaptatif</translation>
+    </message>
+    <message>
+        <source>a sample is missing</source>
+        <translation>il manque un échantillon</translation>
+    </message>
+    <message>
+        <source>database disk image is malformed</source>
+        <translation>la base de données n’est pas lisible</translation>
+    </message>
+    <message>
+        <source>it does not say whether the rig was simulated</source>
+        <translation>il ne dit pas si le banc était simulé</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>il est tronqué</translation>
+    </message>
+    <message>
+        <source>robot</source>
+        <translation>robot</translation>
+    </message>
+    <message>
+        <source>thermometer</source>
+        <translation>thermomètre</translation>
+    </message>
+    <message>
+        <source>heat source</source>
+        <translation>source de chaleur</translation>
+    </message>
+    <message>
+        <source>source temperature</source>
+        <translation>température de la source</translation>
+    </message>
+    <message>
+        <source>heat source kept by hand</source>
+        <translation>source chauffée à la main</translation>
+    </message>
+    <message>
+        <source>no value yet</source>
+        <translation>encore aucune valeur</translation>
+    </message>
+    <message>
+        <source>%1 s old</source>
+        <translation>il y a %1 s</translation>
+    </message>
+    <message>
+        <source>%1 old</source>
+        <comment>%1 is minutes and seconds</comment>
+        <translation>il y a %1</translation>
+    </message>
+    <message>
+        <source>Nothing is armed.</source>
+        <translation>Rien n’est armé.</translation>
+    </message>
+    <message>
+        <source>The robot takes the objects away, and the heat was ordered off.</source>
+        <translation>Le robot éloigne les objets, et l’ordre de couper le chauffage est donné.</translation>
+    </message>
+    <message>
+        <source>The run has ended.</source>
+        <translation>L’essai est terminé.</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Remove its cause, then press Reset.</source>
+        <translation>Un arrêt ou un défaut est verrouillé. Supprimez sa cause, puis pressez Réinitialiser.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Sans titre</translation>
+    </message>
+</context>
+<context>
+    <name>bask::EventList</name>
+    <message>
+        <source>Priority %1</source>
+        <translation>Priorité&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Event</source>
+        <translation>Événement</translation>
+    </message>
+    <message>
+        <source>Events and notes</source>
+        <translation>Événements et notes</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Nature</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>Ce qui s’est passé</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ExperimentEdit</name>
+    <message>
+        <source>target of “%1”</source>
+        <translation>consigne de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>targets</source>
+        <translation>consignes</translation>
+    </message>
+    <message>
+        <source>controller and gains</source>
+        <translation>régulateur et gains</translation>
+    </message>
+    <message>
+        <source>markers</source>
+        <translation>marqueurs</translation>
+    </message>
+    <message>
+        <source>calibration of the camera</source>
+        <translation>étalonnage de la caméra</translation>
+    </message>
+    <message>
+        <source>place of the camera</source>
+        <translation>place de la caméra</translation>
+    </message>
+    <message>
+        <source>calibration</source>
+        <translation>étalonnage</translation>
+    </message>
+    <message>
+        <source>place of the source</source>
+        <translation>place de la source</translation>
+    </message>
+    <message>
+        <source>following of the source</source>
+        <translation>suivi de la source</translation>
+    </message>
+    <message>
+        <source>start of runs</source>
+        <translation>départ des essais</translation>
+    </message>
+    <message>
+        <source>set point of the source</source>
+        <translation>température de consigne de la source</translation>
+    </message>
+    <message>
+        <source>emittance of the source</source>
+        <translation>émissivité de la source</translation>
+    </message>
+    <message>
+        <source>workspace</source>
+        <translation>espace de travail</translation>
+    </message>
+    <message>
+        <source>limits of motion</source>
+        <translation>limites de mouvement</translation>
+    </message>
+    <message>
+        <source>safety limits</source>
+        <translation>limites de sécurité</translation>
+    </message>
+    <message>
+        <source>choice of the real rig</source>
+        <translation>choix du banc réel</translation>
+    </message>
+    <message>
+        <source>devices of the rig</source>
+        <translation>appareils du banc</translation>
+    </message>
+    <message>
+        <source>choice of the simulated rig</source>
+        <translation>choix du banc simulé</translation>
+    </message>
+    <message>
+        <source>move of “%1”</source>
+        <translation>déplacement de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>moves</source>
+        <translation>déplacements</translation>
+    </message>
+    <message>
+        <source>renaming of “%1”</source>
+        <translation>nouveau nom de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>names</source>
+        <translation>noms</translation>
+    </message>
+    <message>
+        <source>start values of “%1”</source>
+        <translation>valeurs de départ de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>start values</source>
+        <translation>valeurs de départ</translation>
+    </message>
+    <message>
+        <source>material of “%1”</source>
+        <translation>matériau de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>materials</source>
+        <translation>matériaux</translation>
+    </message>
+    <message>
+        <source>outline of “%1”</source>
+        <translation>contour de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>outlines</source>
+        <translation>contours</translation>
+    </message>
+    <message>
+        <source>change of “%1”</source>
+        <translation>modification de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>change of several objects</source>
+        <translation>modification de plusieurs objets</translation>
+    </message>
+    <message>
+        <source>addition of “%1”</source>
+        <translation>ajout de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>removal of “%1”</source>
+        <translation>retrait de «&#xa0;%1&#xa0;»</translation>
+    </message>
+    <message>
+        <source>change of the experiment</source>
+        <translation>modification de l’expérience</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ExportBar</name>
+    <message>
+        <source>Computing…</source>
+        <translation>Calcul…</translation>
+    </message>
+    <message>
+        <source>Picture %1 of %2</source>
+        <translation>Image %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Progress of the export</source>
+        <translation>Avancement de l’exportation</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Cancel the export</source>
+        <translation>Annuler l’exportation</translation>
+    </message>
+</context>
+<context>
+    <name>bask::FinalValuesTable</name>
+    <message>
+        <source>Final values</source>
+        <translation>Valeurs finales</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Final, true</source>
+        <translation>Finale, vraie</translation>
+    </message>
+    <message>
+        <source>Final, estimated</source>
+        <translation>Finale, estimée</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Settled after</source>
+        <translation>Stabilisé après</translation>
+    </message>
+    <message>
+        <source>The simulated plant&apos;s own temperature when the run was stopped</source>
+        <translation>La température propre de l’installation simulée à l’arrêt de l’essai</translation>
+    </message>
+    <message>
+        <source>The estimate from the sensor when the run was stopped</source>
+        <translation>L’estimation tirée du capteur à l’arrêt de l’essai</translation>
+    </message>
+    <message>
+        <source>Time from which the object stays within %1 of its target until the end</source>
+        <translation>Instant à partir duquel l’objet reste à moins de&#xa0;%1 de sa consigne jusqu’à la fin</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>not settled</source>
+        <translation>non stabilisé</translation>
+    </message>
+</context>
+<context>
+    <name>bask::HarmonicsPanel</name>
+    <message>
+        <source>&amp;Harmonics</source>
+        <translation>&amp;Harmoniques</translation>
+    </message>
+    <message>
+        <source>Number of harmonics</source>
+        <translation>Nombre d’harmoniques</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Résidu</translation>
+    </message>
+    <message>
+        <source>With this number of harmonics the outline crosses itself; choose another.</source>
+        <translation>Avec ce nombre d’harmoniques, le contour se recoupe&#xa0;; choisissez-en un autre.</translation>
+    </message>
+    <message>
+        <source>Fitting…</source>
+        <translation>Ajustement en cours…</translation>
+    </message>
+    <message>
+        <source>Residual &lt;b&gt;%1 mm&lt;/b&gt; rms, &lt;b&gt;%2 mm&lt;/b&gt; at most; Hausdorff &lt;b&gt;%3 mm&lt;/b&gt;; area &lt;b&gt;%4 %&lt;/b&gt;</source>
+        <translation>Résidu &lt;b&gt;%1&#xa0;mm&lt;/b&gt; efficace, &lt;b&gt;%2&#xa0;mm&lt;/b&gt; au plus&#xa0;; Hausdorff &lt;b&gt;%3&#xa0;mm&lt;/b&gt;&#xa0;; aire &lt;b&gt;%4&#xa0;%&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>%1 mm cannot be reached with up to %2 harmonics: %3 of them come closest, within %4 mm. The outline itself is exact.</source>
+        <translation>%1&#xa0;mm ne peut être atteint avec au plus %2 harmoniques&#xa0;: %3 s’en approchent le mieux, à moins de %4&#xa0;mm. Le contour lui-même est exact.</translation>
+    </message>
+    <message>
+        <source>With any number of harmonics up to %1 the outline crosses itself. The outline itself is exact.</source>
+        <translation>Quel que soit le nombre d’harmoniques jusqu’à %1, le contour se recoupe. Le contour lui-même est exact.</translation>
+    </message>
+    <message>
+        <source>Fitting… %1 of %2</source>
+        <translation>Ajustement… %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Fewest harmonics &amp;within</source>
+        <translation>Le &amp;moins d’harmoniques pour</translation>
+    </message>
+    <message>
+        <source>Chooses the fewest harmonics whose outline does not cross itself and is nowhere farther from the imported one than this (Hausdorff distance).</source>
+        <translation>Choisit le plus petit nombre d’harmoniques dont le contour ne se recoupe pas et ne s’éloigne nulle part davantage du contour importé (distance de Hausdorff).</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Distance within which the Fourier outline shall be</source>
+        <translation>Distance à laquelle le contour de Fourier doit rester</translation>
+    </message>
+    <message>
+        <source>Use the outli&amp;ne itself</source>
+        <translation>&amp;Utiliser le contour lui-même</translation>
+    </message>
+    <message>
+        <source>Takes the imported outline as a polygon, corner by corner, in place of a Fourier outline. Exact; slower the more corners it has.</source>
+        <translation>Prend le contour importé comme polygone, sommet par sommet, au lieu d’un contour de Fourier. Exact&#xa0;; d’autant plus lent qu’il a de sommets.</translation>
+    </message>
+    <message>
+        <source>Residual: between points at equal arc length. Hausdorff distance: the farthest that a point of one outline is from the other. Area: of the Fourier outline against the imported one.</source>
+        <translation>Résidu&#xa0;: entre points de même abscisse curviligne. Distance de Hausdorff&#xa0;: le plus grand éloignement d’un point d’un contour à l’autre. Aire&#xa0;: celle du contour de Fourier par rapport au contour importé.</translation>
+    </message>
+    <message>
+        <source>The imported outline itself is used: %1 corners.</source>
+        <translation>Le contour importé lui-même est utilisé&#xa0;: %1 sommets.</translation>
+    </message>
+    <message>
+        <source>The imported outline itself is used, thinned from %1 to %2 corners.</source>
+        <translation>Le contour importé lui-même est utilisé, réduit de %1 à %2 sommets.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::HeatPanel</name>
+    <message>
+        <source>Heat the source</source>
+        <translation>Chauffer la source</translation>
+    </message>
+    <message>
+        <source>The source heats towards %1 until it is switched off. Is nothing on it or near it that must not get hot?</source>
+        <translation>La source chauffe vers %1 jusqu’à ce qu’on l’arrête. N’y a-t-il rien dessus ou à côté qui ne doive pas chauffer ?</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>Chauffer</translation>
+    </message>
+    <message>
+        <source>A person keeps the source hot: %1 as typed last.</source>
+        <translation>Une personne maintient la source chaude : %1 selon la dernière saisie.</translation>
+    </message>
+    <message>
+        <source>Heating towards %1: %2 now.</source>
+        <translation>Chauffage vers %1 : %2 à présent.</translation>
+    </message>
+    <message>
+        <source>The heat is on: %1 now.</source>
+        <translation>Le chauffage est en marche : %1 à présent.</translation>
+    </message>
+    <message>
+        <source>The heat is off: %1 now.</source>
+        <translation>Le chauffage est arrêté : %1 à présent.</translation>
+    </message>
+    <message>
+        <source>Set point</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Set point of the source</source>
+        <translation>Consigne de la source</translation>
+    </message>
+    <message>
+        <source>Heat the source until it is switched off</source>
+        <translation>Chauffer la source jusqu’à ce qu’on l’arrête</translation>
+    </message>
+    <message>
+        <source>Heat off</source>
+        <translation>Arrêter le chauffage</translation>
+    </message>
+    <message>
+        <source>Measured by you</source>
+        <translation>Mesurée par vous</translation>
+    </message>
+    <message>
+        <source>Temperature of the source as you measured it</source>
+        <translation>Température de la source que vous avez mesurée</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Prendre</translation>
+    </message>
+    <message>
+        <source>UNKNOWN whether it heats: it was asked to heat towards %1. Last seen: %2.</source>
+        <translation>INCONNU si elle chauffe : il lui a été demandé de chauffer vers %1. Vu en dernier : %2.</translation>
+    </message>
+    <message>
+        <source>UNKNOWN whether it heats. Last seen: %1. Take it for hot.</source>
+        <translation>INCONNU si elle chauffe. Vu en dernier : %1. Tenez-la pour chaude.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::HeldControls</name>
+    <message>
+        <source>Play</source>
+        <translation>Animer</translation>
+    </message>
+    <message>
+        <source>Play the surfaces through the robot&apos;s range of the value held, in nine steps.</source>
+        <translation>Animer les surfaces sur la plage du robot de la valeur fixée, en neuf pas.</translation>
+    </message>
+    <message>
+        <source>As at the pose</source>
+        <translation>À la pose</translation>
+    </message>
+    <message>
+        <source>Draw the surfaces at the values of the pose that was found.</source>
+        <translation>Tracer les surfaces aux valeurs de la pose trouvée.</translation>
+    </message>
+    <message>
+        <source>Position at which the surfaces are drawn: %1</source>
+        <translation>Position à laquelle les surfaces sont tracées : %1</translation>
+    </message>
+    <message>
+        <source>Angle at which the surfaces are drawn: %1</source>
+        <translation>Angle auquel les surfaces sont tracées : %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::IdentifiedTable</name>
+    <message>
+        <source>Heat rates from the record</source>
+        <translation>Coefficients thermiques tirés de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Identified</source>
+        <translation>Identifié</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Régulateur</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>λ₁ by least squares on the whole record, with its standard error</source>
+        <translation>λ₁ par moindres carrés sur tout l’enregistrement, avec son erreur type</translation>
+    </message>
+    <message>
+        <source>λ₁ that the controller believed at the end</source>
+        <translation>λ₁ que le régulateur retenait à la fin</translation>
+    </message>
+    <message>
+        <source>λ₁ of the experiment&apos;s material and source</source>
+        <translation>λ₁ du matériau et de la source de l’expérience</translation>
+    </message>
+    <message>
+        <source>λ₂ = %1 1/(K³ s), λ₃ = %2 K/s</source>
+        <translation>λ₂ = %1 1/(K³ s), λ₃ = %2 K/s</translation>
+    </message>
+    <message>
+        <source>not usable</source>
+        <translation>inutilisable</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ImportPanel</name>
+    <message>
+        <source>%1, hole in %2</source>
+        <translation>%1, trou dans %2</translation>
+    </message>
+    <message>
+        <source>%1, open</source>
+        <translation>%1, ouvert</translation>
+    </message>
+    <message>
+        <source>&amp;Outlines</source>
+        <translation>C&amp;ontours</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importer</translation>
+    </message>
+    <message>
+        <source>Import an outline</source>
+        <translation>Importer un contour</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>Outline %1: %2 points, %3 around.</source>
+        <translation>Contour %1 : %2 points, périmètre %3.</translation>
+    </message>
+    <message>
+        <source>Outlines of the file</source>
+        <translation>Contours du fichier</translation>
+    </message>
+    <message>
+        <source>Reading the file</source>
+        <translation>Lecture du fichier</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Taille</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>%1 counted off.</source>
+        <translation>%1 déduits de l’aire.</translation>
+    </message>
+    <message>
+        <source>units</source>
+        <translation>unités</translation>
+    </message>
+    <message>
+        <source>The outline is %1 across; an object may be %2 at most. Correct its size.</source>
+        <translation>Le contour fait %1 de large ; un objet peut faire %2 au plus. Corrigez sa taille.</translation>
+    </message>
+    <message>
+        <source>Its true size is not known yet: answer the question above.</source>
+        <translation>Sa taille vraie n’est pas encore connue : répondez à la question ci-dessus.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ImportQuestions</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> px/mm</source>
+        <translation> px/mm</translation>
+    </message>
+    <message>
+        <source>&amp;Dictionary</source>
+        <translation>&amp;Dictionnaire</translation>
+    </message>
+    <message>
+        <source>&amp;Length</source>
+        <translation>&amp;Longueur</translation>
+    </message>
+    <message>
+        <source>&amp;Scale</source>
+        <translation>É&amp;chelle</translation>
+    </message>
+    <message>
+        <source>&amp;Scale from</source>
+        <translation>É&amp;chelle d’après</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>&amp;Tolérance</translation>
+    </message>
+    <message>
+        <source>&amp;Unit</source>
+        <translation>&amp;Unité</translation>
+    </message>
+    <message>
+        <source>A printed ArUco marker lies beside the object, in the plane of its face. It tells the scale and undoes the perspective.</source>
+        <translation>Un marqueur ArUco imprimé est posé à côté de l’objet, dans le plan de sa face. Il donne l’échelle et corrige la perspective.</translation>
+    </message>
+    <message>
+        <source>Click its two ends</source>
+        <translation>Cliquer ses deux bouts</translation>
+    </message>
+    <message>
+        <source>Click the object</source>
+        <translation>Cliquer l’objet</translation>
+    </message>
+    <message>
+        <source>Dictionary of the marker</source>
+        <translation>Dictionnaire du marqueur</translation>
+    </message>
+    <message>
+        <source>Largest distance from the colour clicked, in CIE Lab; 0: found by itself</source>
+        <translation>Distance maximale à la couleur cliquée, en CIE Lab ; 0 : trouvée automatiquement</translation>
+    </message>
+    <message>
+        <source>Lay the ruler over a length that you know: drag its ends, or click both. The picture must be taken straight from above.</source>
+        <translation>Posez la règle sur une longueur connue : glissez ses bouts ou cliquez-les. La photo doit être prise bien d’en haut.</translation>
+    </message>
+    <message>
+        <source>Length of the ruler</source>
+        <translation>Longueur de la règle</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Otherwise by the picture’s opacity or brightness.</source>
+        <translation>Sinon à l’opacité ou à la luminosité de l’image.</translation>
+    </message>
+    <message>
+        <source>S&amp;ide of its square</source>
+        <translation>&amp;Côté de son carré</translation>
+    </message>
+    <message>
+        <source>Scale of the picture, pixels per millimetre</source>
+        <translation>Échelle de l’image, pixels par millimètre</translation>
+    </message>
+    <message>
+        <source>Side of the marker’s black square</source>
+        <translation>Côté du carré noir du marqueur</translation>
+    </message>
+    <message>
+        <source>The picture must be taken straight from above, or scanned.</source>
+        <translation>La photo doit être prise bien d’en haut, ou numérisée à plat.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the colour</source>
+        <translation>Tolérance de la couleur</translation>
+    </message>
+    <message>
+        <source>Unit of the coordinates</source>
+        <translation>Unité des coordonnées</translation>
+    </message>
+    <message>
+        <source>What gives the picture its scale</source>
+        <translation>Ce qui donne l’échelle de l’image</translation>
+    </message>
+    <message>
+        <source>a known length</source>
+        <translation>une longueur connue</translation>
+    </message>
+    <message>
+        <source>an ArUco marker in it</source>
+        <translation>un marqueur ArUco</translation>
+    </message>
+    <message>
+        <source>as its header says</source>
+        <translation>selon l’en-tête</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
+    </message>
+    <message>
+        <source>pixels per millimetre</source>
+        <translation>pixels par millimètre</translation>
+    </message>
+    <message>
+        <source>tell it by its colour</source>
+        <translation>le reconnaître à sa couleur</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Largeur</translation>
+    </message>
+    <message>
+        <source>Width of the outline chosen</source>
+        <translation>Largeur du contour choisi</translation>
+    </message>
+    <message>
+        <source>As the drawing says. Type another to make all of it larger or smaller.</source>
+        <translation>Selon le dessin. Tapez-en une autre pour agrandir ou réduire le tout.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::InfeasibleDialog</name>
+    <message>
+        <source>Start all the same; the recording says so</source>
+        <translation>Démarrer malgré tout&#xa0;; l’enregistrement le mentionne</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Targets out of reach</source>
+        <translation>Consignes hors d’atteinte</translation>
+    </message>
+    <message>
+        <source>The run would end at the best compromise it finds.
+The Targets page says more and offers the nearest targets that can be held.</source>
+        <translation>L’essai finirait au meilleur compromis trouvé.
+La page Consignes en dit plus et propose les consignes les plus proches qui peuvent être tenues.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::JogPanel</name>
+    <message>
+        <source>Step</source>
+        <translation>Pas</translation>
+    </message>
+    <message>
+        <source>Step along an axis</source>
+        <translation>Pas le long d’un axe</translation>
+    </message>
+    <message>
+        <source>Step about an axis</source>
+        <translation>Pas autour d’un axe</translation>
+    </message>
+    <message>
+        <source>Speed while held</source>
+        <translation>Vitesse (maintien)</translation>
+    </message>
+    <message>
+        <source>Of the largest speed that the robot&apos;s limits allow</source>
+        <translation>Part de la plus grande vitesse que permettent les limites du robot</translation>
+    </message>
+    <message>
+        <source>Go to</source>
+        <translation>Aller à</translation>
+    </message>
+    <message>
+        <source>One step of %1 down</source>
+        <translation>Un pas de %1 vers le bas</translation>
+    </message>
+    <message>
+        <source>One step of %1 up</source>
+        <translation>Un pas de %1 vers le haut</translation>
+    </message>
+    <message>
+        <source>%1 downwards for as long as this is held</source>
+        <translation>%1 diminue tant que ce bouton est maintenu</translation>
+    </message>
+    <message>
+        <source>%1 upwards for as long as this is held</source>
+        <translation>%1 augmente tant que ce bouton est maintenu</translation>
+    </message>
+    <message>
+        <source>%1 to go to</source>
+        <translation>%1 à atteindre</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Aller</translation>
+    </message>
+    <message>
+        <source>Move to these coordinates; Hold (F7) ends it</source>
+        <translation>Aller à ces coordonnées ; Pause (F7) y met fin</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
+    </message>
+    <message>
+        <source>Put in where the robot is</source>
+        <translation>Mettre la position présente du robot</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Prise d’origine</translation>
+    </message>
+    <message>
+        <source>The robot seeks its switches to know its place: it moves</source>
+        <translation>Le robot cherche ses butées pour connaître sa position : il bouge</translation>
+    </message>
+    <message>
+        <source>Clear alarm</source>
+        <translation>Effacer l’alarme</translation>
+    </message>
+    <message>
+        <source>After you have seen to it: the robot is where it says. Nothing moves.</source>
+        <translation>Après y avoir remédié : le robot est là où il le dit. Rien ne bouge.</translation>
+    </message>
+    <message>
+        <source>Place UNKNOWN: the robot does not answer. What stands below is %1.</source>
+        <translation>Position INCONNUE : le robot ne répond pas. Ce qui suit date : %1.</translation>
+    </message>
+    <message>
+        <source>Place UNKNOWN: the robot has not told it yet.</source>
+        <translation>Position INCONNUE : le robot ne l’a pas encore dite.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::LimitsPanel</name>
+    <message>
+        <source>Heat source</source>
+        <translation>Source de chaleur</translation>
+    </message>
+    <message>
+        <source>Measured temperature</source>
+        <translation>Température mesurée</translation>
+    </message>
+    <message>
+        <source>Set point of runs</source>
+        <translation>Consigne des essais</translation>
+    </message>
+    <message>
+        <source>Emittance</source>
+        <translation>Émissivité</translation>
+    </message>
+    <message>
+        <source>Emittance of the source</source>
+        <translation>Émissivité de la source</translation>
+    </message>
+    <message>
+        <source>Workspace of the end-effector</source>
+        <translation>Espace de travail de l’effecteur</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>De</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>À</translation>
+    </message>
+    <message>
+        <source>Least %1</source>
+        <translation>%1 le plus petit</translation>
+    </message>
+    <message>
+        <source>Largest %1</source>
+        <translation>%1 le plus grand</translation>
+    </message>
+    <message>
+        <source>Limits of motion</source>
+        <translation>Limites de mouvement</translation>
+    </message>
+    <message>
+        <source>Largest speed</source>
+        <translation>Plus grande vitesse</translation>
+    </message>
+    <message>
+        <source>Largest turning speed</source>
+        <translation>Plus grande vitesse de rotation</translation>
+    </message>
+    <message>
+        <source>Clearance to the source</source>
+        <translation>Distance de garde à la source</translation>
+    </message>
+    <message>
+        <source>Least distance of any point of an object from the source&apos;s plane</source>
+        <translation>Plus petite distance de tout point d’un objet au plan de la source</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation>%1 : %2 au lieu de %3</translation>
+    </message>
+</context>
+<context>
+    <name>bask::LivePicture</name>
+    <message>
+        <source>%1 pictures/s</source>
+        <translation>%1 images/s</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Live picture of the camera</source>
+        <translation>Image en direct de la caméra</translation>
+    </message>
+    <message>
+        <source>No picture yet: no camera is running.</source>
+        <translation>Pas encore d’image : aucune caméra n’est en marche.</translation>
+    </message>
+    <message>
+        <source>Nothing is found in the picture</source>
+        <translation>Rien n’est trouvé dans l’image</translation>
+    </message>
+    <message>
+        <source>age %1 s</source>
+        <translation>âge %1 s</translation>
+    </message>
+    <message>
+        <source>base</source>
+        <translation>base</translation>
+    </message>
+    <message>
+        <source>end-effector</source>
+        <translation>effecteur</translation>
+    </message>
+    <message>
+        <source>latency %1 ms</source>
+        <translation>latence %1 ms</translation>
+    </message>
+    <message>
+        <source>marker %1</source>
+        <translation>marqueur %1</translation>
+    </message>
+    <message>
+        <source>marker %1, %2</source>
+        <translation>marqueur %1, %2</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simulée</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>source</translation>
+    </message>
+    <message>
+        <source>source predicted</source>
+        <translation>source prédite</translation>
+    </message>
+    <message>
+        <source>source searched</source>
+        <translation>source recherchée</translation>
+    </message>
+    <message>
+        <source>source tracked</source>
+        <translation>source suivie</translation>
+    </message>
+    <message>
+        <source>the board</source>
+        <translation>la mire</translation>
+    </message>
+    <message>
+        <source>two poses</source>
+        <translation>deux poses</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MainWindow</name>
+    <message>
+        <source>Not taken: the targets stay as they were.</source>
+        <translation>Refusé : les consignes restent ce qu’elles étaient.</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
+    </message>
+    <message>
+        <source>Arm the real rig</source>
+        <translation>Armer le banc réel</translation>
+    </message>
+    <message>
+        <source>This rig is real: once the run is started, the robot moves and the source heats. Is everybody and everything out of the way?</source>
+        <translation>Ce banc est réel : une fois l’essai lancé, le robot bouge et la source chauffe. Personne ni rien n’est-il sur le passage ?</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Armer</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Only files of this computer can be opened: save it here first.</source>
+        <translation>Seuls les fichiers de cet ordinateur peuvent être ouverts&#xa0;: enregistrez-le d’abord ici.</translation>
+    </message>
+    <message>
+        <source>Only one file can be opened at a time.</source>
+        <translation>Un seul fichier peut être ouvert à la fois.</translation>
+    </message>
+    <message>
+        <source>Unsaved edits cannot be kept for a crash: %1</source>
+        <translation>Les modifications non enregistrées ne peuvent pas être gardées en cas de panne&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>From the next start of Bask on, text and all that is drawn with it has %1 % of its size.</source>
+        <translation>À partir du prochain démarrage de Bask, le texte et tout ce qui est dessiné avec lui auront %1 % de leur taille.</translation>
+    </message>
+    <message>
+        <source>The window will then be larger than this screen.</source>
+        <translation>La fenêtre sera alors plus grande que cet écran.</translation>
+    </message>
+    <message>
+        <source>Bask closes when the objects are away from the source.</source>
+        <translation>Bask se ferme quand les objets sont loin de la source.</translation>
+    </message>
+    <message>
+        <source>Retreat</source>
+        <translation>Retrait</translation>
+    </message>
+    <message>
+        <source>The robot moves now: it takes the objects away from the source, and the heat goes off. Are all hands off the robot and is nothing in its way?</source>
+        <translation>Le robot va bouger : il éloigne les objets de la source, et le chauffage est coupé. Toutes les mains sont-elles loin du robot et rien ne lui fait-il obstacle ?</translation>
+    </message>
+    <message>
+        <source>Retreat now</source>
+        <translation>Retrait immédiat</translation>
+    </message>
+    <message>
+        <source>This was the horn: the desktop&apos;s bell. If you heard nothing, it is off in the desktop&apos;s settings.</source>
+        <translation>C’était l’avertisseur : le signal sonore du bureau. Si vous n’avez rien entendu, il est désactivé dans les réglages du bureau.</translation>
+    </message>
+    <message>
+        <source>The objects are over the source, which has %1: they get warm although no run is on. Retreat takes them away.</source>
+        <translation>Les objets sont au-dessus de la source, qui est à %1 : ils chauffent bien qu’aucun essai ne soit en cours. Retrait les éloigne.</translation>
+    </message>
+    <message>
+        <source>source %1 below</source>
+        <comment>a temperature; under the objects</comment>
+        <translation>source %1 dessous</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ManualWindow</name>
+    <message>
+        <source>Bask: manual</source>
+        <translation>Bask : manuel</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Retour</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Sommaire</translation>
+    </message>
+    <message>
+        <source>Find in the manual</source>
+        <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Text of the manual</source>
+        <translation>Texte du manuel</translation>
+    </message>
+    <message>
+        <source>This page is in English only.</source>
+        <translation>Cette page n’existe qu’en anglais.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MarkerEditor</name>
+    <message>
+        <source>%1 px off</source>
+        <translation>à %1 px près</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Base</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Dictionary</source>
+        <translation>Dictionnaire</translation>
+    </message>
+    <message>
+        <source>End-effector</source>
+        <translation>Effecteur</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Numéro</translation>
+    </message>
+    <message>
+        <source>Lists another marker: one that the camera sees and that is not listed, if there is one</source>
+        <translation>Ajoute un marqueur à la liste : un que la caméra voit et qui n’y est pas, s’il y en a un</translation>
+    </message>
+    <message>
+        <source>Markers of the rig</source>
+        <translation>Marqueurs du montage</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Sur</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Retirer</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Side, mm</source>
+        <translation>Côté, mm</translation>
+    </message>
+    <message>
+        <source>Sits on</source>
+        <translation>Posé sur</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Where the marker&apos;s middle is on its part, and how its axes (x right, y up, z out of it) are turned there</source>
+        <translation>Où le milieu du marqueur se trouve sur sa pièce, et comment ses axes (x à droite, y en haut, z vers l’extérieur) y sont tournés</translation>
+    </message>
+    <message>
+        <source>With the black border, as measured on the print</source>
+        <translation>Avec le bord noir, mesuré sur l’impression</translation>
+    </message>
+    <message>
+        <source>about y, °</source>
+        <translation>autour de y, °</translation>
+    </message>
+    <message>
+        <source>about z, °</source>
+        <translation>autour de z, °</translation>
+    </message>
+    <message>
+        <source>not seen</source>
+        <translation>non vu</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>vu</translation>
+    </message>
+    <message>
+        <source>turned about x, °</source>
+        <translation>tourné autour de x, °</translation>
+    </message>
+    <message>
+        <source>two poses fit</source>
+        <translation>deux poses possibles</translation>
+    </message>
+    <message>
+        <source>x, mm</source>
+        <translation>x, mm</translation>
+    </message>
+    <message>
+        <source>y, mm</source>
+        <translation>y, mm</translation>
+    </message>
+    <message>
+        <source>z, mm</source>
+        <translation>z, mm</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MessageBar</name>
+    <message>
+        <source>Close the message</source>
+        <translation>Fermer le message</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problème</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Metrics</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>start unknown</source>
+        <translation>départ inconnu</translation>
+    </message>
+    <message>
+        <source>step too small</source>
+        <translation>échelon trop petit</translation>
+    </message>
+    <message>
+        <source>not reached</source>
+        <translation>non atteint</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>not settled</source>
+        <translation>non stabilisé</translation>
+    </message>
+    <message>
+        <source>%1 (s.d. %2)</source>
+        <comment>mean with its unit, standard deviation without</comment>
+        <translation>%1 (é.-t. %2)</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Final</source>
+        <translation>Finale</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Temps de stabilisation</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Temps de montée</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Dépassement</translation>
+    </message>
+    <message>
+        <source>Steady-state error</source>
+        <translation>Erreur statique</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Longueur du trajet</translation>
+    </message>
+    <message>
+        <source>Duration of control</source>
+        <translation>Durée de l’asservissement</translation>
+    </message>
+    <message>
+        <source>Path of the end-effector</source>
+        <translation>Trajet de l’effecteur</translation>
+    </message>
+    <message>
+        <source>Rotation of the end-effector</source>
+        <translation>Rotation de l’effecteur</translation>
+    </message>
+    <message>
+        <source>Time at a velocity limit</source>
+        <translation>Temps en limite de vitesse</translation>
+    </message>
+    <message>
+        <source>Time at any limit</source>
+        <translation>Temps en limite, toutes confondues</translation>
+    </message>
+    <message>
+        <source>The last target that was set. The other numbers count from that moment, or from Start when it was not changed, until Stop.</source>
+        <translation>La dernière consigne fixée. Les autres valeurs comptent depuis ce moment, ou depuis le démarrage si elle n’a pas changé, jusqu’à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>The object&apos;s temperature at the last sample until Stop: the simulated object&apos;s own, on a real rig the estimate from its sensor. The other numbers take this temperature, too.</source>
+        <translation>La température de l’objet au dernier échantillon avant l’arrêt : celle de l’objet simulé lui-même ; sur un banc réel, l’estimation issue de son capteur. Les autres valeurs prennent aussi cette température.</translation>
+    </message>
+    <message>
+        <source>Time until the temperature stays within %1 of the target until Stop.</source>
+        <translation>Temps au bout duquel la température reste à %1 de la consigne jusqu’à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Time between the first crossings of 10 % and of 90 % of the step, which leads from the temperature when the target was set to the target. Not given for steps under twice the band.</source>
+        <translation>Temps entre les premiers passages à 10 % et à 90 % de l’échelon, qui va de la température au moment où la consigne est fixée jusqu’à la consigne. Non donné pour un échelon inférieur à deux fois la bande.</translation>
+    </message>
+    <message>
+        <source>How far the temperature went beyond the target in the direction of the step, and as a share of the step. Not given for steps under twice the band.</source>
+        <translation>De combien la température a dépassé la consigne dans le sens de l’échelon, et en part de l’échelon. Non donné pour un échelon inférieur à deux fois la bande.</translation>
+    </message>
+    <message>
+        <source>Mean of temperature minus target over the last %1 s until Stop, or since settling where that is less, with the standard deviation of the samples.</source>
+        <translation>Moyenne de la température moins la consigne sur les %1 dernières secondes avant l’arrêt, ou depuis la stabilisation si c’est moins, avec l’écart-type des échantillons.</translation>
+    </message>
+    <message>
+        <source>Length of the path of the object&apos;s centre in the robot&apos;s base, from Start until Stop.</source>
+        <translation>Longueur du trajet du centre de l’objet dans la base du robot, du démarrage à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>From Start until Stop.</source>
+        <translation>Du démarrage à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Length of the path of the end-effector&apos;s origin in the robot&apos;s base, from Start until Stop.</source>
+        <translation>Longueur du trajet de l’origine de l’effecteur dans la base du robot, du démarrage à l’arrêt.</translation>
+    </message>
+    <message>
+        <source>Sum of the angles by which the end-effector was turned from sample to sample.</source>
+        <translation>Somme des angles dont l’effecteur a tourné d’un échantillon au suivant.</translation>
+    </message>
+    <message>
+        <source>Time in which the limit of speed or of rotation held the command back.</source>
+        <translation>Temps pendant lequel la limite de vitesse ou de rotation a retenu la commande.</translation>
+    </message>
+    <message>
+        <source>Time in which a limit of any kind held the command back: speed, rotation, acceleration, clearance or workspace.</source>
+        <translation>Temps pendant lequel une limite quelconque a retenu la commande : vitesse, rotation, accélération, garde ou espace de travail.</translation>
+    </message>
+    <message>
+        <source>no samples</source>
+        <translation>aucun échantillon</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnue</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MetricsPanel</name>
+    <message>
+        <source>How these numbers are defined</source>
+        <translation>Définition de ces indicateurs</translation>
+    </message>
+    <message>
+        <source>Metrics of the run</source>
+        <translation>Indicateurs de l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>bask::MountingPlan</name>
+    <message>
+        <source>Plan of the objects on the end-effector</source>
+        <translation>Plan des objets sur l’effecteur</translation>
+    </message>
+    <message>
+        <source>The objects on the end-effector, to scale. Drag one to move it in steps of 5 mm, its handle to turn it in steps of 5°; with Alt finely. Arrow keys move the selected one by 1 mm, Page Up and Page Down turn it.</source>
+        <translation>Les objets sur l’effecteur, à l’échelle. Faites-en glisser un pour le déplacer par pas de 5 mm, sa poignée pour le tourner par pas de 5° ; avec Alt, finement. Les flèches déplacent de 1 mm celui qui est sélectionné, Page préc. et Page suiv. le tournent.</translation>
+    </message>
+    <message>
+        <source>Grid %1, snap %2</source>
+        <translation>Grille %1, pas %2</translation>
+    </message>
+    <message>
+        <source>x %1 cm, y %2 cm, %3°</source>
+        <translation>x %1 cm, y %2 cm, %3°</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ObjectList</name>
+    <message>
+        <source>disk, %1 cm</source>
+        <translation>disque,&#xa0;%1 cm</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>polygone</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objets</translation>
+    </message>
+    <message>
+        <source>%1 · %2</source>
+        <comment>kind and target of an object</comment>
+        <translation>%1 ·&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>%1: %2. Press F2 to rename.</source>
+        <translation>%1&#xa0;:&#xa0;%2. F2 pour renommer.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ObjectProperties</name>
+    <message>
+        <source>Heat capacity</source>
+        <translation>Capacité thermique</translation>
+    </message>
+    <message>
+        <source>Time constant</source>
+        <translation>Constante de temps</translation>
+    </message>
+    <message>
+        <source>Of the plate, per area that is seen</source>
+        <translation>De la plaque, par surface vue</translation>
+    </message>
+    <message>
+        <source>Of small changes about the target</source>
+        <translation>Pour de petits écarts autour de la consigne</translation>
+    </message>
+    <message>
+        <source>Heating at view factor 1 with the source as it is set</source>
+        <translation>Chauffe au facteur de forme 1 avec la source telle que réglée</translation>
+    </message>
+    <message>
+        <source>Times T⁴: what the object radiates</source>
+        <translation>Fois T⁴ : ce que l’objet rayonne</translation>
+    </message>
+    <message>
+        <source>What the surroundings give</source>
+        <translation>Ce que donne l’environnement</translation>
+    </message>
+    <message>
+        <source>typed values</source>
+        <translation>valeurs saisies</translation>
+    </message>
+    <message>
+        <source>typed values (%1)</source>
+        <translation>valeurs saisies (%1)</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <translation>Disque</translation>
+    </message>
+    <message>
+        <source>Fourier outline, %1</source>
+        <translation>Contour de Fourier,&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Polygon</source>
+        <translation>Polygone</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Mounting on the end-effector</source>
+        <translation>Montage sur l’effecteur</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Nom</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>Perimeter</source>
+        <translation>Périmètre</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Préréglage</translation>
+    </message>
+    <message>
+        <source>Emittance</source>
+        <translation>Émissivité</translation>
+    </message>
+    <message>
+        <source>Absorptance</source>
+        <translation>Absorptivité</translation>
+    </message>
+    <message>
+        <source>Specific heat</source>
+        <translation>Chaleur massique</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Masse volumique</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Infill</source>
+        <translation>Remplissage</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>z</source>
+        <translation>z</translation>
+    </message>
+    <message>
+        <source>Rotation about z</source>
+        <translation>Rotation autour de z</translation>
+    </message>
+    <message>
+        <source>Mounting x</source>
+        <translation>Montage x</translation>
+    </message>
+    <message>
+        <source>Mounting y</source>
+        <translation>Montage y</translation>
+    </message>
+    <message>
+        <source>Mounting z</source>
+        <translation>Montage z</translation>
+    </message>
+    <message>
+        <source> cm</source>
+        <translation> cm</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source> J/(kg·K)</source>
+        <translation> J/(kg·K)</translation>
+    </message>
+    <message>
+        <source> kg/m³</source>
+        <translation> kg/m³</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source> °</source>
+        <translation> °</translation>
+    </message>
+    <message>
+        <source>%1 J/(m²·K)</source>
+        <translation>%1 J/(m²·K)</translation>
+    </message>
+    <message>
+        <source>%1 K/s</source>
+        <translation>%1 K/s</translation>
+    </message>
+    <message>
+        <source>%1 K⁻³·s⁻¹</source>
+        <translation>%1 K⁻³·s⁻¹</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 without holes</source>
+        <translation>%1 sans les trous</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ObjectTile</name>
+    <message>
+        <source>Mean of the last 10 s</source>
+        <translation>Moyenne des 10 dernières secondes</translation>
+    </message>
+    <message>
+        <source>No reading yet</source>
+        <translation>Pas encore de mesure</translation>
+    </message>
+    <message>
+        <source>Heating</source>
+        <translation>Chauffe</translation>
+    </message>
+    <message>
+        <source>Cooling</source>
+        <translation>Refroidit</translation>
+    </message>
+    <message>
+        <source>Off target</source>
+        <comment>steady, outside the tolerance band</comment>
+        <translation>Hors consigne</translation>
+    </message>
+    <message>
+        <source>Settling</source>
+        <translation>Se stabilise</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Stabilisé</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Measured minus target</source>
+        <translation>Mesure moins consigne</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>Objet&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Measured temperature of %1</source>
+        <translation>Température mesurée de&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>UNKNOWN</source>
+        <comment>the temperature of an object</comment>
+        <translation>INCONNU</translation>
+    </message>
+    <message>
+        <source>Stale</source>
+        <comment>the reading of an object</comment>
+        <translation>Périmé</translation>
+    </message>
+    <message>
+        <source>Not believed</source>
+        <comment>the reading of an object</comment>
+        <translation>Non cru</translation>
+    </message>
+    <message>
+        <source>Age of the newest reading that was believed</source>
+        <translation>Âge de la dernière mesure qui a été crue</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Confirmer</translation>
+    </message>
+    <message>
+        <source>Confirm the sensor of %1</source>
+        <translation>Confirmer le capteur de %1</translation>
+    </message>
+    <message>
+        <source>You have looked: the sensor is on its object and right. It is believed again.</source>
+        <translation>Vous avez regardé : le capteur est sur son objet et juste. Il est cru de nouveau.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ObjectsPage</name>
+    <message>
+        <source>Reading %1…</source>
+        <translation>Lecture de&#xa0;%1…</translation>
+    </message>
+    <message>
+        <source>disk</source>
+        <translation>disque</translation>
+    </message>
+    <message>
+        <source>“%1” was removed.</source>
+        <translation>«&#xa0;%1&#xa0;» a été supprimé.</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
+        <translation>%1 n’est pas un type de fichier importable. Utilisez un dessin (SVG, DXF), un CSV de points x, y ou l’image d’une silhouette (PNG, JPEG, BMP, TIFF).</translation>
+    </message>
+    <message>
+        <source>Import an outline</source>
+        <translation>Importer un contour</translation>
+    </message>
+    <message>
+        <source>Outlines (%1);;All files (*)</source>
+        <translation>Contours (%1);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>A disk is used as it is; it needs no fit.</source>
+        <translation>Un disque est utilisé tel quel&#xa0;; il n’a pas besoin d’ajustement.</translation>
+    </message>
+    <message>
+        <source>No imported outline is kept with this object, so it cannot be fitted again.</source>
+        <translation>Aucun contour importé n’est conservé avec cet objet&#xa0;; il ne peut donc pas être réajusté.</translation>
+    </message>
+    <message>
+        <source>Each object needs a free axis of the robot of its own; all are used. Remove an object first.</source>
+        <translation>Chaque objet demande un axe libre du robot&#xa0;; tous sont pris. Supprimez d’abord un objet.</translation>
+    </message>
+    <message>
+        <source>&amp;Objects</source>
+        <translation>&amp;Objets</translation>
+    </message>
+    <message>
+        <source>Add &amp;disk</source>
+        <translation>Ajouter un &amp;disque</translation>
+    </message>
+    <message>
+        <source>&amp;Import outline…</source>
+        <translation>&amp;Importer un contour…</translation>
+    </message>
+    <message>
+        <source>Du&amp;plicate</source>
+        <translation>Du&amp;pliquer</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>%1 of %2 degrees of freedom used</source>
+        <translation>%1 degrés de liberté utilisés sur&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Sample shapes</source>
+        <translation>&amp;Formes d’exemple</translation>
+    </message>
+    <message>
+        <source>Bunny</source>
+        <translation>Lapin</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Cercle</translation>
+    </message>
+    <message>
+        <source>Gear</source>
+        <translation>Engrenage</translation>
+    </message>
+    <message>
+        <source>Hand</source>
+        <translation>Main</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>Feuille</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Outcome</name>
+    <message>
+        <source>Fault</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>Interrupted</source>
+        <translation>Interrompu</translation>
+    </message>
+    <message>
+        <source>Not settled</source>
+        <translation>Non stabilisé</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Stabilisé</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Unreadable</source>
+        <translation>Illisible</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+</context>
+<context>
+    <name>bask::OutlinePicker</name>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Outlines of the file</source>
+        <translation>Contours du fichier</translation>
+    </message>
+    <message>
+        <source>Click an outline to choose it. The wheel zooms, a double click shows all.</source>
+        <translation>Cliquez un contour pour le choisir. La molette agrandit, un double clic montre tout.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::OutlinePreview</name>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>%1, %2 mm wide and %3 mm high</source>
+        <translation>%1, largeur&#xa0;%2 mm et hauteur&#xa0;%3 mm</translation>
+    </message>
+    <message>
+        <source>Imported outline, %1 points</source>
+        <translation>Contour importé,&#xa0;%1 points</translation>
+    </message>
+    <message>
+        <source>Fourier outline, %1</source>
+        <translation>Contour de Fourier,&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Outline used</source>
+        <translation>Contour utilisé</translation>
+    </message>
+    <message>
+        <source>Drop a drawing, a CSV or a picture of a silhouette here, or add a disk.</source>
+        <translation>Déposez ici un dessin, un CSV ou l’image d’une silhouette, ou ajoutez un disque.</translation>
+    </message>
+    <message>
+        <source>%1 mm × %2 mm</source>
+        <translation>%1 mm ×&#xa0;%2 mm</translation>
+    </message>
+    <message>
+        <source>Centroid, principal axes: radii of gyration %1 mm and %2 mm</source>
+        <translation>Centre et axes principaux&#xa0;: rayons de giration %1&#xa0;mm et %2&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Imported outline at most %1 mm from the Fourier outline</source>
+        <translation>Contour importé à %1&#xa0;mm au plus du contour de Fourier</translation>
+    </message>
+    <message>
+        <source>Imported outline, %1 points, coloured by its distance</source>
+        <translation>Contour importé, %1 points, coloré selon sa distance</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>0 mm</source>
+        <translation>0&#xa0;mm</translation>
+    </message>
+</context>
+<context>
+    <name>bask::PageHost</name>
+    <message>
+        <source>A run is armed or on. Objects can be changed once it has stopped.</source>
+        <translation>Un essai est armé ou en cours. Les objets pourront être modifiés après son arrêt.</translation>
+    </message>
+    <message>
+        <source>The run is stopping. Targets can be changed once it has.</source>
+        <translation>L’essai s’arrête. Les consignes pourront être modifiées ensuite.</translation>
+    </message>
+    <message>
+        <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
+        <translation>Aucun objet de l’expérience ouverte n’a le nom et le matériau d’un objet de cet essai, sous la même source et dans le même milieu.</translation>
+    </message>
+    <message>
+        <source>Start values taken from this run: %1</source>
+        <translation>Valeurs de départ reprises de cet essai : %1</translation>
+    </message>
+    <message>
+        <source>Runs start at %1 from now on.</source>
+        <translation>Les essais partent désormais de %1.</translation>
+    </message>
+    <message>
+        <source>A run is armed or on. The start can be changed once it has stopped.</source>
+        <translation>Un essai est armé ou en cours. Le départ pourra être changé une fois qu’il sera arrêté.</translation>
+    </message>
+    <message>
+        <source>The source is followed no more: that takes markers on it, a calibrated camera and its place.</source>
+        <translation>La source n’est plus suivie : il y faut des marqueurs sur elle, une caméra étalonnée et sa place.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened. Bask opens experiments and rigs (JSON), recorded sessions (BASK) and outlines (SVG, DXF, CSV, pictures).</source>
+        <translation>%1 ne peut pas être ouvert. Bask ouvre des expériences et des bancs (JSON), des sessions enregistrées (BASK) et des contours (SVG, DXF, CSV, images).</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Rétabli&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Annulé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 was closed properly: its outcome is &quot;interrupted&quot; now.</source>
+        <translation>%1 a été clôturée : son issue est maintenant « interrompu ».</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+        <translation>
+            <numerusform>Elle est déjà affichée, ou il y a %n essai superposé à celui qui est ouvert : retirez-en un d’abord.</numerusform>
+            <numerusform>Elle est déjà affichée, ou il y a %n essais superposés à celui qui est ouvert : retirez-en un d’abord.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Confirm a sensor</source>
+        <translation>Confirmer un capteur</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2. Have you looked, and is it on its object and right?</source>
+        <translation>Le capteur de « %1 » indique %2. Avez-vous regardé, et est-il sur son objet et juste ?</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Confirmer</translation>
+    </message>
+</context>
+<context>
+    <name>bask::PairsView</name>
+    <message>
+        <source>Folder for the tables and pictures</source>
+        <translation>Dossier pour les tables et les images</translation>
+    </message>
+    <message>
+        <source>Tables and pictures of the pairs written to %1</source>
+        <translation>Tables et images des paires écrites dans %1</translation>
+    </message>
+    <message>
+        <source>Maps need two objects or more.</source>
+        <translation>Les cartes demandent au moins deux objets.</translation>
+    </message>
+    <message>
+        <source>No pose of the workspace keeps the clearance: there is nothing to map.</source>
+        <translation>Aucune pose de l’espace de travail ne respecte la garde : il n’y a rien à représenter.</translation>
+    </message>
+    <message>
+        <source>Which temperatures two objects can have together, whatever the others do. Drag a point, or double-click, to set their targets.</source>
+        <translation>Températures que deux objets peuvent avoir ensemble, quoi que fassent les autres. Glisser un point, ou double-cliquer, pour fixer leurs consignes.</translation>
+    </message>
+    <message>
+        <source>few poses</source>
+        <translation>peu de poses</translation>
+    </message>
+    <message>
+        <source>rare</source>
+        <translation>rare</translation>
+    </message>
+    <message>
+        <source>Some pose has both, found by search; none of the poses that were counted does.</source>
+        <translation>Une pose a les deux, trouvée par recherche ; aucune des poses comptées ne les a.</translation>
+    </message>
+    <message>
+        <source>many (log)</source>
+        <translation>beaucoup (log)</translation>
+    </message>
+    <message>
+        <source>Share of the workspace&apos;s poses at which the pair settles there, on a logarithmic scale. Where it is small, the pair asks for a pose that is hard to keep.</source>
+        <translation>Part des poses de l’espace de travail où la paire se stabilise là, en échelle logarithmique. Là où elle est faible, la paire demande une pose difficile à tenir.</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exporter…</translation>
+    </message>
+    <message>
+        <source>Write each map as a table (CSV) and as a picture (PNG).</source>
+        <translation>Écrire chaque carte en table (CSV) et en image (PNG).</translation>
+    </message>
+</context>
+<context>
+    <name>bask::PickedPanel</name>
+    <message>
+        <source>For each object at this point: its view factor, the temperature that it settles at, and how fast that rises along its arrow.</source>
+        <translation>Pour chaque objet en ce point : son facteur de forme, la température où il se stabilise, et de combien elle monte le long de sa flèche.</translation>
+    </message>
+    <message>
+        <source>Start here</source>
+        <translation>Partir d’ici</translation>
+    </message>
+    <message>
+        <source>Runs start at this point.</source>
+        <translation>Les essais partent de ce point.</translation>
+    </message>
+    <message>
+        <source>Runs cannot start at this point: %1.</source>
+        <translation>Les essais ne peuvent partir de ce point : %1.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::PictureDialog</name>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>As the view: %1 × %2</source>
+        <translation>Comme la vue : %1 × %2</translation>
+    </message>
+    <message>
+        <source>Twice the view: %1 × %2</source>
+        <translation>Deux fois la vue : %1 × %2</translation>
+    </message>
+    <message>
+        <source>Screen: %1 × %2</source>
+        <translation>Écran : %1 × %2</translation>
+    </message>
+    <message>
+        <source>A4 across at 300 dpi: %1 × %2</source>
+        <translation>A4 en largeur à 300 ppp : %1 × %2</translation>
+    </message>
+    <message>
+        <source>A4 upright at 300 dpi: %1 × %2</source>
+        <translation>A4 en hauteur à 300 ppp : %1 × %2</translation>
+    </message>
+    <message>
+        <source>Another</source>
+        <translation>Autre</translation>
+    </message>
+    <message>
+        <source>Choose the place…</source>
+        <translation>Choisir l’emplacement…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Taille</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Largeur</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Hauteur</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Save the animation</source>
+        <translation>Enregistrer l’animation</translation>
+    </message>
+    <message>
+        <source>Folder for the pictures</source>
+        <translation>Dossier des images</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ProblemDialog</name>
+    <message>
+        <source>Report a problem</source>
+        <translation>Signaler un problème</translation>
+    </message>
+    <message>
+        <source>This is all that the report has. Write at the top what happened and what you expected, take out what nobody should see, save it, and give it to whoever looks after your Bask. Nothing is sent.</source>
+        <translation>Voici tout ce que contient le rapport. Écrivez en haut ce qui s’est passé et ce que vous attendiez, retirez ce que personne ne doit voir, enregistrez-le et donnez-le à la personne qui s’occupe de votre Bask. Rien n’est envoyé.</translation>
+    </message>
+    <message>
+        <source>The report</source>
+        <translation>Le rapport</translation>
+    </message>
+    <message>
+        <source>What happened:</source>
+        <translation>Ce qui s’est passé :</translation>
+    </message>
+    <message>
+        <source>What was expected:</source>
+        <translation>Ce qui était attendu :</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Enregistrer…</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Question</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReachBar</name>
+    <message>
+        <source>Reachable temperatures</source>
+        <translation>Températures atteignables</translation>
+    </message>
+    <message>
+        <source>The range is being worked out.</source>
+        <translation>La plage est en cours de calcul.</translation>
+    </message>
+    <message>
+        <source>Target %1. Here it can be held between %2 and %3; with nothing but the source in view, up to %4.</source>
+        <translation>Consigne&#xa0;%1. Ici, elle peut être tenue entre&#xa0;%2 et&#xa0;%3&#xa0;; avec la source seule en vue, jusqu’à&#xa0;%4.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReachMap</name>
+    <message>
+        <source>Checking…</source>
+        <translation>Vérification…</translation>
+    </message>
+    <message>
+        <source>%1 inside</source>
+        <translation>%1 à l’intérieur</translation>
+    </message>
+    <message>
+        <source>%1 outside</source>
+        <translation>%1 à l’extérieur</translation>
+    </message>
+    <message>
+        <source>Temperatures that %1 and %2 can have together</source>
+        <translation>Températures que %1 et %2 peuvent avoir ensemble</translation>
+    </message>
+    <message>
+        <source>Targets %1 and %2: %3</source>
+        <translation>Consignes %1 et %2 : %3</translation>
+    </message>
+    <message>
+        <source>%1 %2 and %3 %4: some pose has both</source>
+        <translation>%1 à %2 et %3 à %4 : une pose a les deux</translation>
+    </message>
+    <message>
+        <source>%1 %2 and %3 %4: no pose has both</source>
+        <translation>%1 à %2 et %3 à %4 : aucune pose n’a les deux</translation>
+    </message>
+</context>
+<context>
+    <name>bask::Recipe</name>
+    <message>
+        <source>Wait</source>
+        <translation>Attente</translation>
+    </message>
+    <message>
+        <source>all have been settled for %1</source>
+        <translation>tous sont stabilisés depuis %1</translation>
+    </message>
+    <message>
+        <source>%1 have passed</source>
+        <translation>écoulement de %1</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 or above</source>
+        <translation>%1 est à %2 ou plus</translation>
+    </message>
+    <message>
+        <source>%1 is at %2 or below</source>
+        <translation>%1 est à %2 ou moins</translation>
+    </message>
+    <message>
+        <source>To come</source>
+        <translation>À venir</translation>
+    </message>
+    <message>
+        <source>Under way</source>
+        <translation>En cours</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Terminée</translation>
+    </message>
+    <message>
+        <source>Not reached</source>
+        <translation>Non atteinte</translation>
+    </message>
+    <message>
+        <source>Failed</source>
+        <translation>Échouée</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêtée</translation>
+    </message>
+    <message>
+        <source>The recipe is done.</source>
+        <translation>La recette est terminée.</translation>
+    </message>
+    <message>
+        <source>The recipe has ended: not every step was done.</source>
+        <translation>La recette a pris fin : toutes les étapes n’ont pas abouti.</translation>
+    </message>
+    <message>
+        <source>The recipe was stopped.</source>
+        <translation>La recette a été arrêtée.</translation>
+    </message>
+    <message>
+        <source>The recipe has ended, since the rig or the experiment was taken in hand.</source>
+        <translation>La recette a pris fin : quelqu’un a repris le banc ou l’expérience en main.</translation>
+    </message>
+    <message>
+        <source>The recipe was ended by an alarm.</source>
+        <translation>Une alarme a mis fin à la recette.</translation>
+    </message>
+    <message>
+        <source>The recipe was ended by a fault.</source>
+        <translation>Un défaut a mis fin à la recette.</translation>
+    </message>
+    <message>
+        <source>Held</source>
+        <translation>En pause</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RecipeControl</name>
+    <message>
+        <source>A recipe is on, step %1 of %2. It arms, moves and heats by itself.</source>
+        <translation>Une recette est en cours, étape %1 sur %2. Elle arme, déplace et chauffe d’elle-même.</translation>
+    </message>
+    <message>
+        <source>Open a recipe</source>
+        <translation>Ouvrir une recette</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json);;All files (*)</source>
+        <translation>Recettes (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Recipes (*.json)</source>
+        <translation>Recettes (*.json)</translation>
+    </message>
+    <message>
+        <source>A recipe is on. Stop it before another one is opened.</source>
+        <translation>Une recette est en cours. Arrêtez-la avant d’en ouvrir une autre.</translation>
+    </message>
+    <message>
+        <source>Show the recipe</source>
+        <translation>Voir la recette</translation>
+    </message>
+    <message>
+        <source>Unsaved recipe</source>
+        <translation>Recette non enregistrée</translation>
+    </message>
+    <message>
+        <source>The recipe was changed and not saved.</source>
+        <translation>La recette a été modifiée et n’est pas enregistrée.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Abandonner les modifications</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Save the recipe</source>
+        <translation>Enregistrer la recette</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Add a run of an experiment</source>
+        <translation>Ajouter un essai d’une expérience</translation>
+    </message>
+    <message>
+        <source>Experiments (*.json);;All files (*)</source>
+        <translation>Expériences (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Step %1 is for another rig than the present one: a recipe runs on one rig, which has been looked at.</source>
+        <translation>L’étape %1 est pour un autre banc que celui-ci : une recette s’exécute sur un seul banc, qui a été vérifié.</translation>
+    </message>
+    <message>
+        <source>%1. %2 until %3</source>
+        <translation>%1. %2 jusqu’à : %3</translation>
+    </message>
+    <message>
+        <source>%1. %2 until %3, at most %4</source>
+        <translation>%1. %2 jusqu’à : %3, au plus %4</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Start the recipe</source>
+        <translation>Démarrer la recette</translation>
+    </message>
+    <message>
+        <source>It takes at most %1 and its retreats:</source>
+        <translation>Elle dure au plus %1, retraits en sus :</translation>
+    </message>
+    <message>
+        <source>This rig is real: the robot moves and the source heats, again and again and by itself. Is everybody and everything out of the way for so long? An alarm, a hold or a stop ends the recipe.</source>
+        <translation>Ce banc est réel : le robot bouge et la source chauffe, encore et encore et sans personne. Tout le monde et tout est-il à l’écart pour aussi longtemps ? Une alarme, une pause ou un arrêt met fin à la recette.</translation>
+    </message>
+    <message>
+        <source>An alarm, a hold or a stop ends the recipe.</source>
+        <translation>Une alarme, une pause ou un arrêt met fin à la recette.</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Something was changed meanwhile: start the recipe once more.</source>
+        <translation>Quelque chose a changé entre-temps : démarrez la recette à nouveau.</translation>
+    </message>
+    <message>
+        <source>The experiment has unsaved edits.</source>
+        <translation>L’expérience a des modifications non enregistrées.</translation>
+    </message>
+    <message>
+        <source>The source is heated by hand: a recipe cannot switch it off between its steps.</source>
+        <translation>La source est chauffée à la main : une recette ne peut pas l’éteindre entre ses étapes.</translation>
+    </message>
+    <message>
+        <source>Its run is held, not ended: nothing but a person resumes or stops it now.</source>
+        <translation>Son essai est en pause, non terminé : seule une personne le reprend ou l’arrête désormais.</translation>
+    </message>
+    <message>
+        <source>Its steps allow the real rig more than now:</source>
+        <translation>Ses étapes permettent au banc réel plus que maintenant :</translation>
+    </message>
+    <message>
+        <source>Do robot, source, objects and sensors bear it?</source>
+        <translation>Robot, source, objets et capteurs le supportent-ils ?</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RecipePanel</name>
+    <message>
+        <source>Run %1</source>
+        <translation>Essai %1</translation>
+    </message>
+    <message>
+        <source>%1; otherwise on with the next</source>
+        <translation>%1 ; sinon, passer à la suivante</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Étape %1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 of at most %2</source>
+        <translation>%1 sur %2 au plus</translation>
+    </message>
+    <message>
+        <source>running, %1</source>
+        <translation>essai en cours, %1</translation>
+    </message>
+    <message>
+        <source>waiting, %1</source>
+        <translation>attente, %1</translation>
+    </message>
+    <message>
+        <source>heat off, retreat</source>
+        <translation>chauffage coupé, retrait</translation>
+    </message>
+    <message>
+        <source>getting ready</source>
+        <translation>préparation</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>Experiments that are run one after another, with waits. Add a step or open a recipe.</source>
+        <translation>Des expériences l’une après l’autre, avec des attentes. Ajoutez une étape ou ouvrez une recette.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s), at most %1</source>
+        <translation>
+            <numerusform>%n étape, %1 au plus</numerusform>
+            <numerusform>%n étapes, %1 au plus</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not saved yet</source>
+        <translation>pas encore enregistrée</translation>
+    </message>
+    <message>
+        <source>%1, changed</source>
+        <translation>%1, modifiée</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fichier</translation>
+    </message>
+    <message>
+        <source>New recipe</source>
+        <translation>Nouvelle recette</translation>
+    </message>
+    <message>
+        <source>Open a recipe…</source>
+        <translation>Ouvrir une recette…</translation>
+    </message>
+    <message>
+        <source>Examples</source>
+        <translation>Exemples</translation>
+    </message>
+    <message>
+        <source>Save the recipe as…</source>
+        <translation>Enregistrer la recette sous…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>A run of the open experiment</source>
+        <translation>Un essai de l’expérience ouverte</translation>
+    </message>
+    <message>
+        <source>A run of an experiment from a file…</source>
+        <translation>Un essai d’une expérience d’un fichier…</translation>
+    </message>
+    <message>
+        <source>A wait</source>
+        <translation>Une attente</translation>
+    </message>
+    <message>
+        <source>A wait until an object has cooled</source>
+        <translation>Une attente jusqu’à ce qu’un objet ait refroidi</translation>
+    </message>
+    <message>
+        <source>Edit…</source>
+        <translation>Modifier…</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>Start the recipe</source>
+        <translation>Démarrer la recette</translation>
+    </message>
+    <message>
+        <source>Stop after this step</source>
+        <translation>Arrêter après cette étape</translation>
+    </message>
+    <message>
+        <source>Stop the recipe</source>
+        <translation>Arrêter la recette</translation>
+    </message>
+    <message>
+        <source>Look at the run</source>
+        <translation>Voir l’essai</translation>
+    </message>
+    <message>
+        <source>Recipe file</source>
+        <translation>Fichier de la recette</translation>
+    </message>
+    <message>
+        <source>A new recipe, another one, or this one under another name</source>
+        <translation>Une nouvelle recette, une autre, ou celle-ci sous un autre nom</translation>
+    </message>
+    <message>
+        <source>Save the recipe</source>
+        <translation>Enregistrer la recette</translation>
+    </message>
+    <message>
+        <source>Add a step</source>
+        <translation>Ajouter une étape</translation>
+    </message>
+    <message>
+        <source>Add a step after the chosen one</source>
+        <translation>Ajouter une étape après celle qui est choisie</translation>
+    </message>
+    <message>
+        <source>Edit the step</source>
+        <translation>Modifier l’étape</translation>
+    </message>
+    <message>
+        <source>Its condition, its longest time, and what comes if that passes (Enter)</source>
+        <translation>Sa condition, sa durée maximale et ce qui suit si elle est dépassée (Entrée)</translation>
+    </message>
+    <message>
+        <source>Remove the step</source>
+        <translation>Supprimer l’étape</translation>
+    </message>
+    <message>
+        <source>Move the step up</source>
+        <translation>Monter l’étape</translation>
+    </message>
+    <message>
+        <source>Move the step down</source>
+        <translation>Descendre l’étape</translation>
+    </message>
+    <message>
+        <source>Says what it will do, and asks</source>
+        <translation>Dit ce qu’elle va faire, et demande</translation>
+    </message>
+    <message>
+        <source>The step under way is the last one</source>
+        <translation>L’étape en cours est la dernière</translation>
+    </message>
+    <message>
+        <source>Heat off, retreat, and nothing more is begun</source>
+        <translation>Chauffage coupé, retrait, et plus rien ne commence</translation>
+    </message>
+    <message>
+        <source>The recording of the chosen step, on the Review page</source>
+        <translation>L’enregistrement de l’étape choisie, sur la page Relecture</translation>
+    </message>
+    <message>
+        <source>Steps of the recipe</source>
+        <translation>Étapes de la recette</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Étape</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Jusqu’à</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>Elapsed</source>
+        <translation>Écoulé</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>État</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RecipeStepDialog</name>
+    <message>
+        <source>Run %1</source>
+        <translation>Essai %1</translation>
+    </message>
+    <message>
+        <source>Wait</source>
+        <translation>Attente</translation>
+    </message>
+    <message>
+        <source>All objects have settled</source>
+        <translation>Tous les objets sont stabilisés</translation>
+    </message>
+    <message>
+        <source>A time has passed</source>
+        <translation>Un temps s’est écoulé</translation>
+    </message>
+    <message>
+        <source>An object is so hot or hotter</source>
+        <translation>Un objet est aussi chaud ou plus chaud</translation>
+    </message>
+    <message>
+        <source>An object is so cold or colder</source>
+        <translation>Un objet est aussi froid ou plus froid</translation>
+    </message>
+    <message>
+        <source>End the recipe</source>
+        <translation>Mettre fin à la recette</translation>
+    </message>
+    <message>
+        <source>Go on with the next step</source>
+        <translation>Passer à l’étape suivante</translation>
+    </message>
+    <message>
+        <source>Until</source>
+        <translation>Jusqu’à</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Pendant</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>At most</source>
+        <translation>Au plus</translation>
+    </message>
+    <message>
+        <source>Otherwise</source>
+        <translation>Sinon</translation>
+    </message>
+    <message>
+        <source>Where the condition does not come in time, or the run cannot be begun. An alarm, a fault or a person&apos;s stop always ends the recipe.</source>
+        <translation>Si la condition n’est pas atteinte à temps ou si l’essai ne peut pas commencer. Une alarme, un défaut ou l’arrêt par une personne met toujours fin à la recette.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RecoveryOffer</name>
+    <message>
+        <source>Bask ended before changes of “%1” were saved. They are kept as they were on %2.</source>
+        <translation>Bask s’est arrêté avant l’enregistrement de modifications de «&#xa0;%1&#xa0;». Elles sont gardées dans leur état du %2.</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Abandonner</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Récupérer</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReplayView</name>
+    <message>
+        <source>3-D scene of the run: source, objects and their paths</source>
+        <translation>Scène 3D de l’essai : source, objets et leurs trajets</translation>
+    </message>
+    <message>
+        <source>Command speed</source>
+        <translation>Vitesse commandée</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>Estimations</translation>
+    </message>
+    <message>
+        <source>Further traces and the scene</source>
+        <translation>Autres courbes et scène</translation>
+    </message>
+    <message>
+        <source>Laid over it:</source>
+        <translation>Superposé :</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Take %1 away</source>
+        <translation>Retirer %1</translation>
+    </message>
+    <message>
+        <source>View factors</source>
+        <translation>Facteurs de forme</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ResidualPlot</name>
+    <message>
+        <source>Residual against the number of harmonics</source>
+        <translation>Résidu selon le nombre d’harmoniques</translation>
+    </message>
+    <message>
+        <source>Distance between the imported outline and the Fourier outline. Click to choose a number of harmonics.</source>
+        <translation>Distance entre le contour importé et le contour de Fourier. Cliquez pour choisir un nombre d’harmoniques.</translation>
+    </message>
+    <message>
+        <source>Residual, mm: rms (line), largest (dashes)</source>
+        <translation>Résidu, mm&#xa0;: efficace (trait), maximal (tirets)</translation>
+    </message>
+    <message>
+        <source>harmonics</source>
+        <translation>harmoniques</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReviewPage</name>
+    <message>
+        <source>Interrupted: the recording ended without a Stop. What had been written is here.</source>
+        <translation>Interrompu&#xa0;: l’enregistrement s’est terminé sans arrêt. Ce qui avait été écrit est ici.</translation>
+    </message>
+    <message>
+        <source>All objects settled</source>
+        <translation>Tous les objets sont stabilisés</translation>
+    </message>
+    <message>
+        <source>Not all objects settled</source>
+        <translation>Tous les objets ne sont pas stabilisés</translation>
+    </message>
+    <message>
+        <source>Ended by a fault</source>
+        <translation>Terminé par un défaut</translation>
+    </message>
+    <message>
+        <source>No session open</source>
+        <translation>Aucune session ouverte</translation>
+    </message>
+    <message>
+        <source>&amp;Open session…</source>
+        <translation>&amp;Ouvrir une session…</translation>
+    </message>
+    <message>
+        <source>Final values</source>
+        <translation>Valeurs finales</translation>
+    </message>
+    <message>
+        <source>Events and notes</source>
+        <translation>Événements et notes</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Issue</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Régulateur</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Logiciel</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>RÉEL</translation>
+    </message>
+    <message>
+        <source>Heat rates λ₁ in K/s</source>
+        <translation>Coefficients thermiques λ₁ en K/s</translation>
+    </message>
+    <message>
+        <source>Use as start values</source>
+        <translation>Prendre comme départ</translation>
+    </message>
+    <message>
+        <source>Controllers of the open experiment start with the identified rates, in the objects of the same name and material under the same source.</source>
+        <translation>Les régulateurs de l’expérience ouverte partent des coefficients identifiés, pour les objets de même nom et de même matériau sous la même source.</translation>
+    </message>
+    <message>
+        <source>Fitting the heat balance to the record…</source>
+        <translation>Ajustement du bilan thermique à l’enregistrement…</translation>
+    </message>
+    <message>
+        <source>Choose a recorded run in the list and press Enter, or open a file: its traces, events and metrics are shown here, and it can be played again.</source>
+        <translation>Choisissez un essai enregistré dans la liste et appuyez sur Entrée, ou ouvrez un fichier : ses courbes, événements et indicateurs s’affichent ici, et l’essai peut être rejoué.</translation>
+    </message>
+    <message>
+        <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is here.</source>
+        <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est ici.</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Indicateurs</translation>
+    </message>
+    <message>
+        <source>What is known of the run</source>
+        <translation>Ce que l’on sait de l’essai</translation>
+    </message>
+    <message>
+        <source>About the recording</source>
+        <translation>À propos de l’enregistrement</translation>
+    </message>
+    <message>
+        <source>Heat rates</source>
+        <translation>Coefficients thermiques</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>E&amp;xporter</translation>
+    </message>
+    <message>
+        <source>Write this session as a report, as figures or for other programs</source>
+        <translation>Écrire cette session comme rapport, comme figures ou pour d’autres programmes</translation>
+    </message>
+    <message>
+        <source>Report (&amp;PDF)…</source>
+        <translation>Rapport (&amp;PDF)…</translation>
+    </message>
+    <message>
+        <source>Report (&amp;HTML)…</source>
+        <translation>Rapport (&amp;HTML)…</translation>
+    </message>
+    <message>
+        <source>&amp;Figures (PNG, SVG, PDF)…</source>
+        <translation>&amp;Figures (PNG, SVG, PDF)…</translation>
+    </message>
+    <message>
+        <source>Tables (&amp;CSV)…</source>
+        <translation>Tableaux (&amp;CSV)…</translation>
+    </message>
+    <message>
+        <source>&amp;NeXus (HDF5)…</source>
+        <translation>&amp;NeXus (HDF5)…</translation>
+    </message>
+    <message>
+        <source>&amp;VTK, for ParaView…</source>
+        <translation>&amp;VTK, pour ParaView…</translation>
+    </message>
+    <message>
+        <source>Metrics, final values and heat rates are being computed from all samples: %1 %</source>
+        <translation>Indicateurs, valeurs finales et coefficients thermiques se calculent sur tous les échantillons : %1 %</translation>
+    </message>
+    <message>
+        <source>No metrics, final values and heat rates: the recording cannot be read to its end.</source>
+        <translation>Ni indicateurs, ni valeurs finales, ni coefficients thermiques : l’enregistrement ne peut pas être lu jusqu’au bout.</translation>
+    </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Arrêté</translation>
+    </message>
+    <message>
+        <source>Ended by STOP</source>
+        <translation>Terminé par STOP</translation>
+    </message>
+    <message>
+        <source>Opened while it was being recorded: open it again to see the rest.</source>
+        <translation>Ouvert pendant son enregistrement : rouvrez-le pour voir la suite.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RigDevices</name>
+    <message>
+        <source>Simulated rig</source>
+        <translation>Banc simulé</translation>
+    </message>
+    <message>
+        <source>No device moves or heats. The real rig&apos;s set-up is kept for later.</source>
+        <translation>Aucun appareil ne bouge ni ne chauffe. Le réglage du banc réel est gardé pour plus tard.</translation>
+    </message>
+    <message>
+        <source>Real rig</source>
+        <translation>Banc réel</translation>
+    </message>
+    <message>
+        <source>The devices below</source>
+        <translation>Les appareils ci-dessous</translation>
+    </message>
+    <message>
+        <source>Name of the rig</source>
+        <translation>Nom du banc</translation>
+    </message>
+    <message>
+        <source>Open rig…</source>
+        <translation>Ouvrir un banc…</translation>
+    </message>
+    <message>
+        <source>Take the devices from a rig file</source>
+        <translation>Prendre les appareils dans un fichier de banc</translation>
+    </message>
+    <message>
+        <source>Save rig…</source>
+        <translation>Enregistrer le banc…</translation>
+    </message>
+    <message>
+        <source>Write these devices to a rig file, for other experiments</source>
+        <translation>Écrire ces appareils dans un fichier de banc, pour d’autres expériences</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RigPage</name>
+    <message>
+        <source>The rig was set up for %1 objects, and there are %2: check the thermometer&apos;s channels.</source>
+        <translation>Le banc était réglé pour %1 objets, et il y en a %2 : vérifiez les voies du thermomètre.</translation>
+    </message>
+    <message>
+        <source>A run is armed or on: it has the robot and the heat.</source>
+        <translation>Un essai est armé ou en cours : il dispose du robot et du chauffage.</translation>
+    </message>
+    <message>
+        <source>A stop or a fault is latched. Press Reset first.</source>
+        <translation>Un arrêt ou un défaut est verrouillé. Appuyez d’abord sur Réinitialiser.</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <translation>À la main</translation>
+    </message>
+    <message>
+        <source>Source and limits</source>
+        <translation>Source et limites</translation>
+    </message>
+    <message>
+        <source>Robot</source>
+        <translation>Robot</translation>
+    </message>
+    <message>
+        <source>Heat</source>
+        <translation>Chauffage</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>Raise a limit of the real rig</source>
+        <translation>Élever une limite du banc réel</translation>
+    </message>
+    <message>
+        <source>This allows the rig more than before. Do robot, source, objects and sensors bear it?</source>
+        <translation>Le banc pourra aller plus loin qu’avant. Robot, source, objets et capteurs le supportent-ils ?</translation>
+    </message>
+    <message>
+        <source>Raise the limit</source>
+        <translation>Élever la limite</translation>
+    </message>
+    <message>
+        <source>Limits of the real rig</source>
+        <translation>Limites du banc réel</translation>
+    </message>
+    <message>
+        <source>This rig is allowed more than now, or than is usual:</source>
+        <translation>Ce banc pourra plus que maintenant, ou que d’habitude :</translation>
+    </message>
+    <message>
+        <source>Do robot, source, objects and sensors bear it?</source>
+        <translation>Robot, source, objets et capteurs le supportent-ils ?</translation>
+    </message>
+    <message>
+        <source>Use these limits</source>
+        <translation>Utiliser ces limites</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RigPanel</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>%1, in use</source>
+        <translation>%1, utilisée</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>Follow the source &amp;during runs</source>
+        <translation>Suivre la source &amp;pendant les essais</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesurer</translation>
+    </message>
+    <message>
+        <source>&amp;Several poses</source>
+        <translation>Plu&amp;sieurs poses</translation>
+    </message>
+    <message>
+        <source>&amp;Use this pose</source>
+        <translation>&amp;Utiliser cette pose</translation>
+    </message>
+    <message>
+        <source>A run is armed or on, or a stop is not reset. Measure after that.</source>
+        <translation>Un essai est armé ou en cours, ou un arrêt n’est pas réinitialisé. Mesurez après.</translation>
+    </message>
+    <message>
+        <source>As typed</source>
+        <translation>Telle que saisie</translation>
+    </message>
+    <message>
+        <source>By the end-effector&apos;s markers, in the robot&apos;s base. Several poses of the robot are surer than one.</source>
+        <translation>Par les marqueurs de l’effecteur, dans la base du robot. Plusieurs poses du robot sont plus sûres qu’une seule.</translation>
+    </message>
+    <message>
+        <source>By the markers on the source and on the end-effector, seen in the same pictures.</source>
+        <translation>Par les marqueurs de la source et de l’effecteur, vus sur les mêmes images.</translation>
+    </message>
+    <message>
+        <source>Calibrate the camera first.</source>
+        <translation>Étalonnez d’abord la caméra.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Chec&amp;k</source>
+        <translation>Vé&amp;rifier</translation>
+    </message>
+    <message>
+        <source>Checked at another pose: %1 and %2 off; up to %3 and %4 was to be expected.</source>
+        <translation>Vérifiée à une autre pose : écart de %1 et %2 ; jusqu’à %3 et %4 étaient à attendre.</translation>
+    </message>
+    <message>
+        <source>Computing…</source>
+        <translation>Calcul…</translation>
+    </message>
+    <message>
+        <source>Fr&amp;om here</source>
+        <translation>D’&amp;ici</translation>
+    </message>
+    <message>
+        <source>In use</source>
+        <translation>Utilisée</translation>
+    </message>
+    <message>
+        <source>List the markers on the end-effector first.</source>
+        <translation>Listez d’abord les marqueurs de l’effecteur.</translation>
+    </message>
+    <message>
+        <source>Looking, picture %1 of %2. Nothing may move.</source>
+        <translation>Observation, image %1 sur %2. Rien ne doit bouger.</translation>
+    </message>
+    <message>
+        <source>Markers on the rig</source>
+        <translation>Marqueurs sur le montage</translation>
+    </message>
+    <message>
+        <source>Moves the robot to a pose that was not measured, compares where the markers are with where they should be, and moves back.</source>
+        <translation>Amène le robot à une pose qui n’a pas été mesurée, compare où sont les marqueurs avec où ils devraient être, et revient.</translation>
+    </message>
+    <message>
+        <source>No picture from the camera.</source>
+        <translation>Aucune image de la caméra.</translation>
+    </message>
+    <message>
+        <source>Not measured</source>
+        <translation>Non mesurée</translation>
+    </message>
+    <message>
+        <source>Pictures looked at</source>
+        <translation>Images observées</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Montage</translation>
+    </message>
+    <message>
+        <source>That is %1 and %2 from where the experiment has it.</source>
+        <translation>C’est à %1 et %2 de la place que lui donne l’expérience.</translation>
+    </message>
+    <message>
+        <source>The camera stands at %1, measured %2.</source>
+        <translation>La caméra se trouve en %1, mesuré %2.</translation>
+    </message>
+    <message>
+        <source>The camera stands at %1.</source>
+        <translation>La caméra se trouve en %1.</translation>
+    </message>
+    <message>
+        <source>The camera tells the controllers where the source is. Takes markers on the source, a calibrated camera and its place.</source>
+        <translation>La caméra dit aux régulateurs où est la source. Il faut des marqueurs sur la source, une caméra étalonnée et sa place.</translation>
+    </message>
+    <message>
+        <source>The end-effector in the source: %1.</source>
+        <translation>L’effecteur dans la source : %1.</translation>
+    </message>
+    <message>
+        <source>The robot did not move: nothing was checked.</source>
+        <translation>Le robot n’a pas bougé : rien n’a été vérifié.</translation>
+    </message>
+    <message>
+        <source>The robot moves to pose %1 of %2.</source>
+        <translation>Le robot va à la pose %1 sur %2.</translation>
+    </message>
+    <message>
+        <source>The robot moves to some poses within its workspace, never nearer to the source, and back. Stand clear.</source>
+        <translation>Le robot va à quelques poses de son espace de travail, jamais plus près de la source, et revient. Tenez-vous à l’écart.</translation>
+    </message>
+    <message>
+        <source>The robot says where it is to %1 and %2 (one standard deviation).</source>
+        <translation>Le robot dit où il est à %1 et %2 près (un écart-type).</translation>
+    </message>
+    <message>
+        <source>The robot stays where it is.</source>
+        <translation>Le robot reste où il est.</translation>
+    </message>
+    <message>
+        <source>The source in the robot&apos;s base: %1.</source>
+        <translation>La source dans la base du robot : %1.</translation>
+    </message>
+    <message>
+        <source>The source lies at %1, measured %2.</source>
+        <translation>La source se trouve en %1, mesuré %2.</translation>
+    </message>
+    <message>
+        <source>The source lies at %1.</source>
+        <translation>La source se trouve en %1.</translation>
+    </message>
+    <message>
+        <source>Use this p&amp;lace</source>
+        <translation>Utiliser cette p&amp;lace</translation>
+    </message>
+    <message>
+        <source>What it sees at the source is known to ±%1 and ±%2 (two standard deviations), by %3 pose(s) of the robot; residual %4 px.</source>
+        <translation>Ce qu’elle voit à la source est connu à ±%1 et ±%2 (deux écarts-types), par %3 pose(s) du robot ; résidu %4 px.</translation>
+    </message>
+    <message>
+        <source>Where the camera stands</source>
+        <translation>Place de la caméra</translation>
+    </message>
+    <message>
+        <source>Where the source is</source>
+        <translation>Place de la source</translation>
+    </message>
+    <message>
+        <source>x %1, y %2, z %3; turned by %4, %5, %6 about x, y, z</source>
+        <translation>x %1, y %2, z %3 ; tournée de %4, %5, %6 autour de x, y, z</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RunPage</name>
+    <message>
+        <source>Sensor lost</source>
+        <translation>Capteur perdu</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprise</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêt</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Stabilisé</translation>
+    </message>
+    <message>
+        <source>New targets</source>
+        <translation>Nouvelles consignes</translation>
+    </message>
+    <message>
+        <source>New gains</source>
+        <translation>Nouveaux gains</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Défaut</translation>
+    </message>
+    <message>
+        <source>Compromise</source>
+        <translation>Compromis</translation>
+    </message>
+    <message>
+        <source>Source lost</source>
+        <translation>Source perdue</translation>
+    </message>
+    <message>
+        <source>Source back</source>
+        <translation>Source revenue</translation>
+    </message>
+    <message>
+        <source>Sensor back</source>
+        <translation>Capteur de retour</translation>
+    </message>
+    <message>
+        <source>Behind by %1 — jump to live</source>
+        <translation>En retard de&#xa0;%1 — revenir au direct</translation>
+    </message>
+    <message>
+        <source>Jump to live</source>
+        <translation>Revenir au direct</translation>
+    </message>
+    <message>
+        <source>Follow live</source>
+        <translation>Suivre le direct</translation>
+    </message>
+    <message>
+        <source>Keep the newest samples in view. Zooming or dragging a plot turns it off; no sample is lost.</source>
+        <translation>Garder les derniers échantillons en vue. Zoomer ou déplacer une courbe y met fin&#xa0;; aucun échantillon n’est perdu.</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Montrer</translation>
+    </message>
+    <message>
+        <source>whole run</source>
+        <translation>tout l’essai</translation>
+    </message>
+    <message>
+        <source>last minute</source>
+        <translation>dernière minute</translation>
+    </message>
+    <message>
+        <source>last 5 minutes</source>
+        <translation>5 dernières minutes</translation>
+    </message>
+    <message>
+        <source>last 30 minutes</source>
+        <translation>30 dernières minutes</translation>
+    </message>
+    <message>
+        <source>Stretch of time shown while following</source>
+        <translation>Durée montrée pendant le suivi</translation>
+    </message>
+    <message>
+        <source>Show the newest samples again and follow them.</source>
+        <translation>Montrer de nouveau les derniers échantillons et les suivre.</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>View factors</source>
+        <translation>Facteurs de forme</translation>
+    </message>
+    <message>
+        <source>Command speed</source>
+        <translation>Vitesse commandée</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>Estimations</translation>
+    </message>
+    <message>
+        <source>Further traces</source>
+        <translation>Autres courbes</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Scène</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Look along −z of the source, from above.</source>
+        <translation>Regarder selon −z de la source, d’en haut.</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Look along x of the source, from the side.</source>
+        <translation>Regarder selon x de la source, de côté.</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>Look from above at an angle.</source>
+        <translation>Regarder d’en haut, en biais.</translation>
+    </message>
+    <message>
+        <source>View: %1</source>
+        <translation>Vue&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>3-D scene: source, objects and their paths</source>
+        <translation>Scène 3D&#xa0;: source, objets et trajectoires</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Note</translation>
+    </message>
+    <message>
+        <source>Press N, type, Enter: noted at this moment of the run</source>
+        <translation>N, texte, Entrée&#xa0;: noté à cet instant de l’essai</translation>
+    </message>
+    <message>
+        <source>Note at this moment of the run</source>
+        <translation>Note à cet instant de l’essai</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Ajouter</translation>
+    </message>
+    <message>
+        <source>Record the note with the present time.</source>
+        <translation>Enregistrer la note à l’instant présent.</translation>
+    </message>
+    <message>
+        <source>Add the note</source>
+        <translation>Ajouter la note</translation>
+    </message>
+    <message>
+        <source>Simulation speed</source>
+        <translation>Vitesse de simulation</translation>
+    </message>
+    <message>
+        <source>Simulated seconds a second; only on the simulated rig.</source>
+        <translation>Secondes simulées par seconde&#xa0;; banc simulé seulement.</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>vitesse</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>acceleration</source>
+        <translation>accélération</translation>
+    </message>
+    <message>
+        <source>angular acceleration</source>
+        <translation>accélération angulaire</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>distance à la source</translation>
+    </message>
+    <message>
+        <source>workspace %1</source>
+        <translation>espace de travail %1</translation>
+    </message>
+    <message>
+        <source>No limit holds the robot back.</source>
+        <translation>Aucune limite ne retient le robot.</translation>
+    </message>
+    <message>
+        <source>A limit holds the robot back.</source>
+        <translation>Une limite retient le robot.</translation>
+    </message>
+    <message>
+        <source>Held back by: %1</source>
+        <translation>Retenu par : %1</translation>
+    </message>
+    <message>
+        <source>Place UNKNOWN, what is drawn is %1.</source>
+        <translation>Position INCONNUE, ce qui est dessiné date : %1.</translation>
+    </message>
+    <message>
+        <source>The robot is not sure of its place.</source>
+        <translation>Le robot n’est pas sûr de sa position.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RunReport</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>command: its values</comment>
+        <translation>%1 : %2</translation>
+    </message>
+    <message>
+        <source>, changing by a profile during the run</source>
+        <translation>, variable selon un profil pendant l’essai</translation>
+    </message>
+    <message>
+        <source>, tracked during the run</source>
+        <translation>, suivie pendant l’essai</translation>
+    </message>
+    <message>
+        <source>Absorptance</source>
+        <translation>Absorptance</translation>
+    </message>
+    <message>
+        <source>Acknowledge</source>
+        <translation>Acquitter</translation>
+    </message>
+    <message>
+        <source>Alarms</source>
+        <translation>Alarmes</translation>
+    </message>
+    <message>
+        <source>Alarms, events, notes and commands</source>
+        <translation>Alarmes, événements, notes et commandes</translation>
+    </message>
+    <message>
+        <source>All objects settled.</source>
+        <translation>Tous les objets sont stabilisés.</translation>
+    </message>
+    <message>
+        <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
+        <translation>Toutes les consignes peuvent être tenues ensemble, d’après les matériaux donnés, à %1 ; marge de %2 jusqu’à la limite la plus proche.</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Aire</translation>
+    </message>
+    <message>
+        <source>Areal heat capacity</source>
+        <translation>Capacité thermique surfacique</translation>
+    </message>
+    <message>
+        <source>Arm</source>
+        <translation>Armer</translation>
+    </message>
+    <message>
+        <source>By itself</source>
+        <translation>Seule</translation>
+    </message>
+    <message>
+        <source>Calibration</source>
+        <translation>Étalonnage</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Caméra</translation>
+    </message>
+    <message>
+        <source>Clearance to the source&apos;s plane</source>
+        <translation>Garde au plan de la source</translation>
+    </message>
+    <message>
+        <source>Commanded speed</source>
+        <translation>Vitesse commandée</translation>
+    </message>
+    <message>
+        <source>Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 °/s.</source>
+        <translation>Vitesse commandée de l’effecteur, en part de ses limites : %1 mm/s et %2 °/s.</translation>
+    </message>
+    <message>
+        <source>Control from Start until Stop</source>
+        <translation>Asservissement, du démarrage à l’arrêt</translation>
+    </message>
+    <message>
+        <source>Controller</source>
+        <translation>Régulateur</translation>
+    </message>
+    <message>
+        <source>Definitions</source>
+        <translation>Définitions</translation>
+    </message>
+    <message>
+        <source>Disarm</source>
+        <translation>Désarmer</translation>
+    </message>
+    <message>
+        <source>Emittance</source>
+        <translation>Émittance</translation>
+    </message>
+    <message>
+        <source>Emittance of the source</source>
+        <translation>Émittance de la source</translation>
+    </message>
+    <message>
+        <source>Ended by a fault.</source>
+        <translation>Terminé par un défaut.</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>Experiment without a title</source>
+        <translation>Expérience sans titre</translation>
+    </message>
+    <message>
+        <source>Feasibility of the targets</source>
+        <translation>Faisabilité des consignes</translation>
+    </message>
+    <message>
+        <source>Fourier contour, radius %1 mm</source>
+        <translation>contour de Fourier, rayon %1 mm</translation>
+    </message>
+    <message>
+        <source>Free axes</source>
+        <translation>Axes libres</translation>
+    </message>
+    <message>
+        <source>Gains at the start</source>
+        <translation>Gains au départ</translation>
+    </message>
+    <message>
+        <source>Heat source</source>
+        <translation>Source de chaleur</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Interrupted: the recording ended without a Stop. What had been written is reported.</source>
+        <translation>Interrompu : l’enregistrement s’est terminé sans arrêt. Ce qui avait été écrit est rapporté.</translation>
+    </message>
+    <message>
+        <source>It was not computed.</source>
+        <translation>Elle n’a pas été calculée.</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Nature</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>RÉEL</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Measured temperature minus target, within %1; grey: the band.</source>
+        <translation>Température mesurée moins consigne, entre %1 ; en gris : la bande.</translation>
+    </message>
+    <message>
+        <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
+        <translation>Températures mesurées. En tirets : les consignes ; en gris : la bande de %1 autour d’elles. Interruptions : pas de mesure valable. Les numéros aux lignes pointillées sont ceux du tableau des événements.</translation>
+    </message>
+    <message>
+        <source>Metrics</source>
+        <translation>Indicateurs</translation>
+    </message>
+    <message>
+        <source>Model of the source</source>
+        <translation>Modèle de la source</translation>
+    </message>
+    <message>
+        <source>Nearest that can be held</source>
+        <translation>La plus proche tenable</translation>
+    </message>
+    <message>
+        <source>No pose keeps the workspace and the clearance.</source>
+        <translation>Aucune pose ne respecte l’espace de travail et la garde.</translation>
+    </message>
+    <message>
+        <source>No samples were recorded: there are no traces, trajectories and metrics.</source>
+        <translation>Aucun échantillon n’a été enregistré : il n’y a ni courbes, ni trajectoires, ni indicateurs.</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>None was recorded.</source>
+        <translation>Rien n’a été enregistré.</translation>
+    </message>
+    <message>
+        <source>Not all objects settled.</source>
+        <translation>Tous les objets ne sont pas stabilisés.</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>Objets</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Origine</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Issue</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Contour</translation>
+    </message>
+    <message>
+        <source>Place on the end-effector</source>
+        <translation>Place sur l’effecteur</translation>
+    </message>
+    <message>
+        <source>Pose of the camera in the robot&apos;s base</source>
+        <translation>Pose de la caméra dans la base du robot</translation>
+    </message>
+    <message>
+        <source>Pose of the source</source>
+        <translation>Pose de la source</translation>
+    </message>
+    <message>
+        <source>Pose of the source in the robot&apos;s base</source>
+        <translation>Pose de la source dans la base du robot</translation>
+    </message>
+    <message>
+        <source>Range in the workspace</source>
+        <translation>Plage dans l’espace de travail</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <source>Recorded by</source>
+        <translation>Enregistré par</translation>
+    </message>
+    <message>
+        <source>Recorded on a real rig.</source>
+        <translation>Enregistré sur un banc réel.</translation>
+    </message>
+    <message>
+        <source>Report made at</source>
+        <translation>Rapport établi le</translation>
+    </message>
+    <message>
+        <source>Report made by</source>
+        <translation>Rapport établi par</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Réinitialiser</translation>
+    </message>
+    <message>
+        <source>Resume</source>
+        <translation>Reprendre</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Échantillonnage</translation>
+    </message>
+    <message>
+        <source>Session file</source>
+        <translation>Fichier de session</translation>
+    </message>
+    <message>
+        <source>Set temperature</source>
+        <translation>Température de consigne</translation>
+    </message>
+    <message>
+        <source>Set-up</source>
+        <translation>Configuration</translation>
+    </message>
+    <message>
+        <source>Size of the session file</source>
+        <translation>Taille du fichier de session</translation>
+    </message>
+    <message>
+        <source>Speed limits</source>
+        <translation>Limites de vitesse</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Démarrer</translation>
+    </message>
+    <message>
+        <source>Start pose</source>
+        <translation>Pose de départ</translation>
+    </message>
+    <message>
+        <source>Steady, all together</source>
+        <translation>Permanente, toutes ensemble</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Surroundings</source>
+        <translation>Environnement</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Target at the start</source>
+        <translation>Consigne au départ</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Consignes</translation>
+    </message>
+    <message>
+        <source>Temperature (%1)</source>
+        <translation>Température (%1)</translation>
+    </message>
+    <message>
+        <source>Temperatures</source>
+        <translation>Températures</translation>
+    </message>
+    <message>
+        <source>The checksum is of the file without the log beside it.</source>
+        <translation>La somme de contrôle est celle du fichier sans le journal à côté de lui.</translation>
+    </message>
+    <message>
+        <source>The experiment has none: the pose of the source is as typed.</source>
+        <translation>L’expérience n’en a pas : la pose de la source est celle saisie.</translation>
+    </message>
+    <message>
+        <source>The rig was simulated: these are not measurements of a real one.</source>
+        <translation>Le banc était simulé : ce ne sont pas des mesures d’un banc réel.</translation>
+    </message>
+    <message>
+        <source>The targets cannot be held together, by the materials as given: %1.</source>
+        <translation>Les consignes ne peuvent pas être tenues ensemble, d’après les matériaux donnés : %1.</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation>Épaisseur</translation>
+    </message>
+    <message>
+        <source>Time (s)</source>
+        <translation>Temps (s)</translation>
+    </message>
+    <message>
+        <source>Traces and trajectories</source>
+        <translation>Courbes et trajectoires</translation>
+    </message>
+    <message>
+        <source>View factor needed</source>
+        <translation>Facteur de forme requis</translation>
+    </message>
+    <message>
+        <source>View factor of the source from each object.</source>
+        <translation>Facteur de forme de la source vue de chaque objet.</translation>
+    </message>
+    <message>
+        <source>View factors</source>
+        <translation>Facteurs de forme</translation>
+    </message>
+    <message>
+        <source>Warning, trip</source>
+        <translation>Avertissement, déclenchement</translation>
+    </message>
+    <message>
+        <source>Trajectories of the objects</source>
+        <translation>Trajectoires des objets</translation>
+    </message>
+    <message>
+        <source>Trajectories of the objects&apos; centres over the source until Stop, from the ring to the dot, coloured by temperature; black: the source.</source>
+        <translation>Trajectoires des centres des objets au-dessus de la source jusqu’à l’arrêt, de l’anneau au point, colorées selon la température ; en noir : la source.</translation>
+    </message>
+    <message>
+        <source>What</source>
+        <translation>Quoi</translation>
+    </message>
+    <message>
+        <source>Workspace</source>
+        <translation>Espace de travail</translation>
+    </message>
+    <message>
+        <source>Zero the sensors</source>
+        <translation>Ajuster les capteurs</translation>
+    </message>
+    <message>
+        <source>alarm, priority %1</source>
+        <translation>alarme, priorité %1</translation>
+    </message>
+    <message>
+        <source>as in the paper, without reflection</source>
+        <translation>comme dans l’article, sans réflexion</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>telle que saisie</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>commande</translation>
+    </message>
+    <message>
+        <source>date not known</source>
+        <translation>date inconnue</translation>
+    </message>
+    <message>
+        <source>disk, radius %1 mm</source>
+        <translation>disque, rayon %1 mm</translation>
+    </message>
+    <message>
+        <source>error not known</source>
+        <translation>erreur inconnue</translation>
+    </message>
+    <message>
+        <source>event</source>
+        <translation>événement</translation>
+    </message>
+    <message>
+        <source>every %1 s</source>
+        <translation>toutes les %1 s</translation>
+    </message>
+    <message>
+        <source>grey, with reflection</source>
+        <translation>grise, avec réflexion</translation>
+    </message>
+    <message>
+        <source>measured by the camera, %1</source>
+        <translation>mesurée par la caméra, %1</translation>
+    </message>
+    <message>
+        <source>no event was recorded</source>
+        <translation>aucun événement enregistré</translation>
+    </message>
+    <message>
+        <source>no samples were recorded</source>
+        <translation>aucun échantillon enregistré</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucun</translation>
+    </message>
+    <message>
+        <source>not calibrated</source>
+        <translation>non étalonnée</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inconnu</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>note</translation>
+    </message>
+    <message>
+        <source>offsets of the sensors %1</source>
+        <translation>écarts des capteurs %1</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>page %1 sur %2</translation>
+    </message>
+    <message>
+        <source>polygon, radius %1 mm</source>
+        <translation>polygone, rayon %1 mm</translation>
+    </message>
+    <message>
+        <source>seen along x of the source</source>
+        <translation>vu le long de x de la source</translation>
+    </message>
+    <message>
+        <source>seen along −z of the source</source>
+        <translation>vu le long de −z de la source</translation>
+    </message>
+    <message>
+        <source>simulated, seed %1</source>
+        <translation>simulé, graine %1</translation>
+    </message>
+    <message>
+        <source>surroundings %1</source>
+        <translation>environnement %1</translation>
+    </message>
+    <message>
+        <source>targets out of reach accepted</source>
+        <translation>consignes hors d’atteinte acceptées</translation>
+    </message>
+    <message>
+        <source>time constant %1 s, integral time %2 s</source>
+        <translation>constante de temps %1 s, temps intégral %2 s</translation>
+    </message>
+    <message>
+        <source>too cold</source>
+        <translation>trop froide</translation>
+    </message>
+    <message>
+        <source>too hot</source>
+        <translation>trop chaude</translation>
+    </message>
+    <message>
+        <source>within the range</source>
+        <translation>dans la plage</translation>
+    </message>
+    <message>
+        <source>without a name</source>
+        <translation>sans nom</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 (min:s), %n sample(s)</source>
+        <translation>
+            <numerusform>%1 (min:s), %n échantillon</numerusform>
+            <numerusform>%1 (min:s), %n échantillons</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 pixels, fx = %2 px, fy = %3 px, %4, %n view(s)</source>
+        <translation>
+            <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n vue</numerusform>
+            <numerusform>%1 pixels, fx = %2 px, fy = %3 px, %4, %n vues</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n alarm(s)</source>
+        <translation>
+            <numerusform>%n alarme</numerusform>
+            <numerusform>%n alarmes</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n hole(s)</source>
+        <translation>
+            <numerusform>%n trou</numerusform>
+            <numerusform>%n trous</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marker(s) of dictionary %1</source>
+        <translation>
+            <numerusform>%n marqueur du dictionnaire %1</numerusform>
+            <numerusform>%n marqueurs du dictionnaire %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more row(s) are in the session file; bask export --csv lists them.</source>
+        <translation>
+            <numerusform>%n autre ligne est dans le fichier de session ; bask export --csv la donne.</numerusform>
+            <numerusform>%n autres lignes sont dans le fichier de session ; bask export --csv les donne.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 bytes</source>
+        <translation>%1 octets</translation>
+    </message>
+    <message>
+        <source>%1 mm/s and %2 °/s</source>
+        <translation>%1 mm/s et %2 °/s</translation>
+    </message>
+    <message>
+        <source>%1 px rms</source>
+        <translation>%1 px rms</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>Stopped.</source>
+        <translation>Arrêté.</translation>
+    </message>
+    <message>
+        <source>Ended by STOP.</source>
+        <translation>Terminé par STOP.</translation>
+    </message>
+    <message>
+        <source>Interrupted: the recording ended without a Stop, and was closed later. What had been written is reported.</source>
+        <translation>Interrompu : l’enregistrement s’est terminé sans arrêt et a été clôturé plus tard. Ce qui avait été écrit est rapporté.</translation>
+    </message>
+    <message>
+        <source>zeroed %1 UTC</source>
+        <translation>ajustés le %1 UTC</translation>
+    </message>
+</context>
+<context>
+    <name>bask::RunStateChip</name>
+    <message>
+        <source>Click for the reasons and what to do.</source>
+        <translation>Cliquez pour les raisons et les remèdes.</translation>
+    </message>
+    <message>
+        <source>State of the run: %1</source>
+        <translation>État de l’essai&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>UNKNOWN</source>
+        <comment>state of the run</comment>
+        <translation>INCONNU</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SafetyPanel</name>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation>%1 : %2 au lieu de %3</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatique</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatique</translation>
+    </message>
+    <message>
+        <source>Automatic trip limit of the source</source>
+        <translation>Limite de déclenchement automatique de la source</translation>
+    </message>
+    <message>
+        <source>Automatic fastest change</source>
+        <translation>Variation plausible maximale automatique</translation>
+    </message>
+    <message>
+        <source>Safety limits</source>
+        <translation>Limites de sécurité</translation>
+    </message>
+    <message>
+        <source>More</source>
+        <translation>Plus</translation>
+    </message>
+    <message>
+        <source>%1 has limits of its own: warning %2, trip %3.</source>
+        <translation>%1 a ses propres limites : avertissement %2, déclenchement %3.</translation>
+    </message>
+    <message>
+        <source>Objects: warning</source>
+        <translation>Objets : avertissement</translation>
+    </message>
+    <message>
+        <source>A run holds, and a priority 2 alarm is given</source>
+        <translation>L’essai se met en pause, avec une alarme de priorité 2</translation>
+    </message>
+    <message>
+        <source>Objects: trip</source>
+        <translation>Objets : déclenchement</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. What object, paint and sensor bear.</source>
+        <translation>Chauffage coupé et retrait. Ce que supportent l’objet, la peinture et le capteur.</translation>
+    </message>
+    <message>
+        <source>Source: trip</source>
+        <translation>Source : déclenchement</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
+        <translation>Chauffage coupé et retrait. Automatique : 50 K au-dessus de la consigne la plus haute.</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation>Pause la plus longue</translation>
+    </message>
+    <message>
+        <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
+        <translation>Un capteur ou une source perdus mettent l’essai en pause aussi longtemps, puis il finit par un retrait</translation>
+    </message>
+    <message>
+        <source>Periods a reading is good for</source>
+        <translation>Périodes de validité d’une mesure</translation>
+    </message>
+    <message>
+        <source>A sensor without a newer one is lost; also the source and its place</source>
+        <translation>Un capteur sans mesure plus récente est perdu ; de même la source et sa position</translation>
+    </message>
+    <message>
+        <source>Fastest plausible change</source>
+        <translation>Variation plausible maximale</translation>
+    </message>
+    <message>
+        <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
+        <translation>Plus vite, c’est un saut et non de la chaleur. Automatique : trois fois ce que la source peut faire à l’objet, 2 K/s au moins.</translation>
+    </message>
+    <message>
+        <source>Jumps in a row</source>
+        <translation>Sauts de suite</translation>
+    </message>
+    <message>
+        <source>So many readings that are too fast are a sensor fault</source>
+        <translation>Autant de mesures trop rapides sont un défaut du capteur</translation>
+    </message>
+    <message>
+        <source>Frozen sensor after</source>
+        <translation>Capteur figé après</translation>
+    </message>
+    <message>
+        <source>The very same reading for so long, though the object must have changed</source>
+        <translation>La même mesure aussi longtemps, alors que l’objet a dû changer</translation>
+    </message>
+    <message>
+        <source>Change that must be seen</source>
+        <translation>Variation à constater</translation>
+    </message>
+    <message>
+        <source>An object that must have changed by so much and did not does not follow its heat</source>
+        <translation>Un objet qui aurait dû varier d’autant et ne l’a pas fait ne suit pas sa chaleur</translation>
+    </message>
+    <message>
+        <source>Sensors apart when cold</source>
+        <translation>Écart des capteurs à froid</translation>
+    </message>
+    <message>
+        <source>Sensors of a cold rig that differ by more are told</source>
+        <translation>Les capteurs d’un banc froid qui diffèrent de plus sont signalés</translation>
+    </message>
+    <message>
+        <source>Source: time to gain 2 K</source>
+        <translation>Source : temps pour gagner 2 K</translation>
+    </message>
+    <message>
+        <source>A source that is too cold and no nearer after so long does not heat</source>
+        <translation>Une source trop froide qui ne s’est pas rapprochée après ce temps ne chauffe pas</translation>
+    </message>
+    <message>
+        <source>Source: near its set point</source>
+        <translation>Source : près de sa consigne</translation>
+    </message>
+    <message>
+        <source>Within this the source is not too cold</source>
+        <translation>À moins de cet écart, la source n’est pas trop froide</translation>
+    </message>
+    <message>
+        <source>Source: warming unasked</source>
+        <translation>Source : chauffe non demandée</translation>
+    </message>
+    <message>
+        <source>More warming with the heat off is an alarm</source>
+        <translation>Chauffer davantage, chauffage coupé, est une alarme</translation>
+    </message>
+    <message>
+        <source>Least room on the disk</source>
+        <translation>Place minimale sur le disque</translation>
+    </message>
+    <message>
+        <source>With less no recording is begun</source>
+        <translation>Avec moins, aucun enregistrement ne commence</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SceneOverlay</name>
+    <message>
+        <source>x (cm)</source>
+        <translation>x (cm)</translation>
+    </message>
+    <message>
+        <source>y (cm)</source>
+        <translation>y (cm)</translation>
+    </message>
+    <message>
+        <source>z (cm)</source>
+        <translation>z (cm)</translation>
+    </message>
+    <message>
+        <source>θx (°)</source>
+        <translation>θx (°)</translation>
+    </message>
+    <message>
+        <source>θy (°)</source>
+        <translation>θy (°)</translation>
+    </message>
+    <message>
+        <source>θz (°)</source>
+        <translation>θz (°)</translation>
+    </message>
+    <message>
+        <source>object&apos;s x (cm)</source>
+        <translation>x de l’objet (cm)</translation>
+    </message>
+    <message>
+        <source>object&apos;s y (cm)</source>
+        <translation>y de l’objet (cm)</translation>
+    </message>
+    <message>
+        <source>object&apos;s z (cm)</source>
+        <translation>z de l’objet (cm)</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SceneView</name>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>3-D scene</source>
+        <translation>Scène 3D</translation>
+    </message>
+    <message>
+        <source>The 3-D scene needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
+        <translation>La scène 3D demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SerialForm</name>
+    <message>
+        <source>no parity</source>
+        <translation>sans parité</translation>
+    </message>
+    <message>
+        <source>even parity</source>
+        <translation>parité paire</translation>
+    </message>
+    <message>
+        <source>odd parity</source>
+        <translation>parité impaire</translation>
+    </message>
+    <message>
+        <source>Speed of the line, baud</source>
+        <translation>Vitesse de la ligne, bauds</translation>
+    </message>
+    <message>
+        <source>Data bits</source>
+        <translation>Bits de données</translation>
+    </message>
+    <message>
+        <source>Parity</source>
+        <translation>Parité</translation>
+    </message>
+    <message>
+        <source>Stop bits</source>
+        <translation>Bits d’arrêt</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SessionActions</name>
+    <message>
+        <source>Unsaved experiment</source>
+        <translation>Expérience non enregistrée</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was changed and not saved.</source>
+        <translation>«&#xa0;%1&#xa0;» a été modifié et n’est pas enregistré.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Enregistrer</translation>
+    </message>
+    <message>
+        <source>Discard changes</source>
+        <translation>Abandonner les modifications</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Open an experiment or a session</source>
+        <translation>Ouvrir une expérience ou une session</translation>
+    </message>
+    <message>
+        <source>Experiments and sessions (*.json *.bask);;Experiments (*.json);;Sessions (*.bask);;All files (*)</source>
+        <translation>Expériences et sessions (*.json *.bask);;Expériences (*.json);;Sessions (*.bask);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open a session</source>
+        <translation>Ouvrir une session</translation>
+    </message>
+    <message>
+        <source>Sessions (*.bask);;All files (*)</source>
+        <translation>Sessions (*.bask);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 enregistré</translation>
+    </message>
+    <message>
+        <source>Save the experiment</source>
+        <translation>Enregistrer l’expérience</translation>
+    </message>
+    <message>
+        <source>Experiments (*.json)</source>
+        <translation>Expériences (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Sessions (*.bask)</source>
+        <translation>Sessions (*.bask)</translation>
+    </message>
+    <message>
+        <source>Session saved as %1</source>
+        <translation>Session enregistrée sous&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>the folder cannot be made</source>
+        <translation>le dossier ne peut pas être créé</translation>
+    </message>
+    <message>
+        <source>Open a rig</source>
+        <translation>Ouvrir un banc</translation>
+    </message>
+    <message>
+        <source>Rigs (*.json);;All files (*)</source>
+        <translation>Bancs (*.json);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save the rig</source>
+        <translation>Enregistrer le banc</translation>
+    </message>
+    <message>
+        <source>The rig was saved as %1.</source>
+        <translation>Le banc a été enregistré sous %1.</translation>
+    </message>
+    <message>
+        <source>Save the report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Texts (*.txt);;All files (*)</source>
+        <translation>Textes (*.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>The report was saved as %1.</source>
+        <translation>Le rapport a été enregistré sous %1.</translation>
+    </message>
+    <message>
+        <source>Folder of recorded runs</source>
+        <translation>Dossier des essais enregistrés</translation>
+    </message>
+    <message>
+        <source>Folder for the exported files</source>
+        <translation>Dossier des fichiers exportés</translation>
+    </message>
+    <message>
+        <source>PDF (*.pdf)</source>
+        <translation>PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>HTML (*.html)</source>
+        <translation>HTML (*.html)</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; was not opened: edits were made or recovered while it was read. Open it again to replace them.</source>
+        <translation>« %1 » n’a pas été ouvert : des modifications ont été faites ou récupérées pendant sa lecture. Ouvrez-le à nouveau pour les remplacer.</translation>
+    </message>
+    <message>
+        <source>Figures and reports are drawn only while no run and no recipe is on: the window, with its STOP, would have to wait for them. Nothing was written.</source>
+        <translation>Les figures et rapports ne sont dessinés que si aucun essai ni aucune recette n’est en cours : la fenêtre, avec son STOP, devrait les attendre. Rien n’a été écrit.</translation>
+    </message>
+    <message>
+        <source>Limits of the real rig</source>
+        <translation>Limites du banc réel</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; allows the real rig more than now:</source>
+        <translation>« %1 » permet au banc réel plus que maintenant :</translation>
+    </message>
+    <message>
+        <source>Do robot, source, objects and sensors bear it?</source>
+        <translation>Robot, source, objets et capteurs le supportent-ils ?</translation>
+    </message>
+    <message>
+        <source>Open with these limits</source>
+        <translation>Ouvrir avec ces limites</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SessionExport</name>
+    <message>
+        <source>%1 written</source>
+        <translation>%1 écrit</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) written to %1</source>
+        <translation>
+            <numerusform>%n fichier écrit dans&#xa0;%1</numerusform>
+            <numerusform>%n fichiers écrits dans&#xa0;%1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::SessionList</name>
+    <message numerus="yes">
+        <source>%1 of %n session(s)</source>
+        <translation>
+            <numerusform>%1 sur %n session</numerusform>
+            <numerusform>%1 sur %n sessions</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sample(s)</source>
+        <translation>
+            <numerusform>%n échantillon</numerusform>
+            <numerusform>%n échantillons</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n session(s)</source>
+        <translation>
+            <numerusform>%n session</numerusform>
+            <numerusform>%n sessions</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Choose the folder whose runs are listed</source>
+        <translation>Choisir le dossier dont les essais sont listés</translation>
+    </message>
+    <message>
+        <source>Close it properly</source>
+        <translation>Clôturer</translation>
+    </message>
+    <message>
+        <source>Draws the selected run over the one that is open, both from their Start.</source>
+        <translation>Dessine l’essai choisi par-dessus celui qui est ouvert, tous deux depuis leur démarrage.</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Experiment</source>
+        <translation>Expérience</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Dossier…</translation>
+    </message>
+    <message>
+        <source>Kept in the session file. A recording without an end has to be closed first.</source>
+        <translation>Conservées dans le fichier de session. Un enregistrement sans fin doit d’abord être clôturé.</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>RÉEL</translation>
+    </message>
+    <message>
+        <source>Lay the selected run over the open one</source>
+        <translation>Superposer l’essai choisi à celui qui est ouvert</translation>
+    </message>
+    <message>
+        <source>No recorded runs in this folder.</source>
+        <translation>Aucun essai enregistré dans ce dossier.</translation>
+    </message>
+    <message>
+        <source>Open on this page</source>
+        <translation>Ouverte sur cette page</translation>
+    </message>
+    <message>
+        <source>Open the selected run</source>
+        <translation>Ouvrir l’essai choisi</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Ouvrir</translation>
+    </message>
+    <message>
+        <source>Outcome</source>
+        <translation>Issue</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Superposer</translation>
+    </message>
+    <message>
+        <source>Reading the folder…</source>
+        <translation>Lecture du dossier…</translation>
+    </message>
+    <message>
+        <source>Recorded runs</source>
+        <translation>Essais enregistrés</translation>
+    </message>
+    <message>
+        <source>Recorded</source>
+        <translation>Enregistré</translation>
+    </message>
+    <message>
+        <source>Rig</source>
+        <translation>Banc</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>Search names, experiments, notes, tags</source>
+        <translation>Chercher noms, expériences, notes, étiquettes</translation>
+    </message>
+    <message>
+        <source>Search the recorded runs</source>
+        <translation>Chercher dans les essais enregistrés</translation>
+    </message>
+    <message>
+        <source>Tags of the selected run, with commas</source>
+        <translation>Étiquettes de l’essai choisi, séparées par des virgules</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Étiquettes</translation>
+    </message>
+    <message>
+        <source>The recording has no end: Bask or the computer went down. Saved: %1, until %2 after Start; at most the last %3 s before it went down are missing.</source>
+        <translation>L’enregistrement n’a pas de fin : Bask ou l’ordinateur s’est arrêté. Conservé : %1, jusqu’à %2 après le démarrage ; il manque au plus les %3 dernières secondes.</translation>
+    </message>
+    <message>
+        <source>The runs listed are in %1</source>
+        <translation>Les essais listés sont dans %1</translation>
+    </message>
+    <message>
+        <source>This run is being recorded now.</source>
+        <translation>Cet essai est en cours d’enregistrement.</translation>
+    </message>
+    <message>
+        <source>with commas</source>
+        <translation>séparées par des virgules</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SheetPanel</name>
+    <message>
+        <source>A marker&apos;s side is truly %1.</source>
+        <translation>Le côté d’un marqueur mesure en réalité %1.</translation>
+    </message>
+    <message>
+        <source>A square&apos;s side is truly %1.</source>
+        <translation>Le côté d’une case mesure en réalité %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Dictionary</source>
+        <translation>&amp;Dictionnaire</translation>
+    </message>
+    <message>
+        <source>Calibration board</source>
+        <translation>Mire d’étalonnage</translation>
+    </message>
+    <message>
+        <source>Give the markers&apos; numbers such as 1-4, 11.</source>
+        <translation>Donnez les numéros des marqueurs, par exemple 1-4, 11.</translation>
+    </message>
+    <message>
+        <source>Markers</source>
+        <translation>Marqueurs</translation>
+    </message>
+    <message>
+        <source>Measured &amp;length</source>
+        <translation>&amp;Longueur mesurée</translation>
+    </message>
+    <message>
+        <source>&amp;Numbers</source>
+        <translation>&amp;Numéros</translation>
+    </message>
+    <message>
+        <source>Of the ruler on the print, which is 100 mm long.</source>
+        <translation>De la règle imprimée, longue de 100 mm.</translation>
+    </message>
+    <message>
+        <source>&amp;Paper</source>
+        <translation>&amp;Papier</translation>
+    </message>
+    <message>
+        <source>Printers scale, and no picture tells how large a square is: measure the ruler on the print, from 0 to 100 mm.</source>
+        <translation>Les imprimantes changent l’échelle, et aucune image ne dit la taille d’une case : mesurez la règle imprimée, de 0 à 100 mm.</translation>
+    </message>
+    <message>
+        <source>Save as PDF…</source>
+        <translation>Enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>Save the sheet</source>
+        <translation>Enregistrer la feuille</translation>
+    </message>
+    <message>
+        <source>Saved. Print it at 100 % (actual size) and measure its ruler.</source>
+        <translation>Enregistré. Imprimez-la à 100 % (taille réelle) et mesurez sa règle.</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Feuille</translation>
+    </message>
+    <message>
+        <source>Sheets to be printed</source>
+        <translation>Feuilles à imprimer</translation>
+    </message>
+    <message>
+        <source>&amp;Side of a marker</source>
+        <translation>&amp;Côté d’un marqueur</translation>
+    </message>
+    <message>
+        <source>Such as 1-4, 11</source>
+        <translation>Par exemple 1-4, 11</translation>
+    </message>
+    <message>
+        <source>The first of %1 pages</source>
+        <translation>La première de %1 pages</translation>
+    </message>
+    <message>
+        <source>The sheet as it is printed</source>
+        <translation>La feuille telle qu’elle est imprimée</translation>
+    </message>
+    <message>
+        <source>Use the true lengths</source>
+        <translation>Utiliser les longueurs réelles</translation>
+    </message>
+    <message>
+        <source>With its black border.</source>
+        <translation>Avec son bord noir.</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Impression</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ShelfPopup</name>
+    <message>
+        <source>An alarm of priority 1 is shelved for a shorter time.</source>
+        <translation>Une alarme de priorité 1 se met de côté moins longtemps.</translation>
+    </message>
+    <message>
+        <source>Put this alarm aside for a time. It comes back by itself, and the engine goes on watching and acting.</source>
+        <translation>Mettre cette alarme de côté pour un temps. Elle revient d’elle-même, et le moteur continue de surveiller et d’agir.</translation>
+    </message>
+    <message>
+        <source>Why? (needed)</source>
+        <translation>Pourquoi ? (nécessaire)</translation>
+    </message>
+    <message>
+        <source>Why the alarm is shelved</source>
+        <translation>Pourquoi l’alarme est mise de côté</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Shelve for %1 min</source>
+        <translation>Mettre de côté %1 min</translation>
+    </message>
+</context>
+<context>
+    <name>bask::StateBar</name>
+    <message>
+        <source>The engine is not answering. The robot ends its step, and a heat source with a watchdog goes off by itself. Look at the rig, then close Bask and start it again.</source>
+        <translation>Le moteur ne répond pas. Le robot termine son pas, et une source de chaleur munie d’un chien de garde s’éteint d’elle-même. Regardez le banc, puis fermez Bask et relancez-le.</translation>
+    </message>
+    <message>
+        <source>SIMULATED</source>
+        <translation>SIMULÉ</translation>
+    </message>
+    <message>
+        <source>LIVE</source>
+        <translation>RÉEL</translation>
+    </message>
+    <message>
+        <source>The rig is simulated: no device moves or heats.</source>
+        <translation>Le banc est simulé&#xa0;: aucun appareil ne bouge ni ne chauffe.</translation>
+    </message>
+    <message>
+        <source>The rig is real: Start moves it and opens the heat.</source>
+        <translation>Le banc est réel&#xa0;: Démarrer le met en mouvement et ouvre le chauffage.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Essai</translation>
+    </message>
+    <message>
+        <source>Time since Start</source>
+        <translation>Temps depuis le démarrage</translation>
+    </message>
+    <message>
+        <source>State of the run</source>
+        <translation>État de l’essai</translation>
+    </message>
+</context>
+<context>
+    <name>bask::StatusLine</name>
+    <message>
+        <source>engine not answering</source>
+        <translation>le moteur ne répond pas</translation>
+    </message>
+    <message>
+        <source>readings %1 s old</source>
+        <translation>mesures âgées de&#xa0;%1 s</translation>
+    </message>
+    <message>
+        <source>no readings</source>
+        <translation>aucune mesure</translation>
+    </message>
+    <message>
+        <source>(simulation ×%1)</source>
+        <translation>(simulation ×%1)</translation>
+    </message>
+    <message>
+        <source>loop %1 Hz, late %2</source>
+        <translation>boucle&#xa0;%1 Hz, retards&#xa0;%2</translation>
+    </message>
+    <message>
+        <source>not recording</source>
+        <translation>pas d’enregistrement</translation>
+    </message>
+    <message>
+        <source>recording %1, %2 samples</source>
+        <translation>enregistre&#xa0;%1,&#xa0;%2 échantillons</translation>
+    </message>
+    <message>
+        <source>Control steps a second, and how many began late</source>
+        <translation>Pas de commande par seconde, et combien ont commencé en retard</translation>
+    </message>
+    <message>
+        <source>Temperature unit</source>
+        <translation>Unité de température</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>source not seen</source>
+        <translation>source non vue</translation>
+    </message>
+    <message>
+        <source>source not seen for %1 s, predicted</source>
+        <translation>source non vue depuis %1 s, prédite</translation>
+    </message>
+    <message>
+        <source>source followed</source>
+        <translation>source suivie</translation>
+    </message>
+    <message>
+        <source>%1 ms late</source>
+        <translation>%1 ms de retard</translation>
+    </message>
+    <message>
+        <source>±%1 mm</source>
+        <translation>±%1 mm</translation>
+    </message>
+    <message>
+        <source>How the camera follows the source: time from the light to the pose, two standard deviations of its place</source>
+        <translation>Comment la caméra suit la source : temps de la lumière à la pose, deux écarts types de sa place</translation>
+    </message>
+    <message>
+        <source>Age of the newest temperature readings; of a real rig, of each device&apos;s newest answer</source>
+        <translation>Âge des dernières mesures de température ; pour un banc réel, de la dernière réponse de chaque appareil</translation>
+    </message>
+    <message>
+        <source>source %1,</source>
+        <translation>source %1,</translation>
+    </message>
+    <message>
+        <source>source %1 as typed,</source>
+        <translation>source %1 selon la saisie,</translation>
+    </message>
+    <message>
+        <source>source: no temperature typed,</source>
+        <translation>source : aucune température saisie,</translation>
+    </message>
+    <message>
+        <source>heated by hand</source>
+        <translation>chauffée à la main</translation>
+    </message>
+    <message>
+        <source>heat off</source>
+        <translation>sans chauffage</translation>
+    </message>
+    <message>
+        <source>heat on</source>
+        <translation>chauffage en marche</translation>
+    </message>
+    <message>
+        <source>heat UNKNOWN</source>
+        <translation>chauffage INCONNU</translation>
+    </message>
+    <message>
+        <source>Newest temperature of the source, and whether it is heated, as the device has confirmed. UNKNOWN: it may be hot, whatever was ordered.</source>
+        <translation>Dernière température de la source, et si elle est chauffée, comme l’appareil l’a confirmé. INCONNU : elle peut être chaude, quel que soit l’ordre donné.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::StopButton</name>
+    <message>
+        <source>STOP</source>
+        <translation>STOP</translation>
+    </message>
+    <message>
+        <source>Zero velocity and heater off now; latched until reset (F12).
+This is a software stop, not a safety-rated emergency stop.</source>
+        <translation>Vitesse nulle et chauffage coupé immédiatement&#xa0;; verrouillé jusqu’à réinitialisation (F12).
+C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</translation>
+    </message>
+    <message>
+        <source>STOP: zero velocity and heater off now (F12)</source>
+        <translation>STOP&#xa0;: vitesse nulle et chauffage coupé immédiatement (F12)</translation>
+    </message>
+    <message>
+        <source>Software stop, not a safety-rated emergency stop.</source>
+        <translation>Arrêt logiciel, et non arrêt d’urgence de sécurité.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::SurfacesView</name>
+    <message>
+        <source>The animation is not whole: the experiment was changed while it was saved.</source>
+        <translation>L’animation n’est pas complète : l’expérience a été modifiée pendant l’enregistrement.</translation>
+    </message>
+    <message>
+        <source>3-D scene: where the end-effector may be for each object to hold its target</source>
+        <translation>Scène 3D : où l’effecteur peut être pour que chaque objet tienne sa consigne</translation>
+    </message>
+    <message>
+        <source>End-effector positions</source>
+        <translation>Positions de l’effecteur</translation>
+    </message>
+    <message>
+        <source>Each object&apos;s own positions (as in the paper)</source>
+        <translation>Positions de chaque objet (comme dans l’article)</translation>
+    </message>
+    <message>
+        <source>End-effector angles</source>
+        <translation>Angles de l’effecteur</translation>
+    </message>
+    <message>
+        <source>What the surfaces are drawn over</source>
+        <translation>Ce sur quoi les surfaces sont tracées</translation>
+    </message>
+    <message>
+        <source>What the surfaces are drawn over. On its surface an object holds its target.</source>
+        <translation>Ce sur quoi les surfaces sont tracées. Sur sa surface, un objet tient sa consigne.</translation>
+    </message>
+    <message>
+        <source>Picture saved: %1</source>
+        <translation>Image enregistrée : %1</translation>
+    </message>
+    <message>
+        <source>Animation saved in %1: frame-1.png to frame-9.png, and all in panels.png</source>
+        <translation>Animation enregistrée dans %1 : frame-1.png à frame-9.png, et toutes dans panels.png</translation>
+    </message>
+</context>
+<context>
+    <name>bask::TargetScene</name>
+    <message>
+        <source>Picked</source>
+        <translation>Choisi</translation>
+    </message>
+    <message>
+        <source>All targets</source>
+        <translation>Toutes les consignes</translation>
+    </message>
+    <message>
+        <source>Closest</source>
+        <translation>Au plus près</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3°</source>
+        <comment>an angle, its least and largest value</comment>
+        <translation>%1 de %2 à %3°</translation>
+    </message>
+    <message>
+        <source>The robot does not turn</source>
+        <translation>Le robot ne tourne pas</translation>
+    </message>
+    <message>
+        <source>Robot: %1</source>
+        <translation>Robot : %1</translation>
+    </message>
+    <message>
+        <source>%1 %2: nowhere here</source>
+        <comment>object, target</comment>
+        <translation>%1 %2 : nulle part ici</translation>
+    </message>
+    <message>
+        <source>3-D scene of the targets</source>
+        <translation>Scène 3D des consignes</translation>
+    </message>
+    <message>
+        <source>The 3-D scene of the targets needs OpenGL 3.2, which this display does not offer. Everything else works.</source>
+        <translation>La scène 3D des consignes demande OpenGL 3.2, que cet affichage n’offre pas. Tout le reste fonctionne.</translation>
+    </message>
+    <message>
+        <source>%1: F %2, steady %3, %4/%5</source>
+        <comment>name, view factor, temperature, slope</comment>
+        <translation>%1 : F %2, équilibre %3, %4/%5</translation>
+    </message>
+</context>
+<context>
+    <name>bask::TargetsPage</name>
+    <message>
+        <source>Target of %1</source>
+        <translation>Consigne de&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Checking…</source>
+        <translation>Vérification…</translation>
+    </message>
+    <message>
+        <source>Nearest reachable</source>
+        <translation>La plus proche</translation>
+    </message>
+    <message>
+        <source>Set the target of %1 to the nearest reachable one</source>
+        <translation>Régler la consigne de&#xa0;%1 sur la plus proche atteignable</translation>
+    </message>
+    <message>
+        <source>Set the target to %1</source>
+        <translation>Régler la consigne sur&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>The target is within reach already.</source>
+        <translation>La consigne est déjà atteignable.</translation>
+    </message>
+    <message>
+        <source>There is no object yet. Add one on the Objects page.</source>
+        <translation>Il n’y a pas encore d’objet. Ajoutez-en un sur la page Objets.</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names</comment>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>Checking the targets…</source>
+        <translation>Vérification des consignes…</translation>
+    </message>
+    <message>
+        <source>Targets</source>
+        <translation>Consignes</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objet</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Consigne</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Verdict</translation>
+    </message>
+    <message>
+        <source>What is checked</source>
+        <translation>Ce qui est vérifié</translation>
+    </message>
+    <message>
+        <source>To stay at its target an object must take up as much heat as it gives off. That fixes its view factor F, the share of its sight that the source fills: near 0 far away, near 1 close to the source and facing it. A target is reachable if its F occurs somewhere in the robot&apos;s workspace with the clearance kept; all can be held together if one pose has the F of each. In the bars, solid is what can be held here, outlined what the source could hold at F = 1.</source>
+        <translation>Pour rester à sa consigne, un objet doit recevoir autant de chaleur qu’il en cède. Cela fixe son facteur de forme F, la part de son champ de vue que la source remplit&#xa0;: proche de 0 au loin, proche de 1 tout près et face à elle. Une consigne est atteignable si son F existe quelque part dans l’espace de travail du robot, la garde étant respectée ; toutes peuvent être tenues ensemble si une pose offre à chaque objet son F. Dans les barres, le plein est ce qui peut être tenu ici, le contour ce que la source pourrait tenir à F = 1.</translation>
+    </message>
+    <message>
+        <source>Starting out of reach</source>
+        <translation>Démarrer hors d’atteinte</translation>
+    </message>
+    <message>
+        <source>All targets can be held together.</source>
+        <translation>Toutes les consignes peuvent être tenues ensemble.</translation>
+    </message>
+    <message>
+        <source>At %1; %2 from the nearest limit: %3.</source>
+        <translation>En %1 ; à %2 de la limite la plus proche : %3.</translation>
+    </message>
+    <message>
+        <source>Best compromise, at %1: %2.</source>
+        <translation>Meilleur compromis, en %1 : %2.</translation>
+    </message>
+    <message>
+        <source>Cannot be held: %1.</source>
+        <translation>Ne peuvent être tenues : %1.</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Garder</translation>
+    </message>
+    <message>
+        <source>Keep the target of %1</source>
+        <translation>Garder la consigne de %1</translation>
+    </message>
+    <message>
+        <source>Leave this target as it is when the nearest ones are sought.</source>
+        <translation>Laisser cette consigne telle quelle quand on cherche les plus proches.</translation>
+    </message>
+    <message>
+        <source>Nearest targets that can be held: %1.</source>
+        <translation>Consignes les plus proches qui peuvent être tenues : %1.</translation>
+    </message>
+    <message>
+        <source>The target can be held.</source>
+        <translation>La consigne peut être tenue.</translation>
+    </message>
+    <message>
+        <source>Those to be kept cannot be held together.</source>
+        <translation>Celles à garder ne peuvent être tenues ensemble.</translation>
+    </message>
+    <message>
+        <source>Use nearest feasible</source>
+        <translation>Prendre les plus proches</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Surfaces</translation>
+    </message>
+    <message>
+        <source>Pairs</source>
+        <translation>Paires</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose does not settle within %1 (simulated).</source>
+        <translation>Prévision : partant de la pose de départ, un essai ne se stabilise pas en moins de %1 (simulé).</translation>
+    </message>
+    <message>
+        <source>Predicted: a run from the start pose has settled after %1 (simulated).</source>
+        <translation>Prévision : partant de la pose de départ, un essai est stabilisé au bout de %1 (simulé).</translation>
+    </message>
+    <message>
+        <source>Predicting how long a run takes…</source>
+        <translation>Prévision de la durée d&apos;un essai…</translation>
+    </message>
+    <message>
+        <source>Reachable alone</source>
+        <translation>Atteignable seule</translation>
+    </message>
+    <message>
+        <source>The targets to be kept cannot be held together: untick “Keep” for one.</source>
+        <translation>Les consignes à garder ne peuvent être tenues ensemble : décochez « Garder » pour l’une d’elles.</translation>
+    </message>
+    <message>
+        <source>A run with a target out of reach needs your explicit agreement at Start. It holds the best compromise it finds, says so, and the session records that you agreed. During a run new targets are taken at once; if they cannot be held, an event says why.</source>
+        <translation>Un essai avec une consigne hors d’atteinte demande votre accord explicite au démarrage. Il tient le meilleur compromis qu’il trouve, le dit, et l’enregistrement garde trace de votre accord. Pendant un essai, de nouvelles consignes sont prises aussitôt ; si elles ne peuvent être tenues, un événement dit pourquoi.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::TracePlot</name>
+    <message>
+        <source>translation</source>
+        <translation>translation</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>rotation</translation>
+    </message>
+    <message>
+        <source>%1 cm/s</source>
+        <translation>%1 cm/s</translation>
+    </message>
+    <message>
+        <source>%1 °/s</source>
+        <translation>%1 °/s</translation>
+    </message>
+    <message>
+        <source>%1 K/s</source>
+        <translation>%1 K/s</translation>
+    </message>
+    <message>
+        <source>Time since start (h:min:s)</source>
+        <translation>Temps depuis le démarrage (h:min:s)</translation>
+    </message>
+    <message>
+        <source>Time since start (min:s)</source>
+        <translation>Temps depuis le démarrage (min:s)</translation>
+    </message>
+    <message>
+        <source>Temperature (%1)</source>
+        <translation>Température (%1)</translation>
+    </message>
+    <message>
+        <source>Error (%1)</source>
+        <comment>measured minus target</comment>
+        <translation>Écart (%1)</translation>
+    </message>
+    <message>
+        <source>View factor</source>
+        <translation>Facteur de forme</translation>
+    </message>
+    <message>
+        <source>Rate (%1/min)</source>
+        <translation>Vitesse (%1/min)</translation>
+    </message>
+    <message>
+        <source>Speed (% of limit)</source>
+        <translation>Vitesse (% de la limite)</translation>
+    </message>
+    <message>
+        <source>Estimated λ₁ (K/s)</source>
+        <translation>λ₁ estimé (K/s)</translation>
+    </message>
+    <message>
+        <source>Plot against time: %1</source>
+        <translation>Courbe temporelle&#xa0;:&#xa0;%1</translation>
+    </message>
+    <message>
+        <source>Arrow keys move, plus and minus zoom, Home shows the whole run, End goes back to live.</source>
+        <translation>Les flèches déplacent, plus et moins zooment, Origine montre tout l’essai, Fin revient au direct.</translation>
+    </message>
+    <message>
+        <source>No samples yet. Traces begin with Start.</source>
+        <translation>Pas encore d’échantillon. Les courbes commencent au démarrage.</translation>
+    </message>
+    <message>
+        <source>This controller does not estimate λ₁.</source>
+        <translation>Ce régulateur n’estime pas λ₁.</translation>
+    </message>
+    <message>
+        <source>Time since Start (h)</source>
+        <translation>Temps depuis le démarrage (h)</translation>
+    </message>
+    <message>
+        <source>Time since Start (min)</source>
+        <translation>Temps depuis le démarrage (min)</translation>
+    </message>
+    <message>
+        <source>Time since Start (s)</source>
+        <translation>Temps depuis le démarrage (s)</translation>
+    </message>
+</context>
+<context>
+    <name>bask::TransportBar</name>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Lecture</translation>
+    </message>
+    <message>
+        <source>Position and length of the run</source>
+        <translation>Position et durée de l’essai</translation>
+    </message>
+    <message>
+        <source>Position in the run</source>
+        <translation>Position dans l’essai</translation>
+    </message>
+    <message>
+        <source>REPLAY</source>
+        <translation>REJEU</translation>
+    </message>
+    <message>
+        <source>Space, while nothing else on the page takes it</source>
+        <translation>Espace, tant que rien d’autre sur la page ne la prend</translation>
+    </message>
+    <message>
+        <source>Speed of the replay</source>
+        <translation>Vitesse du rejeu</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>What is shown here was recorded: nothing moves or heats by it.</source>
+        <translation>Ce qui est affiché ici a été enregistré : rien ne bouge ni ne chauffe.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::UndoActions</name>
+    <message>
+        <source>%1: %2</source>
+        <extracomment>%1 is &quot;Undo&quot; or &quot;Redo&quot;, %2 what: &quot;Undo: move of bunny&quot;</extracomment>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Annuler</translation>
+    </message>
+    <message>
+        <source>A run is armed or on. This can be changed once it has stopped.</source>
+        <translation>Un essai est armé ou en cours. Ceci pourra être modifié une fois l’essai arrêté.</translation>
+    </message>
+    <message>
+        <source>Nothing to redo</source>
+        <translation>Rien à rétablir</translation>
+    </message>
+    <message>
+        <source>Nothing to undo</source>
+        <translation>Rien à annuler</translation>
+    </message>
+    <message>
+        <source>Raise a limit of the real rig</source>
+        <translation>Élever une limite du banc réel</translation>
+    </message>
+    <message>
+        <source>Raise the limit</source>
+        <translation>Élever la limite</translation>
+    </message>
+    <message>
+        <source>This allows the rig more than now. Do robot, source, objects and sensors bear it?</source>
+        <translation>Le banc pourra aller plus loin que maintenant. Robot, source, objets et capteurs le supportent-ils&#xa0;?</translation>
+    </message>
+</context>
+<context>
+    <name>bask::VerdictText</name>
+    <message>
+        <source>Too hot</source>
+        <translation>Trop chaud</translation>
+    </message>
+    <message>
+        <source>Too cold</source>
+        <translation>Trop froid</translation>
+    </message>
+    <message>
+        <source>Reachable</source>
+        <translation>Atteignable</translation>
+    </message>
+    <message>
+        <source>needs F = %1, at most %2 here; at most %3</source>
+        <translation>demande F =&#xa0;%1, au plus&#xa0;%2 ici&#xa0;; au plus&#xa0;%3</translation>
+    </message>
+    <message>
+        <source>below the room&apos;s %1</source>
+        <translation>sous les&#xa0;%1 de l’ambiante</translation>
+    </message>
+    <message>
+        <source>below the %1 it settles at far from the source</source>
+        <translation>sous les&#xa0;%1 où il se stabilise loin de la source</translation>
+    </message>
+    <message>
+        <source>needs F = %1, at least %2 here; at least %3</source>
+        <translation>demande F =&#xa0;%1, au moins&#xa0;%2 ici&#xa0;; au moins&#xa0;%3</translation>
+    </message>
+    <message>
+        <source>needs F = %1, up to %2 here</source>
+        <translation>demande F =&#xa0;%1, jusqu’à&#xa0;%2 ici</translation>
+    </message>
+    <message>
+        <source>clearance</source>
+        <translation>dégagement</translation>
+    </message>
+    <message>
+        <source>workspace %1</source>
+        <translation>espace de travail %1</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ViewBar</name>
+    <message>
+        <source>Top</source>
+        <translation>Dessus</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>Isometric</source>
+        <translation>Isométrique</translation>
+    </message>
+    <message>
+        <source>View: %1</source>
+        <translation>Vue : %1</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exporter</translation>
+    </message>
+    <message>
+        <source>&amp;Picture…</source>
+        <translation>&amp;Image…</translation>
+    </message>
+    <message>
+        <source>&amp;Animation…</source>
+        <translation>&amp;Animation…</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ViewList</name>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1, stands out</source>
+        <translation>%1, se distingue</translation>
+    </message>
+    <message>
+        <source>A view that is not ticked is left out.</source>
+        <translation>Une vue non cochée est écartée.</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Résidu</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Views of the calibration</source>
+        <translation>Vues de l’étalonnage</translation>
+    </message>
+</context>
+<context>
+    <name>bask::WhyNot</name>
+    <message>
+        <source>Arm is not possible: no experiment is loaded. Open one first.</source>
+        <translation>Armer est impossible : aucune expérience n’est chargée. Ouvrez-en une d’abord.</translation>
+    </message>
+    <message>
+        <source>The rig is armed already. Press Start.</source>
+        <translation>Le banc est déjà armé. Pressez Démarrer.</translation>
+    </message>
+    <message>
+        <source>Arm is not possible: a stop or a fault is latched. Remove its cause, then press Reset.</source>
+        <translation>Armer est impossible : un arrêt ou un défaut est verrouillé. Supprimez sa cause, puis pressez Réinitialiser.</translation>
+    </message>
+    <message>
+        <source>Arm is not possible yet: the run is stopping.</source>
+        <translation>Armer est encore impossible : l’essai s’arrête.</translation>
+    </message>
+    <message>
+        <source>Arm is not possible: the rig is not ready.</source>
+        <translation>Armer est impossible : le banc n’est pas prêt.</translation>
+    </message>
+    <message>
+        <source>Arm is not possible: a run is on. Stop it first.</source>
+        <translation>Armer est impossible : un essai est en cours. Arrêtez-le d’abord.</translation>
+    </message>
+    <message>
+        <source>Start is not possible: a stop or a fault is latched. Press Reset, then Arm.</source>
+        <translation>Démarrer est impossible : un arrêt ou un défaut est verrouillé. Pressez Réinitialiser, puis Armer.</translation>
+    </message>
+    <message>
+        <source>Start is not possible: a run is on.</source>
+        <translation>Démarrer est impossible : un essai est en cours.</translation>
+    </message>
+    <message>
+        <source>Start is not possible: the rig is not armed. Press Arm first.</source>
+        <translation>Démarrer est impossible : le banc n’est pas armé. Pressez d’abord Armer.</translation>
+    </message>
+    <message>
+        <source>The run is held already. Resume goes on, Stop ends it.</source>
+        <translation>L’essai est déjà en pause. Reprendre le continue, Arrêter le termine.</translation>
+    </message>
+    <message>
+        <source>Hold is not possible: the run is stopping. STOP ends all motion.</source>
+        <translation>Pause est impossible : l’essai s’arrête. STOP met fin à tout mouvement.</translation>
+    </message>
+    <message>
+        <source>There is nothing to hold: the robot does not move.</source>
+        <translation>Il n’y a rien à mettre en pause : le robot ne bouge pas.</translation>
+    </message>
+    <message>
+        <source>The run is stopping already.</source>
+        <translation>L’essai s’arrête déjà.</translation>
+    </message>
+    <message>
+        <source>There is no run to stop: a stop or a fault has ended it.</source>
+        <translation>Il n’y a pas d’essai à arrêter : un arrêt ou un défaut y a mis fin.</translation>
+    </message>
+    <message>
+        <source>There is no run to stop.</source>
+        <translation>Il n’y a pas d’essai à arrêter.</translation>
+    </message>
+    <message>
+        <source>The robot is retreating already.</source>
+        <translation>Le robot se retire déjà.</translation>
+    </message>
+    <message>
+        <source>Retreat is not possible: the robot does not answer. Take the objects away by hand, mind the heat.</source>
+        <translation>Retrait impossible : le robot ne répond pas. Éloignez les objets à la main, gare à la chaleur.</translation>
+    </message>
+    <message>
+        <source>Retreat is not possible:</source>
+        <translation>Retrait impossible :</translation>
+    </message>
+    <message>
+        <source>Retreat is not possible: the robot is not sure of its place. Look where it is, then home it or clear its alarm on the Rig page.</source>
+        <translation>Retrait impossible : le robot n’est pas sûr de sa position. Voyez où il est, puis faites sa prise d’origine ou effacez son alarme à la page Banc.</translation>
+    </message>
+    <message>
+        <source>Retreat is not possible now: there is no robot that can move, or the objects are away already.</source>
+        <translation>Retrait impossible maintenant : aucun robot ne peut bouger, ou les objets sont déjà éloignés.</translation>
+    </message>
+    <message>
+        <source>There is nothing to resume: no run is held.</source>
+        <translation>Il n’y a rien à reprendre : aucun essai n’est en pause.</translation>
+    </message>
+    <message>
+        <source>There is nothing to reset: no stop and no fault is latched.</source>
+        <translation>Il n’y a rien à réinitialiser : ni arrêt ni défaut n’est verrouillé.</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ZeroPanel</name>
+    <message>
+        <source>Offsets: %1.</source>
+        <translation>Corrections : %1.</translation>
+    </message>
+    <message>
+        <source>That of %1 is large: check the sensor and its wiring.</source>
+        <translation>Celle de %1 est grande : vérifiez le capteur et son câblage.</translation>
+    </message>
+    <message>
+        <source>Not while the heat is on.</source>
+        <translation>Pas tant que le chauffage est en marche.</translation>
+    </message>
+    <message>
+        <source>Zeroed on %1 with the room at %2.</source>
+        <translation>Ajustés le %1, la pièce étant à %2.</translation>
+    </message>
+    <message>
+        <source>Not zeroed yet: Arm does it, if all objects are at the room&apos;s temperature then.</source>
+        <translation>Pas encore ajustés : l’armement le fait, si tous les objets sont alors à la température ambiante.</translation>
+    </message>
+    <message>
+        <source>Sensors at rest</source>
+        <translation>Capteurs au repos</translation>
+    </message>
+    <message>
+        <source>Zero the sensors</source>
+        <translation>Ajuster les capteurs</translation>
+    </message>
+    <message>
+        <source>Make all sensors agree while the objects are at the room&apos;s temperature</source>
+        <translation>Faire concorder tous les capteurs pendant que les objets sont à la température ambiante</translation>
+    </message>
+</context>
 </TS>

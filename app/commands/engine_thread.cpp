@@ -1,5 +1,7 @@
 #include "app/commands/engine_thread.h"
 
+#include "app/data_folder.h"
+
 #include <array>
 #include <csignal>
 
@@ -37,7 +39,8 @@ int SignalCount::now() const {
     return g_signals;
 }
 
-EngineThread::EngineThread() {
+EngineThread::EngineThread() : worker(alarmFile().toStdString()) {
+    m_thread.setObjectName(QStringLiteral("engine"));
     worker.moveToThread(&m_thread);
     m_thread.start();
 }

@@ -1,6 +1,7 @@
 #pragma once
 // What a command needs that drives a real rig: the engine on its thread, and the signals that end it.
 
+#include "app/data_folder.h"
 #include "engine/runtime/engine_worker.h"
 
 #include <QThread>
@@ -26,7 +27,7 @@ public:
         QMetaObject::invokeMethod(&worker, std::move(work), how);
     }
     void post(const Command& command);
-    EngineWorker worker;
+    EngineWorker worker{{}, deviceFile().toStdString()};
 
 private:
     QThread m_thread;

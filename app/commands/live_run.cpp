@@ -24,8 +24,9 @@ constexpr int kLook_ms = 20;
 /// One step of the way for each snapshot.
 class LiveRun {
 public:
-    LiveRun(const Experiment& experiment, const SimulatedRunOptions& options)
-        : m_experiment(experiment), m_options(options), m_withinSince_s(experiment.objects.size(), HUGE_VAL) {
+    LiveRun(const Experiment& experiment, const SimulatedRunOptions& options, LivePlace place)
+        : m_experiment(experiment), m_options(options), m_place(place),
+          m_withinSince_s(experiment.objects.size(), HUGE_VAL) {
         QObject::connect(&m_engine->worker, &EngineWorker::published, &m_here,
                          [this](const Snapshot& snapshot) { take(snapshot); });
         QObject::connect(&m_engine->worker, &EngineWorker::stepped, &m_here, [this](double lateness_s) {
@@ -44,7 +45,7 @@ public:
         if (!m_isOver)
             QCoreApplication::exec();
         look.stop();
-        m_engine.reset();
+        endEngine();
         if (m_error)
             return *m_error;
         finish();
@@ -53,6 +54,18 @@ public:
 
 private:
     enum class Wish { Arm, Start, Run, End };
+
+    /// With what it tells last.
+    void endEngine() {
+        const auto before = static_cast<std::ptrdiff_t>(m_outcome.events.size());
+        m_engine.reset();
+        QCoreApplication::sendPostedEvents(&m_here);
+        m_outcome.fault =
+            m_outcome.fault || std::any_of(m_outcome.events.begin() + before, m_outcome.events.end(),
+                                           [](const TraceEvent& event) {
+                                               return event.message.code == MessageCode::SafetyHeatNotOff;
+                                           });
+    }
 
     void take(const Snapshot& snapshot) {
         m_last = snapshot;
@@ -106,6 +119,12 @@ private:
             m_outcome.fault = true;
             return over();
         }
+        if (const auto order = m_place.next(snapshot))
+            return post(*order);
+        if (m_place.isPending(snapshot))
+            return;
+        if (!snapshot.isPlaceSure)
+            return end(Error(MessageCode::RobotPlaceUnsure, {}));
         for (const Message& reason : snapshot.reasons)
             if (!isNotThereYet(reason.code) || m_clock.now_s() - m_began_s > kReadyWithin_s)
                 return end(Error(reason.code, {}, reason.args));
@@ -186,6 +205,7 @@ private:
 
     const Experiment& m_experiment;
     const SimulatedRunOptions& m_options;
+    PlaceOrders m_place;
     SteadyClock m_clock;
     Wish m_wish = Wish::Arm;
     bool m_hasBegun = false, m_isOver = false, m_isEmergency = false;
@@ -204,12 +224,13 @@ private:
 
 } // namespace
 
-Result<RunOutcome> runLive(const Experiment& experiment, const SimulatedRunOptions& options) {
+Result<RunOutcome> runLive(const Experiment& experiment, const SimulatedRunOptions& options,
+                           LivePlace place) {
     if (!experiment.rig)
         return Error(MessageCode::RigMissing, {});
     if (const auto fit = checkTargets(experiment); !fit) // it would never be ready
         return fit.error();
-    return LiveRun(experiment, options).run();
+    return LiveRun(experiment, options, place).run();
 }
 
 } // namespace bask

@@ -8,6 +8,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/recipe/simulated_recipe.h"
+#include "engine/session/limits_widened.h"
 
 #include <nlohmann/json.hpp>
 
@@ -246,6 +247,13 @@ int runRecipe(const RecipeRequest& request) {
         std::fprintf(stderr, "bask run: %s: %s\n", path.c_str(), trouble->c_str());
         return kExitBadInput;
     }
+    for (std::size_t i = 0; i < experiments->size() && request.isLive && !request.mayLoosenLimits; ++i)
+        if (const Message loosened = limitsLoosened(widenedFromUsual(*(*experiments)[i]));
+            loosened.code != MessageCode::None) {
+            std::fprintf(stderr, "bask run: %s: steps[%zu]: %s: allow it with --accept-limits\n",
+                         path.c_str(), i, describe(loosened).c_str());
+            return kExitBadInput;
+        }
     const QDir folder(request.folder);
     if (const auto there = request.folder.isEmpty() ? std::nullopt : earlierRecording(*recipe, folder)) {
         std::fprintf(
@@ -275,7 +283,7 @@ int runRecipe(const RecipeRequest& request) {
     QElapsedTimer timer;
     timer.start();
     if (request.isLive)
-        runLive(runner, watch);
+        runLive(runner, watch, request.place);
     else
         runUntilSignal(runner, watch);
     teller.look(runner);

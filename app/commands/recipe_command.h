@@ -1,6 +1,8 @@
 #pragma once
 // `bask run --recipe`: several runs and waits, one after another.
 
+#include "app/commands/live_place.h"
+
 #include <QString>
 
 namespace bask {
@@ -10,6 +12,8 @@ struct RecipeRequest {
     QString folder;  ///< for the sessions, none of which may be there yet; empty: none are recorded
     QString summary; ///< JSON; empty: none
     bool isLive = false;
+    LivePlace place = LivePlace::AsFound;
+    bool mayLoosenLimits = false; ///< of the real rig
 };
 
 /// An ExitCode.

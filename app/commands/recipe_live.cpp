@@ -1,20 +1,24 @@
 #include "app/commands/recipe_live.h"
 
 #include "app/commands/engine_thread.h"
+#include "engine/base/clock.h"
 
 #include <QCoreApplication>
 #include <QTimer>
 
+#include <algorithm>
 #include <utility>
 
 namespace bask {
 namespace {
 
 constexpr int kLook_ms = 20;
+constexpr double kBetweenResets_s = 1.0;
 
 } // namespace
 
-void runLive(RecipeRunner& runner, const RecipeWatch& watch) {
+void runLive(RecipeRunner& runner, const RecipeWatch& watch, LivePlace place) {
+    PlaceOrders placeOrders(place);
     const SignalCount signalCount;
     EngineThread engine;
     QObject here; // of this thread, which takes the snapshots
@@ -22,8 +26,20 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch) {
         for (const Command& command : commands)
             engine.post(command);
     };
+    SteadyClock clock;
+    double reset_s = clock.now_s();
     QObject::connect(&engine.worker, &EngineWorker::published, &here, [&](const Snapshot& snapshot) {
+        if (const auto order = placeOrders.next(snapshot))
+            post({*order});
         post(runner.take(snapshot));
+        // Whoever started it stands for the rig that was connected just now; for no fault after that.
+        const bool isFirst = runner.step() == 0 && runner.phase() == RecipeRunner::Phase::Load;
+        if (isFirst && snapshot.state == RunState::Fault && clock.now_s() - reset_s > kBetweenResets_s &&
+            std::ranges::all_of(snapshot.reasons,
+                                [](const Message& reason) { return isNotThereYet(reason.code); })) {
+            reset_s = clock.now_s();
+            engine.post(Reset{});
+        }
         watch(runner, snapshot);
         if (runner.isOver())
             QCoreApplication::exit();

@@ -10,6 +10,7 @@
 #include "engine/base/units.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
+#include "engine/session/limits_widened.h"
 
 #include <nlohmann/json.hpp>
 
@@ -150,6 +151,12 @@ Result<RunOutcome> runUntilSignal(const Experiment& experiment, const SimulatedR
     return runSimulated(experiment, watched);
 }
 
+LivePlace livePlace(const QCommandLineParser& parser) {
+    return parser.isSet("home")            ? LivePlace::Home
+           : parser.isSet("confirm-place") ? LivePlace::Confirmed
+                                           : LivePlace::AsFound;
+}
+
 int refuseWords(const QString& words) {
     std::fprintf(stderr, "bask run: %s\n", qPrintable(words));
     return kExitBadInput;
@@ -172,6 +179,9 @@ int runExperimentCommand(const QStringList& arguments) {
     parser.addPositionalArgument("EXPERIMENT.json", "The experiment.");
     parser.addOptions(
         {{"live", "On the devices of the experiment's \"rig\", in real time."},
+         {"accept-limits", "With --live: also where the experiment allows the rig more than is usual."},
+         {"confirm-place", "With --live: a person has seen that the robot is where its controller says."},
+         {"home", "With --live: homes the robot first; it moves."},
          {"targets", "Targets in degC, one an object: 50,40,40.", "LIST"},
          {"duration", "Simulated seconds; without it the run ends when all have been settled for 120 s.",
           "SECONDS"},
@@ -194,18 +204,27 @@ int runExperimentCommand(const QStringList& arguments) {
         if (isRecipe && parser.isSet(option))
             return refuseWords(QStringLiteral("%1 is not for recipes")
                                    .arg((option[1] == '\0' ? "-" : "--") + QLatin1String(option)));
+    if ((parser.isSet("home") || parser.isSet("confirm-place")) && !parser.isSet("live"))
+        return refuseWords(QStringLiteral("--home and --confirm-place are for --live"));
+    if (parser.isSet("home") && parser.isSet("confirm-place"))
+        return refuseWords(QStringLiteral("--home and --confirm-place exclude each other"));
     if (isRecipe && parser.value("recipe").isEmpty())
         return refuseWords(QStringLiteral("--recipe: the name is empty"));
     if (isRecipe && parser.isSet("out") && parser.value("out").isEmpty())
         return refuseWords(QStringLiteral("--out: the name is empty"));
     if (isRecipe)
-        return runRecipe(
-            {parser.value("recipe"), parser.value("out"), parser.value("summary"), parser.isSet("live")});
+        return runRecipe({parser.value("recipe"), parser.value("out"), parser.value("summary"),
+                          parser.isSet("live"), livePlace(parser), parser.isSet("accept-limits")});
     if (parser.isSet("out"))
         return refuseWords(QStringLiteral("--out is for recipes; -o is the session file of one run"));
     auto request = readRequest(parser);
     if (!request)
         return refuse(request.error());
+    if (parser.isSet("live") && !parser.isSet("accept-limits"))
+        if (const Message loosened = limitsLoosened(widenedFromUsual(request->experiment));
+            loosened.code != MessageCode::None)
+            return refuseWords(QString::fromStdString(describe(loosened)) +
+                               QStringLiteral(": allow it with --accept-limits"));
     warnOfTargets(request->experiment);
     const bool terminal = isatty(STDERR_FILENO) != 0;
     if (terminal)
@@ -213,7 +232,7 @@ int runExperimentCommand(const QStringList& arguments) {
     QElapsedTimer timer;
     timer.start();
     const bool isLive = parser.isSet("live");
-    const auto outcome = isLive ? runLive(request->experiment, request->options)
+    const auto outcome = isLive ? runLive(request->experiment, request->options, livePlace(parser))
                                 : runUntilSignal(request->experiment, request->options);
     if (terminal)
         std::fputc('\n', stderr);

@@ -96,6 +96,10 @@ public:
                 else
                     (void)device(i).transmit(clock.now_s()); // unplugged it goes on by itself
             }
+            if (m_isHeating != m_bench.isHeating()) {
+                m_isHeating = !m_isHeating;
+                m_switched_s = clock.now_s();
+            }
             m_bench.advance(clock.now_s());
             pollfd input{m_isListening ? STDIN_FILENO : -1, POLLIN, 0};
             if (::poll(&input, 1, kTurn_ms) > 0)
@@ -137,6 +141,8 @@ private:
             for (const double t_K : m_bench.temperatures_K())
                 std::printf(" %.3f", celsiusFromKelvin(t_K));
             std::printf(" degC\n");
+        } else if (line == "switched") {
+            std::printf("heat %s since %.6f s\n", m_isHeating ? "on" : "off", m_switched_s);
         } else if (const auto set = setFault(line); !set) {
             std::fprintf(stderr, "bask %s: %s\n", kName, describe(set.error()).c_str());
         } else {
@@ -148,6 +154,8 @@ private:
     Bench& m_bench;
     std::array<std::string, 3> m_paths;
     bool m_areThere = false;
+    bool m_isHeating = false;
+    double m_switched_s = 0.0; ///< when the bytes that switched the heat had come, steady clock
     std::array<std::unique_ptr<DeviceServer>, 3> m_servers; ///< null: unplugged
     std::string m_told;
     bool m_isListening = true;
@@ -157,13 +165,15 @@ private:
 
 int simulateRigCommand(const QStringList& arguments) {
     QCommandLineParser parser;
-    parser.setApplicationDescription("The devices of the experiment's \"rig\" on pseudo-terminals at their "
-                                     "ports' paths, around one thermal\n"
-                                     "plant, until Ctrl+C or SIGTERM. A line \"robot silent\" on standard "
-                                     "input begins a fault, \"robot none\"\n"
-                                     "ends it; \"robot unplug\" takes its terminal away and \"robot plug\" "
-                                     "makes it anew; \"state\" prints what is truly so.\n"
-                                     "Exit code: 0 ended, 2 bad input, or no terminal there.");
+    parser.setApplicationDescription(
+        "The devices of the experiment's \"rig\" on pseudo-terminals at their "
+        "ports' paths, around one thermal\n"
+        "plant, until Ctrl+C or SIGTERM. A line \"robot silent\" on standard "
+        "input begins a fault, \"robot none\"\n"
+        "ends it; \"robot unplug\" takes its terminal away and \"robot plug\" "
+        "makes it anew; \"state\" prints what is truly so, \"switched\" since when\n"
+        "the heat is on or off, in seconds of the computer's monotonic clock.\n"
+        "Exit code: 0 ended, 2 bad input, or no terminal there.");
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption(
         {"heating-time", "Time constant of the plate while it heats, in seconds.", "SECONDS", "60"});

@@ -2,6 +2,7 @@
 // The studies of `bask study`, each with its options checked: does the work, writes its files into `folder`,
 // prints its summary and returns an exit code.
 
+#include "engine/runtime/alarm_draw.h"
 #include "engine/runtime/closed_loop_study.h"
 
 #include <QString>
@@ -22,5 +23,13 @@ struct ClosedLoopRequest {
     std::uint64_t seed = 1;
 };
 int closedLoopStudyCommand(const QString& folder, const ClosedLoopRequest& request);
+
+struct AlarmRequest {
+    AlarmDraw draw = AlarmDraw::Healthy;
+    int count = 200;
+    std::uint64_t seed = 1;
+};
+/// Answers kExitNegative when an alarm was false, or a fault that showed itself was not found.
+int alarmStudyCommand(const QString& folder, const AlarmRequest& request);
 
 } // namespace bask

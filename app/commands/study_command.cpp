@@ -16,7 +16,8 @@ namespace {
 constexpr int kLeastElements = 10, kMostElements = 20000;
 constexpr int kMostCount = 100000;
 constexpr double kMostRateError = 8.0; // as experiments have it
-const QString kViewFactor = QStringLiteral("view-factor"), kClosedLoop = QStringLiteral("closed-loop");
+const QString kViewFactor = QStringLiteral("view-factor"), kClosedLoop = QStringLiteral("closed-loop"),
+              kAlarms = QStringLiteral("alarms");
 
 /// Reads options one by one and keeps the first complaint.
 class Options {
@@ -72,7 +73,8 @@ private:
 
 int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
-    options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting"}, kViewFactor);
+    options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "kind"},
+                 kViewFactor);
     const int elements = options.wholeNumber("elements", kLeastElements, kMostElements);
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
@@ -81,7 +83,7 @@ int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
 
 int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
-    options.none({"elements"}, kClosedLoop);
+    options.none({"elements", "kind"}, kClosedLoop);
     static constexpr ControllerKind kControllers[] = {ControllerKind::LevelServo, ControllerKind::Adaptive,
                                                       ControllerKind::ModelBased};
     static constexpr SourceModel kModels[] = {SourceModel::Gray, SourceModel::Paper};
@@ -99,6 +101,19 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
     return closedLoopStudyCommand(folder, request);
 }
 
+int runAlarms(const QCommandLineParser& parser, const QString& folder) {
+    Options options(parser);
+    options.none({"elements", "controller", "source-model", "rate-error", "mounting"}, kAlarms);
+    static constexpr AlarmDraw kDraws[] = {AlarmDraw::Healthy, AlarmDraw::Faulty, AlarmDraw::Paper};
+    AlarmRequest request;
+    request.draw = kDraws[options.oneOf("kind", {"healthy", "faulty", "paper"})];
+    request.count = options.wholeNumber("count", 1, kMostCount);
+    request.seed = options.seed();
+    if (!options.complaint().isEmpty())
+        return refuseStudy(options.complaint());
+    return alarmStudyCommand(folder, request);
+}
+
 void addOptions(QCommandLineParser& parser) {
     parser.addOption({{"h", "help"}, "Displays this help."});
     parser.addOption({{"o", "output"}, "Folder for the files; made if it is not there. Required.", "DIR"});
@@ -107,8 +122,12 @@ void addOptions(QCommandLineParser& parser) {
                       "20000"});
     parser.addOptions(
         {{"controller", "closed-loop: level, adaptive or model-based.", "NAME", "level"},
-         {"count", "closed-loop: number of runs.", "N", "200"},
-         {"seed", "closed-loop: of everything that is drawn.", "N", "1"},
+         {"count", "closed-loop, alarms: number of runs.", "N", "200"},
+         {"seed", "closed-loop, alarms: of everything that is drawn.", "N", "1"},
+         {"kind",
+          "alarms: healthy, faulty (each fault in turn) or paper (the paper's experiments, each by its own\n"
+          "controller and by the level servo, seed after seed).",
+          "NAME", "healthy"},
          {"source-model", "closed-loop: gray or paper.", "NAME", "gray"},
          {"rate-error", "closed-loop: believed rates are wrong by random factors within this one, 1 to 8.",
           "FACTOR", "4"},
@@ -127,19 +146,28 @@ int studyCommand(const QStringList& arguments) {
         "closed-loop lets a controller bring three objects to random targets that a pose holds, from random\n"
         "starts, with wrong beliefs about the materials. Writes closed_loop_study.csv and three figures;\n"
         "prints each failure with its reason, the success rate, the settling time over the least that\n"
-        "physics allows, and the overshoot.");
+        "physics allows, and the overshoot.\n\n"
+        "alarms runs experiments at random, healthy or with a fault, and holds each alarm against what the\n"
+        "simulated plant truly does. Writes alarm_study_KIND.csv; prints false trips and false words an "
+        "hour,\n"
+        "rate and time of detection by fault, the hottest object over its trip limit, alarms by priority.\n"
+        "Exit code 3: an alarm was false, or a fault that showed itself was not found.");
     addOptions(parser);
-    parser.addPositionalArgument("STUDY", "view-factor or closed-loop.");
+    parser.addPositionalArgument("STUDY", "view-factor, closed-loop or alarms.");
     if (const auto code = parseCommand(parser, "study", arguments, 1))
         return *code;
     const QString study = parser.positionalArguments().front();
-    if (study != kViewFactor && study != kClosedLoop)
-        return refuseStudy(
-            QStringLiteral("there is no study \"%1\"; known: %2, %3").arg(study, kViewFactor, kClosedLoop));
+    const auto run = study == kViewFactor   ? runViewFactor
+                     : study == kClosedLoop ? runClosedLoop
+                     : study == kAlarms     ? runAlarms
+                                            : nullptr;
+    if (run == nullptr)
+        return refuseStudy(QStringLiteral("there is no study \"%1\"; known: %2, %3, %4")
+                               .arg(study, kViewFactor, kClosedLoop, kAlarms));
     const QString folder = parser.value("output");
     if (folder.isEmpty())
         return refuseStudy(QStringLiteral("-o DIR is needed"));
-    return study == kViewFactor ? runViewFactor(parser, folder) : runClosedLoop(parser, folder);
+    return run(parser, folder);
 }
 
 } // namespace bask

@@ -25,9 +25,11 @@ constexpr std::size_t kMostPathPoints = 4000; // of an object in the figure of t
 bool isMarked(MessageCode code) {
     switch (code) {
     case MessageCode::EventHeld:
+    case MessageCode::EventHeldFor:
     case MessageCode::EventResumed:
     case MessageCode::EventSettled:
     case MessageCode::EventStopped:
+    case MessageCode::EventStoppedFor:
     case MessageCode::EventEmergencyStop:
     case MessageCode::EventTargetsChanged:
     case MessageCode::EventGainsChanged:

@@ -16,6 +16,7 @@
 #include <QJsonObject>
 #include <QLocale>
 #include <QSysInfo>
+#include <QTimeZone>
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +94,7 @@ QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit u
         }));
     if (key == QLatin1String("zeroed_utc_s") && isNumber)
         return RecordText::tr("zeroed %1 UTC")
-            .arg(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(value.toDouble()), Qt::UTC)
+            .arg(QDateTime::fromSecsSinceEpoch(static_cast<qint64>(value.toDouble()), QTimeZone::utc())
                      .toString(QStringLiteral("yyyy-MM-dd HH:mm:ss")));
     if (key == QLatin1String("accept_infeasible"))
         return value.toBool() ? RecordText::tr("targets out of reach accepted") : QString();

@@ -1,13 +1,14 @@
 #include "engine/base/clock.h"
 
-#include <chrono>
+#include <ctime>
 #include <stdexcept>
 
 namespace bask {
 
 double SteadyClock::now_s() const {
-    using namespace std::chrono;
-    return duration<double>(steady_clock::now().time_since_epoch()).count();
+    timespec time{};
+    ::clock_gettime(CLOCK_BOOTTIME, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
 void ManualClock::advanceTo(double time_s) {

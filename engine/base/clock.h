@@ -10,7 +10,8 @@ public:
     virtual double now_s() const = 0;
 };
 
-/// The computer's monotonic clock.
+/// The computer's own: it never goes back, and goes on while the computer sleeps (CLOCK_BOOTTIME), so that
+/// what is from before is old then.
 class SteadyClock final : public Clock {
 public:
     double now_s() const override;

@@ -198,9 +198,9 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(ReasonSensorsDisagree, QT_TRANSLATE_NOOP("Message", "At rest the sensors' readings lie %1 K from their mean; at most %2 K can be zeroed. Check the sensors and their noise.")),
     Entry BASK_MESSAGE(ReasonHeldByOperator, QT_TRANSLATE_NOOP("Message", "Held by the operator. Resume or stop.")),
     Entry BASK_MESSAGE(ReasonTargetInfeasible, QT_TRANSLATE_NOOP("Message", "The targets cannot be held. See the Targets page.")),
-    Entry BASK_MESSAGE(ReasonSensorStale, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given nothing new for %2 s. Check its cable, then resume.")),
-    Entry BASK_MESSAGE(ReasonSensorInvalid, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it, then resume.")),
-    Entry BASK_MESSAGE(ReasonSourcePoseLost, QT_TRANSLATE_NOOP("Message", "The source's pose is not measured any more. Bring the source back into view, then resume.")),
+    Entry BASK_MESSAGE(ReasonSensorStale, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given nothing new for %2 s. Check its cable.")),
+    Entry BASK_MESSAGE(ReasonSensorInvalid, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" gives no plausible value: a broken wire, a loose contact, or another device than was set up. Check it.")),
+    Entry BASK_MESSAGE(ReasonSourcePoseLost, QT_TRANSLATE_NOOP("Message", "The source's pose is not measured any more. Bring the source back into view.")),
     Entry BASK_MESSAGE(ReasonRobotLost, QT_TRANSLATE_NOOP("Message", "The robot does not answer: %1. Check its link, then reset.")),
     Entry BASK_MESSAGE(ReasonSourceLost, QT_TRANSLATE_NOOP("Message", "The heat source does not answer: %1. Check its link, then reset.")),
     Entry BASK_MESSAGE(ReasonEmergencyStop, QT_TRANSLATE_NOOP("Message", "STOP was pressed: the robot stands still and the heat is off. Reset when it is safe.")),
@@ -209,10 +209,15 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(EventArmed, QT_TRANSLATE_NOOP("Message", "Armed")),
     Entry BASK_MESSAGE(EventStarted, QT_TRANSLATE_NOOP("Message", "Started")),
     Entry BASK_MESSAGE(EventHeld, QT_TRANSLATE_NOOP("Message", "Held")),
+    Entry BASK_MESSAGE(EventHeldFor, QT_TRANSLATE_NOOP("Message", "Held by the engine: %1")),
     Entry BASK_MESSAGE(EventResumed, QT_TRANSLATE_NOOP("Message", "Resumed")),
     Entry BASK_MESSAGE(EventStopped, QT_TRANSLATE_NOOP("Message", "Stopped")),
+    Entry BASK_MESSAGE(EventStoppedFor, QT_TRANSLATE_NOOP("Message", "Ended by the engine: %1")),
     Entry BASK_MESSAGE(EventEmergencyStop, QT_TRANSLATE_NOOP("Message", "STOP pressed")),
+    Entry BASK_MESSAGE(EventCold, QT_TRANSLATE_NOOP("Message", "Everything is cold: the recording ends")),
     Entry BASK_MESSAGE(EventReset, QT_TRANSLATE_NOOP("Message", "Reset")),
+    Entry BASK_MESSAGE(EventRetreat, QT_TRANSLATE_NOOP("Message", "Retreat: the heat is off, the robot takes the objects away")),
+    Entry BASK_MESSAGE(EventRetreatFor, QT_TRANSLATE_NOOP("Message", "The robot takes the objects away by itself: %1")),
     Entry BASK_MESSAGE(EventSettled, QT_TRANSLATE_NOOP("Message", "All objects settled")),
     Entry BASK_MESSAGE(EventNotSettled, QT_TRANSLATE_NOOP("Message", "Not settled: %1")),
     Entry BASK_MESSAGE(EventTargetsChanged, QT_TRANSLATE_NOOP("Message", "Targets: %1")),
@@ -221,7 +226,21 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(EventCompromise, QT_TRANSLATE_NOOP("Message", "No pose in the workspace holds all targets together; going to the best compromise found, expected to end at %1 of the targets. The Targets page shows what can be held.")),
     Entry BASK_MESSAGE(EventSensorBack, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is back")),
     Entry BASK_MESSAGE(EventSourcePoseBack, QT_TRANSLATE_NOOP("Message", "The source's pose is measured again")),
+    Entry BASK_MESSAGE(EventSensorLostTooLong, QT_TRANSLATE_NOOP("Message", "Held for more than %1 s without a reading of \"%2\": the run is ended")),
+    Entry BASK_MESSAGE(EventSourceLostTooLong, QT_TRANSLATE_NOOP("Message", "Held for more than %1 s without the source's pose: the run is ended")),
+    Entry BASK_MESSAGE(ActionHold, QT_TRANSLATE_NOOP("Message", "The robot stops")),
+    Entry BASK_MESSAGE(ActionEndRun, QT_TRANSLATE_NOOP("Message", "The run ends, with a retreat and the heat off")),
+    Entry BASK_MESSAGE(ActionHeatOff, QT_TRANSLATE_NOOP("Message", "The heat is switched off")),
+    Entry BASK_MESSAGE(ActionRetreat, QT_TRANSLATE_NOOP("Message", "The robot takes the objects away from the source")),
+    Entry BASK_MESSAGE(RemedyReset, QT_TRANSLATE_NOOP("Message", "Reset when the rig is safe.")),
+    Entry BASK_MESSAGE(RemedyWait, QT_TRANSLATE_NOOP("Message", "Reset is possible when this is over: %1")),
+    Entry BASK_MESSAGE(RemedyRetreat, QT_TRANSLATE_NOOP("Message", "Keep your hands off the robot and press Retreat: it takes the objects away from the heat.")),
+    Entry BASK_MESSAGE(RemedyResume, QT_TRANSLATE_NOOP("Message", "Resume, or stop the run.")),
+    Entry BASK_MESSAGE(RemedyStop, QT_TRANSLATE_NOOP("Message", "Resume is possible when this is over; Stop ends the run: %1")),
     Entry BASK_MESSAGE(CommandNotNow, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be done in the state \"%2\"")),
+    Entry BASK_MESSAGE(ShelfReasonMissing, QT_TRANSLATE_NOOP("Message", "an alarm is shelved with a reason; say why")),
+    Entry BASK_MESSAGE(LimitLooser, QT_TRANSLATE_NOOP("Message", "%1: %3 instead of %2")),
+    Entry BASK_MESSAGE(LimitsLoosened, QT_TRANSLATE_NOOP("Message", "this allows the real rig more than before: %1. Whether robot, source, objects and sensors bear it is for a person to say")),
     Entry BASK_MESSAGE(SessionAlreadyRunning, QT_TRANSLATE_NOOP("Message", "A run is on; stop it first")),
     Entry BASK_MESSAGE(MoveOutside, QT_TRANSLATE_NOOP("Message", "the robot cannot go there: outside of its workspace, or too near to the source")),
     Entry BASK_MESSAGE(LinkNotOpened, QT_TRANSLATE_NOOP("Message", "\"%1\" cannot be opened: %2. Check the cable and the name of the port; Bask tries again by itself.")),
@@ -242,6 +261,7 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(RobotStepOutside, QT_TRANSLATE_NOOP("Message", "a step of the robot would leave its workspace or come too near to the source; it was not sent")),
     Entry BASK_MESSAGE(RobotElsewhere, QT_TRANSLATE_NOOP("Message", "The robot is %1 mm from where its steps should have brought it, more than %2 mm. It may have been pushed or have lost steps: check it, home it, then reset.")),
     Entry BASK_MESSAGE(RobotSlow, QT_TRANSLATE_NOOP("Message", "The robot has told nothing, and taken nothing, for %1 s; the heat is off. Check its controller, then reset.")),
+    Entry BASK_MESSAGE(RobotDoesNotMove, QT_TRANSLATE_NOOP("Message", "The robot was told to take the objects away and does not move; %1 cm are left. The heat is off. Take them away by hand, mind the heat; check the robot's power and its drives.")),
     Entry BASK_MESSAGE(AxesNone, QT_TRANSLATE_NOOP("Message", "the robot has no axis")),
     Entry BASK_MESSAGE(AxisLetterUnknown, QT_TRANSLATE_NOOP("Message", "\"%1\" is not an axis; axes are X, Y, Z, A, B, C and R")),
     Entry BASK_MESSAGE(AxisLetterTwice, QT_TRANSLATE_NOOP("Message", "the axis %1 is given twice")),
@@ -256,13 +276,13 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(RigIncomplete, QT_TRANSLATE_NOOP("Message", "the rig has no %1; set one, or use the simulated rig")),
     Entry BASK_MESSAGE(SimulatedPortTaken, QT_TRANSLATE_NOOP("Message", "\"%1\" exists and is not a link; choose another path")),
     Entry BASK_MESSAGE(SafetyStartUp, QT_TRANSLATE_NOOP("Message", "Bask has just connected to the rig. Check it, then reset.")),
-    Entry BASK_MESSAGE(SafetyObjectWarm, QT_TRANSLATE_NOOP("Message", "\"%1\" has %2 °C, above its warning limit of %3 °C. The robot holds: look whether target and limits are right, then resume or stop.")),
+    Entry BASK_MESSAGE(SafetyObjectWarm, QT_TRANSLATE_NOOP("Message", "\"%1\" has %2 °C, above its warning limit of %3 °C. Let it cool: Stop or Retreat takes it away. Check its target and its limits.")),
     Entry BASK_MESSAGE(SafetyObjectHot, QT_TRANSLATE_NOOP("Message", "\"%1\" has %2 °C, above its limit of %3 °C. It is taken away and the heat is off. Check the object and its sensor; reset once it has cooled.")),
     Entry BASK_MESSAGE(SafetySourceHot, QT_TRANSLATE_NOOP("Message", "The source has %1 °C, above its limit of %2 °C. The objects are taken away and the heat is off. Check its controller and sensor; reset once it has cooled.")),
-    Entry BASK_MESSAGE(SafetySensorOpen, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is open: a wire or the plug is off. Mend it, then resume.")),
-    Entry BASK_MESSAGE(SafetySensorShort, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is shorted: look at its wires and plug. Mend it, then resume.")),
-    Entry BASK_MESSAGE(SafetySensorFrozen, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given the very same value for %2 s: it, or its device, has stopped. Check it, then resume.")),
-    Entry BASK_MESSAGE(SafetySensorJump, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, then resume.")),
+    Entry BASK_MESSAGE(SafetySensorOpen, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is open: a wire or the plug is off. Mend it.")),
+    Entry BASK_MESSAGE(SafetySensorShort, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is shorted: look at its wires and plug. Mend it.")),
+    Entry BASK_MESSAGE(SafetySensorFrozen, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given the very same value for %2 s: it, or its device, has stopped. Check it.")),
+    Entry BASK_MESSAGE(SafetySensorJump, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" jumped by %2 K/s, more than the %3 K/s that heat can do. Look for a loose contact, and whether it came off. It is believed again when it agrees with the heat, or when it is confirmed.")),
     Entry BASK_MESSAGE(SafetySensorsApart, QT_TRANSLATE_NOOP("Message", "\"%1\" and \"%2\" are far from the source but %3 K apart, more than %4 K. One sensor is wrong or off its object: check both.")),
     Entry BASK_MESSAGE(SafetyNotWarming, QT_TRANSLATE_NOOP("Message", "The temperature of \"%1\" should have changed by %2 K in %3 s and has not: its sensor may be off, the object gone, or the source not where it is believed. The heat is off. Check, then reset.")),
     Entry BASK_MESSAGE(SafetySourceNotHeating, QT_TRANSLATE_NOOP("Message", "The source is at %1 °C and has not come nearer to %2 °C for %3 s. Check that it is switched on and its sensor in place, then reset.")),
@@ -277,12 +297,25 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(SafetyHeatByHand, QT_TRANSLATE_NOOP("Message", "The source is heated by hand, so Bask cannot switch it off: it has %1 °C. Switch it off yourself, and keep the objects away from it.")),
     Entry BASK_MESSAGE(TargetAboveWarning, QT_TRANSLATE_NOOP("Message", "The target of \"%1\", %2 °C, is above its warning limit of %3 °C, where every run holds. Lower the target, or raise the limit if object and sensor bear it.")),
     Entry BASK_MESSAGE(SafetySourceNotCooling, QT_TRANSLATE_NOOP("Message", "The source is still at %1 °C, %2 s after its heat was switched off. Switch it off at its mains, then reset.")),
-    Entry BASK_MESSAGE(SafetyNoWatchdog, QT_TRANSLATE_NOOP("Message", "The heat source has no watchdog: if Bask or this computer stops, it stays hot. Do not leave it alone.")),
+    Entry BASK_MESSAGE(SafetyNoWatchdog, QT_TRANSLATE_NOOP("Message", "The heat source has no watchdog: if this computer stops, it stays hot. Do not leave it alone.")),
     Entry BASK_MESSAGE(SafetySourceStopped, QT_TRANSLATE_NOOP("Message", "The heat source was stopped at its own panel or by its own protection; Bask keeps it off. See why, then reset.")),
     Entry BASK_MESSAGE(SourceUnwatched, QT_TRANSLATE_NOOP("Message", "with the profile \"%1\" the source has no watchdog: it stays hot when Bask or the computer dies. Take a controller that has one, or allow it with \"unattended_heat\": true.")),
     Entry BASK_MESSAGE(EventObjectFault, QT_TRANSLATE_NOOP("Message", "simulated fault of \"%2\": %1")),
     Entry BASK_MESSAGE(RecipeWithoutRun, QT_TRANSLATE_NOOP("Message", "a recipe needs at least one step that runs an experiment")),
     Entry BASK_MESSAGE(EventHeldTooLong, QT_TRANSLATE_NOOP("Message", "Held for more than %1 s without a reading: the run is ended")),
+    Entry BASK_MESSAGE(HeaterGuardMissing, QT_TRANSLATE_NOOP("Message", "No heat without the guard process, which switches the heater off if Bask dies; it cannot be started: %1. Install Bask again.")),
+    Entry BASK_MESSAGE(HeaterGuardTookOver, QT_TRANSLATE_NOOP("Message", "The guard process has taken the heater over and switches it off: %1. Its log tells what it did. See why, then reset.")),
+    Entry BASK_MESSAGE(HeaterGuardLost, QT_TRANSLATE_NOOP("Message", "The heater's guard process has ended; Bask has taken the port back and switches the heat off. Reset starts a new guard.")),
+    Entry BASK_MESSAGE(ReasonSensorDistrusted, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" reads %2 °C, but by the heat since it was right its object has %3 to %4 °C. Look whether it is on its object, then confirm it.")),
+    Entry BASK_MESSAGE(SafetySensorQuiet, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.")),
+    Entry BASK_MESSAGE(EventSensorConfirmed, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is confirmed at %2 °C")),
+    Entry BASK_MESSAGE(SafetySourceCold, QT_TRANSLATE_NOOP("Message", "The heat source tells %1 °C, more than %3 K below the room's %2 °C: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.")),
+    Entry BASK_MESSAGE(SafetySourceUnit, QT_TRANSLATE_NOOP("Message", "The heat source tells %1 °C where it should be %2 °C, which is the same number in °F: it counts in another unit than its profile says. It is not heated. Set both alike, then reset.")),
+    Entry BASK_MESSAGE(SafetySuspended, QT_TRANSLATE_NOOP("Message", "The computer was suspended for %1 s while the source was hot or the robot moved: nobody knows what happened meanwhile. The heat is off. Look at the rig, then reset.")),
+    Entry BASK_MESSAGE(EventSuspended, QT_TRANSLATE_NOOP("Message", "The computer was suspended for %1 s")),
+    Entry BASK_MESSAGE(EventMaySleep, QT_TRANSLATE_NOOP("Message", "This computer cannot be kept awake while heat is on (%1): switch off its standby, and keep its lid open")),
+    Entry BASK_MESSAGE(EventDeviceAccepted, QT_TRANSLATE_NOOP("Message", "The device that answers at %1 is the right one from now on")),
+    Entry BASK_MESSAGE(DeviceExchanged, QT_TRANSLATE_NOOP("Message", "Another device than before answers at %1: it was \"%2\" and is \"%3\". Nothing is written to it. Put the plugs right, or say on the Rig page that this is the one.")),
 };
 // clang-format on
 
@@ -292,6 +325,20 @@ const Entry& entry(MessageCode code) {
 }
 
 } // namespace
+
+bool isAboutAnother(MessageCode code) {
+    switch (code) {
+    case MessageCode::EventAlarmOver:
+    case MessageCode::EventHeldFor:
+    case MessageCode::EventStoppedFor:
+    case MessageCode::EventRetreatFor:
+    case MessageCode::RemedyWait:
+    case MessageCode::RemedyStop:
+        return true;
+    default:
+        return false;
+    }
+}
 
 const char* messageTemplate(MessageCode code) {
     return entry(code).text;
@@ -322,6 +369,7 @@ int alarmPriority(MessageCode code) {
     case MessageCode::LinkStuck:
     case MessageCode::DeviceSilent:
     case MessageCode::DeviceOther:
+    case MessageCode::DeviceExchanged:
     case MessageCode::DeviceException:
     case MessageCode::RobotOpening:
     case MessageCode::RobotAlarm:
@@ -333,6 +381,7 @@ int alarmPriority(MessageCode code) {
     case MessageCode::RobotStepOutside:
     case MessageCode::RobotElsewhere:
     case MessageCode::RobotSlow:
+    case MessageCode::RobotDoesNotMove:
     case MessageCode::SafetyStartUp:
     case MessageCode::SafetyObjectHot:
     case MessageCode::SafetySourceHot:
@@ -349,6 +398,12 @@ int alarmPriority(MessageCode code) {
     case MessageCode::SafetyHeatByHand:
     case MessageCode::SafetySourceNotCooling:
     case MessageCode::SafetySourceStopped:
+    case MessageCode::HeaterGuardMissing:
+    case MessageCode::HeaterGuardTookOver:
+    case MessageCode::HeaterGuardLost:
+    case MessageCode::SafetySourceCold:
+    case MessageCode::SafetySourceUnit:
+    case MessageCode::SafetySuspended:
         return 1;
     case MessageCode::SafetyObjectWarm:
     case MessageCode::SafetySensorsApart:
@@ -357,6 +412,7 @@ int alarmPriority(MessageCode code) {
     case MessageCode::DeviceAnswersWrong:
         return 2;
     case MessageCode::SafetyLoopLate:
+    case MessageCode::SafetySensorQuiet:
     case MessageCode::EventCompromise:
     case MessageCode::EventNotSettled:
     case MessageCode::TargetAboveCeiling:
@@ -374,12 +430,18 @@ int alarmPriority(MessageCode code) {
 }
 
 std::optional<Message> messageWithin(const Message& message) {
-    if (message.code != MessageCode::EventAlarmOver || message.args.empty())
+    if (!isAboutAnother(message.code) || message.args.empty())
         return std::nullopt;
     const MessageCode code = messageCodeFromName(message.args.front());
-    if (code == MessageCode::None || code == MessageCode::EventAlarmOver)
+    if (code == MessageCode::None || isAboutAnother(code))
         return std::nullopt;
     return Message{code, {message.args.begin() + 1, message.args.end()}};
+}
+
+Message messageAbout(MessageCode code, const Message& about) {
+    Message out{code, {messageName(about.code)}};
+    out.args.insert(out.args.end(), about.args.begin(), about.args.end());
+    return out;
 }
 
 std::string describe(const Message& message) {

@@ -25,8 +25,8 @@ const char* messageTemplate(MessageCode code);
 /// English sentence with the arguments put in.
 std::string describe(const Message& message);
 
-/// What an EventAlarmOver says is over: its name and arguments are that event's. Empty: another message, or
-/// one of a recording that has words there.
+/// What an EventAlarmOver is about, or another message whose arguments are the name of a message and that
+/// one's (isAboutAnother); empty: any other, or one of a recording that has words there.
 std::optional<Message> messageWithin(const Message& message);
 
 /// Priority as an alarm, 1 the highest (a person must act), 3 a notice; 0: not an alarm.

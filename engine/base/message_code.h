@@ -200,10 +200,15 @@ enum class MessageCode : int {
     EventArmed,
     EventStarted,
     EventHeld,
+    EventHeldFor, ///< name of a message, then its arguments
     EventResumed,
     EventStopped,
+    EventStoppedFor, ///< name of a message, then its arguments
     EventEmergencyStop,
+    EventCold, ///< no args
     EventReset,
+    EventRetreat,    ///< no args
+    EventRetreatFor, ///< name of a message, then its arguments
     EventSettled,
     EventNotSettled, ///< %1 objects' names
     EventTargetsChanged,
@@ -212,8 +217,23 @@ enum class MessageCode : int {
     EventCompromise, ///< %1 words: objects with residuals
     EventSensorBack, ///< %1 object
     EventSourcePoseBack,
+    EventSensorLostTooLong, ///< %1 s, %2 object
+    EventSourceLostTooLong, ///< %1 s
+    // What the engine will do by itself, and what a person can do now
+    ActionHold,
+    ActionEndRun,
+    ActionHeatOff,
+    ActionRetreat,
+    RemedyReset,
+    RemedyWait,
+    RemedyRetreat,
+    RemedyResume,
+    RemedyStop,
     // Commands refused
-    CommandNotNow, ///< %1 command, %2 state
+    CommandNotNow,      ///< %1 command, %2 state
+    ShelfReasonMissing, ///< no args
+    LimitLooser,        ///< %1 name, %2 before, %3 after
+    LimitsLoosened,     ///< %1 limits, with semicolons
     SessionAlreadyRunning,
     MoveOutside, ///< no args
     // Links and devices
@@ -235,6 +255,7 @@ enum class MessageCode : int {
     RobotStepOutside,    ///< no args
     RobotElsewhere,      ///< %1 mm, %2 mm
     RobotSlow,           ///< %1 s
+    RobotDoesNotMove,    ///< %1 cm left
     AxesNone,            ///< no args
     AxisLetterUnknown,   ///< %1 letter
     AxisLetterTwice,     ///< %1 letter
@@ -276,7 +297,26 @@ enum class MessageCode : int {
     SourceUnwatched,          ///< %1 profile
     EventObjectFault,         ///< %1 name, %2 object
     RecipeWithoutRun,         ///< no args
-    EventHeldTooLong,         ///< %1 s
+    EventHeldTooLong,         ///< %1 s; of older recordings
+    HeaterGuardMissing,       ///< %1 words
+    HeaterGuardTookOver,      ///< %1 words
+    HeaterGuardLost,          ///< no args
+    ReasonSensorDistrusted,   ///< %1 object, %2 degC, %3 degC least, %4 degC most
+    SafetySensorQuiet,        ///< %1 object, %2 s
+    EventSensorConfirmed,     ///< %1 object, %2 degC
+    SafetySourceCold,         ///< %1 degC, %2 degC, %3 K
+    SafetySourceUnit,         ///< %1 degC as read, %2 degC as meant
+    SafetySuspended,          ///< %1 s
+    EventSuspended,           ///< %1 s
+    EventMaySleep,            ///< %1 words
+    EventDeviceAccepted,      ///< %1 port
+    DeviceExchanged,          ///< %1 port, %2 device as remembered, %3 as it tells
 };
+
+struct Message;
+/// Whether its arguments are the name of another message and that one's arguments, as messageWithin reads.
+bool isAboutAnother(MessageCode code);
+/// Such a message.
+Message messageAbout(MessageCode code, const Message& about);
 
 } // namespace bask

@@ -13,6 +13,8 @@ namespace bask {
 class ByteDevice {
 public:
     virtual ~ByteDevice() = default;
+    /// Its port was opened by a host.
+    virtual void opened(double) {}
     virtual void receive(std::string_view bytes, double now_s) = 0;
     /// What it has to say until now, delays included.
     virtual std::string transmit(double now_s) = 0;

@@ -12,6 +12,8 @@ public:
 
     /// Moves what there is, both ways. False: the other end is gone.
     bool work(int descriptor, double now_s);
+    /// A host is there, which was not before.
+    void opened(double now_s) { m_device.opened(now_s); }
     /// Nobody listens: what the device says is lost, as on a line that hangs loose.
     void discard(double now_s);
 

@@ -46,6 +46,12 @@ GrblSimulator::GrblSimulator(const GrblSimulatorConfig& config)
     m_state = config.startsLocked ? State::Alarm : State::Idle;
 }
 
+void GrblSimulator::opened(double now_s) {
+    advance(now_s);
+    if (m_config.resetsWhenOpened)
+        restart();
+}
+
 void GrblSimulator::receive(std::string_view bytes, double now_s) {
     advance(now_s);
     for (const char byte : bytes)

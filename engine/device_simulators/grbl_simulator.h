@@ -21,12 +21,14 @@ struct GrblSimulatorConfig {
     double maxRate_mm_min = 6000.0;    ///< of each axis
     double acceleration_mm_s2 = 500.0; ///< 0: at full speed at once
     double homingRate_mm_min = 3000.0;
-    bool canHome = true;        ///< $22
-    bool hasSoftLimits = false; ///< $20; they hold only once it is homed
-    bool startsLocked = false;  ///< in alarm until homed or unlocked
-    bool tellsWork = false;     ///< WPos in place of MPos, $10
-    bool tellsInches = false;   ///< $13
+    bool canHome = true;           ///< $22
+    bool hasSoftLimits = false;    ///< $20; they hold only once it is homed
+    bool resetsWhenOpened = false; ///< an Arduino: the host's DTR is its reset
+    bool startsLocked = false;     ///< in alarm until homed or unlocked
+    bool tellsWork = false;        ///< WPos in place of MPos, $10
+    bool tellsInches = false;      ///< $13
     std::vector<double> workOffset{0.0, 0.0, 0.0, 0.0};
+    std::string name = "";     ///< that its `$I` tells
     double lineTime_s = 0.001; ///< before a line that has come is taken
 };
 
@@ -34,6 +36,7 @@ class GrblSimulator final : public ByteDevice {
 public:
     explicit GrblSimulator(const GrblSimulatorConfig& config = {});
 
+    void opened(double now_s) override;
     void receive(std::string_view bytes, double now_s) override;
     std::string transmit(double now_s) override;
     /// "none", "silent", "restart", "alarm" (limit switch), "door", "slow-ok", "lost-steps" (an encoder that

@@ -99,7 +99,7 @@ int GrblSimulator::takeDollar(const std::string& line) {
     if (!isAtRest)
         return 8;
     if (line == "$I") {
-        say(m_config.isHal ? "[VER:1.1f.20240101:]" : "[VER:1.1h.20190825:]");
+        say((m_config.isHal ? "[VER:1.1f.20240101:" : "[VER:1.1h.20190825:") + m_config.name + "]");
         say(m_config.isHal ? "[OPT:VNMSL,100,1024,4,0]" : "[OPT:V,15,128]");
     } else if (line == "$$") {
         for (const auto& [number, value] : m_settings)

@@ -93,6 +93,12 @@ void ModbusSimulator::addController(int unit, const ModbusProfile& profile, cons
         store(added, *profile.run, registersFromQuantity(*profile.run, profile.runOff).value());
     if (profile.watchdog)
         store(added, *profile.watchdog, registersFromQuantity(*profile.watchdog, 0.0).value());
+    if (const auto& unit = profile.temperatureUnit) {
+        const bool isFahrenheit = profile.processValue->unit == RegisterUnit::Fahrenheit;
+        store(added, *unit,
+              registersFromQuantity(*unit, isFahrenheit ? profile.unitFahrenheit : profile.unitCelsius)
+                  .value());
+    }
     refresh(added);
 }
 

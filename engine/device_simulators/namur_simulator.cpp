@@ -99,7 +99,7 @@ std::string NamurSimulator::value(double temperature_K, int channel) const {
 /// Empty to what is only done, or not known.
 std::string NamurSimulator::answer(std::string_view command) {
     if (command == namur::kName)
-        return "IKA simulated \r\n";
+        return m_config.name + " \r\n";
     if (command == namur::kProbe)
         return value(m_temperature_K, 1);
     if (command == namur::kPlate)

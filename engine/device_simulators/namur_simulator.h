@@ -13,6 +13,7 @@ struct NamurSimulatorConfig {
     double heating_s = 60.0;  ///< time constant towards the set point
     double cooling_s = 600.0; ///< towards ambient, or down to the set point
     double delay_s = 0.02;    ///< of an answer
+    std::string name = "IKA simulated";
 };
 
 /// Faults: "silent" hears and says nothing, "garbage" answers noise, "wrong-channel" answers of another

@@ -124,6 +124,8 @@ void PtyServer::forgetClient() {
 void PtyServer::work(double now_s) {
     // What a client sent just before it left is still read.
     const bool isThere = hasClient();
+    if (isThere && !m_hadClient)
+        m_pump.opened(now_s);
     if ((isThere || m_hadClient) && m_pump.work(m_terminal.master, now_s)) {
         m_hadClient = true;
         return;

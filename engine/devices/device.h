@@ -3,15 +3,25 @@
 
 #include "engine/base/message.h"
 
+#include <optional>
 #include <string>
 
 namespace bask {
+
+enum class DeviceRole { Robot, Thermometer, HeatSource, Camera };
 
 enum class LinkState {
     Closed,  ///< not asked for
     Opening, ///< opened, but the device has not answered yet; or opened again and again
     Live,    ///< answers
     Lost     ///< did answer, and does not any more
+};
+
+/// Whether a source heats, as far as the device itself tells.
+enum class HeatState {
+    Off,    ///< the device has confirmed it
+    On,     ///< asked for, or not yet confirmed to be off again
+    Unknown ///< it does not answer, has told nothing yet, or does not confirm the order to switch off
 };
 
 /// A device at one moment.
@@ -23,6 +33,8 @@ struct DeviceStatus {
     double rate_Hz = 0.0;        ///< of answers
     int discarded = 0;           ///< replies so far that nobody can read or that were not asked for
     std::string identity;        ///< as the device tells, "Grbl 1.1h"; empty: it does not
+    /// What tells it from others of its kind, as it tells; "": it has nothing; empty: not told yet.
+    std::optional<std::string> signature{};
 };
 
 /// Used on the engine thread only.
@@ -32,6 +44,10 @@ public:
     /// Takes what has come and sends what is due; never waits. Called every few milliseconds.
     virtual void work() = 0;
     virtual DeviceStatus status() const = 0;
+    /// By its signature, the device that is meant; without this the first one that is met since the link was
+    /// made. Of another one nothing but its name is asked, it is not live (DeviceExchanged), and what it is
+    /// told is refused.
+    virtual void expect(const std::string&) {}
 };
 
 } // namespace bask

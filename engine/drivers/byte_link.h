@@ -3,6 +3,7 @@
 
 #include "engine/base/message.h"
 
+#include <limits>
 #include <string>
 #include <string_view>
 
@@ -22,8 +23,13 @@ public:
     virtual Message problem() const = 0;
     /// All that has come since.
     virtual std::string read() = 0;
+    /// When the line was last seen empty before any of what read() gave last had come, SteadyClock, s: it may
+    /// have waited. Infinite: the link does not tell.
+    virtual double emptyAt_s() const { return std::numeric_limits<double>::infinity(); }
     /// Queued. One that would queue more than kMostQueued closes the link, with a problem.
     virtual void write(std::string_view bytes) = 0;
+    /// The port's own name, when it was opened last; empty: it has none.
+    virtual std::string portId() const { return {}; }
     /// As a person knows it: "/dev/ttyUSB0", "192.168.1.6:29999".
     virtual std::string name() const = 0;
 };

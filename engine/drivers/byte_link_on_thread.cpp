@@ -1,5 +1,6 @@
 #include "engine/drivers/byte_link_on_thread.h"
 
+#include "engine/base/clock.h"
 #include "engine/base/message_code.h"
 
 #include <utility>
@@ -27,6 +28,7 @@ void ByteLinkOnThread::open() {
     m_isOpening = true;
     m_thread.post([this, wanted = m_wanted] {
         m_done = wanted;
+        m_looked_s = SteadyClock().now_s();
         m_link->open();
         m_thread.start();
         turn();
@@ -61,24 +63,38 @@ void ByteLinkOnThread::turn() {
         const std::lock_guard lock(m_mutex);
         return m_unread.size();
     }();
-    const std::string bytes = unread < kMostUnread ? m_link->read() : std::string();
+    const bool looks = unread < kMostUnread;
+    const double begun_s = SteadyClock().now_s();
+    const std::string bytes = looks ? m_link->read() : std::string();
+    const double emptyAt_s = m_looked_s;
+    if (looks)
+        m_looked_s = begun_s;
     const bool isOpen = m_link->isOpen();
     const Message problem = m_link->problem();
+    const std::string portId = m_link->portId();
     const bool isFailed = !isOpen && problem.code != MessageCode::None;
     if (isFailed)
         m_thread.stop();
     const std::lock_guard lock(m_mutex);
     if (m_done != m_wanted)
         return;
+    if (m_unread.empty())
+        m_unreadEmptyAt_s = bytes.empty() ? begun_s : emptyAt_s;
     m_unread += bytes;
     m_isOpen = isOpen;
     m_isOpening = m_isOpening && !isOpen && !isFailed;
     m_problem = problem;
+    m_portId = portId;
 }
 
 bool ByteLinkOnThread::isOpen() const {
     const std::lock_guard lock(m_mutex);
     return m_isOpen;
+}
+
+std::string ByteLinkOnThread::portId() const {
+    const std::lock_guard lock(m_mutex);
+    return m_portId;
 }
 
 Message ByteLinkOnThread::problem() const {
@@ -88,7 +104,13 @@ Message ByteLinkOnThread::problem() const {
 
 std::string ByteLinkOnThread::read() {
     const std::lock_guard lock(m_mutex);
+    m_readEmptyAt_s = m_unreadEmptyAt_s;
     return std::exchange(m_unread, {});
+}
+
+double ByteLinkOnThread::emptyAt_s() const {
+    const std::lock_guard lock(m_mutex);
+    return m_readEmptyAt_s;
 }
 
 void ByteLinkOnThread::write(std::string_view bytes) {

@@ -22,8 +22,10 @@ public:
     bool isOpen() const override;
     Message problem() const override;
     std::string read() override;
+    double emptyAt_s() const override;
     void write(std::string_view bytes) override;
     std::string name() const override { return m_name; }
+    std::string portId() const override;
 
 private:
     static constexpr std::size_t kMostUnread = 65536; ///< more stays with the link
@@ -38,10 +40,14 @@ private:
     int m_wanted = 0; ///< counts open() and close(): what belongs to an earlier one is void
     bool m_isOpen = false, m_isOpening = false;
     Message m_problem;
+    std::string m_portId;
     std::string m_unread;
+    double m_unreadEmptyAt_s = 0.0,
+           m_readEmptyAt_s = 0.0; ///< before the first of m_unread; of the last read()
     std::size_t m_unwritten = 0;
     // There only
     int m_done = 0;
+    double m_looked_s = 0.0; ///< for bytes, of which none were left then
     std::unique_ptr<ByteLink> m_link;
     LinkThread m_thread; ///< last: it ends first
 };

@@ -1,6 +1,7 @@
 #include "engine/drivers/dobot_robot.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,6 +28,8 @@ constexpr double kResetting_s = 1.0, kEnabling_s = 5.0;
 constexpr double kNoReply_s = 5.0;
 constexpr double kNoteAgain_s = 5.0;
 constexpr double kErrorsPause_s = 1.0;
+constexpr double kPaceOver_s = 0.024, kPaceGap_s = 0.1; // some packets
+constexpr double kTooFast = 1.5, kPaceNoise_mm_s = 6.0;
 
 /// Words of a mode in which somebody else has the arm; empty: nobody has.
 const char* heldWords(DobotMode mode) {
@@ -52,6 +55,15 @@ DobotRobot::DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback
                        AxisMap map, MotionGuard guard, double fullSpeed_mm_s)
     : m_dashboard(dashboard), m_motion(motion), m_feedback(feedback), m_clock(clock),
       m_planner(std::move(map), std::move(guard)), m_fullSpeed_mm_s(fullSpeed_mm_s) {}
+
+void DobotRobot::limitSpeed(double largest_m_s, double largest_rad_s) {
+    const double largest_mm_s = 1000.0 * largest_m_s, largest_deg_s = degFromRad(largest_rad_s);
+    if (largest_mm_s == m_largest_mm_s && largest_deg_s == m_largest_deg_s)
+        return;
+    m_largest_mm_s = largest_mm_s;
+    m_largest_deg_s = largest_deg_s;
+    m_isSetUp = false; // the factor is set anew, before the next move
+}
 
 void DobotRobot::work() {
     const double now_s = m_clock.now_s();
@@ -237,6 +249,7 @@ void DobotRobot::takeFeedback(const DobotFeedback& feedback, double now_s) {
         return;
     m_at = at;
     takeTime(feedback, now_s);
+    checkPace();
     takeFrames(feedback, now_s);
     takeMode(now_s);
     followStep(now_s);
@@ -258,6 +271,22 @@ void DobotRobot::takeTime(const DobotFeedback& feedback, double now_s) {
                               now_s - told_s);
     m_time_ms = feedback.time_ms;
     m_at_s = m_offset_s + told_s - kPacketPeriod_s;
+}
+
+/// Its full speed may not be what it is taken for.
+void DobotRobot::checkPace() {
+    const bool goesOn = m_time_ms >= m_paced_ms; // its clock may be set
+    const double over_s = goesOn ? 0.001 * static_cast<double>(m_time_ms - m_paced_ms) : kPaceGap_s;
+    if (over_s < kPaceOver_s)
+        return;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+        squares += std::pow(m_position[i] - m_pacedAt[i], 2);
+    if (over_s < kPaceGap_s && m_step && m_step->isTaken && m_failure.empty() &&
+        std::sqrt(squares) > (kTooFast * m_largest_mm_s + kPaceNoise_mm_s) * over_s)
+        failStep("it moves faster than it may; compare its full speed with its settings");
+    m_pacedAt = m_position;
+    m_paced_ms = m_time_ms;
 }
 
 /// What is told in another frame is another place, and so is where a move leads.
@@ -372,18 +401,29 @@ void DobotRobot::setUp() {
         m_toAsk = {"ResetRobot()"};
         return;
     }
-    m_toAsk = {"SpeedFactor(100)", "User(0)", "Tool(0)"}; // its base's frame, its flange
+    m_toAsk = {"SpeedFactor(" + std::to_string(speedFactor()) + ")", "User(0)",
+               "Tool(0)"}; // its base's, its flange
     if (m_mustContinue)
         m_toAsk.emplace_back("Continue()");
 }
 
-/// In whole percent. Degrees count as millimetres.
+/// Of all its moves, in whole percent: one at 100 % is then no quicker than the quickest that it may make.
+int DobotRobot::speedFactor() const {
+    const double share = std::max(m_largest_mm_s, m_largest_deg_s) / m_fullSpeed_mm_s;
+    return static_cast<int>(std::clamp(std::floor(100.0 * share + 1e-6), 1.0, 100.0));
+}
+
+/// In whole percent of that. Degrees count as millimetres. 0: one percent is too quick.
 int DobotRobot::speedOf(const PlannedStep& plan) const {
-    double squares = 0.0;
+    double moved = 0.0, turned = 0.0;
     for (std::size_t i = 0; i < plan.to.size(); ++i)
-        squares += std::pow(plan.to[i] - plan.from[i], 2);
-    const double share = kHaste * std::sqrt(squares) / (plan.time_s * m_fullSpeed_mm_s);
-    return static_cast<int>(std::clamp(std::ceil(100.0 * share - 1e-6), 1.0, 100.0));
+        (m_planner.map().axes()[i].coordinate < 3 ? moved : turned) += std::pow(plan.to[i] - plan.from[i], 2);
+    const double way = std::sqrt(moved + turned);
+    const double least_s = std::max(std::sqrt(moved) / m_largest_mm_s, std::sqrt(turned) / m_largest_deg_s);
+    const double percent = 1e-4 * speedFactor() * m_fullSpeed_mm_s;
+    const double wanted = std::ceil(kHaste * way / (plan.time_s * percent) - 1e-6);
+    const double most = std::floor(way / (least_s * percent) + 1e-6);
+    return static_cast<int>(std::min(std::clamp(wanted, 1.0, 100.0), most));
 }
 
 /// Stopped, and told until a person has seen to it.
@@ -406,7 +446,10 @@ void DobotRobot::sendStep(double now_s) {
     const auto& axes = m_planner.map().axes();
     for (std::size_t i = 0; i < axes.size(); ++i)
         to[kDobotLetters.find(axes[i].letter)] = plan->to[i];
-    const auto move = dobotMove(to, speedOf(*plan), kAcceleration_percent);
+    const int speed = speedOf(*plan);
+    if (speed < 1)
+        return failStep("it cannot move as slowly as it has to");
+    const auto move = dobotMove(to, speed, kAcceleration_percent);
     if (!move)
         return note(move.error().message, now_s);
     m_spanFrom = plan->from;
@@ -479,6 +522,7 @@ DeviceStatus DobotRobot::status() const {
     out.replyTime_s = m_replyTime_s;
     out.rate_Hz = m_rate_Hz;
     out.identity = m_wasLive ? "Dobot" : "";
+    out.signature = "";
     out.discarded = m_discarded;
     return out;
 }

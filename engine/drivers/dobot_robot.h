@@ -1,8 +1,10 @@
 #pragma once
 // A four-axis Dobot arm (MG400, M1 Pro) as a Robot: bounded straight moves, one at a time.
 //
-// Its speed is a whole percentage of its own, not a number: each step is a short move, quicker than wanted,
-// then it waits until the step's time is over. Its encoders are absolute; it needs no homing.
+// Its speed is a whole percentage of its own, not a number: each step is a short move, up to twice as quick
+// as wanted, then it waits until the step's time is over. No move is quicker than it was limited to: its
+// overall speed factor is set to that, and what it tells of its place is compared. Its encoders are absolute;
+// it needs no homing.
 
 #include "engine/base/clock.h"
 #include "engine/devices/device.h"
@@ -23,11 +25,15 @@ public:
     static constexpr double kElsewhere = 0.5; ///< mm, degrees; as GrblRobot's
     static constexpr int kAcceleration_percent = 20;
     static constexpr double kFullSpeed_mm_s = 500.0; ///< where nobody has told it
+    static constexpr double kLargest_mm_s = 20.0;    ///< until limitSpeed(); degrees a second too
 
     /// Links to its ports 29999, 30003 and 30004, and the clock, must outlive it. Axes are X, Y, Z and R;
     /// those that the map does not have are kept where they are found. Full speed: of its playback settings.
     DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback, const Clock& clock, AxisMap map,
                MotionGuard guard, double fullSpeed_mm_s = kFullSpeed_mm_s);
+
+    /// The quickest that it may move and turn, as MovL counts: no quicker whatever it is asked.
+    void limitSpeed(double largest_m_s, double largest_rad_s);
 
     void work() override;
     DeviceStatus status() const override;
@@ -74,7 +80,9 @@ private:
     void act(double now_s);
     void setUp();
     void sendStep(double now_s);
+    int speedFactor() const;
     int speedOf(const PlannedStep& plan) const;
+    void checkPace();
     void stopMove();
     void failStep(const char* words);
     bool isMoving() const;
@@ -87,7 +95,7 @@ private:
     LinkKeeper m_dashboard, m_motion, m_feedback;
     const Clock& m_clock;
     StepPlanner m_planner;
-    double m_fullSpeed_mm_s;
+    double m_fullSpeed_mm_s, m_largest_mm_s = kLargest_mm_s, m_largest_deg_s = kLargest_mm_s;
 
     LinkState m_linkState = LinkState::Closed;
     Message m_problem, m_note;
@@ -116,6 +124,8 @@ private:
     DobotPosition m_position{}, m_still{}; ///< as told; where axes without a coordinate stay
     std::vector<double> m_at;
     double m_at_s = 0.0;
+    DobotPosition m_pacedAt{}; ///< some packets before
+    std::uint64_t m_paced_ms = 0;
     double m_offset_s = 0.0; ///< of the engine's clock to the controller's
     std::uint64_t m_time_ms = 0;
     std::optional<double> m_otherFrame_s; ///< since when its frames are not 0

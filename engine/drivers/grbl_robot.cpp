@@ -31,7 +31,8 @@ std::string wordsOr(std::string words, const char* otherwise) {
 
 } // namespace
 
-GrblRobot::GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard, bool mustHome)
+GrblRobot::GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard,
+                     std::optional<bool> mustHome)
     : m_link(link), m_keeper(link), m_clock(clock), m_planner(std::move(map), std::move(guard)),
       m_mustHome(mustHome) {}
 
@@ -80,6 +81,7 @@ void GrblRobot::begin(double now_s) {
     m_lastGarbage.clear();
     m_offset.clear();
     m_isSetUp = false;
+    m_signature.clear();
     m_setUpFrom_s = m_linesFrom_s = now_s + kSettle_s;
     m_isPlaceToCheck = m_wasLive;
 }
@@ -186,9 +188,10 @@ void GrblRobot::act(double now_s) {
         send(next, next == Kind::Home ? "$H\n" : "$X\n", now_s);
         if (next == Kind::Home)
             m_spanFrom.clear();
-    } else if (!m_isSetUp || m_identity.empty()) {
+    } else if (!m_isSetUp || m_signature.empty()) {
         setUp(now_s);
-    } else if (m_isIdleSeen && m_linkState == LinkState::Live && alarm().code == MessageCode::None) {
+    } else if (isIdentified() && m_isIdleSeen && m_linkState == LinkState::Live &&
+               alarm().code == MessageCode::None) {
         sendStep(now_s);
     }
 }
@@ -266,7 +269,8 @@ bool GrblRobot::isMoving() const {
 }
 
 bool GrblRobot::isPlaceSure() const {
-    return m_isSetUp && !m_hasRestarted && !m_elsewhere && !m_isPlaceInDoubt && !isHomingDue();
+    return m_isSetUp && (m_isHomed || m_isConfirmed) && !m_hasRestarted && !m_elsewhere &&
+           !m_isPlaceInDoubt && !isHomingDue();
 }
 
 Message GrblRobot::alarm() const {
@@ -311,6 +315,8 @@ DeviceStatus GrblRobot::status() const {
     out.replyTime_s = m_replyTime_s;
     out.rate_Hz = m_rate_Hz;
     out.identity = m_identity;
+    if (!m_signature.empty())
+        out.signature = m_signature;
     out.discarded = m_discarded;
     return out;
 }
@@ -404,10 +410,12 @@ void GrblRobot::workStops(double now_s) {
 Result<void> GrblRobot::home() {
     if (m_linkState != LinkState::Live)
         return notLive();
-    if (!m_canHome)
+    if (!m_canHome.value_or(true))
         return Error(MessageCode::RobotCannotHome, m_link.name());
     if (!isResting() || m_step || m_isHalting || m_reset_s || m_runStop_s || m_line || m_next)
         return Error(MessageCode::CommandNotNow, m_link.name(), {"home", m_status.word});
+    if (!isIdentified())
+        return Error(MessageCode::RobotOpening, m_link.name());
     m_planner.forget();
     if (m_status.state == GrblState::Alarm)
         reset(Kind::Home, m_clock.now_s());
@@ -467,6 +475,7 @@ bool GrblRobot::clearHold() {
 Result<void> GrblRobot::clearDoubt() {
     m_hasRestarted = m_isPlaceInDoubt = false;
     m_elsewhere.reset();
+    m_isConfirmed = true;
     if (isHomingDue())
         return Error(MessageCode::RobotPlaceUnsure, m_link.name());
     return {};

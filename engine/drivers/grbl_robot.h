@@ -22,11 +22,15 @@ public:
     /// degrees.
     static constexpr double kElsewhere = 0.5;
 
-    /// `mustHome`: its place is not sure before it has been homed. Link and clock must outlive it.
-    GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard, bool mustHome);
+    /// Its place is not sure before it has been homed or a person has confirmed it: a controller that was
+    /// just started says zero wherever it stands. `mustHome`: homed it must be; empty: it must where its
+    /// controller says that it can ($22). Link and clock must outlive it.
+    GrblRobot(ByteLink& link, const Clock& clock, AxisMap map, MotionGuard guard,
+              std::optional<bool> mustHome);
 
     void work() override;
     DeviceStatus status() const override;
+    void expect(const std::string& signature) override { m_expected = signature; }
 
     Result<RobotState> state() override;
     /// An Error, too, while something keeps it from moving. Throws std::invalid_argument for numbers that are
@@ -52,6 +56,7 @@ private:
         double sent_s;
         bool hasReport = false; ///< something that only this line asks for has come
         bool hasUnits = false;  ///< $13 among it
+        std::string version{};  ///< what `$I` has told so far
     };
     static constexpr double kStepMargin_s = 0.01;
     struct Step {
@@ -101,18 +106,20 @@ private:
 
     bool isMoving() const;
     bool isPlaceSure() const;
-    bool isHomingDue() const { return m_mustHome && !m_isHomed; }
+    bool isHomingDue() const { return m_mustHome.value_or(m_canHome.value_or(false)) && !m_isHomed; }
     bool isResting() const; ///< Idle or Alarm, where it reads its `$` lines
     Message alarm() const;
     static Message refusal(int error);
     void note(const Message& message, double now_s);
     Error notLive() const;
+    bool isOther() const { return m_expected && !m_signature.empty() && m_signature != *m_expected; }
+    bool isIdentified() const { return m_expected && m_signature == *m_expected; }
 
     ByteLink& m_link;
     LinkKeeper m_keeper;
     const Clock& m_clock;
     StepPlanner m_planner;
-    bool m_mustHome;
+    std::optional<bool> m_mustHome;
 
     LinkState m_linkState = LinkState::Closed;
     Message m_problem;
@@ -124,6 +131,8 @@ private:
     double m_heard_s = -1e300; ///< for its liveness: reports, acknowledgements, banners
     double m_lastReply_s = -1e300, m_replyTime_s = 0.0, m_rate_Hz = 0.0;
     std::string m_identity, m_lastGarbage;
+    std::string m_signature;               ///< by its `$I` since the link was opened; empty: not told yet
+    std::optional<std::string> m_expected; ///< of the one that is meant
     int m_discarded = 0;
     LineSplitter m_splitter;
 
@@ -141,7 +150,8 @@ private:
     bool m_wasRunReset = false;
     double m_stopAgain_s = -1e300; ///< the byte for either of them was sent last
     bool m_isIdleSeen = false;     ///< since the last line was acknowledged
-    bool m_isSetUp = false, m_tellsInches = false, m_canHome = true;
+    bool m_isSetUp = false, m_tellsInches = false;
+    std::optional<bool> m_canHome; ///< as it tells
     double m_setUpFrom_s = 0.0;
 
     std::optional<Step> m_step;
@@ -156,7 +166,8 @@ private:
     std::optional<int> m_refused;
     std::optional<double> m_elsewhere;
     std::string m_held;
-    bool m_isHomed = false, m_hasRestarted = false, m_isSlow = false, m_isPlaceInDoubt = false;
+    bool m_isHomed = false, m_isConfirmed = false; ///< since it started
+    bool m_hasRestarted = false, m_isSlow = false, m_isPlaceInDoubt = false;
 };
 
 } // namespace bask

@@ -89,6 +89,11 @@ void GrblRobot::takeAnswerTo(const Pending& line, int error, double now_s) {
     case Kind::Version:
         if (m_identity.empty())
             m_identity = "Grbl";
+        if (error != 0)
+            break;
+        m_signature = line.version.empty() ? "Grbl" : line.version;
+        if (!m_expected)
+            m_expected = m_signature;
         break;
     case Kind::Jog:
         if (m_step && error == 0) {
@@ -176,8 +181,14 @@ void GrblRobot::takeStatus(const GrblStatus& status, double now_s) {
         m_step.reset();
         m_spanFrom = m_spanTo = at;
     }
+    if (isOther()) {
+        m_linkState = m_wasLive ? LinkState::Lost : LinkState::Opening;
+        m_problem = {MessageCode::DeviceExchanged, {m_link.name(), *m_expected, m_signature}};
+        return;
+    }
     // In some alarms it refuses its settings, and is to be cleared first.
-    if (m_isSetUp || !isResting() || m_alarm) {
+    const bool isKnown = m_isSetUp && (!m_expected || !m_signature.empty());
+    if (isKnown || !isResting() || m_alarm) {
         m_linkState = LinkState::Live;
         m_wasLive = true;
         m_problem = {};
@@ -231,7 +242,8 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
         m_isPlaceToCheck = true;
     } else {
         m_next.reset();
-        m_isSetUp = m_isHomed = false;
+        m_isSetUp = m_isHomed = m_isConfirmed = false;
+        m_signature.clear();
         m_setUpFrom_s = now_s;
         m_hasRestarted = m_hasRestarted || m_wasLive;
         m_alarm.reset(); // the next report tells
@@ -256,8 +268,11 @@ void GrblRobot::takeReport(const std::string& text, double now_s) {
         }
         m_isIdleSeen = false;
         m_linesFrom_s = now_s + kQuiet_s;
-    } else if (text.starts_with("VER:") && m_identity.empty()) {
-        m_identity = "Grbl " + versionIn(text);
+    } else if (text.starts_with("VER:")) {
+        if (m_identity.empty())
+            m_identity = "Grbl " + versionIn(text);
+        if (m_line && m_line->kind == Kind::Version)
+            m_line->version = text;
     }
 }
 
@@ -265,8 +280,8 @@ void GrblRobot::takeSetting(const GrblSetting& setting) {
     if (!m_line || m_line->kind != Kind::Settings)
         return;
     m_line->hasReport = true;
-    if (setting.number == 22)
-        m_canHome = setting.value != "0";
+    if (setting.number == 22 && !setting.value.empty())
+        m_canHome = (setting.value.back() - '0') % 2 != 0; // grblHAL's other bits are how
     if (setting.number != 13)
         return;
     m_line->hasUnits = true;

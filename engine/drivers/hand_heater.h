@@ -26,6 +26,7 @@ public:
     Result<void> heatOff() override { return {}; }
     /// While its temperature is known.
     bool heating() const override { return m_typed.valid; }
+    HeatState heatState() const override { return m_typed.valid ? HeatState::On : HeatState::Unknown; }
     bool isByHand() const override { return true; }
     bool hasWatchdog() const override { return false; }
 

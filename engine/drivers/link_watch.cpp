@@ -92,6 +92,7 @@ Message LinkWatch::problem() const {
 DeviceStatus LinkWatch::status() const {
     DeviceStatus status;
     status.problem = problem();
+    status.signature = "";
     status.lastReply_s = m_lastReply_s;
     status.replyTime_s = m_replyTime_s;
     status.discarded = m_discards;

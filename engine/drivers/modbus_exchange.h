@@ -29,8 +29,8 @@ public:
     bool isLive() const;
     /// Why nothing can be read or set now.
     Error error() const;
-    /// When the newest reply came, s.
-    double answered_s() const { return m_answered_s; }
+    /// When was sent what the newest reply answers, s: it may have waited to be taken.
+    double asked_s() const { return m_sent_s; }
     std::string name() const { return m_link.name(); }
 
 private:

@@ -2,7 +2,9 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/drivers/off_program.h"
 #include "engine/drivers/sensor_fault.h"
+#include "engine/protocols/modbus_frame.h"
 #include "engine/protocols/register_values.h"
 
 #include <algorithm>
@@ -62,25 +64,30 @@ Result<std::unique_ptr<ModbusHeater>> ModbusHeater::create(ModbusLink& link, con
 
 ModbusHeater::ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings)
     : m_settings(settings), m_clock(clock),
-      m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)) {
+      m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)),
+      m_identity(settings.profile.identity) {
     listRanges();
 }
 
 void ModbusHeater::listRanges() {
     const ModbusProfile& p = m_settings.profile;
     std::vector<RegisterRange> ranges{rangeOf(*p.processValue), rangeOf(*p.setPoint)};
-    for (const auto& spec : {p.setPointWritten, p.run, p.watchdog, p.sensorFault}) {
+    for (const auto& spec : {p.setPointWritten, p.run, p.watchdog, p.sensorFault, p.temperatureUnit}) {
         if (spec)
             ranges.push_back(rangeOf(*spec));
     }
     for (const StatusSpec& status : p.status)
         ranges.push_back({status.function, status.address, 1});
+    if (const auto range = m_identity.range())
+        ranges.push_back(*range);
     m_ranges = joinedRanges(std::move(ranges));
 }
 
 void ModbusHeater::work() {
     if (const auto reply = m_exchange.work())
         take(*reply);
+    if (!m_exchange.isLive())
+        m_identity.forget();
     if (m_wanted_K && m_clock.now_s() >= m_until_s)
         switchOff(); // nobody said on again
     if (m_exchange.canSend())
@@ -105,13 +112,33 @@ void ModbusHeater::takeRead(const std::vector<std::uint16_t>& values) {
     const RegisterRange& range = m_ranges[m_next];
     m_image.store(range, values);
     if (range.contains(rangeOf(*m_settings.profile.processValue)))
-        m_measured_s = m_exchange.answered_s();
+        m_measured_s = m_exchange.asked_s();
     if (++m_next == m_ranges.size())
         takeCycle();
 }
 
+/// False: not in one that is known.
+bool ModbusHeater::takeUnit() {
+    ModbusProfile& p = m_settings.profile;
+    m_unitProblem = {};
+    if (!p.temperatureUnit)
+        return true;
+    const double told = quantity(*p.temperatureUnit);
+    if (told == p.unitCelsius || told == p.unitFahrenheit) {
+        p = inUnit(p, told == p.unitCelsius ? RegisterUnit::Celsius : RegisterUnit::Fahrenheit);
+        return true;
+    }
+    m_unitProblem = {MessageCode::DeviceAnswersWrong,
+                     {m_exchange.name(),
+                      "its unit (degC, degF) is not told: its register holds " + formatNumber(told, 6)}};
+    return false;
+}
+
 void ModbusHeater::takeCycle() {
     const ModbusProfile& p = m_settings.profile;
+    m_identity.take(m_image);
+    if (!takeUnit() && m_wanted_K)
+        switchOff();
     RegisterValue value =
         temperatureFromRegisters(p, *p.processValue, m_image.registers(rangeOf(*p.processValue)));
     for (const StatusSpec& status : p.status) {
@@ -124,6 +151,7 @@ void ModbusHeater::takeCycle() {
                  sensorFault(value.fault)};
     m_next = 0;
     m_isKnown = m_isFresh = true;
+    m_cycle_s = m_clock.now_s();
     if (m_wanted_K)
         compare();
     if (!correction())
@@ -156,9 +184,10 @@ void ModbusHeater::switchOff() {
 }
 
 void ModbusHeater::sendNext() {
-    if (std::exchange(m_isOffDue, false))
+    const bool mayWrite = m_identity.isKnown();
+    if (mayWrite && std::exchange(m_isOffDue, false))
         return write(offRequest());
-    if (m_isFresh) {
+    if (mayWrite && m_isFresh) {
         const auto change = correction();
         if (change && !(isSame(*change, m_written) && isWorn()))
             return write(*change);
@@ -213,6 +242,19 @@ ModbusRequest ModbusHeater::offRequest() const {
     if (p.run)
         return writeRequest(*p.run, registersFromQuantity(*p.run, p.runOff).value());
     return setPointRequest(kelvinFromCelsius(p.setPointOff_degC));
+}
+
+guard::OffProgram ModbusHeater::offProgram() const {
+    constexpr int kReply_ms = 300, kGap_ms = 20;
+    const int unit = m_settings.unit;
+    const ModbusRequest off = offRequest();
+    const RegisterSpec& spec = m_settings.profile.run ? *m_settings.profile.run : writtenSetPoint();
+    guard::OffProgram program;
+    add(program, offWrite(modbusRequest({unit, off.function, off.address, off.count, off.values}), kReply_ms,
+                          kGap_ms));
+    add(program, offWhenBytes(modbusRequest({unit, spec.function, spec.address, off.count, {}}),
+                              modbusReadReply(unit, spec.function, off.values), kReply_ms));
+    return program;
 }
 
 const RegisterSpec& ModbusHeater::writtenSetPoint() const {
@@ -272,9 +314,16 @@ bool ModbusHeater::isDriven() const {
            !(readBack_K(*p.setPoint) <= kelvinFromCelsius(kHighestOff_degC));
 }
 
+Message ModbusHeater::exchanged() const {
+    return m_identity.exchanged(m_exchange.name());
+}
+
 Result<Reading> ModbusHeater::read() {
     if (!m_exchange.isLive() || !m_isKnown)
         return m_exchange.error();
+    for (const Message& problem : {m_identity.isOther() ? exchanged() : Message{}, m_unitProblem})
+        if (problem != Message{})
+            return Error(problem.code, "", problem.args);
     return m_reading;
 }
 
@@ -286,8 +335,9 @@ Result<void> ModbusHeater::keepHeating(double setPoint_K, double validFor_s) {
         return Error(MessageCode::ValueNotPositive, "valid for", {formatNumber(validFor_s)});
     if (!m_exchange.isLive() || !m_isKnown)
         return m_exchange.error();
-    if (m_refusal != Message{})
-        return Error(m_refusal.code, "", m_refusal.args);
+    for (const Message& problem : {m_identity.isOther() ? exchanged() : Message{}, m_unitProblem, m_refusal})
+        if (problem != Message{})
+            return Error(problem.code, "", problem.args);
     const double now_s = m_clock.now_s();
     const bool isBegun = !m_wanted_K;
     if (m_wanted_K != setPoint_K)
@@ -312,6 +362,8 @@ Result<void> ModbusHeater::heatOff() {
         switchOff();
     if (!m_exchange.isLive())
         return m_exchange.error();
+    if (m_identity.isOther())
+        return Error(exchanged().code, "", exchanged().args);
     return taken();
 }
 
@@ -336,7 +388,15 @@ Result<void> ModbusHeater::taken() const {
 }
 
 bool ModbusHeater::heating() const {
-    return m_wanted_K || m_isOffDue || isOn() || isDriven();
+    return m_wanted_K || m_isOffDue || (!m_identity.isOther() && (isOn() || isDriven()));
+}
+
+/// Of a device that was away the registers are those of before, until they were all read again.
+HeatState ModbusHeater::heatState() const {
+    const double most_s = std::max(m_settings.silentAfter_s, 3.0 * m_settings.period_s);
+    if (!m_exchange.isLive() || !m_isKnown || m_identity.isOther() || m_clock.now_s() - m_cycle_s > most_s)
+        return HeatState::Unknown;
+    return heating() || m_tries > 0 ? HeatState::On : HeatState::Off;
 }
 
 std::optional<double> ModbusHeater::setPoint_K() const {

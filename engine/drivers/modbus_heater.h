@@ -5,6 +5,8 @@
 #include "engine/devices/device.h"
 #include "engine/devices/heat_source.h"
 #include "engine/drivers/modbus_exchange.h"
+#include "engine/drivers/modbus_identity.h"
+#include "engine/guard/guard_messages.h"
 #include "engine/protocols/modbus_profile.h"
 #include "engine/protocols/register_ranges.h"
 
@@ -22,7 +24,8 @@ struct ModbusHeaterSettings {
 
 /// Off is what it is without anybody's word: found on, it is switched off. Off is the profile's run register,
 /// or without one its set point for off. The watchdog is set before heat goes on. Controllers may keep set
-/// points where writing wears: one that moves is written in steps, at most 3 K or 5 s late.
+/// points where writing wears: one that moves is written in steps, at most 3 K or 5 s late. One that tells
+/// its unit is read and set in that; telling none that is known, it gives no temperature and is not heated.
 class ModbusHeater final : public HeatSource, public Device {
 public:
     /// `link` and `clock` must outlive it; the link may be shared. Errors: ValueOutOfRange (unit, period, a
@@ -31,7 +34,8 @@ public:
                                                         const ModbusHeaterSettings& settings);
 
     void work() override;
-    DeviceStatus status() const override { return m_exchange.status(); }
+    DeviceStatus status() const override { return m_identity.told(m_exchange.status(), m_exchange.name()); }
+    void expect(const std::string& signature) override { m_identity.expect(signature); }
     Result<Reading> read() override;
     /// Refused besides when the device did not take what was written: SafetySetPointOther, DeviceException;
     /// and until heatOff(), when it had taken it and holds something else now: it was stopped
@@ -42,13 +46,18 @@ public:
     Result<void> heatOff() override;
     /// Wanted, or not yet seen to be off.
     bool heating() const override;
+    HeatState heatState() const override;
     std::optional<double> setPoint_K() const override;
     bool hasWatchdog() const override { return m_settings.profile.watchdog.has_value(); }
+
+    /// What switches it off, for its guard: the frames that write off, and read it back.
+    guard::OffProgram offProgram() const;
 
 private:
     ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings);
     void listRanges();
     void take(const ModbusReply& reply);
+    bool takeUnit();
     void takeRead(const std::vector<std::uint16_t>& values);
     void takeCycle();
     void sendNext();
@@ -65,6 +74,7 @@ private:
     bool isOn() const;
     bool isDriven() const;
     bool isWorn() const;
+    Message exchanged() const;
     void compare();
     void switchOff();
     Result<void> taken() const;
@@ -72,6 +82,7 @@ private:
     ModbusHeaterSettings m_settings;
     const Clock& m_clock;
     ModbusExchange m_exchange;
+    ModbusIdentity m_identity;
     std::vector<RegisterRange> m_ranges; ///< requests of a cycle
     RegisterImage m_image;
     Reading m_reading;
@@ -83,6 +94,8 @@ private:
     Message m_refusal;                               ///< why it was switched off; until heatOff()
     bool m_isOffDue = false;                         ///< at once, before anything else
     bool m_isKnown = false;                          ///< every register has been read once
+    double m_cycle_s = -1e300;                       ///< when they were all read last
+    Message m_unitProblem;                           ///< in which unit it counts is not known
     bool m_isFresh = false;                          ///< all of them since the newest write
     std::size_t m_next = 0;                          ///< of m_ranges
     double m_due_s = -1e300, m_measured_s = 0.0;

@@ -16,6 +16,8 @@ struct ModbusRequest {
     int address = 0;
     int count = 1;
     std::vector<std::uint16_t> values = {};
+
+    bool reads() const { return function == 3 || function == 4; }
 };
 
 /// Registers as read: as many as were asked for, never fewer; none of a write. Errors: DeviceSilent,
@@ -38,6 +40,12 @@ public:
     /// Of that request, once; empty until it is there. Each request gets one, in time.
     virtual std::optional<ModbusReply> takeReply(int number) = 0;
     virtual std::string name() const = 0;
+    /// The port's own name, when it was opened last; empty: it has none.
+    virtual std::string portId() const { return {}; }
+
+protected:
+    static constexpr int kMostSilent = 10;          ///< requests in a row; then the port is opened anew
+    static constexpr std::size_t kMostReplies = 16; ///< that nobody has taken
 };
 
 } // namespace bask

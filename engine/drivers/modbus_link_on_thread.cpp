@@ -72,6 +72,7 @@ void ModbusLinkOnThread::turn() {
     const bool isOpen = m_link->isOpen();
     const bool isFree = m_link->isFree();
     const Message problem = m_link->problem();
+    const std::string portId = m_link->portId();
     const bool isFailed = !isOpen && problem.code != MessageCode::None;
     if (isFailed)
         m_thread.stop();
@@ -89,11 +90,17 @@ void ModbusLinkOnThread::turn() {
     m_isFree = isFree && !m_asked;
     m_isOpening = m_isOpening && !isOpen && !isFailed;
     m_problem = problem;
+    m_portId = portId;
 }
 
 bool ModbusLinkOnThread::isOpen() const {
     const std::lock_guard lock(m_mutex);
     return m_isOpen;
+}
+
+std::string ModbusLinkOnThread::portId() const {
+    const std::lock_guard lock(m_mutex);
+    return m_portId;
 }
 
 Message ModbusLinkOnThread::problem() const {

@@ -27,6 +27,7 @@ public:
     int send(const ModbusRequest& request) override;
     std::optional<ModbusReply> takeReply(int number) override;
     std::string name() const override { return m_name; }
+    std::string portId() const override;
 
 private:
     void turn();
@@ -38,6 +39,7 @@ private:
     int m_wanted = 0; ///< counts open() and close(): what belongs to an earlier one is void
     bool m_isOpen = false, m_isOpening = false, m_isFree = false;
     Message m_problem;
+    std::string m_portId;
     int m_lastNumber = 0;
     std::optional<int> m_asked; ///< number that has no reply yet
     std::map<int, ModbusReply> m_replies;

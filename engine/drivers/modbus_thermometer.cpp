@@ -40,13 +40,16 @@ ModbusThermometer::create(ModbusLink& link, const Clock& clock, const ModbusTher
 ModbusThermometer::ModbusThermometer(ModbusLink& link, const Clock& clock,
                                      const ModbusThermometerSettings& settings)
     : m_settings(settings), m_clock(clock),
-      m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)) {
+      m_exchange(link, clock, settings.unit, std::max(settings.silentAfter_s, 3.0 * settings.period_s)),
+      m_identity(settings.profile.identity) {
     const auto [first, last] = std::minmax_element(settings.channels.begin(), settings.channels.end());
     const RegisterRange begin = rangeOf(*first), end = rangeOf(*last);
     m_values = {begin.function, begin.address, end.address + end.count - begin.address};
     std::vector<RegisterRange> ranges{m_values};
     for (const StatusSpec& status : settings.profile.status)
         ranges.push_back({status.function, status.address, 1});
+    if (const auto range = m_identity.range())
+        ranges.push_back(*range);
     m_ranges = joinedRanges(std::move(ranges));
 }
 
@@ -58,6 +61,8 @@ RegisterRange ModbusThermometer::rangeOf(int channel) const {
 void ModbusThermometer::work() {
     if (const auto reply = m_exchange.work())
         take(*reply);
+    if (!m_exchange.isLive())
+        m_identity.forget();
     const double now_s = m_clock.now_s();
     const bool waits = m_next == 0 || m_isRefused;
     if (!m_exchange.canSend() || (waits && now_s < m_due_s))
@@ -76,13 +81,14 @@ void ModbusThermometer::take(const ModbusReply& reply) {
     const RegisterRange& range = m_ranges[m_next];
     m_image.store(range, *reply);
     if (range.contains(m_values))
-        m_measured_s = m_exchange.answered_s();
+        m_measured_s = m_exchange.asked_s();
     if (++m_next == m_ranges.size())
         publish();
 }
 
 void ModbusThermometer::publish() {
     m_next = 0;
+    m_identity.take(m_image);
     m_readings.clear();
     for (const int channel : m_settings.channels)
         m_readings.push_back(reading(channel));
@@ -103,6 +109,10 @@ Reading ModbusThermometer::reading(int channel) const {
 Result<std::vector<Reading>> ModbusThermometer::read() {
     if (!m_exchange.isLive() || m_readings.empty())
         return m_exchange.error();
+    if (m_identity.isOther()) {
+        const Message other = m_identity.exchanged(m_exchange.name());
+        return Error(other.code, "", other.args);
+    }
     return m_readings;
 }
 

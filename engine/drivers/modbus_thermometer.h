@@ -3,6 +3,7 @@
 
 #include "engine/devices/thermometer.h"
 #include "engine/drivers/modbus_exchange.h"
+#include "engine/drivers/modbus_identity.h"
 #include "engine/protocols/modbus_profile.h"
 #include "engine/protocols/register_ranges.h"
 
@@ -26,9 +27,10 @@ public:
                                                              const ModbusThermometerSettings& settings);
 
     void work() override;
-    DeviceStatus status() const override { return m_exchange.status(); }
+    DeviceStatus status() const override { return m_identity.told(m_exchange.status(), m_exchange.name()); }
+    void expect(const std::string& signature) override { m_identity.expect(signature); }
     int channels() const override { return static_cast<int>(m_settings.channels.size()); }
-    /// Each with the time at which its register was answered.
+    /// Each with the time at which its register was asked for.
     Result<std::vector<Reading>> read() override;
 
 private:
@@ -41,13 +43,14 @@ private:
     ModbusThermometerSettings m_settings;
     const Clock& m_clock;
     ModbusExchange m_exchange;
+    ModbusIdentity m_identity;
     RegisterRange m_values;              ///< of all channels
     std::vector<RegisterRange> m_ranges; ///< requests of a poll
     RegisterImage m_image;
     std::size_t m_next = 0;   ///< of m_ranges
     bool m_isRefused = false; ///< the newest request
     double m_due_s = -1e300;
-    double m_measured_s = 0.0; ///< when m_values were answered
+    double m_measured_s = 0.0; ///< when m_values were asked for
     std::vector<Reading> m_readings;
 };
 

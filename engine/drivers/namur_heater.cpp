@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/drivers/off_program.h"
 #include "engine/protocols/namur_lines.h"
 
 #include <algorithm>
@@ -60,6 +61,7 @@ void NamurHeater::work() {
 void NamurHeater::begin() {
     m_lines.clear();
     m_name.clear();
+    m_isNameTold = false;
     m_namesLeft = kNames;
     m_asked = Question::None;
     m_readBack_K.reset();
@@ -78,7 +80,7 @@ void NamurHeater::takeLine(const std::string& line) {
     case Question::Name:
         fits = isNamurName(line);
         if (fits)
-            m_name = line.substr(0, line.find_last_not_of(' ') + 1);
+            takeName(line.substr(0, line.find_last_not_of(' ') + 1));
         break;
     case Question::Temperature:
         fits = takeTemperature(line);
@@ -98,6 +100,14 @@ void NamurHeater::takeLine(const std::string& line) {
         m_asked = Question::None;
     else
         m_watch.discarded(line);
+}
+
+/// Empty: it tells none.
+void NamurHeater::takeName(std::string name) {
+    m_name = std::move(name);
+    m_isNameTold = true;
+    if (!m_expected && !m_name.empty())
+        m_expected = m_name;
 }
 
 bool NamurHeater::takeTemperature(const std::string& line) {
@@ -133,6 +143,8 @@ void NamurHeater::giveUpLate() {
     m_nextLine_s = now_s + (m_config.isProbeUsed ? kDeadline_s : kQuiet_s);
     if (asked == Question::Watchdog)
         watchdogUnechoed();
+    if (asked == Question::Name && m_namesLeft == 0)
+        takeName({});
 }
 
 /// Once may be a disturbance: it is sent again at once.
@@ -154,6 +166,14 @@ void NamurHeater::watchdogUnechoed() {
 void NamurHeater::speak() {
     if (m_asked != Question::None || m_clock.now_s() < m_nextLine_s)
         return;
+    if (isOther())
+        return;
+    // Nothing else is said to it before; but one that was hot and does not answer is told to stop.
+    const bool isStopDue = m_wasOn && m_namesLeft < kNames;
+    if (m_expected && !m_isNameTold && !isStopDue) {
+        --m_namesLeft;
+        return ask(Question::Name, namur::kName);
+    }
     const double before_s = m_nextLine_s;
     order();
     if (m_nextLine_s == before_s)
@@ -244,6 +264,11 @@ bool NamurHeater::isSetPointOther() const {
 DeviceStatus NamurHeater::status() const {
     DeviceStatus status = m_watch.status();
     status.identity = m_name;
+    status.signature = m_isNameTold ? std::optional(m_name) : std::nullopt;
+    if (isOther()) {
+        status.link = LinkState::Opening;
+        status.problem = exchanged();
+    }
     if (status.link == LinkState::Live && isSetPointOther())
         status.problem = {
             MessageCode::SafetySetPointOther,
@@ -251,7 +276,13 @@ DeviceStatus NamurHeater::status() const {
     return status;
 }
 
+Message NamurHeater::exchanged() const {
+    return {MessageCode::DeviceExchanged, {m_link.name(), *m_expected, m_name.empty() ? "?" : m_name}};
+}
+
 Result<Reading> NamurHeater::read() {
+    if (isOther())
+        return Error(exchanged().code, {}, exchanged().args);
     if (!m_watch.isLive() || !m_reading)
         return m_watch.error();
     return *m_reading;
@@ -265,6 +296,8 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
                      {formatNumber(setPoint_degC), "0", formatNumber(namur::kHighest_degC), "degC"}};
     if (!(validFor_s > 0.0))
         return Error{MessageCode::ValueNotPositive, "validFor", {formatNumber(validFor_s)}};
+    if (isOther())
+        return Error(exchanged().code, {}, exchanged().args);
     if (!m_watch.isLive())
         return m_watch.error();
     if (m_refusal != Message{})
@@ -284,6 +317,8 @@ Result<void> NamurHeater::keepHeating(double setPoint_K, double validFor_s) {
 
 Result<void> NamurHeater::heatOff() {
     m_refusal = {};
+    if (isOther())
+        return Error(exchanged().code, {}, exchanged().args);
     if (!m_link.isOpen()) {
         m_isOffDue = m_isOffDue || m_isOn;
         m_isOn = m_isFed = false;
@@ -306,6 +341,28 @@ Result<void> NamurHeater::offSeen() const {
                      {m_link.name(), std::string("nothing to ") + namur::kSetPoint});
     return Error(MessageCode::SafetySetPointOther, {},
                  {formatNumber(kOff_degC), formatNumber(celsiusFromKelvin(*m_readBack_K))});
+}
+
+HeatState NamurHeater::heatState() const {
+    if (!m_watch.isLive() || isOther())
+        return HeatState::Unknown;
+    if (m_isOn)
+        return HeatState::On;
+    if (!m_isOffDue)
+        return HeatState::Off;
+    return m_wasOn && offSeen() ? HeatState::On : HeatState::Unknown; // the order is on its way, or in vain
+}
+
+guard::OffProgram NamurHeater::offProgram() {
+    constexpr int kGap_ms = 60;
+    constexpr int kDeadline_ms = 500;
+    guard::OffProgram program;
+    for (int i = 0; i < 2; ++i) // the first may follow half a line, and not be heard
+        add(program, offWrite(namurLine(namur::kStop), 0, kGap_ms));
+    add(program, offWrite(namurLine(namurSetPoint(kOff_degC)), 0, kGap_ms));
+    add(program,
+        offWhenNumber(namurLine(namur::kSetPoint), kOff_degC + kSetPointWithin_K, "1", kDeadline_ms));
+    return program;
 }
 
 bool NamurHeater::hasWatchdog() const {

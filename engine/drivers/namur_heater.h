@@ -3,6 +3,7 @@
 
 #include "engine/devices/heat_source.h"
 #include "engine/drivers/link_watch.h"
+#include "engine/guard/guard_messages.h"
 #include "engine/protocols/line_splitter.h"
 
 namespace bask {
@@ -32,6 +33,7 @@ public:
 
     void work() override;
     DeviceStatus status() const override;
+    void expect(const std::string& name) override { m_expected = name; }
 
     /// The time is that of the question.
     Result<Reading> read() override;
@@ -41,10 +43,16 @@ public:
     /// An Error when the link is closed, and after three tries that are not seen in the set point.
     Result<void> heatOff() override;
     /// Asked for, or not yet seen to be off; not of a plate that never answered.
-    bool heating() const override { return m_isOn || (m_isOffDue && (m_wasOn || m_watch.isLive())); }
+    bool heating() const override {
+        return m_isOn || (m_isOffDue && (m_wasOn || (m_watch.isLive() && !isOther())));
+    }
+    HeatState heatState() const override;
     std::optional<double> setPoint_K() const override { return m_readBack_K; }
     /// As far as is known: until it was not said back.
     bool hasWatchdog() const override;
+
+    /// What switches any such plate off, for its guard: STOP, set point 0, which is read back.
+    static guard::OffProgram offProgram();
 
     /// Answers that did not fit so far.
     int discards() const { return m_watch.discards(); }
@@ -54,6 +62,7 @@ private:
 
     void begin();
     void takeLine(const std::string& line);
+    void takeName(std::string name);
     bool takeTemperature(const std::string& line);
     bool takeSetPoint(const std::string& line);
     void giveUpLate();
@@ -66,6 +75,8 @@ private:
     void sayStop();
     void watchdogUnechoed();
     Result<void> offSeen() const;
+    bool isOther() const { return m_expected && m_isNameTold && m_name != *m_expected; }
+    Message exchanged() const;
     bool isSetPointOther() const;
 
     ByteLink& m_link;
@@ -74,6 +85,8 @@ private:
     LinkWatch m_watch;
     LineSplitter m_lines;
     std::string m_name;
+    std::optional<std::string> m_expected; ///< name of the one that is meant; "": it tells none
+    bool m_isNameTold = false;             ///< since the link was opened, or it was asked in vain
 
     Question m_asked = Question::None;
     double m_askedAt_s = 0.0, m_nextLine_s = 0.0, m_nextPoll_s = 0.0;

@@ -19,14 +19,8 @@
 namespace bask {
 namespace {
 
-constexpr int kReadHolding = 3, kReadInput = 4, kWriteOne = 6;
-constexpr int kFrameBytes = 8;  // of a request that reads, and about those of a reply besides its registers
-constexpr int kMostSilent = 10; // requests in a row; then the port is opened anew
-constexpr std::size_t kMostReplies = 16; // that nobody has taken
-
-bool reads(const ModbusRequest& request) {
-    return request.function == kReadHolding || request.function == kReadInput;
-}
+constexpr int kWriteOne = 6;
+constexpr int kFrameBytes = 8; // of a request that reads, and about those of a reply besides its registers
 
 void append(QByteArray& out, int word) {
     out.append(static_cast<char>(word >> 8));
@@ -38,8 +32,8 @@ QByteArray dataOf(const ModbusRequest& request) {
     QByteArray out;
     append(out, request.address);
     if (request.function != kWriteOne)
-        append(out, reads(request) ? request.count : static_cast<int>(request.values.size()));
-    if (request.function != kWriteOne && !reads(request))
+        append(out, request.reads() ? request.count : static_cast<int>(request.values.size()));
+    if (request.function != kWriteOne && !request.reads())
         out.append(static_cast<char>(2 * request.values.size()));
     for (const std::uint16_t value : request.values)
         append(out, value);
@@ -49,7 +43,7 @@ QByteArray dataOf(const ModbusRequest& request) {
 /// The registers in what follows a reply's function; empty when it does not answer the request.
 std::optional<std::vector<std::uint16_t>> registersIn(const QByteArray& data, const ModbusRequest& request) {
     std::vector<std::uint16_t> out;
-    if (!reads(request))
+    if (!request.reads())
         return data == dataOf(request).left(4) ? std::optional(out) : std::nullopt;
     if (data.size() != 1 + 2 * request.count || static_cast<unsigned char>(data[0]) != 2 * request.count)
         return std::nullopt;
@@ -84,7 +78,7 @@ struct QtModbusLink::Line {
         bool isGivenUp = false;
     };
 
-    Line(std::string where, const SerialSettings& how, const Clock& time, double reply_s);
+    Line(std::string where, const SerialSettings& how, const Clock& time, double reply_s, PortCheck which);
     ~Line() { abort(); }
 
     QSerialPort* port() const { return qobject_cast<QSerialPort*>(client.device()); }
@@ -107,6 +101,7 @@ struct QtModbusLink::Line {
     SerialSettings settings;
     const Clock& clock;
     double replyTime_s;
+    PortCheck check;
     Message problem;
     bool isLost = false;     ///< about to be closed
     bool isAnswered = false; ///< by the bytes that are being read
@@ -118,8 +113,9 @@ struct QtModbusLink::Line {
     QModbusRtuSerialClient client;
 };
 
-QtModbusLink::Line::Line(std::string where, const SerialSettings& how, const Clock& time, double reply_s)
-    : path(std::move(where)), settings(how), clock(time), replyTime_s(reply_s) {
+QtModbusLink::Line::Line(std::string where, const SerialSettings& how, const Clock& time, double reply_s,
+                         PortCheck which)
+    : path(std::move(where)), settings(how), clock(time), replyTime_s(reply_s), check(std::move(which)) {
     QObject::connect(&client, &QModbusDevice::errorOccurred, &client, [this](QModbusDevice::Error e) {
         // A terminal that is no true port refuses some settings; that is no harm.
         if (e == QModbusDevice::ConnectionError || e == QModbusDevice::ReadError ||
@@ -204,7 +200,7 @@ ModbusReply QtModbusLink::Line::judged(const QModbusReply& reply, const ModbusRe
     if (auto registers = registersIn(response.data(), request))
         return std::move(*registers);
     keepSilent();
-    return wrong(reads(request) ? "another number of registers" : "another write");
+    return wrong(request.reads() ? "another number of registers" : "another write");
 }
 
 void QtModbusLink::Line::deliver(ModbusReply reply) {
@@ -254,8 +250,8 @@ void QtModbusLink::Line::abort() {
 }
 
 QtModbusLink::QtModbusLink(std::string path, const SerialSettings& settings, const Clock& clock,
-                           double replyTime_s)
-    : m_line(std::make_unique<Line>(std::move(path), settings, clock, replyTime_s)) {}
+                           double replyTime_s, PortCheck check)
+    : m_line(std::make_unique<Line>(std::move(path), settings, clock, replyTime_s, std::move(check))) {}
 
 QtModbusLink::~QtModbusLink() = default;
 
@@ -263,12 +259,16 @@ void QtModbusLink::open() {
     if (isOpen())
         return;
     close();
-    m_line->problem = {};
-    m_line->configure();
-    if (m_line->client.connectDevice())
+    m_line->problem = m_line->check.look(m_line->path);
+    if (m_line->problem.code != MessageCode::None)
         return;
-    const bool isTaken = m_line->port()->error() == QSerialPort::PermissionError;
+    m_line->configure();
+    const bool isOpened = m_line->client.connectDevice();
+    if (isOpened && lockPort(m_line->port()->handle()))
+        return;
+    const bool isTaken = isOpened || m_line->port()->error() == QSerialPort::PermissionError;
     const std::string words = whyNotOpened(m_line->path, isTaken, m_line->client.errorString().toStdString());
+    close();
     m_line->problem = {MessageCode::LinkNotOpened, {m_line->path, words}};
 }
 
@@ -312,6 +312,10 @@ std::optional<ModbusReply> QtModbusLink::takeReply(int number) {
     std::optional<ModbusReply> out(std::move(it->second));
     m_line->replies.erase(it);
     return out;
+}
+
+std::string QtModbusLink::portId() const {
+    return m_line->check.found();
 }
 
 std::string QtModbusLink::name() const {

@@ -4,6 +4,7 @@
 
 #include "engine/base/clock.h"
 #include "engine/drivers/modbus_link.h"
+#include "engine/drivers/serial_port.h"
 #include "engine/protocols/serial_settings.h"
 
 #include <memory>
@@ -19,9 +20,11 @@ namespace bask {
 /// again; then the line is silent once more, for what else may be late.
 class QtModbusLink final : public ModbusLink {
 public:
+    static constexpr double kReply_s = 0.3;
+
     /// `path` as of a serial link; replyTime_s is what the slowest device takes to begin its answer.
     QtModbusLink(std::string path, const SerialSettings& settings, const Clock& clock,
-                 double replyTime_s = 0.3);
+                 double replyTime_s = kReply_s, PortCheck check = PortCheck());
     ~QtModbusLink() override;
 
     /// A link that is open stays as it is.
@@ -34,6 +37,7 @@ public:
     int send(const ModbusRequest& request) override;
     std::optional<ModbusReply> takeReply(int number) override;
     std::string name() const override;
+    std::string portId() const override;
     /// Replies that came and were not used.
     int discarded() const;
 

@@ -45,19 +45,21 @@ void dropUnsent(QSerialPort& port) {
 } // namespace
 
 struct SerialLink::Port {
-    Port(std::string where, const SerialSettings& how);
+    Port(std::string where, const SerialSettings& how, PortCheck which);
 
-    Message notOpened() const;
+    Message notOpened(bool isLocked) const;
     void lose(MessageCode code, const std::string& words);
 
     std::string path;
     SerialSettings settings;
+    PortCheck check;
     Message problem;
     bool isLost = false; ///< about to be closed
     QSerialPort serial;
 };
 
-SerialLink::Port::Port(std::string where, const SerialSettings& how) : path(std::move(where)), settings(how) {
+SerialLink::Port::Port(std::string where, const SerialSettings& how, PortCheck which)
+    : path(std::move(where)), settings(how), check(std::move(which)) {
     serial.setPortName(QString::fromStdString(path));
     serial.setReadBufferSize(65536);
     QObject::connect(&serial, &QSerialPort::errorOccurred, &serial, [this](QSerialPort::SerialPortError e) {
@@ -68,8 +70,8 @@ SerialLink::Port::Port(std::string where, const SerialSettings& how) : path(std:
     });
 }
 
-Message SerialLink::Port::notOpened() const {
-    const bool isTaken = serial.error() == QSerialPort::PermissionError;
+Message SerialLink::Port::notOpened(bool isLocked) const {
+    const bool isTaken = isLocked || serial.error() == QSerialPort::PermissionError;
     return {MessageCode::LinkNotOpened,
             {path, whyNotOpened(path, isTaken, serial.errorString().toStdString())}};
 }
@@ -92,8 +94,8 @@ void SerialLink::Port::lose(MessageCode code, const std::string& words) {
     QMetaObject::invokeMethod(&serial, close, Qt::QueuedConnection);
 }
 
-SerialLink::SerialLink(std::string path, const SerialSettings& settings)
-    : m_port(std::make_unique<Port>(std::move(path), settings)) {}
+SerialLink::SerialLink(std::string path, const SerialSettings& settings, PortCheck check)
+    : m_port(std::make_unique<Port>(std::move(path), settings, std::move(check))) {}
 
 SerialLink::~SerialLink() {
     close();
@@ -101,12 +103,18 @@ SerialLink::~SerialLink() {
 
 void SerialLink::open() {
     close();
-    m_port->problem = {};
+    m_port->problem = m_port->check.look(m_port->path);
+    if (m_port->problem.code != MessageCode::None)
+        return;
     apply(settableOf(m_port->path, m_port->settings), m_port->serial);
-    if (m_port->serial.open(QIODevice::ReadWrite))
+    const bool isOpened = m_port->serial.open(QIODevice::ReadWrite);
+    const bool isOurs = isOpened && lockPort(m_port->serial.handle());
+    if (isOurs)
         m_port->serial.clear();
     else
-        m_port->problem = m_port->notOpened();
+        m_port->problem = m_port->notOpened(isOpened);
+    if (isOpened && !isOurs)
+        m_port->serial.close();
 }
 
 void SerialLink::close() {
@@ -151,6 +159,10 @@ void SerialLink::write(std::string_view bytes) {
     m_port->serial.write(bytes.data(), static_cast<qint64>(bytes.size()));
     if (takesBytes(m_port->serial.handle())) // Qt takes a full line for an error
         m_port->serial.flush();
+}
+
+std::string SerialLink::portId() const {
+    return m_port->check.found();
 }
 
 std::string SerialLink::name() const {

@@ -2,6 +2,7 @@
 // A serial port as a link of bytes, that costs nothing when it is unplugged.
 
 #include "engine/drivers/byte_link.h"
+#include "engine/drivers/serial_port.h"
 #include "engine/protocols/serial_settings.h"
 
 #include <memory>
@@ -12,7 +13,7 @@ namespace bask {
 class SerialLink final : public ByteLink {
 public:
     /// `path`: "/dev/ttyUSB0", "/dev/serial/by-id/...", or any link to a terminal.
-    SerialLink(std::string path, const SerialSettings& settings);
+    SerialLink(std::string path, const SerialSettings& settings, PortCheck check = PortCheck());
     ~SerialLink() override;
 
     void open() override;
@@ -22,6 +23,7 @@ public:
     std::string read() override;
     void write(std::string_view bytes) override;
     std::string name() const override;
+    std::string portId() const override;
 
 private:
     struct Port;

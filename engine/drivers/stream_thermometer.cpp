@@ -2,6 +2,8 @@
 
 #include "engine/base/units.h"
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
@@ -46,7 +48,7 @@ void StreamThermometer::work() {
     }
     const double now_s = m_clock.now_s();
     if (const std::string bytes = m_link.read(); !bytes.empty()) {
-        m_stream.add(bytes, m_lookedAt_s);
+        m_stream.add(bytes, std::min(m_lookedAt_s, m_link.emptyAt_s()));
         m_cameAt_s = now_s;
     } else if (now_s - m_cameAt_s >= kSettle_s) {
         m_stream.settle();

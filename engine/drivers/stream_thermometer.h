@@ -8,7 +8,7 @@
 namespace bask {
 
 /// Readings carry the last moment at which the line was seen empty before they came: never newer than they
-/// are, however late the engine looks.
+/// are, however late the engine looks, or the link.
 class StreamThermometer final : public Thermometer, public Device {
 public:
     static constexpr double kSilence_s = 3.0; ///< a device that is reset by being opened takes two to begin

@@ -1,6 +1,7 @@
 #include "engine/drivers/tcp_link.h"
 
 #include "engine/base/message_code.h"
+#include "engine/drivers/port_claim.h"
 
 #include <QDeadlineTimer>
 #include <QTcpSocket>
@@ -20,6 +21,7 @@ struct TcpLink::Socket {
     Message problem;
     bool wasConnected = false; ///< since it was opened
     QDeadlineTimer opening;
+    PortClaim claim; ///< unlike a serial port, the far end may take a second one
     QTcpSocket tcp;
 };
 
@@ -52,6 +54,8 @@ void TcpLink::open() {
         return;
     close();
     m_socket->problem = {};
+    if (!m_socket->claim.take(name()))
+        return m_socket->lose(MessageCode::LinkNotOpened, "another Bask on this computer has it open");
     m_socket->opening.setRemainingTime(static_cast<qint64>(kOpening_s * 1000.0));
     m_socket->tcp.connectToHost(QString::fromStdString(m_socket->host), static_cast<quint16>(m_socket->port));
 }
@@ -59,6 +63,7 @@ void TcpLink::open() {
 void TcpLink::close() {
     m_socket->tcp.abort();
     m_socket->wasConnected = false;
+    m_socket->claim.release();
 }
 
 bool TcpLink::isOpen() const {

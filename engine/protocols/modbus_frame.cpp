@@ -79,6 +79,18 @@ std::string modbusFrame(int unit, std::string_view functionAndData) {
     return out;
 }
 
+std::string modbusRequest(const ModbusQuery& query) {
+    std::string pdu(1, static_cast<char>(query.function));
+    append(pdu, query.address);
+    if (query.function != kWriteOne)
+        append(pdu, query.values.empty() ? query.count : static_cast<int>(query.values.size()));
+    if (query.function == kWriteMany)
+        pdu += static_cast<char>(2 * query.values.size());
+    for (const std::uint16_t value : query.values)
+        append(pdu, value);
+    return modbusFrame(query.unit, pdu);
+}
+
 std::optional<ModbusQuery> takeModbusQuery(std::string& bytes) {
     std::string_view left = bytes;
     std::optional<ModbusQuery> found;

@@ -25,6 +25,9 @@ std::uint16_t modbusCrc(std::string_view bytes);
 /// Unit, function and data with their CRC.
 std::string modbusFrame(int unit, std::string_view functionAndData);
 
+/// A request for `count` registers, or with `values` to write them; with its CRC.
+std::string modbusRequest(const ModbusQuery& query);
+
 /// Takes the first whole request out of the bytes, skipping what is none. Empty: none is complete yet.
 std::optional<ModbusQuery> takeModbusQuery(std::string& bytes);
 

@@ -298,6 +298,23 @@ void checkOff(const ModbusProfile& profile) {
                {formatNumber(off_degC), "what the register can hold"});
 }
 
+void readUnitRegister(Object& object, ModbusProfile& profile) {
+    readRegister(object, "temperature_unit", Use::Number, profile.temperatureUnit);
+    if (profile.temperatureUnit) {
+        object.require("temperature_unit_degC");
+        object.require("temperature_unit_degF");
+    }
+    object.read("temperature_unit_degC", profile.unitCelsius);
+    object.read("temperature_unit_degF", profile.unitFahrenheit);
+    if (profile.unitCelsius == profile.unitFahrenheit)
+        refuse(MessageCode::ValueUnknown, "temperature_unit_degF",
+               {formatNumber(profile.unitFahrenheit), "any other than temperature_unit_degC"});
+    if (!profile.temperatureUnit)
+        return;
+    checkHeld(*profile.temperatureUnit, "temperature_unit_degC", profile.unitCelsius);
+    checkHeld(*profile.temperatureUnit, "temperature_unit_degF", profile.unitFahrenheit);
+}
+
 void readController(Object& object, ModbusProfile& profile) {
     object.require("set_point");
     readRegister(object, "process_value", Use::Temperature, profile.processValue);
@@ -311,6 +328,7 @@ void readController(Object& object, ModbusProfile& profile) {
     readRegister(object, "watchdog", Use::WrittenNumber, profile.watchdog);
     object.read("watchdog_unit_s", profile.watchdogUnit_s);
     readRegister(object, "sensor_fault", Use::Number, profile.sensorFault);
+    readUnitRegister(object, profile);
     if (profile.runOn == profile.runOff)
         refuse(MessageCode::ValueUnknown, "run_off", {formatNumber(profile.runOff), "any other than run_on"});
     if (profile.run) {
@@ -322,6 +340,19 @@ void readController(Object& object, ModbusProfile& profile) {
         refuse(MessageCode::ValueNotPositive, "watchdog_unit_s", {formatNumber(profile.watchdogUnit_s)});
 }
 
+void readIdentity(Object& parent, std::optional<IdentitySpec>& out) {
+    constexpr int kMostWords = 16;
+    parent.with("identity", [&](const json& j, const std::string& path) {
+        out.emplace();
+        Object object(j, path);
+        object.require("address");
+        object.read("function", out->function, 3, 4);
+        object.read("address", out->address, 0, kMostAddress - kMostWords);
+        object.read("count", out->count, 1, kMostWords);
+        object.close();
+    });
+}
+
 ModbusProfile readProfile(const json& j) {
     ModbusProfile out;
     Object object(j, "");
@@ -329,6 +360,7 @@ ModbusProfile readProfile(const json& j) {
     object.read("name", out.name);
     object.read("title", out.title);
     object.read("source", out.source);
+    readIdentity(object, out.identity);
     if (object.find("process_value") != nullptr)
         readController(object, out);
     else if (object.find("channel") != nullptr)
@@ -404,9 +436,21 @@ void writeController(ordered_json& j, const ModbusProfile& profile) {
     writeRegister(j, "watchdog", profile.watchdog);
     j["watchdog_unit_s"] = profile.watchdogUnit_s;
     writeRegister(j, "sensor_fault", profile.sensorFault);
+    writeRegister(j, "temperature_unit", profile.temperatureUnit);
+    if (profile.temperatureUnit) {
+        j["temperature_unit_degC"] = profile.unitCelsius;
+        j["temperature_unit_degF"] = profile.unitFahrenheit;
+    }
 }
 
 } // namespace
+
+ModbusProfile inUnit(ModbusProfile profile, RegisterUnit unit) {
+    for (auto* spec : {&profile.processValue, &profile.setPoint, &profile.setPointWritten})
+        if (*spec)
+            (*spec)->unit = unit;
+    return profile;
+}
 
 Result<ModbusProfile> modbusProfileFromJson(const std::string& text, const std::string& where) {
     const auto place = [&where](const std::string& path) {
@@ -427,6 +471,9 @@ std::string modbusProfileToJson(const ModbusProfile& profile) {
         writeController(j, profile);
     else if (profile.channel)
         writeThermometer(j, profile);
+    if (const auto& identity = profile.identity)
+        j["identity"] = {
+            {"function", identity->function}, {"address", identity->address}, {"count", identity->count}};
     j["status"] = ordered_json::array();
     for (const StatusSpec& status : profile.status)
         j["status"].push_back(written(status));

@@ -42,6 +42,14 @@ struct StatusSpec {
     bool operator==(const StatusSpec&) const = default;
 };
 
+/// Registers that hold what no other device holds: a serial number, a name, a type.
+struct IdentitySpec {
+    int function = 3;
+    int address = 0;
+    int count = 1;
+    bool operator==(const IdentitySpec&) const = default;
+};
+
 /// Highest set point that can stand for heat off.
 inline constexpr double kHighestOff_degC = 40.0;
 
@@ -50,6 +58,7 @@ struct ModbusProfile {
     std::string name;   ///< "eurotherm-2400"
     std::string title;  ///< maker and device, for people
     std::string source; ///< the manual it was read in
+    std::optional<IdentitySpec> identity;
     // Thermometer
     std::optional<RegisterSpec> channel; ///< of channel 0
     int channels = 0;
@@ -68,9 +77,15 @@ struct ModbusProfile {
     std::optional<RegisterSpec> watchdog; ///< time without a poll after which it goes off
     double watchdogUnit_s = 0.001;
     std::optional<RegisterSpec> sensorFault; ///< not 0: its own sensor is broken
+    /// Where it tells in which unit its registers count, and what it holds then.
+    std::optional<RegisterSpec> temperatureUnit;
+    double unitCelsius = 0.0, unitFahrenheit = 1.0;
 
     bool operator==(const ModbusProfile&) const = default;
 };
+
+/// A controller's, with its temperatures in degrees Celsius or Fahrenheit.
+ModbusProfile inUnit(ModbusProfile profile, RegisterUnit unit);
 
 /// `where` names it in errors. Refuses unknown keys, wrong types, what no device has, and what its registers
 /// cannot hold.

@@ -189,6 +189,18 @@ Result<std::vector<std::uint16_t>> watchdogRegisters(const ModbusProfile& profil
                  {formatNumber(time_s), formatNumber(step_s), formatNumber(most_s), "s"});
 }
 
+std::string signatureFromRegisters(std::span<const std::uint16_t> registers) {
+    constexpr const char* kDigits = "0123456789abcdef";
+    std::string out;
+    for (const std::uint16_t word : registers) {
+        if (!out.empty())
+            out += ' ';
+        for (int shift = 12; shift >= 0; shift -= 4)
+            out += kDigits[word >> shift & 0xf];
+    }
+    return out;
+}
+
 double resolution_K(const RegisterSpec& spec) {
     const double step = spec.type == RegisterType::Float32 ? 0.001 : std::abs(spec.scale);
     return spec.unit == RegisterUnit::Fahrenheit ? step / 1.8 : step;

@@ -39,6 +39,9 @@ Result<std::vector<std::uint16_t>> registersFromTemperature(const ModbusProfile&
 /// The profile's watchdog set to time_s, within a tenth. Errors: ValueOutOfRange.
 Result<std::vector<std::uint16_t>> watchdogRegisters(const ModbusProfile& profile, double time_s);
 
+/// What tells a device from others, as its identity's registers hold it: "0012 34ab".
+std::string signatureFromRegisters(std::span<const std::uint16_t> registers);
+
 /// Difference of temperature that one step of the register makes; for a set point read back.
 double resolution_K(const RegisterSpec& spec);
 

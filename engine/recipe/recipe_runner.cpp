@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kReadyWithin_s = 60.0;
 constexpr int kFillingWindows = 4; ///< of the rate estimator: readings drop out
-constexpr double kBetweenResets_s = 1.0;
-constexpr double kArmed_s = 1.0; ///< the readings are fresh again after the session file was made
+constexpr double kArmed_s = 1.0;   ///< the readings are fresh again after the session file was made
 constexpr double kStoppedWithin_s = 600.0;
 constexpr int kLeastUrgent = 2; ///< priority of alarms that end a recipe
 
@@ -39,10 +38,10 @@ bool isHeldByPerson(const Snapshot& snapshot) {
 } // namespace
 
 bool isNotThereYet(MessageCode code) {
-    constexpr std::array kCodes{MessageCode::SafetyStartUp,   MessageCode::LinkNotOpened,
-                                MessageCode::LinkLost,        MessageCode::DeviceSilent,
-                                MessageCode::RobotOpening,    MessageCode::ReasonRobotLost,
-                                MessageCode::ReasonSourceLost};
+    constexpr std::array kCodes{MessageCode::SafetyStartUp,    MessageCode::LinkNotOpened,
+                                MessageCode::LinkLost,         MessageCode::DeviceSilent,
+                                MessageCode::RobotOpening,     MessageCode::ReasonRobotLost,
+                                MessageCode::ReasonSourceLost, MessageCode::RobotPlaceUnsure};
     return std::ranges::find(kCodes, code) != kCodes.end();
 }
 
@@ -133,7 +132,6 @@ void RecipeRunner::loading(const Snapshot& snapshot) {
         m_isAnswered = true;
         m_loadId = snapshot.loadId;
         m_since_s = snapshot.clock_s;
-        m_reset_s = -HUGE_VAL;
     } else if (snapshot.loadId != m_loadId || isInHand(snapshot)) {
         return finishAll(State::Stopped, RecipeEnd::TakenOver);
     }
@@ -141,13 +139,11 @@ void RecipeRunner::loading(const Snapshot& snapshot) {
     const double limit_s = std::max(kReadyWithin_s, kFillingWindows * sampling.window * sampling.period_s);
     const bool isLate = snapshot.clock_s - m_since_s > limit_s;
     if (snapshot.state == RunState::Fault) {
+        // That of a rig which was connected just now waits for whoever looks at it; no other load latches
+        // one.
         const auto passes = [](const Message& reason) { return isNotThereYet(reason.code); };
-        if (isLate || !std::ranges::all_of(snapshot.reasons, passes))
-            return finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
-        if (snapshot.clock_s - m_reset_s > kBetweenResets_s) {
-            m_reset_s = snapshot.clock_s;
-            m_orders.emplace_back(Reset{});
-        }
+        if (isLate || m_step > 0 || !std::ranges::all_of(snapshot.reasons, passes))
+            finishAll(State::Failed, RecipeEnd::Fault, firstOf(snapshot));
     } else if (const Alarm* alarm = newAlarm(snapshot)) {
         endBy(snapshot, RecipeEnd::Alarm, alarm->message);
     } else if (now().isRun() ? snapshot.state == RunState::Ready : isAtRest(snapshot.state)) {

@@ -41,12 +41,12 @@ enum class RecipeEnd {
     Fault,
 };
 
-/// Whether a fault's reason only says that a rig was loaded just now: Reset may be tried.
+/// Whether a fault's reason only says that a rig was connected just now: whoever looks at it may reset.
 bool isNotThereYet(MessageCode code);
 
 /// Pure: time is the rig's, by snapshots. Every run goes through Arm and Start as by hand and ends by Stop,
 /// with the heat off; waits are at rest. A hold, stop, fault or alarm that it has not asked for ends the
-/// recipe. Commands go to the engine in their order.
+/// recipe, and it never resets a fault. Commands go to the engine in their order.
 class RecipeRunner {
 public:
     /// The session file for a step's run; empty: it is not recorded. An error fails the step.
@@ -112,9 +112,9 @@ private:
     std::size_t m_step = 0;
     std::shared_ptr<const Experiment> m_loaded;
     std::uint64_t m_loadId = 0;
-    bool m_isAnswered = false;                ///< the load has been carried out
-    double m_since_s = 0.0;                   ///< by the rig's clock: of the phase
-    double m_reset_s = 0.0, m_within_s = 0.0; ///< last Reset; all within the band since
+    bool m_isAnswered = false; ///< the load has been carried out
+    double m_since_s = 0.0;    ///< by the rig's clock: of the phase
+    double m_within_s = 0.0;   ///< all within the band since
     bool m_isWithin = false;
     std::set<std::pair<std::uint64_t, int>> m_knownAlarms;
     bool m_isLast = false, m_keepsExperiment = false;

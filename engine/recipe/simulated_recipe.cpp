@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/runtime/alarm_log.h"
+#include "engine/runtime/rig_setup.h"
 #include "engine/runtime/simulated_drive.h"
 
 #include <algorithm>
@@ -45,6 +46,7 @@ public:
         m_snapshot.runTime_s = loop.runTime_s();
         m_snapshot.clock_s = m_drive->clock().now_s();
         m_snapshot.latest = loop.latest();
+        m_snapshot.heat = loop.heatState();
         m_snapshot.heatOn = loop.heatOn();
         return m_snapshot;
     }
@@ -66,8 +68,11 @@ private:
         ServoLoop& loop = m_drive->loop();
         if (const auto* arm = std::get_if<Arm>(&command))
             return armWith(arm->recordingPath);
-        if (const auto* start = std::get_if<Start>(&command))
+        if (const auto* start = std::get_if<Start>(&command)) {
+            if (!start->acceptInfeasible && !jointVerdict(loop.experiment()).feasible)
+                return Error(MessageCode::ReasonTargetInfeasible, {});
             return loop.start(start->acceptInfeasible);
+        }
         if (std::holds_alternative<Stop>(command))
             return loop.stop();
         if (std::holds_alternative<Reset>(command))

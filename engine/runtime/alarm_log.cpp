@@ -1,18 +1,49 @@
 #include "engine/runtime/alarm_log.h"
 
+#include "engine/base/message_code.h"
+#include "engine/runtime/command.h"
+
 #include <algorithm>
+#include <map>
 #include <tuple>
 
 namespace bask {
 
-AlarmLog::AlarmLog(std::vector<Alarm> before) : m_alarms(std::move(before)) {
-    for (Alarm& alarm : m_alarms) {
+void AlarmLog::addFromBefore(std::vector<Alarm> before) {
+    for (Alarm& alarm : before) {
+        auto& kept = alarm.isLive == m_isLive ? m_alarms : m_others;
+        if (alarm.isAcknowledged || std::ranges::find(kept, alarm.key, &Alarm::key) != kept.end())
+            continue;
         alarm.isFromBefore = alarm.isFromBefore || alarm.isActive;
         alarm.isActive = false;
         alarm.id = ++m_lastId;
+        kept.push_back(std::move(alarm));
     }
-    std::erase_if(m_alarms, &Alarm::isAcknowledged);
+    forgetOver();
     sort();
+}
+
+void AlarmLog::leave() {
+    for (Alarm& alarm : m_alarms) {
+        alarm.isFromBefore = alarm.isFromBefore || alarm.isActive;
+        alarm.isActive = false;
+    }
+    forgetOver();
+    sort();
+}
+
+void AlarmLog::use(bool isLive) {
+    if (isLive == m_isLive)
+        return;
+    leave();
+    std::swap(m_alarms, m_others);
+    m_isLive = isLive;
+}
+
+std::vector<Alarm> AlarmLog::all() const {
+    std::vector<Alarm> out = m_alarms;
+    out.insert(out.end(), m_others.begin(), m_others.end());
+    return out;
 }
 
 bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& conditions) {
@@ -27,42 +58,83 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
             alarm.cleared_s = utc_s;
             changed = true;
         }
+        if (alarm.shelvedUntil_s > 0.0 && utc_s >= alarm.shelvedUntil_s) {
+            takeBack(alarm);
+            changed = true;
+        }
         alarm.isFirst = alarm.isFirst && !isFirst;
     }
-    for (const AlarmCondition& condition : conditions) {
-        const auto known = std::ranges::find(m_alarms, condition.key, &Alarm::key);
-        if (known == m_alarms.end()) {
-            m_alarms.push_back({++m_lastId, condition.key, condition.message, condition.priority});
-            m_alarms.back().raised_s = utc_s;
-            m_alarms.back().isFirst = isFirst;
-        } else if (!known->isActive) {
-            known->isActive = true;
-            known->isAcknowledged = false;
-            known->isFromBefore = false;
-            known->isFirst = isFirst;
-            known->message = condition.message;
-            known->raised_s = utc_s;
-            ++known->count;
-        } else {
-            continue;
+    // Causes first, so that what follows from one finds it.
+    for (const bool isCause : {true, false})
+        for (const AlarmCondition& condition : conditions) {
+            if (condition.cause.empty() != isCause)
+                continue;
+            const Alarm* const known = find(condition.key);
+            if (known == nullptr || !known->isActive) {
+                raise(condition, utc_s, isFirst && isCause);
+                isFirst = isFirst && !isCause;
+                changed = true;
+            } else if (known->message.code != condition.message.code ||
+                       (!isCause && known->cause != condition.cause)) {
+                Alarm& alarm = *find(condition.key);
+                alarm.message = condition.message;
+                alarm.cause = isCause ? alarm.cause : condition.cause;
+                changed = true;
+            }
         }
-        isFirst = false;
-        changed = true;
-    }
-    const auto erased =
-        std::erase_if(m_alarms, [](const Alarm& alarm) { return alarm.isAcknowledged && !alarm.isActive; });
-    if (changed || erased > 0)
+    changed = forgetOver() || changed;
+    if (changed)
         sort();
-    return changed || erased > 0;
+    return changed;
+}
+
+Alarm* AlarmLog::find(const std::string& key) {
+    const auto found = std::ranges::find(m_alarms, key, &Alarm::key);
+    return found == m_alarms.end() ? nullptr : &*found;
+}
+
+void AlarmLog::raise(const AlarmCondition& condition, double utc_s, bool isFirst) {
+    Alarm* alarm = find(condition.key);
+    if (alarm == nullptr) {
+        m_alarms.push_back({++m_lastId, condition.key, condition.message, condition.priority});
+        alarm = &m_alarms.back();
+        alarm->isLive = m_isLive;
+    } else {
+        alarm->message = condition.message;
+        alarm->isActive = true;
+        alarm->isFromBefore = false;
+        ++alarm->count;
+    }
+    alarm->raised_s = utc_s;
+    alarm->isFirst = isFirst;
+    alarm->cause = condition.cause;
+    const Alarm* const cause = find(condition.cause);
+    alarm->isAcknowledged = alarm->shelvedUntil_s > 0.0 || (cause != nullptr && cause->isAcknowledged);
+}
+
+// What is over and seen goes; what followed from it stands for itself.
+bool AlarmLog::forgetOver() {
+    const auto erased = std::erase_if(m_alarms, [](const Alarm& alarm) {
+        return alarm.isAcknowledged && !alarm.isActive && alarm.shelvedUntil_s == 0.0;
+    });
+    for (Alarm& alarm : m_alarms)
+        if (!alarm.cause.empty() && find(alarm.cause) == nullptr)
+            alarm.cause.clear();
+    return erased > 0;
+}
+
+void AlarmLog::acknowledgeWithConsequences(Alarm& alarm) {
+    alarm.isAcknowledged = true;
+    for (Alarm& other : m_alarms)
+        other.isAcknowledged = other.isAcknowledged || other.cause == alarm.key;
 }
 
 bool AlarmLog::acknowledge(std::uint64_t id) {
     const auto alarm = std::ranges::find(m_alarms, id, &Alarm::id);
     if (alarm == m_alarms.end() || alarm->isAcknowledged)
         return false;
-    alarm->isAcknowledged = true;
-    if (!alarm->isActive)
-        m_alarms.erase(alarm);
+    acknowledgeWithConsequences(*alarm);
+    forgetOver();
     sort();
     return true;
 }
@@ -72,14 +144,56 @@ bool AlarmLog::acknowledgeAll() {
         return false;
     for (Alarm& alarm : m_alarms)
         alarm.isAcknowledged = true;
-    std::erase_if(m_alarms, [](const Alarm& alarm) { return !alarm.isActive; });
+    forgetOver();
     sort();
     return true;
 }
 
+Result<void> AlarmLog::shelve(std::uint64_t id, double utc_s, double for_s, const std::string& reason) {
+    const auto alarm = std::ranges::find(m_alarms, id, &Alarm::id);
+    if (alarm == m_alarms.end() || !alarm->cause.empty())
+        return Error(MessageCode::CommandNotNow, {}, {"Shelve", "Over"});
+    if (std::ranges::all_of(reason, [](char letter) { return letter == ' '; }))
+        return Error(MessageCode::ShelfReasonMissing, {});
+    constexpr double kShortest_s = 60.0;
+    const double longest_s = alarm->priority == 1 ? ShelveAlarm::kLongestGrave_s : ShelveAlarm::kLongest_s;
+    if (!(for_s >= kShortest_s && for_s <= longest_s))
+        return Error(MessageCode::ValueOutOfRange, {},
+                     {formatNumber(for_s / 60.0), formatNumber(kShortest_s / 60.0),
+                      formatNumber(longest_s / 60.0), "min"});
+    acknowledgeWithConsequences(*alarm);
+    alarm->shelvedUntil_s = utc_s + for_s;
+    alarm->shelfReason = reason;
+    sort();
+    return {};
+}
+
+bool AlarmLog::unshelve(std::uint64_t id) {
+    const auto alarm = std::ranges::find(m_alarms, id, &Alarm::id);
+    if (alarm == m_alarms.end() || alarm->shelvedUntil_s == 0.0)
+        return false;
+    takeBack(*alarm);
+    forgetOver();
+    sort();
+    return true;
+}
+
+void AlarmLog::takeBack(Alarm& alarm) {
+    alarm.shelvedUntil_s = 0.0;
+    alarm.shelfReason.clear();
+    alarm.isAcknowledged = !alarm.isActive; // what is over meanwhile has been seen
+}
+
 void AlarmLog::sort() {
-    std::ranges::stable_sort(m_alarms, {}, [](const Alarm& alarm) {
+    const auto rank = [](const Alarm& alarm) {
         return std::tuple(alarm.isAcknowledged, alarm.priority, -alarm.raised_s, alarm.id);
+    };
+    std::map<std::string, decltype(rank(Alarm()))> ranks;
+    for (const Alarm& alarm : m_alarms)
+        ranks[alarm.key] = rank(alarm);
+    std::ranges::stable_sort(m_alarms, {}, [&](const Alarm& alarm) {
+        const bool isUnder = !alarm.cause.empty();
+        return std::tuple(ranks.at(isUnder ? alarm.cause : alarm.key), isUnder, rank(alarm));
     });
 }
 

@@ -6,6 +6,7 @@
 #include "engine/control/velocity_solve.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/runtime/simulated_run.h"
+#include "engine/runtime/study_random.h"
 
 #include <algorithm>
 #include <atomic>
@@ -13,30 +14,17 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <random>
 #include <stdexcept>
 #include <thread>
 
 namespace bask {
 namespace {
 
-constexpr int kMostDraws = 100000;     // of a pose or a mounting, before the rig is called unfit
 constexpr int kReachPoses = 12000;     // sampled for the bound
 constexpr double kBoundStep_s = 0.1;   // of its integration
 constexpr double kMostBound_s = 1.0e6; // targets are below the steady temperature at F = 1, so it ends
 
-using Random = std::mt19937_64;
-
-double uniform(Random& random, double least, double most) {
-    return std::uniform_real_distribution<double>(least, most)(random);
-}
-
-/// Neighbouring seeds and indices must not give neighbouring streams.
-Random randomOf(std::uint64_t seed, int index) {
-    std::seed_seq words{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32U),
-                        static_cast<std::uint32_t>(index)};
-    return Random(words);
-}
+using Random = StudyRandom;
 
 /// Centroids anywhere in a disk about E, turned anyhow, the circles about the outlines apart.
 std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec>& objects) {
@@ -61,21 +49,10 @@ std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec
     throw std::invalid_argument("closed-loop study: the objects do not fit beside each other");
 }
 
-Vector6d drawPose(Random& random, const RigGeometry& geometry, const Vector6d& rest) {
-    for (int attempt = 0; attempt < kMostDraws; ++attempt) {
-        Vector6d q = rest;
-        for (const int k : geometry.freeCoordinates())
-            q[k] = uniform(random, geometry.limits().lower[k], geometry.limits().upper[k]);
-        if (geometry.allowed(q))
-            return q;
-    }
-    throw std::invalid_argument("closed-loop study: no pose of the workspace keeps the clearance");
-}
-
 void drawGoal(Random& random, const RigGeometry& geometry, const Experiment& rig, ClosedLoopCase& drawn) {
     const std::vector<HeatRates> rates = trueRates(rig);
     for (int attempt = 0; attempt < kMostDraws; ++attempt) {
-        drawn.goal = drawPose(random, geometry, rig.start);
+        drawn.goal = drawAllowedPose(random, geometry, rig.start);
         const Eigen::VectorXd F = geometry.viewFactors(drawn.goal).F;
         drawn.targets_K.clear();
         for (std::size_t i = 0; i < rates.size(); ++i)
@@ -285,7 +262,7 @@ SettlingBound settlingBound(const Experiment& experiment) {
 }
 
 ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
-    Random random = randomOf(study.seed, index);
+    Random random = studyRandom(study.seed, index);
     ClosedLoopCase drawn;
     drawn.seed = random();
     Experiment rig = study.rig;
@@ -298,7 +275,7 @@ ClosedLoopCase drawClosedLoopCase(const ClosedLoopStudy& study, int index) {
             drawn.mountings.push_back(object.mounting);
     }
     const auto geometry = rigGeometry(rig);
-    drawn.start = drawPose(random, *geometry, rig.start);
+    drawn.start = drawAllowedPose(random, *geometry, rig.start);
     drawGoal(random, *geometry, rig, drawn);
     const SettlingBound bound = settlingBound(closedLoopExperiment(study, drawn));
     drawn.radiation_s = bound.radiation_s;

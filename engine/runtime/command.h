@@ -3,8 +3,10 @@
 
 #include "engine/calibration/board.h"
 #include "engine/control/controller_settings.h"
+#include "engine/devices/device.h"
 #include "engine/session/experiment.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -27,7 +29,10 @@ struct Hold {}; ///< zero velocity, controller state kept
 struct Resume {};
 struct Stop {};          ///< ends the run: retreat, heat off
 struct EmergencyStop {}; ///< zero velocity and heat off now, latched
-struct Reset {};         ///< clears a latched fault or stop; never restarts
+/// Takes the objects away from the source and switches the heat off, in every state in which the robot
+/// answers (Snapshot::canRetreat); does not clear a fault. Ends a run as Stop does.
+struct Retreat {};
+struct Reset {}; ///< clears a latched fault or stop; never restarts
 struct SetTargets {
     std::vector<double> targets_K;
 };
@@ -55,6 +60,21 @@ struct AcknowledgeAlarm {
     std::uint64_t id = 0;
 };
 struct AcknowledgeAll {};
+/// Puts an alarm aside for a time, 60 s to kLongest_s, of priority 1 to kLongestGrave_s; refused without a
+/// reason, and for one that follows from another. Nothing that the engine does changes.
+struct ShelveAlarm {
+    static constexpr double kLongest_s = 8.0 * 3600.0;
+    static constexpr double kLongestGrave_s = 1800.0;
+    std::uint64_t id = 0;
+    double for_s = 600.0;
+    std::string reason;
+};
+/// Back at once.
+struct UnshelveAlarm {
+    std::uint64_t id = 0;
+};
+/// Ends the recording that goes on after a run, until everything is cold; refused while a run is armed or on.
+struct EndRecording {};
 
 /// Markers and calibrations: refused while a run is on.
 struct SetVision {
@@ -98,6 +118,11 @@ struct TypeSourceTemperature {
 /// Against each other, at ambient: kept while thermometer and number of objects stay. Refused while a run is
 /// armed or on, while heat is on, and where the objects are not at ambient.
 struct ZeroSensors {};
+/// A person has looked: the sensor is on its object and right, what it reads now is believed. Refused where
+/// it gives no plausible value.
+struct ConfirmSensor {
+    std::size_t object = 0;
+};
 /// Answered by Snapshot::ports.
 struct ListPorts {};
 /// One device alone, apart from the rig in use: answered by Snapshot::tried until another one, or one without
@@ -106,10 +131,17 @@ struct TryDevice {
     RigSpec rig; ///< with one device
 };
 
-using Command = std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset,
-                             SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
-                             SimulateFault, AcknowledgeAlarm, AcknowledgeAll, SetVision, WatchCamera,
-                             ChooseCamera, MoveTo, Jog, HomeRobot, ClearRobotAlarm, SetHeat,
-                             TypeSourceTemperature, ZeroSensors, ListPorts, TryDevice>;
+/// Another device that answers in the place of the one that is remembered is the one from now on; the robot's
+/// place is not sure then. Refused while a run is armed or on, and while heat is on.
+struct AcceptDevice {
+    DeviceRole role = DeviceRole::Robot;
+};
+
+using Command =
+    std::variant<LoadExperiment, Arm, Disarm, Start, Hold, Resume, Stop, EmergencyStop, Reset, Retreat,
+                 EndRecording, SetTargets, ReportInfeasible, SetController, AddNote, SetSimulationSpeed,
+                 SimulateFault, AcknowledgeAlarm, AcknowledgeAll, ShelveAlarm, UnshelveAlarm, SetVision,
+                 WatchCamera, ChooseCamera, MoveTo, Jog, HomeRobot, ClearRobotAlarm, SetHeat,
+                 TypeSourceTemperature, ZeroSensors, ConfirmSensor, ListPorts, TryDevice, AcceptDevice>;
 
 } // namespace bask

@@ -2,15 +2,19 @@
 
 #include "engine/base/message_code.h"
 #include "engine/devices/video_camera.h"
+#include "engine/drivers/heater_guard.h"
 #include "engine/runtime/fault_script.h"
 #include "engine/runtime/real_rig.h"
 #include "engine/runtime/rig_setup.h"
 
+#include <QDeadlineTimer>
+#include <QThread>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdio>
 #include <exception>
-#include <filesystem>
 
 namespace bask {
 namespace {
@@ -63,15 +67,36 @@ bool haveSameSensors(const Experiment& a, const Experiment& b) {
     return a.rig ? a.rig->thermometer == b.rig->thermometer : a.simulation == b.simulation;
 }
 
-/// Where a file is or will be; empty: the system does not tell.
-std::optional<double> diskFree_MB(const std::string& file) {
-    std::error_code code;
-    const auto folder = std::filesystem::absolute(file, code).parent_path();
-    const auto space = std::filesystem::space(folder, code);
-    return code ? std::nullopt : std::optional(static_cast<double>(space.available) * 1e-6);
+/// The newest rows, as many as are kept; a tenth is dropped at once, or each one would move all others.
+template <class Row> void append(std::vector<Row>& rows, std::vector<Row>& kept) {
+    std::ranges::move(rows, std::back_inserter(kept));
+    if (kept.size() > EngineWorker::kMostKept)
+        kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(
+                                                    kept.size() - EngineWorker::kMostKept * 9 / 10));
+}
+
+/// It ends something, so it is carried out at once, whatever is under way.
+bool isEnd(const Command& command) {
+    const auto* heat = std::get_if<SetHeat>(&command);
+    return std::holds_alternative<Stop>(command) || std::holds_alternative<EmergencyStop>(command) ||
+           std::holds_alternative<Hold>(command) || std::holds_alternative<Disarm>(command) ||
+           std::holds_alternative<Retreat>(command) || (heat != nullptr && !heat->setPoint_K);
+}
+
+/// It begins something, so it is void once something was ended after it.
+bool isBegin(const Command& command) {
+    return std::holds_alternative<Arm>(command) || std::holds_alternative<Start>(command) ||
+           std::holds_alternative<Resume>(command) || std::holds_alternative<MoveTo>(command) ||
+           std::holds_alternative<Jog>(command) || std::holds_alternative<HomeRobot>(command) ||
+           std::holds_alternative<SetHeat>(command);
 }
 
 } // namespace
+
+struct EngineWorker::Kept {
+    std::unique_ptr<RealRig> rig;
+    std::unique_ptr<VisionThread> watcher; ///< of its camera
+};
 
 struct EngineWorker::Session {
     /// By the camera where the experiment has what that takes.
@@ -87,16 +112,20 @@ struct EngineWorker::Session {
         Session& session;
     };
 
-    explicit Session(const Experiment& experiment)
-        : simulated(experiment.rig ? nullptr
-                                   : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
-          real(experiment.rig ? std::make_unique<RealRig>(experiment, steady) : nullptr), tracker(*this),
+    /// On that rig, or on a simulated one.
+    Session(const Experiment& experiment, const Clock& wall, Kept kept)
+        : steady(wall),
+          simulated(kept.rig ? nullptr : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
+          real(std::move(kept.rig)), vision(std::move(kept.watcher)), tracker(*this),
           loop(experiment, devices(), clock()), script(experiment.simulation.faults) {
-        if (Camera* camera = simulated ? &simulated->camera() : real->camera())
-            vision.emplace(*camera, simulated ? "simulated" : experiment.rig->camera, clock());
-        if (real)
-            real->setGuard(
-                [this](const Vector6d& from, const Vector6d& to) { return loop.mayStep(from, to); });
+        Camera* camera = simulated ? &simulated->camera() : real->camera();
+        if (camera != nullptr && !vision)
+            vision = std::make_unique<VisionThread>(*camera, simulated ? "simulated" : experiment.rig->camera,
+                                                    clock());
+        if (!real)
+            return;
+        real->setGuard([this](const Vector6d& from, const Vector6d& to) { return loop.mayStep(from, to); });
+        real->limitSpeed(experiment.robot);
     }
 
     const Clock& clock() const { return simulated ? simulated->clock() : steady; }
@@ -107,10 +136,10 @@ struct EngineWorker::Session {
                 [this] { return simulated->trueTemperatures_K(); }, &tracker};
     }
 
-    SteadyClock steady;
+    const Clock& steady;
     std::unique_ptr<SimulatedRig> simulated; ///< this or the next
     std::unique_ptr<RealRig> real;
-    std::optional<VisionThread> vision; ///< where there is a camera
+    std::unique_ptr<VisionThread> vision; ///< where there is a camera
     Tracker tracker;
     ServoLoop loop;
     FaultScript script;
@@ -123,7 +152,13 @@ struct EngineWorker::RealCamera {
     VisionThread vision;
 };
 
-EngineWorker::EngineWorker(std::string alarmFile) : m_alarmFile(std::move(alarmFile)) {
+EngineWorker::EngineWorker(std::string alarmFile, std::string deviceFile, std::unique_ptr<Clock> awake)
+    : m_awakeClock(std::move(awake)), m_suspend(m_steady, *m_awakeClock),
+      m_guardLog(alarmFile.empty()
+                     ? std::string()
+                     : (std::filesystem::absolute(alarmFile).parent_path() / "guard.log").string()),
+      m_keeper(std::move(alarmFile)), m_deviceFile(std::move(deviceFile)) {
+    (void)guardProgram(); // is looked for here, not on the engine's thread
     qRegisterMetaType<bask::Command>();
     qRegisterMetaType<bask::Snapshot>();
     qRegisterMetaType<std::shared_ptr<const bask::VisionView>>();
@@ -137,11 +172,11 @@ void EngineWorker::start() {
     connect(m_timer, &QTimer::timeout, this, &EngineWorker::onTimer);
     m_wall.start();
     m_timer->start(kTimer_ms);
-    if (!m_alarmFile.empty()) {
-        if (auto before = readAlarms(m_alarmFile))
-            m_alarms = AlarmLog(std::move(*before));
+    if (!m_deviceFile.empty()) {
+        if (auto met = readDeviceMemory(m_deviceFile))
+            m_devices = std::move(*met);
         else
-            m_pending.newEvents.push_back({0.0, before.error().message}); // written anew with the next alarm
+            tell(met.error().message); // written anew with the next device
     }
     publish();
 }
@@ -154,24 +189,58 @@ void EngineWorker::shutdown() {
         return;
     if (m_session && m_session->loop.running())
         m_session->loop.emergencyStop();
-    closeSession();
+    (void)closeSession(false);
+    publish(); // what was told at the end
 }
 
-// First of all the rig is made safe. Its last words take a moment, in which events are processed.
-void EngineWorker::closeSession() {
+// First of all the rig is made safe. Its last words take a moment, in which events are processed; one that
+// works on under another experiment needs none.
+EngineWorker::Kept EngineWorker::closeSession(bool isRigKept) {
     m_isClosing = true;
-    m_tried.reset();
+    if (m_isEnding)
+        dropBegun();
+    Kept kept;
     if (m_session) {
         m_session->loop.makeSafe();
-        if (m_session->real && !m_session->real->sayLastWords())
+        if (m_session->real && !isRigKept && !m_session->real->sayLastWords())
             tellHeatNotOff();
         record();
+        kept.watcher = isRigKept ? std::move(m_session->vision) : nullptr;
+        kept.rig = std::move(m_session->real);
+        if (kept.rig)
+            kept.rig->setGuard({});
     }
     closeRecording();
-    if (m_isEnding)
-        m_camera.reset();
+    endTrial();
     m_session.reset();
     m_isClosing = false;
+    if (m_isEnding) {
+        letGo(std::move(m_camera));
+        waitForFiles();
+    }
+    return kept;
+}
+
+/// The heat is off, or it was told that it is not.
+void EngineWorker::waitForFiles() {
+    const QDeadlineTimer deadline(kLastRows);
+    const auto left = [&] { return std::chrono::milliseconds(deadline.remainingTime()); };
+    std::vector<std::string> unsaved;
+    for (const auto& recorder : m_ending) {
+        auto finished = recorder->finished();
+        while (!finished && !deadline.hasExpired()) {
+            QThread::msleep(2);
+            finished = recorder->finished();
+        }
+        if (!finished || !*finished)
+            unsaved.push_back(recorder->path() +
+                              (finished ? ": " + describe(finished->error()) : ": the disk does not answer"));
+    }
+    if (!m_keeper.wait(left()))
+        unsaved.emplace_back("the list of alarms: the disk does not answer");
+    (void)m_closer.wait(left());
+    for (const std::string& each : unsaved)
+        std::fprintf(stderr, "bask: not saved, or not all of it: %s\n", each.c_str());
 }
 
 void EngineWorker::tellHeatNotOff() {
@@ -180,15 +249,25 @@ void EngineWorker::tellHeatNotOff() {
         if (device.role == DeviceRole::HeatSource)
             port = device.port;
     const Message message{MessageCode::SafetyHeatNotOff, {port}};
-    m_pending.newEvents.push_back({m_session->loop.runTime_s(), message});
+    const TraceEvent event{m_session->loop.runTime_s(), message};
+    m_pending.newEvents.push_back(event);
+    if (m_writer) {
+        LoopRecord rows;
+        rows.events = {event};
+        (void)m_writer->add(rows); // it is about to be closed
+    }
     std::vector<AlarmCondition> conditions = m_session->loop.alarmConditions();
     conditions.insert(conditions.begin(), {messageName(message.code), message, 1});
     if (m_alarms.update(utc_s(), conditions))
-        keepAlarms();
+        m_keeper.keep(m_alarms.all());
 }
 
 void EngineWorker::post(const bask::Command& command) {
-    if (m_isClosing) { // from inside of the last words; of several experiments the newest counts
+    if (m_isEnding)
+        return;
+    if (isEnd(command) && !m_isClosing) {
+        dropBegun();
+    } else if (isBusy()) { // of several experiments the newest counts
         if (std::holds_alternative<LoadExperiment>(command))
             std::erase_if(m_waiting,
                           [](const Command& each) { return std::holds_alternative<LoadExperiment>(each); });
@@ -196,7 +275,22 @@ void EngineWorker::post(const bask::Command& command) {
         return;
     }
     carryOut(command);
-    while (!m_waiting.empty() && !m_isEnding) {
+    carryOutWaiting();
+}
+
+/// Arm and Start that are not answered yet, and what waits behind them, are void.
+void EngineWorker::dropBegun() {
+    if (m_judging)
+        m_judging->stop.request_stop();
+    m_judging.reset();
+    if (m_arming)
+        m_arming->finish("stopped"); // by a thread that nobody waits for, once the file is there
+    m_arming.reset();
+    std::erase_if(m_waiting, isBegin);
+}
+
+void EngineWorker::carryOutWaiting() {
+    while (!m_waiting.empty() && !isBusy() && !m_isEnding) {
         const Command next = std::move(m_waiting.front());
         m_waiting.pop_front();
         carryOut(next);
@@ -213,6 +307,12 @@ void EngineWorker::carryOut(const Command& command) {
             m_session->loop.fault(reason);
         result = Error(reason.code, {}, reason.args);
     }
+    answer(result);
+}
+
+void EngineWorker::answer(const Result<void>& result) {
+    if (m_session && m_session->real && !m_isClosing)
+        m_session->real->work(); // what was asked for goes out now
     m_pending.refusal = result ? Message{} : result.error().message;
     record();
     closeFinished();
@@ -228,11 +328,23 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     const auto zeroing = m_session && haveSameSensors(m_session->loop.experiment(), experiment)
                              ? m_session->loop.zeroing()
                              : std::nullopt;
-    closeSession(); // its ports are free before they are opened again
+    const bool isSameRig =
+        m_session && m_session->real && experiment.rig && m_session->real->isFor(experiment);
+    const auto known = isSameRig ? std::optional(m_session->loop.knowledge()) : std::nullopt;
+    Kept kept = closeSession(isSameRig);
     if (m_isEnding)
         return {};
-    m_session = std::make_unique<Session>(experiment);
+    if (!experiment.rig)
+        kept = {};
+    else if (!kept.rig)
+        kept.rig = std::make_unique<RealRig>(experiment, m_steady, m_guardLog, m_devices);
+    else if (!isSameRig)
+        kept.rig->change(experiment, m_devices);
+    m_session = std::make_unique<Session>(experiment, m_steady, std::move(kept));
+    m_alarms.use(m_session->real != nullptr);
     ++m_loadId;
+    if (known)
+        m_session->loop.use(*known);
     if (zeroing)
         m_session->loop.useZeroing(*zeroing);
     m_untilTick_s = experiment.sampling.period_s;
@@ -240,6 +352,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     m_nextTick_s = m_worked_s + experiment.sampling.period_s;
     m_timer->setInterval(m_session->real ? kRealTimer_ms : kTimer_ms);
     watch(m_watch);
+    if (known)
+        tick(); // its alarms go on
     return {};
 }
 
@@ -287,12 +401,18 @@ void EngineWorker::setTask() {
 }
 
 Result<void> EngineWorker::choose(const std::string& camera) {
-    // The old one is waited for, up to seconds: in a run neither STOP nor the heat's watchdog could.
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
+    letGo(std::move(m_camera));
     m_camera = camera.empty() ? nullptr : std::make_unique<RealCamera>(camera);
     watch(m_watch);
     return {};
+}
+
+void EngineWorker::endTrial() {
+    if (m_tried)
+        letGo(m_tried->takeCamera());
+    m_tried.reset();
 }
 
 Result<void> EngineWorker::type(double sourceTemperature_K) {
@@ -302,48 +422,121 @@ Result<void> EngineWorker::type(double sourceTemperature_K) {
 }
 
 Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
-    m_tried.reset();
+    endTrial();
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty())
-        m_tried = std::make_unique<RealRig>(rig, m_steady);
+        m_tried = std::make_unique<RealRig>(rig, m_steady, m_devices);
     return {};
+}
+
+/// The first one that is met at its place is remembered.
+void EngineWorker::rememberDevices() {
+    bool isNew = false;
+    for (const auto& [key, device] : m_session->real->met())
+        if (m_devices.emplace(key, device).second)
+            isNew = true;
+    if (isNew)
+        keepDevices();
+}
+
+/// On a thread of its own: a disk may hang.
+void EngineWorker::keepDevices() {
+    if (!m_deviceFile.empty())
+        m_system.post([devices = m_devices, file = m_deviceFile] { (void)writeDeviceMemory(devices, file); });
+}
+
+Result<void> EngineWorker::accept(DeviceRole role) {
+    if (!m_session->real)
+        return Error(MessageCode::RigMissing, {});
+    if (isInUse() || (m_session->loop.heatOn() && !m_session->real->heatSource().isByHand()))
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    Experiment experiment = m_session->loop.experiment();
+    std::string port;
+    for (const RigDeviceState& device : m_session->real->devices())
+        if (device.role == role)
+            port = device.port;
+    m_session->real->forget(role, m_devices);
+    keepDevices();
+    m_pending.newEvents.push_back({m_session->loop.runTime_s(), {MessageCode::EventDeviceAccepted, {port}}});
+    return load(experiment);
 }
 
 void EngineWorker::handOnView() {
     const bool isOwn = !m_camera && m_session && m_session->vision;
     auto view = m_camera ? m_camera->vision.newest() : isOwn ? m_session->vision->newest() : nullptr;
-    if (view == m_view)
+    if (view == m_view || (view && m_views.isFull()))
         return;
     m_view = std::move(view);
     if (m_view)
-        emit looked(m_view);
+        emit looked(m_view, m_views.next());
 }
 
 Result<void> EngineWorker::armWith(const std::string& recordingPath) {
     ServoLoop& loop = m_session->loop;
+    if (const auto may = loop.mayArm(); !may)
+        return may;
     if (!recordingPath.empty()) {
-        const double least_MB = loop.experiment().safety.leastDisk_MB;
-        const auto free_MB = diskFree_MB(recordingPath);
-        if (free_MB && *free_MB < least_MB)
-            return Error(MessageCode::SafetyDiskLow, {},
-                         {formatNumber(std::floor(*free_MB), 6), formatNumber(least_MB, 6)});
-    }
-    if (const auto armed = loop.arm(); !armed)
-        return armed;
-    closeRecording();
-    ++m_runId;
-    if (recordingPath.empty())
+        m_arming = std::make_unique<SessionRecorder>(recordingPath, loop.experiment(),
+                                                     m_session->simulated != nullptr,
+                                                     loop.experiment().safety.leastDisk_MB);
         return {};
-    auto writer = SessionRecorder::create(recordingPath, loop.experiment(), m_session->simulated != nullptr);
-    if (!writer) {
-        (void)loop.disarm();
-        return writer.error();
     }
-    m_writer = std::move(*writer);
-    // The file may have taken its time: the devices are heard before they are judged.
-    m_nextTick_s = std::max(m_nextTick_s, m_session->clock().now_s() + loop.experiment().sampling.period_s);
+    return armNow();
+}
+
+Result<void> EngineWorker::armNow() {
+    if (const auto may = m_session->loop.mayArm(); !may)
+        return may;
+    closeRecording(); // of the run before, with its outcome
+    const auto armed = m_session->loop.arm();
+    if (armed)
+        ++m_runId;
+    return armed;
+}
+
+/// Arm is answered once the file is there.
+void EngineWorker::finishArming() {
+    auto done = m_arming ? m_arming->made() : std::nullopt;
+    if (!done)
+        return;
+    auto recorder = std::move(m_arming);
+    if (*done)
+        *done = armNow();
+    if (*done)
+        m_writer = std::move(recorder);
+    else
+        recorder->finish("stopped");
+    answer(*done);
+}
+
+/// Start is answered once it is known whether the targets can be held.
+Result<void> EngineWorker::startWith(bool acceptInfeasible) {
+    ServoLoop& loop = m_session->loop;
+    if (acceptInfeasible || loop.state() != RunState::Armed)
+        return loop.start(acceptInfeasible);
+    m_judging.emplace();
+    m_judging->isFeasible = m_judge.ask([experiment = loop.experiment(), stop = m_judging->stop.get_token()] {
+        const auto verdict = jointFeasibility(feasibilityRequest(experiment), stop);
+        return verdict && verdict->feasible;
+    });
     return {};
+}
+
+/// Nothing has changed the targets meanwhile: commands wait, or have made it void.
+void EngineWorker::finishJudging() {
+    if (!m_judging || !isReady(m_judging->isFeasible))
+        return;
+    auto judged = std::move(*m_judging);
+    m_judging.reset();
+    try {
+        const bool isFeasible = judged.isFeasible.get();
+        answer(isFeasible ? m_session->loop.start(false)
+                          : Result<void>(Error(MessageCode::ReasonTargetInfeasible, {})));
+    } catch (const std::exception& exception) {
+        m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
+        answer(Error(MessageCode::ReasonInternalFault, {}, {exception.what()}));
+    }
 }
 
 Result<void> EngineWorker::apply(const Command& command) {
@@ -357,43 +550,54 @@ Result<void> EngineWorker::apply(const Command& command) {
         return acknowledge(one->id);
     if (std::holds_alternative<AcknowledgeAll>(command))
         return acknowledge(std::nullopt);
+    if (const auto* alarm = std::get_if<ShelveAlarm>(&command))
+        return shelve(*alarm);
+    if (const auto* alarm = std::get_if<UnshelveAlarm>(&command))
+        return unshelve(alarm->id);
     if (!m_session)
         return Error(MessageCode::ReasonNoExperiment, {});
     ServoLoop& loop = m_session->loop;
-    return std::visit(Overloaded{
-                          [](const LoadExperiment&) { return Result<void>(); },
-                          [](const SetSimulationSpeed&) { return Result<void>(); },
-                          [](const AcknowledgeAlarm&) { return Result<void>(); },
-                          [](const AcknowledgeAll&) { return Result<void>(); },
-                          [&](const WatchCamera& wanted) { return watch(wanted), Result<void>(); },
-                          [&](const ChooseCamera& camera) { return choose(camera.name); },
-                          [&](const SetVision& set) { return setVision(set.vision); },
-                          [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
-                          [&](const Jog& jog) { return loop.jog(jog.twist); },
-                          [&](const HomeRobot&) { return loop.home(); },
-                          [&](const ClearRobotAlarm&) { return loop.clearRobotAlarm(); },
-                          [&](const SetHeat& set) { return loop.setHeat(set.setPoint_K); },
-                          [&](const TypeSourceTemperature& typed) { return type(typed.temperature_K); },
-                          [&](const ZeroSensors&) { return loop.zeroSensors(); },
-                          [&](const ListPorts&) { return m_pending.ports = serialPorts(), Result<void>(); },
-                          [&](const TryDevice& device) { return tryDevice(device.rig); },
-                          [&](const Arm& arm) { return armWith(arm.recordingPath); },
-                          [&](const Disarm&) { return loop.disarm(); },
-                          [&](const Start& start) { return loop.start(start.acceptInfeasible); },
-                          [&](const Hold&) { return loop.hold(); },
-                          [&](const Resume&) { return loop.resume(); },
-                          [&](const Stop&) { return loop.stop(); },
-                          [&](const EmergencyStop&) { return loop.emergencyStop(), Result<void>(); },
-                          [&](const Reset&) { return loop.reset(); },
-                          [&](const SetTargets& set) { return loop.setTargets(set.targets_K); },
-                          [&](const ReportInfeasible& report) {
-                              return loop.reportInfeasible(report.reason), Result<void>();
-                          },
-                          [&](const SetController& set) { return loop.setController(set.settings); },
-                          [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
-                          [&](const SimulateFault& fault) { return applyFault(fault); },
-                      },
-                      command);
+    return std::visit(
+        Overloaded{
+            [](const LoadExperiment&) { return Result<void>(); },
+            [](const SetSimulationSpeed&) { return Result<void>(); },
+            [](const AcknowledgeAlarm&) { return Result<void>(); },
+            [](const AcknowledgeAll&) { return Result<void>(); },
+            [](const ShelveAlarm&) { return Result<void>(); },
+            [](const UnshelveAlarm&) { return Result<void>(); },
+            [&](const WatchCamera& wanted) { return watch(wanted), Result<void>(); },
+            [&](const ChooseCamera& camera) { return choose(camera.name); },
+            [&](const SetVision& set) { return setVision(set.vision); },
+            [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
+            [&](const Jog& jog) { return loop.jog(jog.twist); },
+            [&](const HomeRobot&) { return loop.home(); },
+            [&](const ClearRobotAlarm&) { return loop.clearRobotAlarm(); },
+            [&](const SetHeat& set) { return loop.setHeat(set.setPoint_K); },
+            [&](const TypeSourceTemperature& typed) { return type(typed.temperature_K); },
+            [&](const ZeroSensors&) { return loop.zeroSensors(); },
+            [&](const ConfirmSensor& confirm) { return loop.confirmSensor(confirm.object); },
+            [&](const ListPorts&) { return m_ports = m_system.ask(serialPorts), Result<void>(); },
+            [&](const TryDevice& device) { return tryDevice(device.rig); },
+            [&](const AcceptDevice& device) { return accept(device.role); },
+            [&](const Arm& arm) { return armWith(arm.recordingPath); },
+            [&](const Disarm&) { return loop.disarm(); },
+            [&](const Start& start) { return startWith(start.acceptInfeasible); },
+            [&](const Hold&) { return loop.hold(); },
+            [&](const Resume&) { return loop.resume(); },
+            [&](const Stop&) { return loop.stop(); },
+            [&](const EmergencyStop&) { return loop.emergencyStop(), Result<void>(); },
+            [&](const Reset&) { return loop.reset(); },
+            [&](const Retreat&) { return loop.retreatNow(); },
+            [&](const EndRecording&) { return endRecording(); },
+            [&](const SetTargets& set) { return loop.setTargets(set.targets_K); },
+            [&](const ReportInfeasible& report) {
+                return loop.reportInfeasible(report.reason), Result<void>();
+            },
+            [&](const SetController& set) { return loop.setController(set.settings); },
+            [&](const AddNote& note) { return loop.addNote(note.text), Result<void>(); },
+            [&](const SimulateFault& fault) { return applyFault(fault); },
+        },
+        command);
 }
 
 Result<void> EngineWorker::applyFault(const SimulateFault& fault) {
@@ -413,31 +617,103 @@ Result<void> EngineWorker::acknowledge(std::optional<std::uint64_t> id) {
             seen.push_back(alarm);
     const bool changed = id ? m_alarms.acknowledge(*id) : m_alarms.acknowledgeAll();
     if (changed)
-        keepAlarms();
+        m_keeper.keep(m_alarms.all());
     for (const Alarm& alarm : seen)
         if (m_session)
             m_session->loop.reportAcknowledged(alarm);
     return {};
 }
 
-void EngineWorker::updateAlarms() {
-    if (m_session && m_alarms.update(utc_s(), m_session->loop.alarmConditions()))
-        keepAlarms();
+Result<void> EngineWorker::shelve(const ShelveAlarm& wanted) {
+    if (const auto put = m_alarms.shelve(wanted.id, utc_s(), wanted.for_s, wanted.reason); !put)
+        return put;
+    const auto alarm = std::ranges::find(m_alarms.alarms(), wanted.id, &Alarm::id);
+    if (m_session)
+        m_session->loop.reportShelved(*alarm, wanted.for_s);
+    m_keeper.keep(m_alarms.all());
+    return {};
 }
 
-void EngineWorker::keepAlarms() {
-    if (m_alarmFile.empty())
-        return;
-    const auto written = writeAlarms(m_alarms.alarms(), m_alarmFile);
-    if (!written && !m_isAlarmFileBad)
-        m_pending.newEvents.push_back(
-            {m_session ? m_session->loop.runTime_s() : 0.0, written.error().message});
-    m_isAlarmFileBad = !written;
+Result<void> EngineWorker::unshelve(std::uint64_t id) {
+    const auto alarm = std::ranges::find(m_alarms.alarms(), id, &Alarm::id);
+    if (alarm == m_alarms.alarms().end() || alarm->shelvedUntil_s == 0.0)
+        return Error(MessageCode::CommandNotNow, {}, {"Unshelve", "Over"});
+    if (m_session)
+        m_session->loop.reportShelved(*alarm, 0.0);
+    m_alarms.unshelve(id);
+    m_keeper.keep(m_alarms.all());
+    return {};
+}
+
+void EngineWorker::updateAlarms() {
+    if (m_session && m_alarms.update(utc_s(), m_session->loop.alarmConditions()))
+        m_keeper.keep(m_alarms.all());
+}
+
+void EngineWorker::tell(const Message& message) {
+    m_pending.newEvents.push_back({m_session ? m_session->loop.runTime_s() : 0.0, message});
+}
+
+/// What disk and system have answered meanwhile.
+void EngineWorker::hearBackground() {
+    if (auto before = m_keeper.takeBefore()) {
+        m_alarms.addFromBefore(std::move(before->alarms));
+        if (before->problem)
+            tell(before->problem->message);
+        if (!before->ownFile.empty())
+            tell({MessageCode::FileUnwritable,
+                  {"another Bask runs with the same settings and keeps its alarms there; those of this one "
+                   "are in " +
+                   before->ownFile}});
+        m_keeper.keep(m_alarms.all());
+    }
+    if (const auto failure = m_keeper.takeFailure())
+        tell(failure->message);
+    if (isReady(m_ports))
+        m_pending.ports = m_ports.get();
+    if (isReady(m_diskFree_MB)) {
+        const auto free_MB = m_diskFree_MB.get();
+        if (m_session)
+            m_session->loop.setDiskFree_MB(m_writer ? free_MB : std::nullopt);
+    }
+    std::erase_if(m_ending, [this](const std::unique_ptr<SessionRecorder>& recorder) {
+        const auto finished = recorder->finished();
+        if (finished && !*finished)
+            tellUnfinished(finished->error());
+        return finished.has_value();
+    });
+    finishArming();
+    finishJudging();
+}
+
+/// Of a run that is over; one that is on has its own recording.
+void EngineWorker::tellUnfinished(const Error& error) {
+    const Message reason{MessageCode::ReasonRecorderFailed, {describe(error)}};
+    if (m_session && !isInUse())
+        m_session->loop.fault(reason);
+    else
+        tell(reason);
 }
 
 void EngineWorker::watchDisk() {
     m_sinceDisk_s = 0.0;
-    m_session->loop.setDiskFree_MB(m_writer ? diskFree_MB(m_writer->path()) : std::nullopt);
+    if (!m_writer)
+        m_session->loop.setDiskFree_MB({});
+    else if (!m_diskFree_MB.valid()) // a disk that has not answered is not asked again
+        m_diskFree_MB = m_system.ask([file = m_writer->path()] { return diskFree_MB(file); });
+}
+
+/// Kept from it while there is heat; what it slept nevertheless is told.
+void EngineWorker::watchSleep() {
+    const double slept_s = m_suspend.slept_s();
+    const bool isReal = m_session->real != nullptr;
+    if (slept_s > 0.0 && isReal)
+        m_session->loop.reportSuspended(slept_s);
+    m_sleep.keepAwake(isReal && m_session->loop.heatOn());
+    if (const std::string problem = m_sleep.problem(); !problem.empty() && !m_isSleepTold) {
+        m_isSleepTold = true;
+        m_session->loop.reportMaySleep(problem);
+    }
 }
 
 void EngineWorker::onTimer() {
@@ -447,11 +723,14 @@ void EngineWorker::onTimer() {
     m_wall.restart();
     if (m_tried)
         m_tried->work();
+    hearBackground();
+    carryOutWaiting();
     if (m_session) {
         m_sinceDisk_s += wall_s;
         if (m_sinceDisk_s >= kDisk_s)
             watchDisk();
         try {
+            watchSleep();
             if (m_watch.board && m_isBoardOut == isInUse())
                 watch(m_watch);
             if (m_session->simulated)
@@ -471,7 +750,7 @@ void EngineWorker::onTimer() {
     }
     m_sincePublished_s += wall_s;
     const bool changed = m_session && m_session->loop.state() != m_publishedState;
-    if (changed || m_sincePublished_s >= kPublish_s)
+    if ((changed || m_sincePublished_s >= kPublish_s) && !m_snapshots.isFull())
         publish();
 }
 
@@ -530,11 +809,21 @@ void EngineWorker::workReal() {
     m_lateSteps += static_cast<std::uint64_t>(behind);
     m_nextTick_s += (1.0 + behind) * period_s;
     tick();
+    rememberDevices();
     m_session->real->work(); // what the tick has asked for goes out now
 }
 
+Result<void> EngineWorker::endRecording() {
+    if (isInUse())
+        return Error(MessageCode::SessionAlreadyRunning, {});
+    m_session->loop.endCooling();
+    closeRecording();
+    return {};
+}
+
 void EngineWorker::closeFinished() {
-    if (m_session && !m_session->loop.running() && m_session->loop.state() != RunState::Armed)
+    if (m_session && !m_session->loop.running() && m_session->loop.state() != RunState::Armed &&
+        !m_session->loop.isCooling())
         closeRecording();
 }
 
@@ -545,23 +834,21 @@ void EngineWorker::record() {
     if (m_writer) {
         const Result<void> result = m_writer->add(rows);
         if (!result) {
-            m_failedWriter = std::move(m_writer);
+            m_writer.reset();
             m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(result.error())}});
         }
     }
-    std::ranges::move(rows.samples, std::back_inserter(m_pending.newSamples));
-    std::ranges::move(rows.events, std::back_inserter(m_pending.newEvents));
-    std::ranges::move(rows.notes, std::back_inserter(m_pending.newNotes));
+    append(rows.samples, m_pending.newSamples);
+    append(rows.events, m_pending.newEvents);
+    append(rows.notes, m_pending.newNotes);
 }
 
 void EngineWorker::closeRecording() {
-    m_failedWriter.reset();
     if (!m_writer)
         return;
     const std::string outcome = m_session ? m_session->loop.outcome() : std::string();
-    if (const auto finished = m_writer->finish(outcome.empty() ? "stopped" : outcome); !finished && m_session)
-        m_session->loop.fault({MessageCode::ReasonRecorderFailed, {describe(finished.error())}});
-    m_writer.reset();
+    m_writer->finish(outcome.empty() ? "stopped" : outcome);
+    m_ending.push_back(std::move(m_writer));
 }
 
 void EngineWorker::publish() {
@@ -577,17 +864,29 @@ void EngineWorker::publish() {
         const ServoLoop& loop = m_session->loop;
         snapshot.state = loop.state();
         snapshot.reasons = loop.reasons();
+        snapshot.remedy = loop.remedy();
+        snapshot.pending = loop.pending();
+        snapshot.canRetreat = loop.keepsFromRetreat().code == MessageCode::None;
         snapshot.runTime_s = loop.runTime_s();
         snapshot.clock_s = m_session->clock().now_s();
         snapshot.latest = loop.latest();
         snapshot.simulated = m_session->simulated != nullptr;
-        if (m_session->simulated)
+        snapshot.place = loop.placeState();
+        snapshot.placeAge_s = loop.placeAge_s();
+        if (m_session->simulated && snapshot.place != PlaceState::Unknown) // it tells nobody then
             snapshot.latest.coordinates = m_session->simulated->simulatedRobot().coordinates();
-        else
+        if (m_session->real)
             snapshot.devices = m_session->real->devices();
         snapshot.sampleTime_s = loop.sampleTime_s();
         snapshot.sampleAge_s = m_session->clock().now_s() - loop.sampleTime_s();
+        for (std::size_t i = 0; i < loop.experiment().objects.size(); ++i) {
+            snapshot.sensors.push_back(loop.sensorTrust(i));
+            snapshot.readingAges_s.push_back(loop.readingAge_s(i));
+            snapshot.toldReadings_K.push_back(loop.toldReading_K(i));
+        }
         snapshot.source_K = loop.source_K();
+        snapshot.sourceAge_s = loop.sourceAge_s();
+        snapshot.heat = loop.heatState();
         snapshot.heatOn = loop.heatOn();
         snapshot.isMoving = loop.isMoving();
         snapshot.tracking = loop.tracking();
@@ -607,13 +906,15 @@ void EngineWorker::publish() {
     }
     if (m_tried)
         snapshot.tried = triedState(*m_tried);
-    if (m_writer) {
-        snapshot.recordingPath = m_writer->path();
-        snapshot.recordedRows = m_writer->rows();
+    if (const SessionRecorder* writer = m_writer           ? m_writer.get()
+                                        : m_ending.empty() ? nullptr
+                                                           : m_ending.back().get()) {
+        snapshot.recordingPath = writer->path();
+        snapshot.recordedRows = writer->rows();
     }
     m_publishedState = snapshot.state;
     m_sincePublished_s = 0.0;
-    emit published(snapshot);
+    emit published(snapshot, m_snapshots.next());
 }
 
 } // namespace bask

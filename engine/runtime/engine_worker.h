@@ -2,11 +2,17 @@
 // The engine on its own thread: takes commands by value, runs rig and loop on a timer, writes the session,
 // publishes snapshots.
 
+#include "engine/base/suspend_watch.h"
+#include "engine/drivers/sleep_inhibitor.h"
+#include "engine/runtime/alarm_keeper.h"
 #include "engine/runtime/alarm_log.h"
+#include "engine/runtime/background_thread.h"
 #include "engine/runtime/command.h"
 #include "engine/runtime/servo_loop.h"
 #include "engine/runtime/session_recorder.h"
 #include "engine/runtime/snapshot.h"
+#include "engine/runtime/underway.h"
+#include "engine/session/device_memory.h"
 #include "engine/vision/vision_thread.h"
 
 #include <QElapsedTimer>
@@ -25,67 +31,119 @@ namespace bask {
 class RealRig;
 
 /// Lives on a QThread; every slot is called through queued connections. Rig and loop are made, used and
-/// deleted there; the session is written on another thread.
+/// deleted there. What touches a file, or may wait in the system, is done on other threads.
 class EngineWorker : public QObject {
     Q_OBJECT
 public:
-    /// `alarmFile`: keeps the alarms over a restart; empty: nothing does.
-    explicit EngineWorker(std::string alarmFile = {});
+    /// After the heat is off: for what is still to be written.
+    static constexpr std::chrono::milliseconds kLastRows{3000};
+    /// Rows of each kind that wait for whoever takes snapshots; then the oldest are dropped. An hour at 10
+    /// Hz.
+    static constexpr std::size_t kMostKept = 36000;
+
+    /// `alarmFile` keeps the alarms over a restart, `deviceFile` which devices were met; empty: nothing does.
+    /// `awake` stands still while the computer sleeps.
+    explicit EngineWorker(std::string alarmFile = {}, std::string deviceFile = {},
+                          std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>());
     ~EngineWorker() override;
 
 public slots:
     void start();
     void post(const bask::Command& command);
-    /// Safe state, recording closed, timer stopped. Call it blocking before the thread quits.
+    /// Safe state, timer stopped, then the recording closed: kLastRows are given to that, and what is not
+    /// saved then is said on standard error. Call it blocking before the thread quits.
     void shutdown();
 
 signals:
-    void published(const bask::Snapshot& snapshot);
+    /// At most Underway::kMost wait to be taken, besides the answers to commands: whoever hangs gets the
+    /// newest state, and all samples, events and notes up to kMostKept, when it goes on. `token` is for
+    /// counting.
+    void published(const bask::Snapshot& snapshot, const std::shared_ptr<const int>& token);
     /// A control step of a real rig has begun, so long after it was due; what is longer than a period is
     /// steps that were lost.
     void stepped(double lateness_s);
-    /// A new look at the camera, while it is watched.
-    void looked(const std::shared_ptr<const bask::VisionView>& view);
+    /// A new look at the camera, while it is watched; as many wait as of snapshots.
+    void looked(const std::shared_ptr<const bask::VisionView>& view, const std::shared_ptr<const int>& token);
 
 private:
-    /// The rig with its loop; made anew with each experiment.
+    /// The rig with its loop, which is made anew with each experiment.
     struct Session;
+    /// What stays from one session to the next.
+    struct Kept;
 
     void onTimer();
     double simulationSpeed() const;
     void advanceSimulated(double wall_s);
     void workReal();
     void tick();
+    Result<void> endRecording();
     void closeFinished();
     void record();
     void closeRecording();
-    void closeSession();
+    void hearBackground();
+    void waitForFiles();
+    /// What a next one may have.
+    Kept closeSession(bool isRigKept);
     void tellHeatNotOff();
     void publish();
     void carryOut(const Command& command);
+    void carryOutWaiting();
+    void answer(const Result<void>& result);
+    void dropBegun();
     Result<void> apply(const Command& command);
     Result<void> load(const Experiment& experiment);
     Result<void> armWith(const std::string& recordingPath);
+    Result<void> armNow();
+    void finishArming();
+    Result<void> startWith(bool acceptInfeasible);
+    void finishJudging();
     Result<void> applyFault(const SimulateFault& fault);
     Result<void> acknowledge(std::optional<std::uint64_t> id); ///< empty: all
+    Result<void> shelve(const ShelveAlarm& alarm);
+    Result<void> unshelve(std::uint64_t id);
     void updateAlarms();
-    void keepAlarms();
+    void tell(const Message& message); ///< as an event
+    void tellUnfinished(const Error& error);
     void watchDisk();
     Result<void> setVision(const VisionSpec& vision);
     void watch(const WatchCamera& wanted);
     Result<void> choose(const std::string& camera);
     Result<void> type(double sourceTemperature_K);
     Result<void> tryDevice(const RigSpec& rig);
+    void endTrial();
+    Result<void> accept(DeviceRole role);
+    void watchSleep();
+    void rememberDevices();
+    void keepDevices();
     void setTask();
     void handOnView();
     bool isInUse() const; ///< a run is armed or on
+    /// Commands wait: a rig is closed, or Arm or Start are not answered yet.
+    bool isBusy() const { return m_isClosing || m_arming || m_judging; }
 
+    SteadyClock m_steady; ///< longer than what is real
+    std::unique_ptr<Clock> m_awakeClock;
+    SuspendWatch m_suspend;
+    SleepInhibitor m_sleep;
+    bool m_isSleepTold = false;
     std::unique_ptr<Session> m_session;
-    std::unique_ptr<SessionRecorder> m_writer, m_failedWriter; ///< that one is waited for after the run
-    std::string m_alarmFile;
+    std::unique_ptr<SessionRecorder> m_arming; ///< its file is being made; Arm is answered then
+    std::unique_ptr<SessionRecorder> m_writer;
+    std::vector<std::unique_ptr<SessionRecorder>> m_ending; ///< their last rows are being written
+    /// Whether the targets of a run that is to be started can be held.
+    struct Judging {
+        std::stop_source stop;
+        std::future<bool> isFeasible;
+    };
+    std::optional<Judging> m_judging;
+    std::string m_guardLog; ///< beside the alarms
+    AlarmKeeper m_keeper;
     AlarmLog m_alarms;
-    bool m_isAlarmFileBad = false; ///< told once
+    std::string m_deviceFile;
+    DeviceMemory m_devices; ///< met on this computer
     double m_sinceDisk_s = 0.0;
+    std::future<std::optional<double>> m_diskFree_MB;
+    std::future<std::vector<SerialPort>> m_ports;
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
     WatchCamera m_watch;
@@ -94,11 +152,15 @@ private:
     /// simulated rig.
     struct RealCamera;
     std::unique_ptr<RealCamera> m_camera;
+    /// A picture that is looked at, and a driver that hangs, take their time: elsewhere.
+    template <class Closed> void letGo(std::unique_ptr<Closed> camera) {
+        if (camera)
+            m_closer.post([last = std::shared_ptr<Closed>(std::move(camera))]() mutable { last.reset(); });
+    }
     std::shared_ptr<const VisionView> m_view; ///< handed on last
-    SteadyClock m_steady;
-    std::unique_ptr<RealRig> m_tried; ///< one device alone
+    std::unique_ptr<RealRig> m_tried;         ///< one device alone
     bool m_isClosing = false, m_isEnding = false;
-    std::deque<Command> m_waiting; ///< that came while a rig was closed
+    std::deque<Command> m_waiting; ///< that came while isBusy()
     double m_speed = 1.0;
     double m_untilTick_s = 0.0; ///< of a simulated rig
     double m_nextTick_s = 0.0;  ///< of a real one
@@ -111,7 +173,11 @@ private:
     double m_sincePublished_s = 0.0;
     RunState m_publishedState = RunState::Idle;
     Snapshot m_pending; ///< samples, events and notes since the last snapshot
+    Underway m_snapshots, m_views;
     std::uint64_t m_sequence = 0;
+    BackgroundThread m_system; ///< room on the disk, list of ports
+    BackgroundThread m_closer; ///< of cameras
+    BackgroundThread m_judge;
 };
 
 } // namespace bask

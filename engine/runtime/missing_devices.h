@@ -34,6 +34,7 @@ public:
     Result<void> keepHeating(double, double) override { return absence(); }
     Result<void> heatOff() override { return absence(); }
     bool heating() const override { return false; }
+    HeatState heatState() const override { return HeatState::Unknown; }
 
 private:
     static Error absence() { return {MessageCode::RigIncomplete, {}, {"heat source"}}; }

@@ -18,6 +18,7 @@ using Reaction = SafetyReaction;
 constexpr double kHysteresis_K = 2.0;     ///< of the objects' and the source's limits
 constexpr double kWhileSame_K = 0.5;      ///< a sensor that gives the very same value is frozen beyond this
 constexpr double kSetPointTrifle_K = 3.0; ///< resolution of a controller, and a ramp that it follows late
+constexpr double kColder_K = 5.0;         ///< than the room
 constexpr double kHandWarm_K = 30.0;      ///< over the room: a source that is worth a warning
 constexpr double kLate_s = 1.0;           ///< of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object is as cold as the room
@@ -40,6 +41,9 @@ constexpr std::array kLadder{
     SafetyRow{Condition::SourceNotHeating,   1, Reaction::Stop,    false, 0.0, 0.0},
     SafetyRow{Condition::SourceHeatsUnasked, 1, Reaction::Stop,    false, 0.5, 0.0},
     SafetyRow{Condition::SourceNotCooling,   1, Reaction::Stop,    false, 0.0, 0.0},
+    SafetyRow{Condition::HeaterGuardGone,    1, Reaction::Stop,    false, 0.0, 0.0},
+    SafetyRow{Condition::SourceCold,         1, Reaction::Stop,    false, 0.5, 0.0},
+    SafetyRow{Condition::SourceUnit,         1, Reaction::Stop,    false, 0.5, 0.0},
     SafetyRow{Condition::SetPointOther,      1, Reaction::Stop,    false, 10.0, 0.0},
     SafetyRow{Condition::NotWarming,         1, Reaction::Stop,    false, 30.0, 0.0},
     SafetyRow{Condition::SensorOpen,         1, Reaction::Hold,    true,  0.0, 0.0},
@@ -57,6 +61,7 @@ constexpr std::array kLadder{
     SafetyRow{Condition::SensorsApart,       2, Reaction::Note,    false, 10.0, 10.0},
     SafetyRow{Condition::DiskLow,            2, Reaction::Note,    false, 0.0, 0.0},
     SafetyRow{Condition::LoopLate,           3, Reaction::Note,    false, 0.0, 60.0},
+    SafetyRow{Condition::SensorQuiet,        3, Reaction::Note,    false, 0.0, 0.0},
 };
 // clang-format on
 
@@ -96,7 +101,16 @@ SensorLimits sensorLimits(const Experiment& experiment) {
     constexpr double kTimes = 3.0;
     Experiment hottest = experiment;
     hottest.source.temperature_K = highestSetPoint_K(experiment.source);
-    SensorLimits limits{experiment.safety.stalePeriods, {}};
+    SensorLimits limits;
+    limits.stalePeriods = experiment.safety.stalePeriods;
+    limits.jumps = experiment.safety.jumps;
+    const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
+    for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
+        const HeatRates rates = experiment.objects[i].believedRates.value_or(nominal[i]);
+        limits.bounds.emplace_back(
+            lossRange(rates, experiment.objects[i].material.emittance, experiment.environment_K),
+            experiment.environment_K);
+    }
     for (const HeatRates& rates : nominalRates(hottest, experiment.environment_K))
         limits.largestRates_K_s.push_back(experiment.safety.largestRate_K_s.value_or(
             std::max(SafetySpec::kLeastRate_K_s, kTimes * rates.lambda1)));
@@ -104,12 +118,15 @@ SensorLimits sensorLimits(const Experiment& experiment) {
 }
 
 SafetyMonitor::SafetyMonitor(const Experiment& experiment)
-    : m_experiment(experiment), m_source(experiment.safety), m_coldAfter_s(0.0) {
+    : m_experiment(experiment), m_source(experiment.safety, experiment.environment_K), m_coldAfter_s(0.0) {
     const std::vector<HeatRates> nominal = nominalRates(experiment, experiment.environment_K);
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
         const HeatRates rates = experiment.objects[i].believedRates.value_or(nominal[i]);
         const double timeConstant_s = rates.timeConstant_s(experiment.environment_K);
-        m_objects.push_back({WarmingWatch(timeConstant_s, experiment.safety.warming_K), rates.lambda1});
+        const LossRange losses =
+            lossRange(rates, experiment.objects[i].material.emittance, experiment.environment_K);
+        m_objects.push_back(
+            {WarmingWatch(losses, experiment.environment_K, experiment.safety.warming_K), rates.lambda1});
         m_coldAfter_s = std::max(m_coldAfter_s, kCoolingTimes * timeConstant_s);
     }
 }
@@ -198,21 +215,46 @@ double SafetyMonitor::power_K_s(std::size_t i, const SafetyObservation& seen) co
                              : m_objects[i].lambda1_K_s * seen.sourceStrength * seen.objects[i].viewFactor;
 }
 
-void SafetyMonitor::atRest(const SafetyObservation& seen) {
+std::vector<double> SafetyMonitor::powers_K_s(const SafetyObservation& seen) const {
+    std::vector<double> powers_K_s;
     for (std::size_t i = 0; i < m_objects.size(); ++i)
+        powers_K_s.push_back(power_K_s(i, seen));
+    return powers_K_s;
+}
+
+bool SafetyMonitor::isSensorStill(std::size_t object) const {
+    return isActive(Condition::SensorFrozen, object) || isActive(Condition::SensorQuiet, object);
+}
+
+void SafetyMonitor::confirmSensor(std::size_t object) {
+    ObjectWatch& watch = m_objects.at(object);
+    watch.warming.reset();
+    watch.frozenAt_K.reset();
+    watch.quiet.confirm();
+}
+
+void SafetyMonitor::atRest(const SafetyObservation& seen) {
+    for (std::size_t i = 0; i < m_objects.size(); ++i) {
+        m_objects[i].quiet.confirm(); // their offsets have changed
         if (seen.objects[i].measured_K)
-            m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K, power_K_s(i, seen));
+            m_objects[i].warming.restAt(seen.now_s, *seen.objects[i].measured_K);
+    }
 }
 
 void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     const ObservedObject& object = seen.objects[i];
     ObjectWatch& watch = m_objects[i];
+    const bool isNew = object.measured_K && object.age_s < 0.5 * m_experiment.sampling.period_s;
+    watch.warming.add(seen.now_s, isNew ? object.measured_K : std::nullopt, power_K_s(i, seen));
     if (!object.measured_K)
         return;
     if (watch.frozenAt_K && *watch.frozenAt_K != *object.measured_K)
         watch.frozenAt_K.reset();
-    if (object.age_s < 0.5 * m_experiment.sampling.period_s)
-        watch.warming.add(seen.now_s, *object.measured_K, power_K_s(i, seen));
+    if (isNew)
+        watch.quiet.add(seen.now_s, *object.measured_K);
+    if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0 && !watch.frozenAt_K)
+        add(Condition::SensorQuiet,
+            {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
     const double same_s = watch.warming.sameFor_s();
     if (seen.asked_K && !watch.frozenAt_K && same_s >= m_experiment.safety.frozen_s &&
         watch.warming.unfollowedWhileSame(kWhileSame_K))
@@ -250,6 +292,8 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
         add(Condition::SourceSilent, {MessageCode::SafetySourceSilent, {formatNumber(seen.sourceAge_s, 2)}});
     if (seen.heatOffProblem.code != MessageCode::None)
         add(Condition::HeatNotOff, {MessageCode::SafetyHeatNotOff, {describe(seen.heatOffProblem)}});
+    if (seen.guardProblem.code != MessageCode::None)
+        add(Condition::HeaterGuardGone, seen.guardProblem);
     if (seen.isSourcePoseLost)
         add(Condition::SourcePoseLost, {MessageCode::ReasonSourcePoseLost, {}});
     if (!seen.source_K)
@@ -281,11 +325,36 @@ void SafetyMonitor::addHeating(const SafetyObservation& seen) {
         add(Condition::SourceNotCooling,
             {MessageCode::SafetySourceNotCooling,
              {oneDigit(celsiusFromKelvin(*seen.source_K)), formatNumber(*for_s, 3)}});
+    addUnit(seen);
     if (seen.asked_K && !seen.hasWatchdog)
         add(Condition::NoWatchdog, {MessageCode::SafetyNoWatchdog, {}});
     if (seen.asked_K && seen.readBack_K && std::abs(*seen.asked_K - *seen.readBack_K) > kSetPointTrifle_K)
         add(Condition::SetPointOther,
             {MessageCode::SafetySetPointOther, {celsius(*seen.asked_K), celsius(*seen.readBack_K)}});
+}
+
+// A controller in another unit than its profile has heats far beyond what it is asked, or tells far more than
+// there is. No source is colder than the room.
+void SafetyMonitor::addUnit(const SafetyObservation& seen) {
+    if (!seen.isSourceSwitched)
+        return;
+    const double room_K = m_experiment.environment_K;
+    const auto tellsOtherUnit = [&](double told_degC, double meant_K) {
+        add(Condition::SourceUnit,
+            {MessageCode::SafetySourceUnit, {oneDigit(told_degC), oneDigit(celsiusFromKelvin(meant_K))}});
+    };
+    if (*seen.source_K < room_K - kColder_K)
+        add(Condition::SourceCold,
+            {MessageCode::SafetySourceCold,
+             {oneDigit(celsiusFromKelvin(*seen.source_K)), celsius(room_K), formatNumber(kColder_K)}});
+    else if (const auto told_degC = m_source.roomInFahrenheit_degC())
+        tellsOtherUnit(*told_degC, room_K);
+    if (!seen.asked_K || !seen.readBack_K)
+        return;
+    const double back_degC = celsiusFromKelvin(*seen.readBack_K);
+    if (std::abs(back_degC - displayTemperature(*seen.asked_K, TemperatureUnit::Fahrenheit)) <=
+        kSetPointTrifle_K)
+        tellsOtherUnit(back_degC, *seen.asked_K);
 }
 
 void SafetyMonitor::addRig(const SafetyObservation& seen) {
@@ -379,6 +448,26 @@ const SafetyFinding* SafetyMonitor::forbidsReset() const {
     return isGrave ? &m_active.front() : nullptr;
 }
 
+const SafetyFinding* SafetyMonitor::forbidsResume() const {
+    const bool isGrave =
+        !m_active.empty() && safetyRow(m_active.front().condition).reaction >= SafetyReaction::Hold;
+    return isGrave ? &m_active.front() : nullptr;
+}
+
+std::vector<SafetyMonitor::Delayed> SafetyMonitor::delayed() const {
+    std::vector<Delayed> out;
+    for (const Pending& rising : m_rising) {
+        const double delay_s = safetyRow(rising.condition).on_s;
+        const double in_s = rising.since_s + delay_s - m_now_s;
+        const auto finding = std::ranges::find_if(m_present, [&](const SafetyFinding& present) {
+            return present.condition == rising.condition && present.object == rising.object;
+        });
+        if (finding != m_present.end() && in_s <= 0.5 * delay_s)
+            out.push_back({*finding, in_s});
+    }
+    return out;
+}
+
 const SafetyFinding* SafetyMonitor::lost() const {
     const auto found = std::ranges::find_if(
         m_active, [](const SafetyFinding& finding) { return safetyRow(finding.condition).isEnding; });
@@ -387,6 +476,10 @@ const SafetyFinding* SafetyMonitor::lost() const {
 
 bool SafetyMonitor::isLostTooLong() const {
     return isLost() && m_now_s - m_lostSince_s > m_experiment.safety.heldLimit_s;
+}
+
+double SafetyMonitor::lostTooLongIn_s() const {
+    return m_lostSince_s + m_experiment.safety.heldLimit_s - m_now_s;
 }
 
 const SafetyFinding* SafetyMonitor::lostSensor() const {
@@ -400,7 +493,7 @@ void SafetyMonitor::forgetLoss() {
 }
 
 void SafetyMonitor::restart() {
-    m_source = SourceWatch(m_experiment.safety);
+    m_source = SourceWatch(m_experiment.safety, m_experiment.environment_K);
     for (ObjectWatch& object : m_objects)
         object.warming.reset();
 }

@@ -3,6 +3,7 @@
 
 #include "engine/base/message.h"
 #include "engine/devices/thermometer.h"
+#include "engine/runtime/quiet_watch.h"
 #include "engine/runtime/sensor_channels.h"
 #include "engine/runtime/source_watch.h"
 #include "engine/runtime/warming_watch.h"
@@ -35,6 +36,9 @@ enum class SafetyCondition {
     SourceNotHeating,
     SourceHeatsUnasked,
     SourceNotCooling,
+    HeaterGuardGone,
+    SourceCold,
+    SourceUnit,
     SetPointOther,
     NotWarming,
     SensorOpen,
@@ -51,7 +55,8 @@ enum class SafetyCondition {
     NoWatchdog,
     SensorsApart,
     DiskLow,
-    LoopLate
+    LoopLate,
+    SensorQuiet
 };
 
 /// A row of the ladder.
@@ -100,6 +105,7 @@ struct SafetyObservation {
     bool isByHand = false;
     bool isHeatUnwanted = false; ///< a fault or a stop wants it off
     Message heatOffProblem;
+    Message guardProblem;          ///< the heater's guard has taken over, or is gone
     bool isSourceSwitched = false; ///< it cools when its heat is off: a real one
     bool hasWatchdog = true;       ///< the source goes off by itself when nothing keeps it on
     bool isSourceDark = true;      ///< it does not heat the objects: cold, or behind its shutter
@@ -130,15 +136,32 @@ public:
     /// The gravest that forbids a reset; null: none.
     const SafetyFinding* forbidsReset() const;
 
+    /// The gravest that forbids a run to begin or to go on; null: none.
+    const SafetyFinding* forbidsResume() const;
+    struct Delayed {
+        SafetyFinding finding;
+        double in_s; ///< until it is found, if it stays so
+    };
+    /// What is nearly found: half of its delay or more has passed.
+    std::vector<Delayed> delayed() const;
+
     /// A sensor's value, or the source's place, is lost; null: none.
     const SafetyFinding* lost() const;
     bool isLost() const { return lost() != nullptr; }
     /// For longer than the held limit: what comes back and goes again is one loss.
     bool isLostTooLong() const;
+    /// Until then, s, while it is lost.
+    double lostTooLongIn_s() const;
     /// A sensor that is lost, not the source's place; null: none.
     const SafetyFinding* lostSensor() const;
     /// The run begins or goes on: a new loss gets its own hold.
     void forgetLoss();
+    /// What each object absorbs, K/s, as it is estimated; NaN where its place is not known.
+    std::vector<double> powers_K_s(const SafetyObservation& seen) const;
+    /// It gives the very same value for too long.
+    bool isSensorStill(std::size_t object) const;
+    /// A person says that the object's sensor is right: what it told before is forgotten.
+    void confirmSensor(std::size_t object);
     /// The sensors have been zeroed: the objects are as they have been for long.
     void atRest(const SafetyObservation& seen);
     /// At a reset: what objects and source did before is forgotten.
@@ -158,6 +181,7 @@ private:
         double lambda1_K_s;
         std::optional<double> frozenAt_K{};
         double frozenSince_s = 0.0;
+        QuietWatch quiet{};
     };
     void addObject(std::size_t i, const SafetyObservation& seen);
     void addSensor(std::size_t i, const SafetyObservation& seen);
@@ -166,6 +190,7 @@ private:
     void addRobot(const SafetyObservation& seen);
     void addSource(const SafetyObservation& seen);
     void addHeating(const SafetyObservation& seen);
+    void addUnit(const SafetyObservation& seen);
     void addRig(const SafetyObservation& seen);
     void addCrossCheck(const SafetyObservation& seen);
     void add(SafetyCondition condition, Message message, std::size_t object = 0);

@@ -13,7 +13,10 @@ namespace {
 
 constexpr double kLeastPlausible_K = 173.15; ///< -100 degC: an open or shorted sensor reads beyond these
 constexpr double kMostPlausible_K = 1273.15;
-constexpr double kScatter_K = 2.0;         ///< of readings, noise and steps together: less is no jump
+constexpr double kScatter_K = 2.0;    ///< of readings, noise and steps together: less is no jump
+constexpr double kLag_s = 5.0;        ///< of sensors behind their objects
+constexpr double kForgiven_s = 600.0; ///< a sensor that was believed for so long is like new
+constexpr int kMostDoublings = 6;
 constexpr double kAmbientSpread_K = 2.0;   ///< PT100 class B and noise
 constexpr double kAmbientDistance_K = 5.0; ///< of the mean from the experiment's environment
 
@@ -42,30 +45,92 @@ double SensorChannels::largestRate_K_s(std::size_t i) const {
                                                 : std::numeric_limits<double>::infinity();
 }
 
-// Judged from the last reading that was believed, whose age lets the next be farther from it: a sensor that
-// was mended, or an object that was changed, is believed again after a while.
+const HeatBounds* SensorChannels::bounds(std::size_t i) const {
+    return i < m_limits.bounds.size() ? &m_limits.bounds[i] : nullptr;
+}
+
+void SensorChannels::advance(double dt_s, const std::vector<double>& powers_K_s) {
+    for (std::size_t i = 0; i < m_limits.bounds.size(); ++i) {
+        double& most_K_s = m_channels[i].power_K_s;
+        most_K_s = std::max(powers_K_s.at(i), most_K_s * std::exp(-dt_s / kLag_s));
+        m_limits.bounds[i].advance(dt_s, powers_K_s[i], std::isnan(powers_K_s[i]) ? powers_K_s[i] : most_K_s);
+    }
+}
+
+// What a hand or a draught does is always possible, and nothing is that is faster than the source can be at
+// its hottest. In between, and after a gap, whose length would let a reading be anywhere, the heat balance
+// tells where it can be.
+bool SensorChannels::isPossible(std::size_t i, const Reading& reading) const {
+    const Channel& channel = m_channels[i];
+    const HeatBounds* const within = bounds(i);
+    const double since_s = reading.time_s - channel.window.back().time_s;
+    const double change_K = std::abs(reading.value_K - channel.window.back().value_K) - kScatter_K;
+    const bool isLate = since_s > m_limits.stalePeriods * m_sampling.period_s;
+    if (within == nullptr || !(isLate || channel.isDistrusted)) {
+        const double largest_K_s = largestRate_K_s(i);
+        if (change_K > largest_K_s * since_s)
+            return false;
+        if (within == nullptr || change_K <= std::min(largest_K_s, SafetySpec::kLeastRate_K_s) * since_s)
+            return true;
+    }
+    const auto isWithin = [&](double value_K) { return within->contain(value_K, kScatter_K); };
+    if (!isWithin(reading.value_K + channel.offset_K))
+        return false;
+    return !channel.isDistrusted || within->max_K() - within->min_K() <= kTold_K ||
+           std::ranges::none_of(channel.jumped_K, isWithin);
+}
+
+// Judged from the last reading that was believed.
 bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
     Channel& channel = m_channels[i];
     if (channel.window.empty())
         return false;
     const Reading& last = channel.window.back();
-    if (!(reading.time_s > last.time_s))
+    const bool isNew = reading.time_s > (channel.jump.inARow > 0 ? channel.jump.time_s : last.time_s);
+    if (!isNew)
         return channel.jump.inARow > 0;
-    const double change_K = std::abs(reading.value_K - last.value_K);
-    const double since_s = reading.time_s - last.time_s;
-    if (change_K <= kScatter_K + largestRate_K_s(i) * since_s) {
+    const bool isFine = isPossible(i, reading);
+    channel.agreed = isFine ? channel.agreed + 1 : 0;
+    // A loose contact that comes and goes is believed later each time.
+    const int enough = m_limits.jumps << std::clamp(channel.losses - 1, 0, kMostDoublings);
+    if (isFine && (!channel.isDistrusted || channel.agreed >= enough)) {
+        if (channel.isDistrusted)
+            channel.lossEnds_s = reading.time_s;
         channel.jump = {};
+        channel.jumped_K.clear();
+        channel.isDistrusted = false;
         return false;
     }
-    const double value_K = reading.value_K + channel.offset_K;
+    channel.jump.time_s = reading.time_s;
+    if (isFine)
+        return true;
     if (channel.jump.inARow == 0)
-        channel.jump.rate_K_s = change_K / since_s;
-    channel.jump.least_K = channel.jump.inARow == 0 ? value_K : std::min(channel.jump.least_K, value_K);
-    if (channel.jump.inARow == 0 || reading.time_s > channel.jump.time_s) { // once each
-        ++channel.jump.inARow;
-        channel.jump.time_s = reading.time_s;
+        channel.jump.rate_K_s = std::abs(reading.value_K - last.value_K) / (reading.time_s - last.time_s);
+    channel.jumped_K.push_back(reading.value_K + channel.offset_K);
+    if (channel.jumped_K.size() > static_cast<std::size_t>(m_limits.jumps))
+        channel.jumped_K.erase(channel.jumped_K.begin());
+    channel.jump.least_K = std::ranges::min(channel.jumped_K);
+    ++channel.jump.inARow;
+    if (bounds(i) != nullptr && channel.jump.inARow >= m_limits.jumps) {
+        if (!channel.isKnown)
+            return confirm(i, reading.time_s), false;
+        if (!channel.isDistrusted)
+            channel.losses = reading.time_s - channel.lossEnds_s > kForgiven_s ? 1 : channel.losses + 1;
+        channel.isDistrusted = true;
     }
     return true;
+}
+
+void SensorChannels::believe(std::size_t i, const Reading& reading) {
+    Channel& channel = m_channels[i];
+    if (!channel.estimator.add(reading.time_s, reading.value_K + channel.offset_K))
+        return;
+    channel.window.push_back(reading);
+    if (channel.window.size() > static_cast<std::size_t>(m_sampling.window))
+        channel.window.erase(channel.window.begin());
+    channel.isKnown = channel.isKnown || channel.estimator.full();
+    if (i < m_limits.bounds.size())
+        m_limits.bounds[i].set(reading.value_K + channel.offset_K);
 }
 
 void SensorChannels::add(const std::vector<Reading>& readings) {
@@ -74,14 +139,34 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
     for (std::size_t i = 0; i < readings.size(); ++i) {
         Channel& channel = m_channels[i];
         channel.lastFault = readings[i].fault;
-        channel.lastInvalid = !plausible(readings[i]) || isJump(i, readings[i]);
-        if (channel.lastInvalid ||
-            !channel.estimator.add(readings[i].time_s, readings[i].value_K + channel.offset_K))
-            continue;
-        channel.window.push_back(readings[i]);
-        if (channel.window.size() > static_cast<std::size_t>(m_sampling.window))
-            channel.window.erase(channel.window.begin());
+        const bool isPlausible = plausible(readings[i]);
+        if (isPlausible)
+            channel.told = readings[i];
+        channel.lastInvalid = !isPlausible || isJump(i, readings[i]);
+        if (!channel.lastInvalid)
+            believe(i, readings[i]);
     }
+}
+
+double SensorChannels::told_K(std::size_t i, double now_s) const {
+    const Channel& channel = m_channels[i];
+    const bool isNew =
+        channel.told.valid && now_s - channel.told.time_s <= m_limits.stalePeriods * m_sampling.period_s;
+    return isNew ? channel.told.value_K + channel.offset_K : std::numeric_limits<double>::quiet_NaN();
+}
+
+bool SensorChannels::confirm(std::size_t i, double now_s) {
+    Channel& channel = m_channels[i];
+    if (std::isnan(told_K(i, now_s)))
+        return false;
+    channel.window.clear();
+    channel.estimator.reset();
+    channel.jump = {};
+    channel.jumped_K.clear();
+    channel.losses = 0;
+    channel.isDistrusted = channel.lastInvalid = false;
+    believe(i, channel.told);
+    return true;
 }
 
 double SensorChannels::age_s(std::size_t i, double now_s) const {

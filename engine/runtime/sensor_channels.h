@@ -4,6 +4,7 @@
 
 #include "engine/base/result.h"
 #include "engine/devices/thermometer.h"
+#include "engine/runtime/heat_bounds.h"
 #include "engine/runtime/zeroing.h"
 #include "engine/session/experiment.h"
 #include "engine/thermal/rate_estimator.h"
@@ -18,6 +19,8 @@ namespace bask {
 struct SensorLimits {
     double stalePeriods = 3.0;
     std::vector<double> largestRates_K_s{}; ///< of each channel; empty: not watched
+    int jumps = 3;                          ///< so many in a row, and the sensor is distrusted
+    std::vector<HeatBounds> bounds{}; ///< of each channel's object; empty: age lets a reading be anything
 };
 
 /// A reading that came faster than heat can.
@@ -25,16 +28,31 @@ struct Jump {
     int inARow = 0;        ///< 0: the newest reading is none
     double rate_K_s = 0.0; ///< of the first of them
     double time_s = 0.0;   ///< of the newest
-    double least_K = 0.0;  ///< of them
+    double least_K = 0.0;  ///< of the newest that make a fault
 };
 
-/// One sensor a channel, in the objects' order.
+/// One sensor a channel, in the objects' order. A sensor whose readings jump, or come back after a gap where
+/// the heat cannot have brought the object, is distrusted: no reading of it is taken until some in a row
+/// agree with the heat balance, where that tells them from the wrong ones or tells the temperature to
+/// kTold_K, or until a person confirms it.
 class SensorChannels {
 public:
     SensorChannels(std::size_t channels, const SamplingSpec& sampling, SensorLimits limits = {});
 
     /// Takes new readings; invalid, implausible or repeated ones never enter an estimator.
     void add(const std::vector<Reading>& readings);
+
+    /// The objects have absorbed these powers, K/s, since the last call, which was so long ago.
+    void advance(double dt_s, const std::vector<double>& powers_K_s);
+    bool isDistrusted(std::size_t i) const { return m_channels[i].isDistrusted; }
+    /// Where the object is by the heat balance.
+    const HeatBounds* bounds(std::size_t i) const;
+    /// Newest plausible reading, believed or not; NaN: there is none, or it is older than some periods.
+    double told_K(std::size_t i, double now_s) const;
+    /// Believes what the sensor tells now, and forgets what it told before. False: it tells nothing.
+    bool confirm(std::size_t i, double now_s);
+
+    static constexpr double kTold_K = 5.0;
 
     std::size_t size() const { return m_channels.size(); }
     /// The newest valid reading is not older than some periods: one that drops out is not a lost sensor.
@@ -66,8 +84,18 @@ private:
         bool lastInvalid = false;
         SensorFault lastFault = SensorFault::None;
         Jump jump{};
+        std::vector<double> jumped_K{}; ///< newest that were not believed
+        bool isDistrusted = false;
+        bool isKnown = false;    ///< its window has been full: before, its first readings may be wrong
+        double power_K_s = 0.0;  ///< most of the last seconds: a sensor lags behind its object
+        int losses = 0;          ///< how often it was distrusted, not long apart
+        double lossEnds_s = 0.0; ///< of the last of them
+        int agreed = 0;          ///< readings in a row, while it is distrusted
+        Reading told{};          ///< newest plausible one
     };
     bool isJump(std::size_t i, const Reading& reading);
+    bool isPossible(std::size_t i, const Reading& reading) const;
+    void believe(std::size_t i, const Reading& reading);
 
     SamplingSpec m_sampling;
     SensorLimits m_limits;

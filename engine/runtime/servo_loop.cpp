@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/runtime/alarm_causes.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/session/controller_json.h"
 
@@ -69,7 +70,12 @@ ServoLoop::ServoLoop(const Experiment& experiment, RigDevices devices, const Clo
       m_safety(experiment), m_made_s(clock.now_s()), m_sourceRead_s(clock.now_s()) {
     m_coordinates = experiment.start;
     m_latest.source = experiment.source.pose;
-    if (m_devices.isReal)
+    const auto isMissing = [](const auto& answer) {
+        return !answer && answer.error().code() == MessageCode::RigIncomplete;
+    };
+    const bool isEmpty = isMissing(m_devices.robot.state()) && isMissing(m_devices.thermometer.read()) &&
+                         isMissing(m_devices.source.read());
+    if (m_devices.isReal && !isEmpty)
         fault({MessageCode::SafetyStartUp, {}});
 }
 
@@ -77,8 +83,38 @@ ServoLoop::~ServoLoop() {
     makeSafe();
 }
 
+void ServoLoop::use(const RigKnowledge& known) {
+    m_faults = known.faults;
+    for (Latched& fault : m_faults)
+        if (fault.finding && fault.finding->object >= m_experiment.objects.size())
+            fault.finding.reset(); // of an object that is no more
+    m_state = m_faults.empty() ? RunState::NotReady : RunState::Fault;
+    m_made_s = known.made_s;
+    m_hasThermometer = known.hasThermometer;
+    m_hasRobot = known.hasRobot;
+    m_hasSource = known.hasSource;
+    m_record = {}; // there is no start to tell of
+}
+
 bool ServoLoop::running() const {
     return isRunOn(m_state);
+}
+
+PlaceState ServoLoop::placeState() const {
+    const double old_s = std::max(SafetyMonitor::kRobotSlow_s,
+                                  m_experiment.safety.stalePeriods * m_experiment.sampling.period_s);
+    if (m_robotProblem.code != MessageCode::None || !(placeAge_s() <= old_s))
+        return PlaceState::Unknown;
+    return m_robot.isPlaceSure && !m_isHoming ? PlaceState::Sure : PlaceState::Unsure;
+}
+
+double ServoLoop::placeAge_s() const {
+    return m_hasRobot ? m_clock.now_s() - m_robot.time_s : std::numeric_limits<double>::infinity();
+}
+
+double ServoLoop::sourceAge_s() const {
+    return m_latest.source_K > 0.0 ? m_clock.now_s() - m_sourceRead_s
+                                   : std::numeric_limits<double>::infinity();
 }
 
 bool ServoLoop::isArmedOrOn() const {
@@ -86,7 +122,7 @@ bool ServoLoop::isArmedOrOn() const {
 }
 
 double ServoLoop::runTime_s() const {
-    return m_runOn ? m_clock.now_s() - m_startTime_s : m_latest.time_s;
+    return m_runOn || m_isCooling ? m_clock.now_s() - m_startTime_s : m_latest.time_s;
 }
 
 Error ServoLoop::refusal(const char* verb) const {
@@ -118,24 +154,45 @@ void ServoLoop::switchHeatOff() {
 }
 
 void ServoLoop::endRun(const std::string& outcome) {
-    m_outcome = outcome;
+    if (m_runOn || m_outcome.empty()) // what comes after a run is not its outcome
+        m_outcome = outcome;
     makeSafe();
     m_controller.reset();
+    m_isCooling = m_isCooling || (m_runOn && outcome != "settled" && outcome != "stopped");
     m_runOn = false;
 }
 
-void ServoLoop::addFault(Message reason) {
-    if (std::ranges::find(m_faults, reason) != m_faults.end())
+void ServoLoop::addFault(Latched fault) {
+    if (std::ranges::find(m_faults, fault.key, &Latched::key) != m_faults.end())
         return;
-    event(reason.code, reason.args);
-    m_faults.push_back(std::move(reason));
+    event(fault.message.code, fault.message.args);
+    m_faults.push_back(std::move(fault));
 }
 
+namespace {
+
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char letter : text) { // names and reasons may have any
+        if (letter == '"' || letter == '\\')
+            out += '\\';
+        out += static_cast<unsigned char>(letter) < 0x20 ? ' ' : letter;
+    }
+    return out + '"';
+}
+
+} // namespace
+
 void ServoLoop::reportAcknowledged(const Alarm& alarm) {
-    std::string key;
-    for (const char letter : alarm.key) // object names may have any
-        key += letter == '"' || letter == '\\' ? std::string{'\\', letter} : std::string{letter};
-    command("acknowledge", "{\"alarm\":\"" + key + "\"}");
+    command("acknowledge", "{\"alarm\":" + quoted(alarm.key) + "}");
+}
+
+void ServoLoop::reportShelved(const Alarm& alarm, double for_s) {
+    if (for_s > 0.0)
+        command("shelve", "{\"alarm\":" + quoted(alarm.key) + ",\"for_s\":" + formatNumber(for_s, 6) +
+                              ",\"reason\":" + quoted(alarm.shelfReason) + "}");
+    else
+        command("unshelve", "{\"alarm\":" + quoted(alarm.key) + "}");
 }
 
 void ServoLoop::reportFault(SimulatedFault simulated, std::size_t object) {
@@ -147,6 +204,14 @@ void ServoLoop::reportFault(SimulatedFault simulated, std::size_t object) {
 }
 
 void ServoLoop::fault(Message reason) {
+    faultWith(latched(std::move(reason)));
+}
+
+void ServoLoop::faultWith(Latched reason) {
+    if (m_runOn && m_state != RunState::Stopping) {
+        const Message ended = messageAbout(MessageCode::EventStoppedFor, reason.message);
+        event(ended.code, ended.args);
+    }
     addFault(std::move(reason));
     if (m_state != RunState::Fault)
         endRun("fault");
@@ -157,11 +222,22 @@ double ServoLoop::environment_K() const {
     return m_sensors.zeroing() ? m_sensors.zeroing()->environment_K : m_experiment.environment_K;
 }
 
-Result<void> ServoLoop::arm() {
+Result<void> ServoLoop::mayArm() const {
     if (const auto fit = checkTargets(m_experiment); !fit)
         return fit;
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal("Arm");
+    if (const Message why = m_devices.source.cannotHeat(); why.code != MessageCode::None)
+        return Error(why.code, {}, why.args);
+    if (!m_sensors.zeroing())
+        if (const auto found = m_sensors.findZero(m_experiment.environment_K); !found)
+            return found.error();
+    return {};
+}
+
+Result<void> ServoLoop::arm() {
+    if (const auto may = mayArm(); !may)
+        return may;
     endMove();
     if (!m_sensors.zeroing()) {
         auto found = m_sensors.findZero(m_experiment.environment_K);
@@ -174,7 +250,10 @@ Result<void> ServoLoop::arm() {
         netSourcePower_W_m2(source.model, source.temperature_K, source.emittance, environment_K());
     if (!(power_W_m2 > 0.0))
         return Error(MessageCode::SourceTooWeak, {}, {formatNumber(power_W_m2, 3)});
+    if (!m_outcome.empty()) // what the objects did in the last run is over
+        m_safety.restart();
     m_outcome.clear();
+    m_isCooling = false;
     m_latest.time_s = 0.0;
     m_state = RunState::Armed;
     command("arm", zeroingJson(*m_sensors.zeroing())); // it may have been long before
@@ -195,8 +274,10 @@ Result<void> ServoLoop::start(bool acceptInfeasible) {
         return refusal("Start");
     if (const auto fresh = requireFreshSensors(); !fresh)
         return fresh;
-    if (!acceptInfeasible && !jointVerdict(m_experiment).feasible)
-        return Error(MessageCode::ReasonTargetInfeasible, {});
+    if (const auto fit = checkTargets(m_experiment); !fit)
+        return fit;
+    if (const SafetyFinding* finding = m_safety.forbidsResume())
+        return Error(finding->message.code, {}, finding->message.args);
     m_startTime_s = m_clock.now_s();
     m_withinBandSince_s = m_startTime_s;
     m_compromise.clear();
@@ -237,10 +318,30 @@ Result<void> ServoLoop::hold() {
     return {};
 }
 
+void ServoLoop::holdFor(const SafetyFinding& finding) {
+    if (isMoving()) {
+        (void)hold();
+    } else if (m_state == RunState::Running || m_state == RunState::Settled) {
+        m_state = RunState::Holding;
+        m_heldBySafety = true;
+        standStill();
+        const Message held = messageAbout(MessageCode::EventHeldFor, finding.message);
+        event(held.code, held.args);
+    }
+}
+
+Result<void> ServoLoop::requireFreshSensor(std::size_t object) const {
+    if (m_sensors.isDistrusted(object))
+        return Error(distrust(object).code, {}, distrust(object).args);
+    if (!m_sensors.fresh(object, m_clock.now_s()))
+        return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[object].name});
+    return {};
+}
+
 Result<void> ServoLoop::requireFreshSensors() const {
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
-        if (!m_sensors.fresh(i, m_clock.now_s()))
-            return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
+        if (const auto fresh = requireFreshSensor(i); !fresh)
+            return fresh;
     if (!sourceSeen())
         return Error(MessageCode::ReasonSourcePoseLost, {});
     return {};
@@ -251,6 +352,8 @@ Result<void> ServoLoop::resume() {
         return refusal("Resume");
     if (const auto fresh = requireFreshSensors(); !fresh)
         return fresh;
+    if (const SafetyFinding* finding = m_safety.forbidsResume())
+        return Error(finding->message.code, {}, finding->message.args);
     m_state = RunState::Running;
     m_heldBySafety = false;
     m_safety.forgetLoss();
@@ -265,57 +368,43 @@ Result<void> ServoLoop::stop() {
         return disarm();
     if (m_state != RunState::Running && m_state != RunState::Holding && m_state != RunState::Settled)
         return refusal("Stop");
+    command("stop");
+    return stopBy({MessageCode::EventStopped, {}});
+}
+
+Result<void> ServoLoop::stopBy(const Message& reason) {
     m_outcome = m_state == RunState::Settled ? "settled" : "stopped";
     if (!allWithinBand())
         event(MessageCode::EventNotSettled, {objectsOffTarget()});
-    command("stop");
-    event(MessageCode::EventStopped);
+    event(reason.code, reason.args);
     beginRetreat();
     return {};
 }
 
-void ServoLoop::beginRetreat() {
-    m_state = RunState::Stopping;
-    m_handHeat_K.reset();
-    m_retreatRaised = false;
-    m_retreatMoved_s = m_clock.now_s();
-    switchHeatOff();
-    retreat(); // at once: the last velocity must not go on sideways
-}
-
-void ServoLoop::stopFor(Message reason) {
-    if (!running()) {
-        fault(std::move(reason));
-        return;
-    }
-    addFault(std::move(reason));
-    if (m_state != RunState::Stopping)
-        (void)stop();
-}
-
-void ServoLoop::retreatFor(Message reason) {
-    if (running() || m_state == RunState::Fault) // a fault stands still
-        return stopFor(std::move(reason));
-    addFault(std::move(reason));
-    m_goal.reset();
-    m_outcome = "fault";
-    beginRetreat();
+void ServoLoop::reportSuspended(double slept_s) {
+    const std::string time = formatNumber(slept_s, 3);
+    event(MessageCode::EventSuspended, {time});
+    if (running() || heatOn() || m_asked_K || isMoving() || !m_rates.isZero(0.0))
+        stopFor({MessageCode::SafetySuspended, {time}});
 }
 
 void ServoLoop::emergencyStop() {
     command("emergency-stop");
     m_isHoming = false;
     event(MessageCode::EventEmergencyStop);
+    m_isRetreatRefused = m_retreatAt_s || (m_state == RunState::Stopping && hot() != nullptr);
+    m_retreatAt_s.reset();
     endRun("emergency-stop");
-    const Message reason{MessageCode::ReasonEmergencyStop, {}};
-    if (std::ranges::find(m_faults, reason) == m_faults.end())
-        m_faults.push_back(reason);
+    Latched reason = latched({MessageCode::ReasonEmergencyStop, {}});
+    if (std::ranges::find(m_faults, reason.key, &Latched::key) == m_faults.end())
+        m_faults.push_back(std::move(reason));
     m_state = RunState::Fault;
 }
 
 Result<void> ServoLoop::reset() {
     if (m_state != RunState::Fault)
         return refusal("Reset");
+    m_devices.source.renewGuard();
     m_safety.restart(); // what the source and the objects did is over; what they do now is not
     look();
     watch();
@@ -419,19 +508,46 @@ void ServoLoop::addNote(const std::string& text) {
     m_record.notes.push_back({runTime_s(), text});
 }
 
+ServoLoop::Latched ServoLoop::latched(const SafetyFinding& finding) const {
+    return {finding.message, alarmKey(finding, m_experiment), finding};
+}
+
+ServoLoop::Latched ServoLoop::latched(Message reason) {
+    std::string key = messageName(reason.code);
+    return {std::move(reason), std::move(key), std::nullopt};
+}
+
+Message ServoLoop::newest(const Latched& fault) const {
+    for (const SafetyFinding& finding : m_safety.active())
+        if (alarmKey(finding, m_experiment) == fault.key)
+            return finding.message;
+    return fault.message;
+}
+
+std::vector<SafetyFinding> ServoLoop::foundOrLatched() const {
+    std::vector<SafetyFinding> out = m_safety.active();
+    for (const Latched& fault : m_faults)
+        if (fault.finding)
+            out.push_back(*fault.finding);
+    return out;
+}
+
 std::vector<Message> ServoLoop::reasons() const {
-    std::vector<Message> out = m_faults; // also those that a retreat will end in
-    const auto isSaid = [&](const Message& message) {
-        return std::ranges::any_of(m_faults,
-                                   [&](const Message& said) { return alarmKey(said) == alarmKey(message); });
-    };
+    std::vector<Message> out;
+    for (const Latched& fault : m_faults) // also those that a retreat will end in
+        if (!fault.finding || causeOf(*fault.finding, m_safety.active()) == nullptr)
+            out.push_back(newest(fault));
     for (const SafetyFinding& finding : m_safety.active()) {
         const SafetyRow& row = safetyRow(finding.condition);
-        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid(finding.message))
+        const bool isSaid =
+            std::ranges::find(m_faults, alarmKey(finding, m_experiment), &Latched::key) != m_faults.end();
+        if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid &&
+            causeOf(finding, m_safety.active()) == nullptr)
             out.push_back(finding.message);
     }
     if (m_state == RunState::Fault)
         return out;
+    std::ranges::copy(missing(), std::back_inserter(out));
     if (!sourceSeen() && m_sourceSeen_s < 0.0) // not seen yet, which is no alarm
         out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !m_sensors.full())
@@ -447,31 +563,30 @@ std::vector<Message> ServoLoop::reasons() const {
     return out;
 }
 
-std::string ServoLoop::alarmKey(const Message& message) const {
-    std::string key = messageName(message.code);
-    if (message.args.empty())
-        return key;
-    const bool isOfObject = std::ranges::any_of(
-        m_experiment.objects, [&](const ObjectSpec& object) { return object.name == message.args.front(); });
-    // A port, or the robot's number for it.
-    const bool isOfDevice =
-        message.code >= MessageCode::LinkNotOpened && message.code <= MessageCode::RobotRefused;
-    return isOfObject || isOfDevice ? key + ":" + message.args.front() : key;
+std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
+    const std::vector<SafetyFinding> present = foundOrLatched();
+    std::vector<AlarmCondition> out;
+    const auto add = [&](std::string key, const Message& message, int priority,
+                         const std::optional<SafetyFinding>& finding = {}) {
+        if (std::ranges::find(out, key, &AlarmCondition::key) != out.end())
+            return;
+        const SafetyFinding* cause = finding ? causeOf(*finding, present) : nullptr;
+        out.push_back({std::move(key), message, priority, cause ? alarmKey(*cause, m_experiment) : ""});
+    };
+    for (const Latched& fault : m_faults)
+        add(fault.key, newest(fault), std::max(1, alarmPriority(fault.message.code)), fault.finding);
+    for (const SafetyFinding& finding : m_safety.active())
+        add(alarmKey(finding, m_experiment), finding.message, safetyRow(finding.condition).priority, finding);
+    if (!m_compromise.empty() && running())
+        add(messageName(MessageCode::EventCompromise), {MessageCode::EventCompromise, {m_compromise}}, 3);
+    return out;
 }
 
-std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
-    std::vector<AlarmCondition> out;
-    const auto add = [&](const Message& message, int priority) {
-        std::string key = alarmKey(message);
-        if (std::ranges::find(out, key, &AlarmCondition::key) == out.end())
-            out.push_back({std::move(key), message, priority});
-    };
-    for (const Message& reason : m_faults)
-        add(reason, 1);
-    for (const SafetyFinding& finding : m_safety.active())
-        add(finding.message, safetyRow(finding.condition).priority);
-    if (!m_compromise.empty() && running())
-        add({MessageCode::EventCompromise, {m_compromise}}, 3);
+std::vector<Message> ServoLoop::missing() const {
+    std::vector<Message> out;
+    for (const Message& problem : {m_robotProblem, m_thermometerProblem, m_sourceProblem})
+        if (problem.code == MessageCode::RigIncomplete)
+            out.push_back(problem);
     return out;
 }
 
@@ -506,8 +621,8 @@ void ServoLoop::updateReadiness() {
         return;
     bool ready = m_sensors.full();
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
-        ready = ready && m_sensors.fresh(i, m_clock.now_s());
-    ready = ready && sourceSeen() && checkTargets(m_experiment);
+        ready = ready && requireFreshSensor(i);
+    ready = ready && missing().empty() && sourceSeen() && checkTargets(m_experiment);
     m_state = ready ? RunState::Ready : RunState::NotReady;
 }
 

@@ -36,6 +36,20 @@ struct RigDevices {
     bool isReal = false;
 };
 
+/// Latched until reset: a message, with the condition that it is for.
+struct LatchedFault {
+    Message message;
+    std::string key; ///< of its alarm
+    std::optional<SafetyFinding> finding;
+};
+
+/// What is known of a real rig, for the loop that has it next.
+struct RigKnowledge {
+    std::vector<LatchedFault> faults; ///< empty: a person has looked at the rig and reset
+    double made_s = 0.0;              ///< when its devices were given to a loop first
+    bool hasThermometer = false, hasRobot = false, hasSource = false; ///< has answered, ever
+};
+
 /// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal
 /// in words when they do not fit the state. No exception leaves tick(): it becomes a fault with the heat off
 /// and the robot standing. One thread.
@@ -46,20 +60,42 @@ public:
 
     void tick();
 
+    Result<void> mayArm() const;
     Result<void> arm();
     Result<void> disarm();
+    /// `acceptInfeasible` is recorded: whether the targets can be held takes too long to be found out here,
+    /// so who starts a run asks jointVerdict() before.
     Result<void> start(bool acceptInfeasible);
     Result<void> hold();
     Result<void> resume();
     Result<void> stop();
     void emergencyStop();
+    /// Heat off, and the robot takes the objects away, in every state; of a run as stop(). Refused where the
+    /// robot does not answer or cannot move. Clears no fault.
+    Result<void> retreatNow();
+    /// Why it cannot now; None: it can.
+    Message keepsFromRetreat() const;
+    /// What it will do by itself next, the soonest.
+    std::optional<PendingAction> pending() const;
+    /// What a person can do now about the reasons, in this state; None: nothing, or the reasons say it.
+    Message remedy() const;
     Result<void> reset();
     Result<void> setTargets(const std::vector<double>& targets_K);
     /// Refused while a run is armed or on, while heat is on, and where the objects are not at ambient.
     Result<void> zeroSensors();
     /// What that would find now.
     Result<Zeroing> findZero() const;
+    /// A person says that the sensor is on its object and right: what it tells now is believed, what it told
+    /// before is forgotten. Errors: no such object, a sensor that tells nothing plausible.
+    Result<void> confirmSensor(std::size_t object);
+    SensorTrust sensorTrust(std::size_t object) const;
+    double readingAge_s(std::size_t object) const { return m_sensors.age_s(object, m_clock.now_s()); }
+    /// Newest plausible value of the sensor, believed or not; NaN: it tells none.
+    double toldReading_K(std::size_t object) const { return m_sensors.told_K(object, m_clock.now_s()); }
     const std::optional<Zeroing>& zeroing() const { return m_sensors.zeroing(); }
+    RigKnowledge knowledge() const { return {m_faults, m_made_s, m_hasThermometer, m_hasRobot, m_hasSource}; }
+    /// Instead of the fault of the start: the loop before had the very same devices.
+    void use(const RigKnowledge& known);
     /// Of the same sensors, found before.
     void useZeroing(const Zeroing& zeroing) { m_sensors.use(zeroing); }
     /// An event, while a run is on.
@@ -76,6 +112,11 @@ public:
     Result<void> setHeat(std::optional<double> setPoint_K);
     const Message& robotAlarm() const { return m_robot.alarm; }
     bool isPlaceSure() const { return m_robot.isPlaceSure; }
+    PlaceState placeState() const;
+    /// Of latest().coordinates, s; infinite while the robot has told none.
+    double placeAge_s() const;
+    /// Of latest().source_K, s; infinite while the source has told none.
+    double sourceAge_s() const;
     std::optional<double> heatSetPoint_K() const;
     /// Whether a robot may be sent from one place to another, with the source where it is known to be now.
     bool mayStep(const Vector6d& from, const Vector6d& to) const {
@@ -90,10 +131,15 @@ public:
     void fault(Message reason);
     /// A run retreats first, then the latched fault: for failures that leave the robot able to move.
     void stopFor(Message reason);
+    /// The computer slept for so long: a fault where there was heat or motion.
+    void reportSuspended(double slept_s);
+    /// Why it cannot be kept awake: an event.
+    void reportMaySleep(const std::string& why) { event(MessageCode::EventMaySleep, {why}); }
     /// Free where the recording goes; empty: none is made.
     void setDiskFree_MB(std::optional<double> free_MB) { m_diskFree_MB = free_MB; }
     /// Its row in the record.
     void reportAcknowledged(const Alarm& alarm);
+    void reportShelved(const Alarm& alarm, double for_s); ///< 0: it is back
     /// An event, for the record of a simulated fault.
     void reportFault(SimulatedFault simulated, std::size_t object);
 
@@ -103,6 +149,10 @@ public:
     std::vector<AlarmCondition> alarmConditions() const;
     /// A run is on, from Start until it has stopped; or a retreat, with or without one.
     bool running() const;
+    /// A run has ended by a fault or STOP: its record and its time go on until the objects are cold and the
+    /// heat is off, or a person ends it.
+    bool isCooling() const { return m_isCooling; }
+    void endCooling() { m_isCooling = false; }
     double runTime_s() const;
     const Experiment& experiment() const { return m_experiment; }
     const TraceSample& latest() const { return m_latest; }
@@ -111,6 +161,7 @@ public:
     /// Of the source, its newest reading, or as typed; empty: that is not valid, or it does not answer.
     const std::optional<double>& source_K() const { return m_source_K; }
     bool heatOn() const { return m_devices.source.heating(); }
+    HeatState heatState() const { return m_devices.source.heatState(); }
     bool allWithinBand() const;
     /// "settled", "stopped", "emergency-stop" or "fault": of the last run.
     const std::string& outcome() const { return m_outcome; }
@@ -136,9 +187,22 @@ private:
     void watch(); ///< the failsafe ladder
     void react(const SafetyFinding& finding);
     void tellEnd(const SafetyFinding& finding);
-    void addFault(Message reason);
-    void retreatFor(Message reason); ///< with or without a run
+    using Latched = LatchedFault;
+    Latched latched(const SafetyFinding& finding) const;
+    static Latched latched(Message reason);
+    /// By its message as it is now, where that still holds.
+    Message newest(const Latched& fault) const;
+    std::vector<SafetyFinding> foundOrLatched() const;
+    void addFault(Latched fault);
+    void holdFor(const SafetyFinding& finding); ///< a run, or a move of the operator's
+    Result<void> stopBy(const Message& event);
+    void faultWith(Latched reason);
+    void stopWith(Latched reason);
+    void retreatFor(const SafetyFinding& finding); ///< with or without a run
     void beginRetreat();
+    void watchHeatInFault(); ///< an object that is too hot is taken away also then, after a countdown
+    const SafetyFinding* hot() const; ///< what is to be retreated from; null: nothing
+    bool isAway() const;              ///< from the source, as far as a retreat goes
     void switchHeatOff();
     void control();
     void keepHeating();
@@ -146,6 +210,8 @@ private:
     bool isHeatedByHand() const;
     void backOff(); ///< off the source, which is too near
     void retreat();
+    void endRetreat();
+    bool isCold() const;
     void noteSettling();
     void noteCompromise(const ControlOutput& output);
     static constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after so many
@@ -164,15 +230,17 @@ private:
         const Message problem = answer ? Message{} : answer.error().message;
         return problem.code != MessageCode::RigIncomplete && isAwaited(hasAnswered) ? Message{} : problem;
     }
+    /// Devices that are not set up: nothing is wrong with them, and nothing can be begun.
+    std::vector<Message> missing() const;
     bool sourceSeen() const; ///< where its pose is tracked, that was measured lately
+    Result<void> requireFreshSensor(std::size_t object) const;
     Result<void> requireFreshSensors() const;
     void trace();
     void event(MessageCode code, std::vector<std::string> args = {});
     void command(const std::string& name, const std::string& value = {});
-    /// What an alarm is and of which object or device; its values change.
-    std::string alarmKey(const Message& message) const;
     Error refusal(const char* verb) const;
-    std::string objectsOffTarget() const; ///< "circle +1.2 K, hand -0.8 K"
+    Message distrust(std::size_t object) const; ///< what its sensor tells, and where the object can be
+    std::string objectsOffTarget() const;       ///< "circle +1.2 K, hand -0.8 K"
 
     Experiment m_experiment;
     RigDevices m_devices;
@@ -182,8 +250,9 @@ private:
     std::unique_ptr<Controller> m_controller;
 
     RunState m_state = RunState::NotReady;
-    bool m_runOn = false;          ///< from Start to the end of its retreat
-    std::vector<Message> m_faults; ///< latched
+    bool m_runOn = false; ///< from Start to the end of its retreat
+    bool m_isCooling = false;
+    std::vector<Latched> m_faults;
     SafetyMonitor m_safety;
     Message m_thermometerProblem, m_robotProblem, m_sourceProblem, m_heatOffProblem; ///< None: none
     double m_made_s;
@@ -198,9 +267,11 @@ private:
     PoseReading m_sourceReading;
     std::optional<Vector6d> m_goal; ///< of moveTo
     bool m_heldBySafety = false;
-    bool m_retreatRaised = false;              ///< the retreat's way up is done
-    double m_retreatMoved_s = 0.0;             ///< when the retreating robot moved last
-    Vector6d m_retreatFrom = Vector6d::Zero(); ///< where it was then
+    bool m_retreatRaised = false;        ///< the retreat's way up is done
+    double m_retreatNearer_s = 0.0;      ///< when the retreating robot came nearer to its goal last
+    double m_retreatLeft = 0.0;          ///< m or rad, then
+    std::optional<double> m_retreatAt_s; ///< by itself, out of a fault
+    bool m_isRetreatRefused = false;     ///< that one, by STOP
     double m_withinBandSince_s = 0.0;
     std::string m_compromise; ///< predicted errors of the compromise aimed at; empty: none
     bool m_compromiseTold = false;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace bask {
 
@@ -60,8 +61,8 @@ Result<Zeroing> ServoLoop::findZero() const {
         return Error(MessageCode::ReasonNotAtAmbient, {},
                      {formatNumber(celsiusFromKelvin(m_experiment.environment_K))});
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
-        if (!m_sensors.fresh(i, m_clock.now_s()))
-            return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
+        if (const auto fresh = requireFreshSensor(i); !fresh)
+            return fresh.error();
     return m_sensors.findZero(m_experiment.environment_K);
 }
 
@@ -79,6 +80,38 @@ Result<void> ServoLoop::zeroSensors() {
         return found.error();
     take(std::move(*found));
     command("zero", zeroingJson(*m_sensors.zeroing()));
+    return {};
+}
+
+Message ServoLoop::distrust(std::size_t object) const {
+    const auto degC = [](double t_K) {
+        return std::isfinite(t_K) ? formatNumber(std::round(10.0 * celsiusFromKelvin(t_K)) / 10.0, 6) : "?";
+    };
+    const HeatBounds* const bounds = m_sensors.bounds(object);
+    return {MessageCode::ReasonSensorDistrusted,
+            {m_experiment.objects[object].name, degC(m_sensors.told_K(object, m_clock.now_s())),
+             degC(bounds->min_K()), degC(bounds->max_K())}};
+}
+
+SensorTrust ServoLoop::sensorTrust(std::size_t object) const {
+    if (m_sensors.isDistrusted(object))
+        return SensorTrust::Distrusted;
+    return !m_sensors.fresh(object, m_clock.now_s()) || m_safety.isSensorStill(object) ? SensorTrust::Stale
+                                                                                       : SensorTrust::Trusted;
+}
+
+Result<void> ServoLoop::confirmSensor(std::size_t object) {
+    if (object >= m_sensors.size())
+        return refusal("Confirm sensor");
+    const std::string& name = m_experiment.objects[object].name;
+    if (!m_sensors.confirm(object, m_clock.now_s()))
+        return Error(MessageCode::ReasonSensorInvalid, {}, {name});
+    m_safety.confirmSensor(object);
+    const double value_K = m_sensors.measured_K(object);
+    command("confirm-sensor", "{\"object\":" + std::to_string(object) +
+                                  ",\"temperature_K\":" + formatNumber(value_K, 10) + "}");
+    event(MessageCode::EventSensorConfirmed,
+          {name, formatNumber(std::round(10.0 * celsiusFromKelvin(value_K)) / 10.0, 6)});
     return {};
 }
 
@@ -118,8 +151,8 @@ Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
     if (!isByHand())
         return refusal("Heat");
     for (std::size_t i = 0; i < m_sensors.size(); ++i) // or nobody sees how hot the objects become
-        if (!m_sensors.fresh(i, m_clock.now_s()))
-            return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[i].name});
+        if (const auto fresh = requireFreshSensor(i); !fresh)
+            return fresh;
     if (!(*setPoint_K > m_experiment.environment_K && *setPoint_K <= mostHeat_K()))
         return Error(MessageCode::ValueOutOfRange, {},
                      {formatNumber(celsiusFromKelvin(*setPoint_K)),

@@ -12,10 +12,6 @@
 namespace bask {
 namespace {
 
-// A retreating robot that has not moved for so long will not: one may obey late and start slowly.
-constexpr double kStill_s = 15.0;
-constexpr double kStillPeriods = 3.0;
-constexpr double kMoved = 1e-4;          ///< m, rad: less is the jitter of what it tells
 constexpr double kSettledAfter_s = 30.0; ///< all objects within the band for this long is "settled"
 constexpr double kTooNear = 0.8; ///< of the clearance: the source has come nearer, or the robot obeys late
 constexpr double kHeatPeriods = 3.0; ///< heat goes off by itself after this many periods
@@ -45,6 +41,10 @@ void ServoLoop::tick() {
         else if (m_state != RunState::Running && m_state != RunState::Settled)
             keepOff();
         trace();
+        if (m_isCooling && isCold()) {
+            event(MessageCode::EventCold);
+            endCooling();
+        }
         updateReadiness();
     } catch (const std::exception& exception) {
         fault({MessageCode::ReasonInternalFault, {exception.what()}});
@@ -172,16 +172,19 @@ SafetyObservation ServoLoop::observe() const {
         object.viewFactor = m_latest.objects[i].viewFactor;
         seen.objects.push_back(object);
     }
-    seen.thermometerProblem = m_thermometerProblem;
-    seen.robotProblem = m_robotProblem;
+    const auto wrong = [](const Message& problem) { // not that there is none
+        return problem.code == MessageCode::RigIncomplete ? Message{} : problem;
+    };
+    seen.thermometerProblem = wrong(m_thermometerProblem);
+    seen.robotProblem = wrong(m_robotProblem);
     seen.robotAlarm = m_robot.alarm;
     seen.isPlaceSure = m_robot.isPlaceSure;
     const bool isTelling =
         m_hasRobot && m_robotProblem.code == MessageCode::None && !m_isHoming; // then Grbl is silent
     seen.robotAge_s = isTelling ? seen.now_s - m_robot.time_s : 0.0;
-    seen.sourceProblem = m_sourceProblem;
+    seen.sourceProblem = wrong(m_sourceProblem);
     seen.source_K = m_source_K;
-    seen.sourceAge_s = seen.now_s - m_sourceRead_s;
+    seen.sourceAge_s = m_sourceProblem.code == MessageCode::RigIncomplete ? 0.0 : seen.now_s - m_sourceRead_s;
     seen.sourceStrength = m_sourceStrength;
     seen.asked_K = m_asked_K;
     seen.readBack_K = m_devices.source.setPoint_K();
@@ -189,7 +192,8 @@ SafetyObservation ServoLoop::observe() const {
     seen.isSourceSwitched = m_devices.isReal;
     seen.hasWatchdog = m_devices.source.hasWatchdog();
     seen.isHeatUnwanted = m_state == RunState::Stopping || m_state == RunState::Fault;
-    seen.heatOffProblem = m_heatOffProblem;
+    seen.heatOffProblem = wrong(m_heatOffProblem);
+    seen.guardProblem = m_devices.source.guardProblem();
     seen.isSourceDark = !m_asked_K && (!m_devices.isReal ||
                                        (m_source_K && *m_source_K < m_experiment.environment_K + kDark_K));
     seen.isSourcePoseLost = !sourceSeen() && m_sourceSeen_s >= 0.0;
@@ -198,21 +202,28 @@ SafetyObservation ServoLoop::observe() const {
 }
 
 void ServoLoop::watch() {
-    const SafetyChanges changes = m_safety.watch(observe());
+    const SafetyObservation seen = observe();
+    const SafetyChanges changes = m_safety.watch(seen);
+    m_sensors.advance(seen.sinceTick_s, m_safety.powers_K_s(seen));
     for (const SafetyFinding& finding : changes.ended)
         tellEnd(finding);
     for (const SafetyFinding& finding : changes.raised)
         react(finding);
+    watchHeatInFault();
     if (m_safety.isLost() && (m_state == RunState::Running || m_state == RunState::Settled)) {
-        (void)hold();
-        m_heldBySafety = true;
+        holdFor(*m_safety.lost());
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
-        event(MessageCode::EventHeldTooLong, {formatNumber(m_experiment.safety.heldLimit_s)});
-        stopFor(m_safety.lost()
-                    ->message); // whoever holds: nobody sees how hot the object is, or where the source
+        const SafetyFinding& lost = *m_safety.lost();
+        std::vector<std::string> args{formatNumber(m_experiment.safety.heldLimit_s)};
+        const bool isSensor = lost.condition != SafetyCondition::SourcePoseLost;
+        if (isSensor)
+            args.push_back(m_experiment.objects[lost.object].name);
+        event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
+              std::move(args));
+        stopWith(latched(*m_safety.lost())); // whoever holds: nobody sees how hot the object is
     } else if (const SafetyFinding* lost = m_safety.lostSensor();
                lost != nullptr && m_safety.isLostTooLong() && isHeatedByHand()) {
-        stopFor(lost->message);
+        stopWith(latched(*lost));
     }
 }
 
@@ -223,15 +234,13 @@ void ServoLoop::react(const SafetyFinding& finding) {
         return event(message.code, message.args);
     case SafetyReaction::Hold:
         event(message.code, message.args);
-        if (hold()) // of a run, or of a move of the operator's
-            m_heldBySafety = true;
-        return;
+        return holdFor(finding);
     case SafetyReaction::Stop:
-        return stopFor(message);
+        return stopWith(latched(finding));
     case SafetyReaction::Retreat:
-        return retreatFor(message);
+        return retreatFor(finding);
     case SafetyReaction::Halt:
-        return fault(message);
+        return faultWith(latched(finding));
     }
 }
 
@@ -252,7 +261,7 @@ void ServoLoop::keepHeating() {
     const double validFor_s = kHeatPeriods * m_experiment.sampling.period_s;
     const auto result = m_devices.source.keepHeating(*heatSetPoint_K(), validFor_s);
     if (!result)
-        return stopFor(result.error().message);
+        return stopWith(latched(SafetyFinding{SafetyCondition::SourceLost, 0, result.error().message}));
     m_asked_K = *heatSetPoint_K();
     m_heatOffProblem = {};
 }
@@ -312,7 +321,7 @@ void ServoLoop::move(const Vector6d& rates, double validFor_s) {
     m_latest.twist.head<3>() = rates.head<3>();
     m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * rates.tail<3>();
     if (const auto result = m_devices.robot.setTwist(m_latest.twist, validFor_s); !result)
-        fault(result.error().message);
+        faultWith(latched(SafetyFinding{SafetyCondition::RobotAlarm, 0, result.error().message}));
 }
 
 void ServoLoop::standStill() {
@@ -348,48 +357,17 @@ void ServoLoop::noteCompromise(const ControlOutput& output) {
     }
 }
 
-void ServoLoop::retreat() {
-    // Off the source's plane first, then level: never sideways near the source. A robot that cannot come
-    // nearer has arrived.
-    const RobotLimits& limits = m_experiment.robot;
-    constexpr double kThere = 1e-3;
-    const double now_s = m_clock.now_s();
-    const double period_s = m_experiment.sampling.period_s;
-    if ((m_coordinates - m_retreatFrom).cwiseAbs().maxCoeff() > kMoved) {
-        m_retreatFrom = m_coordinates;
-        m_retreatMoved_s = now_s;
-    }
-    const bool stuck = now_s - m_retreatMoved_s >= std::max(kStill_s, kStillPeriods * period_s);
-    const auto arrived = [&](const Vector6d& goal) {
-        return (goal - m_coordinates).cwiseAbs().maxCoeff() <= kThere || stuck;
-    };
-    Vector6d goal = poseOffSource(*m_geometry, m_coordinates);
-    if (!m_retreatRaised && arrived(goal)) {
-        m_retreatRaised = true;
-        m_retreatMoved_s = now_s;
-    }
-    if (m_retreatRaised) {
-        goal = m_coordinates;
-        for (int k = kThetaX; k <= kThetaZ; ++k)
-            if (limits.free[static_cast<std::size_t>(k)])
-                goal[k] = std::clamp(0.0, limits.lower[k], limits.upper[k]);
-    }
-    if (m_retreatRaised && arrived(goal)) {
-        const std::string outcome = m_faults.empty() ? m_outcome : "fault";
-        trace();
-        if (m_runOn)
-            m_latest.time_s = m_clock.now_s() - m_startTime_s;
-        endRun(outcome);
-        m_state = m_faults.empty() ? RunState::Stopped : RunState::Fault;
-        return;
-    }
-    const VelocitySolution way = velocityTowards(*m_geometry, m_coordinates, goal, period_s, m_rates);
-    m_latest.limits = way.limits;
-    move(way.rates);
+bool ServoLoop::isCold() const {
+    constexpr double kCold_K = 313.15;
+    constexpr double kOverRoom_K = 5.0;
+    const bool isHeatOff = !m_asked_K && (m_devices.source.isByHand() || heatState() == HeatState::Off);
+    return isHeatOff && std::ranges::all_of(m_latest.objects, [&](const ObjectSample& object) {
+               return object.estimated_K < std::max(kCold_K, environment_K() + kOverRoom_K);
+           });
 }
 
 void ServoLoop::trace() {
-    if (!m_runOn)
+    if (!m_runOn && !m_isCooling)
         return;
     m_latest.time_s = m_clock.now_s() - m_startTime_s;
     m_record.samples.push_back(m_latest);

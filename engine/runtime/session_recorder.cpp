@@ -2,86 +2,144 @@
 
 #include "engine/base/message_code.h"
 
-#include <future>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <filesystem>
+#include <mutex>
+#include <thread>
 #include <utility>
+#include <vector>
 
 namespace bask {
+namespace {
 
-Result<std::unique_ptr<SessionRecorder>>
-SessionRecorder::create(const std::string& path, const Experiment& experiment, bool simulated) {
-    std::unique_ptr<SessionRecorder> recorder(new SessionRecorder(path));
-    std::promise<Result<void>> made;
-    auto answer = made.get_future();
-    recorder->m_thread = std::thread([raw = recorder.get(), &made, path, experiment, simulated] {
-        const auto writer = SessionWriter::create(path, experiment, simulated); // its own thread's
-        made.set_value(writer ? Result<void>() : Result<void>(writer.error()));
-        if (writer)
-            raw->writeAll(**writer);
-    });
-    if (const auto done = answer.get(); !done)
-        return done.error();
-    return recorder;
+using Steady = std::chrono::steady_clock;
+
+Result<std::unique_ptr<SessionWriter>> makeFile(const std::string& path, const Experiment& experiment,
+                                                bool simulated, double leastFree_MB) {
+    if (const auto free_MB = diskFree_MB(path); free_MB && *free_MB < leastFree_MB)
+        return Error(MessageCode::SafetyDiskLow, {},
+                     {formatNumber(std::floor(*free_MB), 6), formatNumber(leastFree_MB, 6)});
+    return SessionWriter::create(path, experiment, simulated);
+}
+
+Error stuck(const std::string& path) {
+    return {MessageCode::FileUnwritable, path, {"the disk has taken nothing for 10 s"}};
+}
+
+} // namespace
+
+struct SessionRecorder::Shared {
+    void record(Result<std::unique_ptr<SessionWriter>> file) {
+        {
+            const std::lock_guard lock(mutex);
+            made = file ? Result<void>() : Result<void>(file.error());
+        }
+        Result<void> result = file ? writeAll(**file) : Result<void>(file.error());
+        if (file)
+            file->reset(); // its log is folded in
+        const std::lock_guard lock(mutex);
+        finished = std::move(result);
+    }
+    Result<void> writeAll(SessionWriter& writer);
+
+    std::atomic<std::size_t> rows = 0;
+    std::mutex mutex; ///< of all below
+    std::condition_variable wake;
+    std::vector<LoopRecord> waiting;
+    Steady::time_point waits; ///< since when the first of them does
+    std::optional<std::string> outcome;
+    std::optional<Result<void>> made, finished;
+    bool isOver = false;
+};
+
+SessionRecorder::SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
+                                 double leastFree_MB)
+    : m_path(path), m_shared(std::make_shared<Shared>()) {
+    std::thread([shared = m_shared, path, experiment, simulated, leastFree_MB] {
+        shared->record(makeFile(path, experiment, simulated, leastFree_MB));
+    }).detach();
 }
 
 SessionRecorder::~SessionRecorder() {
-    end();
-}
-
-void SessionRecorder::end() {
     {
-        const std::lock_guard lock(m_mutex);
-        m_isOver = true;
+        const std::lock_guard lock(m_shared->mutex);
+        m_shared->isOver = true;
     }
-    m_wake.notify_one();
-    if (m_thread.joinable())
-        m_thread.join();
+    m_shared->wake.notify_one();
 }
 
-void SessionRecorder::writeAll(SessionWriter& writer) {
-    std::unique_lock lock(m_mutex);
-    while (!m_failed) {
-        m_wake.wait_for(lock, kCommit, [this] { return m_isOver; });
-        const bool isLast = m_isOver;
-        const auto rows = std::exchange(m_waiting, {});
+Result<void> SessionRecorder::Shared::writeAll(SessionWriter& writer) {
+    std::unique_lock lock(mutex);
+    for (;;) {
+        wake.wait_for(lock, kCommit, [this] { return isOver; });
+        const bool isLast = isOver;
+        const auto last = outcome; // with the rows before it, and no others
+        const auto taken = std::exchange(waiting, {});
         lock.unlock();
         Result<void> done;
-        for (const LoopRecord& each : rows)
+        for (const LoopRecord& each : taken)
             if (done)
                 done = write(each, writer);
-        if (done && !rows.empty())
+        if (done && !taken.empty())
             done = writer.flush();
-        if (done && isLast && m_outcome) // set before the end, and not since
-            done = writer.finish(*m_outcome);
+        if (done && isLast && last)
+            done = writer.finish(*last);
         if (done)
-            m_rows = writer.rows();
+            rows = writer.rows();
         lock.lock();
-        if (!done)
-            m_failed = done.error();
-        if (isLast)
-            return;
+        if (!done || isLast)
+            return done;
     }
+}
+
+std::optional<Result<void>> SessionRecorder::made() const {
+    const std::lock_guard lock(m_shared->mutex);
+    if (!m_shared->made && Steady::now() - m_begun > kStuck)
+        return Result<void>(stuck(m_path));
+    return m_shared->made;
 }
 
 Result<void> SessionRecorder::add(LoopRecord rows) {
-    const auto now = std::chrono::steady_clock::now();
-    const std::lock_guard lock(m_mutex);
-    if (m_failed)
-        return *m_failed;
-    if (m_waiting.empty())
-        m_waits = now;
-    else if (now - m_waits > kStuck)
-        return Error(MessageCode::FileUnwritable, m_path, {"the disk has taken nothing for 10 s"});
-    m_waiting.push_back(std::move(rows));
+    const auto now = Steady::now();
+    const std::lock_guard lock(m_shared->mutex);
+    if (m_shared->finished)
+        return *m_shared->finished;
+    if (m_shared->waiting.empty())
+        m_shared->waits = now;
+    else if (now - m_shared->waits > kStuck)
+        return stuck(m_path);
+    m_shared->waiting.push_back(std::move(rows));
     return {};
 }
 
-Result<void> SessionRecorder::finish(const std::string& outcome) {
+void SessionRecorder::finish(const std::string& outcome) {
+    m_ended = Steady::now();
     {
-        const std::lock_guard lock(m_mutex);
-        m_outcome = outcome;
+        const std::lock_guard lock(m_shared->mutex);
+        m_shared->outcome = outcome;
+        m_shared->isOver = true;
     }
-    end();
-    return m_failed ? Result<void>(*m_failed) : Result<void>();
+    m_shared->wake.notify_one();
+}
+
+std::optional<Result<void>> SessionRecorder::finished() const {
+    const std::lock_guard lock(m_shared->mutex);
+    if (!m_shared->finished && m_shared->isOver && Steady::now() - m_ended > kStuck)
+        return Result<void>(stuck(m_path));
+    return m_shared->finished;
+}
+
+std::size_t SessionRecorder::rows() const {
+    return m_shared->rows;
+}
+
+std::optional<double> diskFree_MB(const std::string& file) {
+    std::error_code code;
+    const auto folder = std::filesystem::absolute(file, code).parent_path();
+    const auto space = std::filesystem::space(folder, code);
+    return code ? std::nullopt : std::optional(static_cast<double>(space.available) * 1e-6);
 }
 
 } // namespace bask

@@ -1,17 +1,12 @@
 #pragma once
-// Writes a run into its session file on a thread of its own: a slow disk does not hold up the engine.
+// Writes a run into its session file on a thread of its own. Nothing here waits for the disk.
 
 #include "engine/runtime/loop_record.h"
 
-#include <atomic>
 #include <chrono>
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
-#include <vector>
 
 namespace bask {
 
@@ -21,37 +16,39 @@ public:
     static constexpr std::chrono::seconds kStuck{
         10}; ///< a disk that has taken nothing for so long has failed
 
-    /// Waits for the file to be made. Errors: those of SessionWriter::create.
-    static Result<std::unique_ptr<SessionRecorder>> create(const std::string& path,
-                                                           const Experiment& experiment, bool simulated);
-    ~SessionRecorder(); ///< waits until what was added is written
+    /// Begins to make the file. It is not made where less than `leastFree_MB` of room is left.
+    SessionRecorder(const std::string& path, const Experiment& experiment, bool simulated,
+                    double leastFree_MB = 0.0);
+    /// What was added is still written, by a thread that nobody waits for. One whose file was not finished
+    /// reads as interrupted.
+    ~SessionRecorder();
     SessionRecorder(const SessionRecorder&) = delete;
     SessionRecorder& operator=(const SessionRecorder&) = delete;
 
-    /// Never waits for the disk. Errors: what has failed since the last call.
+    /// Empty until the file is there. Errors: those of SessionWriter::create, SafetyDiskLow, and
+    /// FileUnwritable after kStuck.
+    std::optional<Result<void>> made() const;
+    /// Also before the file is made. Errors: what has failed since the last call.
     Result<void> add(LoopRecord rows);
-    /// Marks the run complete, as SessionWriter::finish; waits.
-    Result<void> finish(const std::string& outcome);
+    /// Marks the run complete, as SessionWriter::finish, once all that was added is written.
+    void finish(const std::string& outcome);
+    /// Empty until finish() is carried out and the file closed. Errors: what has failed, and FileUnwritable
+    /// after kStuck.
+    std::optional<Result<void>> finished() const;
 
     const std::string& path() const { return m_path; }
     /// Samples that a killed program, or a power cut, does not lose any more.
-    std::size_t rows() const { return m_rows; }
+    std::size_t rows() const;
 
 private:
-    explicit SessionRecorder(std::string path) : m_path(std::move(path)) {}
-    void writeAll(SessionWriter& writer);
-    void end();
-
+    struct Shared;
     std::string m_path;
-    std::atomic<std::size_t> m_rows = 0;
-    std::mutex m_mutex; ///< of all below
-    std::condition_variable m_wake;
-    std::vector<LoopRecord> m_waiting;
-    std::chrono::steady_clock::time_point m_waits; ///< since when the first of them does
-    std::optional<std::string> m_outcome;
-    std::optional<Error> m_failed;
-    bool m_isOver = false;
-    std::thread m_thread;
+    std::chrono::steady_clock::time_point m_begun = std::chrono::steady_clock::now(), m_ended;
+    std::shared_ptr<Shared> m_shared; ///< with the thread, which may outlive this
 };
+
+/// Room that is left where a file is or will be; empty when the system does not tell. It may take as long as
+/// a network does.
+std::optional<double> diskFree_MB(const std::string& file);
 
 } // namespace bask

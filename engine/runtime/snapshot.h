@@ -10,6 +10,7 @@
 #include "engine/session/trace.h"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,19 @@ struct SourceTracking {
     double position_m = 0.0, angle_rad = 0.0; ///< two standard deviations; 0: not told
 };
 
-enum class DeviceRole { Robot, Thermometer, HeatSource, Camera };
+/// How far an object's sensor is believed.
+enum class SensorTrust {
+    Trusted,
+    Stale,     ///< it gives no new value, or the very same one for longer than its noise lets it
+    Distrusted ///< it left what the heat can do, and nobody has confirmed it
+};
+
+/// What is known of where the robot is.
+enum class PlaceState {
+    Sure,
+    Unsure, ///< it says where it is, and may be wrong: restarted, not homed, homing
+    Unknown ///< it does not answer, or has told nothing new for too long
+};
 
 /// A device of a real rig, as it is now.
 struct RigDeviceState {
@@ -48,32 +61,51 @@ struct TriedDevice {
     std::optional<Vector6d> coordinates; ///< of a robot
 };
 
+/// What the engine will do by itself unless something changes.
+struct PendingAction {
+    Message action; ///< ActionHold, ActionEndRun, ActionHeatOff or ActionRetreat
+    Message cause;  ///< the alarm, or what will be one
+    double in_s = 0.0;
+};
+
 /// State of the engine at one moment. `newSamples` and `newEvents` are everything since the last snapshot:
 /// none is dropped.
 struct Snapshot {
     std::uint64_t sequence = 0;
     RunState state = RunState::Idle;
     std::vector<Message> reasons; ///< why not ready, holding or faulted, each a sentence with its remedy
-    std::vector<Alarm> alarms;    ///< as AlarmLog sorts them
+    Message remedy;               ///< what to do now, in this state, about the reasons; None: nothing
+    std::optional<PendingAction> pending; ///< the next thing that the engine does by itself
+    bool canRetreat = false;              ///< the robot answers and can move
+    std::vector<Alarm> alarms;            ///< as AlarmLog sorts them
     bool simulated = true;
-    std::uint64_t loadId = 0;  ///< grows with each experiment that is loaded
-    double clock_s = 0.0;      ///< of the rig, simulated where that is; another one after each load
-    std::uint64_t runId = 0;   ///< grows with each Arm: a new trace begins
-    double runTime_s = 0.0;    ///< since Start; 0 before
-    TraceSample latest;        ///< newest readings, also outside a run
-    double sampleTime_s = 0.0; ///< of the newest readings, by the rig's clock
-    double sampleAge_s = 0.0;  ///< of them
+    std::uint64_t loadId = 0;           ///< grows with each experiment that is loaded
+    double clock_s = 0.0;               ///< of the rig, simulated where that is; another one after each load
+    std::uint64_t runId = 0;            ///< grows with each Arm: a new trace begins
+    double runTime_s = 0.0;             ///< since Start; 0 before
+    TraceSample latest;                 ///< newest readings, also outside a run
+    double sampleTime_s = 0.0;          ///< of the newest readings, by the rig's clock
+    double sampleAge_s = 0.0;           ///< of them
+    std::vector<SensorTrust> sensors;   ///< of each object
+    std::vector<double> readingAges_s;  ///< of each object's newest believed reading; infinite: there is none
+    std::vector<double> toldReadings_K; ///< newest plausible value of each sensor, believed or not; NaN: none
     std::vector<TraceSample> newSamples;
     std::vector<TraceEvent> newEvents;
     std::vector<TraceNote> newNotes;
-    std::string recordingPath; ///< empty: nothing recorded
+    std::string recordingPath; ///< empty: nothing recorded, and the last recording is closed
     std::size_t recordedRows = 0;
     double loopRate_Hz = 0.0;    ///< control steps a wall second
     std::uint64_t lateSteps = 0; ///< steps that began more than half a period late
     double simulationSpeed = 1.0;
     std::optional<double> source_K; ///< its newest valid reading, or as typed; empty: none
-    bool heatOn = false;
-    bool isMoving = false;                        ///< the robot, by MoveTo
+    /// Of latest.source_K, which is kept; infinite: there was none yet.
+    double sourceAge_s = std::numeric_limits<double>::infinity();
+    PlaceState place = PlaceState::Unknown; ///< of the robot
+    /// Of latest.coordinates; infinite: it has told none.
+    double placeAge_s = std::numeric_limits<double>::infinity();
+    HeatState heat = HeatState::Unknown; ///< of the source, as the device confirms it
+    bool heatOn = false;   ///< wanted, or not yet seen to be off; says nothing of a source that is lost
+    bool isMoving = false; ///< the robot, by MoveTo
     std::optional<SourceTracking> tracking;       ///< empty: the source is not followed
     std::vector<RigDeviceState> devices;          ///< of a real rig; a simulated one has none
     Message robotAlarm;                           ///< what keeps the robot from moving; None: nothing

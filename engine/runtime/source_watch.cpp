@@ -1,5 +1,9 @@
 #include "engine/runtime/source_watch.h"
 
+#include "engine/base/units.h"
+
+#include <cmath>
+
 namespace bask {
 
 void SourceWatch::add(double time_s, double temperature_K, std::optional<double> setPoint_K) {
@@ -19,6 +23,11 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_coolFrom_K = temperature_K;
         m_coolSince_s = time_s;
     }
+    m_wasHeated = m_wasHeated || isOn;
+    if (isBegun || std::abs(temperature_K - m_restAt_K) > kAtRest_K) {
+        m_restSince_s = time_s;
+        m_restAt_K = temperature_K;
+    }
     m_wasOn = isOn;
     m_time_s = time_s;
     m_temperature_K = temperature_K;
@@ -34,6 +43,14 @@ std::optional<SourceWatch::Warming> SourceWatch::heatsUnasked() const {
     if (m_wasOn || m_time_s < -1e299 || m_temperature_K < m_from_K + m_limits.sourceUnasked_K)
         return std::nullopt;
     return Warming{m_temperature_K - m_from_K, m_time_s - m_since_s};
+}
+
+std::optional<double> SourceWatch::roomInFahrenheit_degC() const {
+    constexpr double kWithin_K = 5.0; // about a room that may be 2.8 K another one
+    const double told_degC = celsiusFromKelvin(m_temperature_K);
+    const double room_degF = displayTemperature(m_room_K, TemperatureUnit::Fahrenheit);
+    const bool isAtRest = !m_wasHeated && m_time_s - m_restSince_s >= kAtRest_s;
+    return isAtRest && std::abs(told_degC - room_degF) <= kWithin_K ? std::optional(told_degC) : std::nullopt;
 }
 
 std::optional<double> SourceWatch::notCoolingFor_s(double above_K) const {

@@ -9,7 +9,7 @@ namespace bask {
 
 class SourceWatch {
 public:
-    explicit SourceWatch(const SafetySpec& limits) : m_limits(limits) {}
+    SourceWatch(const SafetySpec& limits, double room_K) : m_limits(limits), m_room_K(room_K) {}
 
     /// A valid reading; the set point while its heat is on. Times grow.
     void add(double time_s, double temperature_K, std::optional<double> setPoint_K);
@@ -26,16 +26,25 @@ public:
     /// or is too slow to tell yet.
     std::optional<double> notCoolingFor_s(double above_K) const;
 
+    /// As it tells and keeps it, degC, where a source that was not heated stands at the number that the room
+    /// has in degrees Fahrenheit; empty: it does not.
+    std::optional<double> roomInFahrenheit_degC() const;
+
 private:
+    static constexpr double kAtRest_s = 30.0;    ///< so long it has kept its temperature
+    static constexpr double kAtRest_K = 0.5;     ///< a source that cools does not
     static constexpr double kCoolingTimes = 3.0; ///< as slow as heating may be: nothing drives it
     static constexpr double kOffTime_s = 1.5;    ///< until the order is taken, and seen in the readings
     SafetySpec m_limits;
+    double m_room_K;
     bool m_wasOn = false;
     double m_turned_s = -1e300;                      ///< on or off
     double m_time_s = -1e300, m_temperature_K = 0.0; ///< newest
     double m_since_s = 0.0;                          ///< of the last progress; of the least with heat off
     double m_from_K = 0.0;                           ///< temperature then
-    double m_coolSince_s = 0.0, m_coolFrom_K = 0.0;  ///< the last time it had become cooler
+    bool m_wasHeated = false;
+    double m_restSince_s = 0.0, m_restAt_K = 0.0;   ///< within kAtRest_K of this since then
+    double m_coolSince_s = 0.0, m_coolFrom_K = 0.0; ///< the last time it had become cooler
 };
 
 } // namespace bask

@@ -1,153 +1,184 @@
 #include "engine/runtime/warming_watch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 
 namespace bask {
 namespace {
 
-constexpr int kBins = 50;   ///< of the time looked back
-constexpr int kStretch = 5; ///< bins of an earlier stretch
-/// Times the losses by radiation: none, and what moving air can do.
-constexpr std::array kLosses{0.0, 1.0, 3.0, 6.0};
+constexpr double kBin_s = 6.0;
+constexpr double kLeastBin_s = 2.0;
+constexpr double kBinsOfLoss = 0.02; // shortest bin, times the shortest time constant that may be
+constexpr std::array<std::size_t, 5> kSpans{2, 5, 10, 20, 40}; // bins that are learnt from
+constexpr double kResting_s = 20.0;                            // the very same value for longer tells nothing
 constexpr double kNoiseShare = 0.05;
-constexpr double kNoiseTimes = 8.0; ///< so many deviations more are asked for
+constexpr double kNoiseTimes = 8.0;     // so many deviations more are asked for
+constexpr double kToleranceTimes = 5.0; // deviations of a change that is learnt from: there are hundreds
+constexpr double kTolerance_K = 0.1;    // and besides: steps of a sensor
+constexpr double kWrongThen = 0.06;     // share of energy and losses, as pose and air change while it learns
+constexpr double kWrongNow = 0.05;      // and from then to now
+constexpr double kRoomUnknown_K = 5.0, kRoomZeroed_K = 0.2;
+constexpr double kRoomDrift_K_s = 2.0 / 3600.0;
+
+double fourth(double x) {
+    return x * x * x * x;
+}
 
 } // namespace
 
-WarmingWatch::WarmingWatch(double timeConstant_s, double least_K)
-    : m_timeConstant_s(timeConstant_s), m_least_K(least_K),
-      m_bin_s(std::min(kLongest_s, timeConstant_s) / kBins) {}
+WarmingWatch::WarmingWatch(LossRange losses, double environment_K, double least_K)
+    : m_losses(losses), m_environment_K(environment_K), m_least_K(least_K),
+      m_bin_s(std::clamp(kBinsOfLoss / losses.min_1_s, kLeastBin_s, kBin_s)),
+      m_fits(kLags_s.size() - 1, HeatFit(losses)) {}
 
 void WarmingWatch::reset() {
     m_bins.clear();
     m_unfollowed.reset();
-    m_energy_K = 0.0;
-    m_count = 0;
+    m_fits.assign(kLags_s.size() - 1, HeatFit(m_losses));
+    m_now = {};
+    m_learnt = 0;
 }
 
-void WarmingWatch::restAt(double time_s, double temperature_K, double power_K_s) {
+void WarmingWatch::restAt(double time_s, double temperature_K) {
     reset();
-    for (int i = -kStretch; i <= 0; ++i)
-        m_bins.push_back({time_s + i * m_bin_s, temperature_K, i * m_bin_s * power_K_s, 1});
-    m_binStart_s = m_time_s = time_s;
-    m_temperature_K = temperature_K;
-    m_power_K_s = power_K_s;
-    m_same = {time_s, temperature_K, 0.0, 1};
-    m_count = 1;
+    m_environment_K = temperature_K;
+    m_zeroed_s = time_s;
 }
 
-void WarmingWatch::add(double time_s, double temperature_K, double power_K_s) {
-    if (m_count > 0)
-        m_energy_K += 0.5 * (power_K_s + m_power_K_s) * (time_s - m_time_s);
-    if (m_count > 1 && temperature_K != m_temperature_K) { // or long rests would make steps look small
-        const double second_K = (temperature_K - 2.0 * m_temperature_K + m_before_K) / std::sqrt(6.0);
+void WarmingWatch::integrate(double dt_s, double power_K_s) {
+    for (std::size_t k = 0; k < kLags_s.size(); ++k) {
+        const double before_K_s = m_power_K_s[k];
+        m_power_K_s[k] +=
+            (power_K_s - before_K_s) * (kLags_s[k] > 0.0 ? -std::expm1(-dt_s / kLags_s[k]) : 1.0);
+        m_now.energy_K[k] += 0.5 * (before_K_s + m_power_K_s[k]) * dt_s;
+    }
+    m_now.linear_K_s += (m_now.temperature_K - m_environment_K) * dt_s;
+    m_now.radiated_K_s +=
+        (fourth(m_now.temperature_K) - fourth(m_environment_K)) / (4.0 * std::pow(m_environment_K, 3)) * dt_s;
+}
+
+void WarmingWatch::add(double time_s, std::optional<double> temperature_K, double power_K_s) {
+    if (std::isnan(power_K_s)) // its place is not known
+        return reset();
+    const bool isFirst = m_now.count == 0;
+    if (isFirst && !temperature_K)
+        return;
+    if (isFirst)
+        m_power_K_s.fill(power_K_s);
+    else
+        integrate(time_s - m_now.time_s, power_K_s);
+    m_now.time_s = time_s;
+    if (!temperature_K)
+        return;
+    const bool isSame = !isFirst && *temperature_K == m_now.temperature_K;
+    if (m_now.count > 1 && !isSame) { // or long rests would make steps look small
+        const double second_K = (*temperature_K - 2.0 * m_now.temperature_K + m_before_K) / std::sqrt(6.0);
         m_noise_K =
             std::sqrt((1.0 - kNoiseShare) * m_noise_K * m_noise_K + kNoiseShare * second_K * second_K);
     }
-    if (m_count == 0 || temperature_K != m_temperature_K)
-        m_same = {time_s, temperature_K, m_energy_K, 1};
-    m_before_K = m_temperature_K;
-    m_temperature_K = temperature_K;
-    m_power_K_s = power_K_s;
-    m_time_s = time_s;
-    ++m_count;
+    m_before_K = m_now.temperature_K;
+    m_now.temperature_K = *temperature_K;
+    ++m_now.count;
+    if (!isSame)
+        m_same = m_now;
     if (m_bins.empty() || time_s >= m_binStart_s + m_bin_s) {
-        m_unfollowed = worstSince(0, m_bins.size(), nullptr, m_least_K);
+        judge();
         m_bins.emplace_back();
         m_binStart_s = time_s;
-        if (m_bins.size() > kBins)
-            m_bins.erase(m_bins.begin());
     }
-    Bin& bin = m_bins.back();
+    Mark& bin = m_bins.back();
     const double share = 1.0 / ++bin.count;
-    bin.time_s += share * (time_s - bin.time_s);
-    bin.temperature_K += share * (temperature_K - bin.temperature_K);
-    bin.energy_K += share * (m_energy_K - bin.energy_K);
+    const auto approach = [&](double& mean, double value) { mean += share * (value - mean); };
+    approach(bin.time_s, m_now.time_s);
+    approach(bin.temperature_K, m_now.temperature_K);
+    approach(bin.linear_K_s, m_now.linear_K_s);
+    approach(bin.radiated_K_s, m_now.radiated_K_s);
+    for (std::size_t k = 0; k < kLags_s.size(); ++k)
+        approach(bin.energy_K[k], m_now.energy_K[k]);
+}
+
+HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t lag, double wrong) const {
+    const double faster_K = to.energy_K[lag] - from.energy_K[lag];
+    const double slower_K = to.energy_K[lag + 1] - from.energy_K[lag + 1];
+    const double linear_K_s = to.linear_K_s - from.linear_K_s;
+    const double radiated_K_s = to.radiated_K_s - from.radiated_K_s;
+    const double room_K =
+        m_zeroed_s ? std::min(kRoomUnknown_K, kRoomZeroed_K + kRoomDrift_K_s * (to.time_s - *m_zeroed_s))
+                   : kRoomUnknown_K;
+    const double room_K_s = room_K * (to.time_s - from.time_s);
+    HeatSpan span{std::min(faster_K, slower_K), std::max(faster_K, slower_K),
+                  std::min(linear_K_s, radiated_K_s), std::max(linear_K_s, radiated_K_s)};
+    span.minEnergy_K -= wrong * std::abs(span.minEnergy_K);
+    span.maxEnergy_K += wrong * std::abs(span.maxEnergy_K);
+    span.minLoss_K_s -= wrong * std::abs(span.minLoss_K_s) + room_K_s;
+    span.maxLoss_K_s += wrong * std::abs(span.maxLoss_K_s) + room_K_s;
+    return span;
+}
+
+void WarmingWatch::learn(Fits& fits, std::size_t end) const {
+    for (const std::size_t bins : kSpans) {
+        if (bins > end)
+            continue;
+        const Mark &from = m_bins[end - bins], &to = m_bins[end];
+        const double readings = std::min(from.count, to.count);
+        const double tolerance_K = kTolerance_K + kToleranceTimes * m_noise_K * std::sqrt(2.0 / readings);
+        for (std::size_t lag = 0; lag < fits.size(); ++lag)
+            fits[lag].learn(span(from, to, lag, kWrongThen), to.temperature_K - from.temperature_K,
+                            tolerance_K);
+    }
+    if (std::ranges::all_of(fits, &HeatFit::isEmpty)) // the model has failed: anew
+        fits.assign(kLags_s.size() - 1, HeatFit(m_losses));
+}
+
+// A bin is full: the newest are judged, and what has become old enough is learnt from.
+void WarmingWatch::judge() {
+    m_unfollowed.reset();
+    if (m_bins.empty())
+        return;
+    for (const Mark& from : m_bins)
+        if (const auto found = worst(m_fits, from, m_least_K);
+            found && (!m_unfollowed || std::abs(found->expected_K) > std::abs(m_unfollowed->expected_K)))
+            m_unfollowed = found;
+    const bool isResting = sameFor_s() > kResting_s;
+    for (; m_learnt < m_bins.size() && m_bins[m_learnt].time_s < m_now.time_s - kJudged_s; ++m_learnt)
+        if (!m_unfollowed && !(isResting && m_bins[m_learnt].time_s > m_same.time_s))
+            learn(m_fits, m_learnt);
+    while (m_learnt > 0 && m_bins.front().time_s < m_now.time_s - kLongest_s) {
+        m_bins.pop_front();
+        --m_learnt;
+    }
 }
 
 double WarmingWatch::sameFor_s() const {
-    return m_count > 0 ? m_time_s - m_same.time_s : 0.0;
+    return m_now.count > 0 ? m_now.time_s - m_same.time_s : 0.0;
 }
 
-std::optional<Unfollowed> WarmingWatch::worstSince(std::size_t first, std::size_t last, const Bin* start,
-                                                   double least_K) const {
-    std::optional<Unfollowed> worst;
-    for (std::size_t end = std::max<std::size_t>(first, kStretch); end < last; ++end) {
-        const auto found = unfollowedAfter(end, start ? *start : m_bins[end], least_K);
-        if (found && (!worst || std::abs(found->expected_K) > std::abs(worst->expected_K)))
-            worst = found;
+std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from, double least_K) const {
+    HeatFit::Change change{1e300, -1e300};
+    for (std::size_t lag = 0; lag < fits.size(); ++lag) {
+        const HeatFit::Change byOne = fits[lag].expected(span(from, m_now, lag, kWrongNow));
+        change = {std::min(change.min_K, byOne.min_K), std::max(change.max_K, byOne.max_K)};
     }
-    return worst;
-}
-
-std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K) const {
-    const auto begun =
-        std::ranges::find_if(m_bins, [&](const Bin& bin) { return bin.time_s > m_same.time_s; });
-    const auto after = static_cast<std::size_t>(begun - m_bins.begin()); // the stretch ends just before
-    if (auto worst = worstSince(after < 2 ? 0 : after - 2, after, &m_same, least_K))
-        return worst;
-    return unmovedBy(after, least_K + kNoiseTimes * m_noise_K);
-}
-
-// Whatever it loses, it loses the same while it stays within `least_K`: the power of the two halves of that
-// time may then differ by what the change could hide, and by what the losses may have changed with it.
-std::optional<Unfollowed> WarmingWatch::unmovedBy(std::size_t first, double least_K) const {
-    if (first + kStretch >= m_bins.size())
-        return std::nullopt;
-    const Bin& a = m_bins[first];
-    const Bin& b = m_bins[(first + m_bins.size()) / 2];
-    const double half_s = b.time_s - a.time_s, rest_s = m_time_s - b.time_s;
-    const double change_K_s = (m_energy_K - b.energy_K) / rest_s - (b.energy_K - a.energy_K) / half_s;
-    const double hidden_K_s = least_K * (1.0 / half_s + 1.0 / rest_s + kLosses.back() / m_timeConstant_s);
-    if (std::abs(change_K_s) <= kBeliefFactor * hidden_K_s)
-        return std::nullopt;
-    return Unfollowed{change_K_s * rest_s / kBeliefFactor, 0.0, m_time_s - a.time_s};
-}
-
-std::optional<Unfollowed> WarmingWatch::unfollowedAfter(std::size_t end, const Bin& start,
-                                                        double least_K) const {
-    const Bin& a = m_bins[end - kStretch];
-    const Bin& b = m_bins[end];
-    const double length_s = b.time_s - a.time_s;
-    double mean_K = 0.0;
-    for (std::size_t i = end - kStretch; i <= end; ++i)
-        mean_K += m_bins[i].temperature_K / (kStretch + 1);
-    const double expected_K =
-        leastExpected_K(end, start, (b.temperature_K - a.temperature_K) / length_s,
-                        (b.energy_K - a.energy_K) / length_s, start.temperature_K - mean_K);
-    const double gained_K = m_temperature_K - start.temperature_K;
+    const double expected_K = change.min_K > 0.0 ? change.min_K : change.max_K < 0.0 ? change.max_K : 0.0;
+    const double gained_K = m_now.temperature_K - from.temperature_K;
     const bool follows = gained_K * expected_K >= kLeastShare * expected_K * expected_K;
     if (follows || std::abs(expected_K) < least_K + kNoiseTimes * m_noise_K)
         return std::nullopt;
-    return Unfollowed{expected_K, gained_K, m_time_s - start.time_s};
+    return Unfollowed{expected_K, gained_K, m_now.time_s - from.time_s};
 }
 
-double WarmingWatch::leastExpected_K(std::size_t end, const Bin& start, double rate_K_s, double power_K_s,
-                                     double since_K) const {
-    double least_K = std::numeric_limits<double>::infinity(), most_K = -least_K;
-    for (const double loss : kLosses) {
-        double going_K = 0.0, more_K = 0.0; // by the rate before, and per unit of the belief
-        Bin from = start;
-        const auto until = [&](double time_s, double energy_K) {
-            const double dt_s = time_s - from.time_s;
-            const double left = std::exp((0.5 * (from.time_s + time_s) - m_time_s) * loss / m_timeConstant_s);
-            going_K += left * (rate_K_s - since_K * loss / m_timeConstant_s) * dt_s;
-            more_K += left * (energy_K - from.energy_K - power_K_s * dt_s);
-            from = {time_s, 0.0, energy_K, 0};
-        };
-        for (std::size_t i = end + 1; i < m_bins.size(); ++i)
-            if (m_bins[i].time_s > from.time_s)
-                until(m_bins[i].time_s, m_bins[i].energy_K);
-        until(m_time_s, m_energy_K);
-        for (const double belief : {kBeliefFactor, 1.0 / kBeliefFactor}) {
-            least_K = std::min(least_K, going_K + belief * more_K);
-            most_K = std::max(most_K, going_K + belief * more_K);
-        }
-    }
-    return least_K > 0.0 ? least_K : most_K < 0.0 ? most_K : 0.0;
+// Up to the first of the same readings all were good: they are learnt from.
+std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K) const {
+    Fits fits = m_fits;
+    for (std::size_t i = m_learnt; i < m_bins.size() && m_bins[i].time_s <= m_same.time_s; ++i)
+        learn(fits, i);
+    std::optional<Unfollowed> found = worst(fits, m_same, least_K);
+    for (const Mark& from : m_bins)
+        if (from.time_s > m_same.time_s)
+            if (const auto since = worst(fits, from, least_K);
+                since && (!found || std::abs(since->expected_K) > std::abs(found->expected_K)))
+                found = since;
+    return found;
 }
 
 } // namespace bask

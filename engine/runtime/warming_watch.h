@@ -1,6 +1,10 @@
 #pragma once
 // Whether an object's temperature follows its heat, whatever its rates and losses are: by what it did before.
 
+#include "engine/runtime/heat_fit.h"
+
+#include <array>
+#include <deque>
 #include <optional>
 #include <vector>
 
@@ -13,30 +17,25 @@ struct Unfollowed {
     double time_s = 0.0; ///< since when
 };
 
-/// Compares an object with itself. Over an earlier stretch of some length its mean rate r and mean absorbed
-/// power p' (K/s, believed: lambda1 F) are known, whatever it lost then. Since the stretch's end its
-/// temperature should have changed by d, with
-///
-///     d d/dt = r + k (p - p') - l d / tau,
-///
-/// where k is by how much the belief is wrong, within [1/kBeliefFactor, kBeliefFactor], and l how many times
-/// the losses by radiation it has, from none to those of moving air. Where all of these ask for a change of
-/// one sign, and even the least is enough, and less than kLeastShare of that has come, the object does not
-/// follow its heat. Where one explains what is seen there is no fault.
+/// Learns from an object's readings by how much the estimate of its heating is wrong and how it loses heat,
+/// as HeatFit keeps them: all that explain it. Where all of these ask for a change of one sign, and even the
+/// smallest is enough, and less than kLeastShare of that has come, the object does not follow its heat. Where
+/// one explains what is seen there is no fault. The newest readings are judged, not learnt from: learnt from
+/// is what is older than kJudged_s, and nothing that is the very same value for long.
 class WarmingWatch {
 public:
-    static constexpr double kBeliefFactor = 3.0;
     static constexpr double kLeastShare = 0.1;
-    static constexpr double kLongest_s = 300.0; ///< looked back, or the time constant
+    static constexpr double kLongest_s = 300.0; ///< looked back
+    static constexpr double kJudged_s = 90.0;
 
-    /// By radiation alone; `least_K`: less that should have come is no matter.
-    WarmingWatch(double timeConstant_s, double least_K);
+    /// `least_K`: less that should have come is no matter.
+    WarmingWatch(LossRange losses, double environment_K, double least_K);
 
-    /// A valid reading and the power absorbed at its time, K/s. Times grow.
-    void add(double time_s, double temperature_K, double power_K_s);
+    /// The power absorbed at a time, K/s, and a valid reading; empty: there is none. Times grow.
+    void add(double time_s, std::optional<double> temperature_K, double power_K_s);
     void reset();
-    /// It has been at rest for long, absorbing this: known when sensors are zeroed at ambient.
-    void restAt(double time_s, double temperature_K, double power_K_s);
+    /// Its sensor has been zeroed: it is as warm as the room.
+    void restAt(double time_s, double temperature_K);
 
     /// The worst contradiction; looked for every few seconds.
     const std::optional<Unfollowed>& unfollowed() const { return m_unfollowed; }
@@ -46,36 +45,39 @@ public:
     std::optional<Unfollowed> unfollowedWhileSame(double least_K) const;
 
 private:
-    struct Bin { ///< means of its readings, and the energy absorbed up to its middle
+    static constexpr std::array<double, 7> kLags_s{0.0, 1.0, 2.0, 3.5, 5.0, 8.0, 15.0}; ///< of sensors
+    /// One for each two neighbouring lags, between which that of the sensor may be.
+    using Fits = std::vector<HeatFit>;
+    /// Integrals from the beginning up to a time; of a bin the means over its readings.
+    struct Mark {
         double time_s = 0.0;
         double temperature_K = 0.0;
-        double energy_K = 0.0;
+        std::array<double, kLags_s.size()> energy_K{}; ///< absorbed, as a sensor with such a lag sees it
+        double linear_K_s = 0.0, radiated_K_s = 0.0;   ///< losses by the linear law and by the fourth power
         int count = 0;
     };
-    /// The worst by the stretches that end with the bins [first, last), since each of these or since `start`.
-    std::optional<Unfollowed> worstSince(std::size_t first, std::size_t last, const Bin* start,
-                                         double least_K) const;
-    /// By other powers before and after the middle of the time since a bin, all of it at one temperature.
-    std::optional<Unfollowed> unmovedBy(std::size_t first, double least_K) const;
-    /// By the stretch that ends with a bin.
-    std::optional<Unfollowed> unfollowedAfter(std::size_t end, const Bin& start, double least_K) const;
+    void integrate(double dt_s, double power_K_s);
+    /// `wrong`: share by which energy and losses may be others.
+    HeatSpan span(const Mark& from, const Mark& to, std::size_t lag, double wrong) const;
+    void learn(Fits& fits, std::size_t end) const;
+    std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double least_K) const;
+    void judge();
 
-    /// Of all that may be, from `start` to now; since_K: by how much it was warmer then than over the
-    /// stretch. 0: of either sign.
-    double leastExpected_K(std::size_t end, const Bin& start, double rate_K_s, double power_K_s,
-                           double since_K) const;
-
-    double m_timeConstant_s;
+    LossRange m_losses;
+    double m_environment_K;
+    std::optional<double> m_zeroed_s{}; ///< when the room's temperature was measured
     double m_least_K;
     double m_bin_s;
+    Fits m_fits;
     std::optional<Unfollowed> m_unfollowed{};
-    std::vector<Bin> m_bins; ///< oldest first; the last one is being filled
+    std::deque<Mark> m_bins; ///< oldest first; the last one is being filled
     double m_binStart_s = 0.0;
-    double m_time_s = 0.0, m_temperature_K = 0.0, m_before_K = 0.0; ///< newest readings
-    double m_power_K_s = 0.0, m_energy_K = 0.0;
-    Bin m_same;             ///< the first reading of those that are the very same, with the energy then
+    std::size_t m_learnt = 0;                         ///< bins up to here have been learnt from
+    Mark m_now;                                       ///< count: readings so far
+    Mark m_same;                                      ///< at the first of the readings that are the very same
+    std::array<double, kLags_s.size()> m_power_K_s{}; ///< as lagging sensors see it
+    double m_before_K = 0.0;                          ///< reading before the newest
     double m_noise_K = 0.0; ///< standard deviation of a reading, by second differences
-    int m_count = 0;
 };
 
 } // namespace bask

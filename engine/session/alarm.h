@@ -19,10 +19,18 @@ struct Alarm {
     bool isActive = true;
     bool isAcknowledged = false;
     bool isFirst = false;      ///< the first of those that came together: likely their cause
+    bool isLive = false;       ///< of a real rig, not of the simulated one
     bool isFromBefore = false; ///< active when Bask was last left
     int count = 1;             ///< raised so often since it was last acknowledged
     double raised_s = 0.0;     ///< last, UTC seconds since 1970
     double cleared_s = 0.0;    ///< last; 0: never
+    /// Key of the alarm in the list that it follows from: it is listed under that one, does not count as an
+    /// alarm of its own, and is acknowledged with it. Empty: it is a cause itself.
+    std::string cause{};
+    /// Put aside by a person until then, UTC seconds since 1970: counts as acknowledged, and comes back by
+    /// itself where it still is so. 0: not shelved.
+    double shelvedUntil_s = 0.0;
+    std::string shelfReason{}; ///< as that person said it
     bool operator==(const Alarm&) const = default;
 };
 

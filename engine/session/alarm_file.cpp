@@ -26,10 +26,14 @@ Alarm readAlarm(const json& j, const std::string& path, Failure& failure) {
     fields.read("active", alarm.isActive);
     fields.read("acknowledged", alarm.isAcknowledged);
     fields.read("first", alarm.isFirst);
+    fields.read("live", alarm.isLive);
     fields.read("before", alarm.isFromBefore);
     fields.read("count", alarm.count);
     fields.read("raised_s", alarm.raised_s);
     fields.read("cleared_s", alarm.cleared_s);
+    fields.read("cause", alarm.cause);
+    fields.read("shelved_until_s", alarm.shelvedUntil_s);
+    fields.read("shelf_reason", alarm.shelfReason);
     if (const json* args = fields.find("args"); args != nullptr && args->is_array())
         for (const json& arg : *args)
             alarm.message.args.push_back(arg.is_string() ? arg.get<std::string>() : std::string());
@@ -46,10 +50,14 @@ nlohmann::ordered_json alarmJson(const Alarm& alarm) {
             {"active", alarm.isActive},
             {"acknowledged", alarm.isAcknowledged},
             {"first", alarm.isFirst},
+            {"live", alarm.isLive},
             {"before", alarm.isFromBefore},
             {"count", alarm.count},
             {"raised_s", alarm.raised_s},
-            {"cleared_s", alarm.cleared_s}};
+            {"cleared_s", alarm.cleared_s},
+            {"cause", alarm.cause},
+            {"shelved_until_s", alarm.shelvedUntil_s},
+            {"shelf_reason", alarm.shelfReason}};
 }
 
 } // namespace

@@ -108,7 +108,8 @@ void readRobotDevice(const json& j, const std::string& path, Failure& failure, R
     fields.read("port", out.port, true);
     readSerial(fields, usualSerial(out.driver), out.serial);
     readAxes(fields, out.axes);
-    fields.read("must_home", out.mustHome);
+    if (fields.find("must_home") != nullptr)
+        fields.read("must_home", out.mustHome.emplace());
     fields.close();
 }
 
@@ -177,7 +178,8 @@ Json robotJson(const RobotDeviceSpec& robot) {
         putQuantity(a, "origin", coordinateUnit(axis.coordinate), axis.origin);
         j["axes"].push_back(std::move(a));
     }
-    j["must_home"] = robot.mustHome;
+    if (robot.mustHome)
+        j["must_home"] = *robot.mustHome;
     return j;
 }
 

@@ -21,7 +21,8 @@ struct RobotDeviceSpec {
     SerialSettings serial{};
     std::vector<AxisSpec> axes{
         {'X', 0, false, 0.0}, {'Y', 1, false, 0.0}, {'Z', 2, false, 0.0}, {'A', 3, false, 0.0}};
-    bool mustHome = false; ///< its place is not sure before it has been homed
+    /// Its place is not sure before it has been homed; empty: if its controller can home.
+    std::optional<bool> mustHome;
     bool operator==(const RobotDeviceSpec&) const = default;
 };
 

@@ -140,9 +140,10 @@ RunMetricsCount::RunMetricsCount(const SessionRecord& facts, double band_K)
     constexpr double kOpen_s = std::numeric_limits<double>::infinity();
     for (const TraceEvent& event : facts.events) {
         const bool isHeld = !m_holds_s.empty() && m_holds_s.back().second == kOpen_s;
-        if (event.message.code == MessageCode::EventHeld && !isHeld)
+        const MessageCode code = event.message.code;
+        if ((code == MessageCode::EventHeld || code == MessageCode::EventHeldFor) && !isHeld)
             m_holds_s.emplace_back(event.time_s, kOpen_s);
-        else if (event.message.code == MessageCode::EventResumed && isHeld)
+        else if (code == MessageCode::EventResumed && isHeld)
             m_holds_s.back().second = event.time_s;
     }
 }

@@ -100,6 +100,7 @@ Result<void> copySession(const std::string& from, const std::string& to) {
 double controlledUntil_s(const SessionRecord& facts) {
     const auto stop = std::ranges::find_if(facts.events, [](const TraceEvent& event) {
         return event.message.code == MessageCode::EventStopped ||
+               event.message.code == MessageCode::EventStoppedFor ||
                event.message.code == MessageCode::EventEmergencyStop;
     });
     return stop == facts.events.end() ? std::numeric_limits<double>::infinity() : stop->time_s;

@@ -6,8 +6,6 @@
 namespace bask {
 namespace {
 
-constexpr double kTolerance = 1e-8; // of the view factors
-
 std::vector<PlantObject> plantObjects(const SimulatedRigConfig& config) {
     std::vector<PlantObject> objects;
     for (const SimulatedObject& object : config.objects)
@@ -82,7 +80,8 @@ void SimulatedRig::seeSource() {
     if (m_computedAt && X_SE.matrix() == m_computedAt->matrix())
         return;
     for (std::size_t i = 0; i < m_contours.size(); ++i)
-        m_F[i] = viewFactorValue(m_sourceContour, m_contours[i], X_SE * m_X_EO[i], kTolerance);
+        m_F[i] =
+            viewFactorValue(m_sourceContour, m_contours[i], X_SE * m_X_EO[i], m_config.viewFactorTolerance);
     m_computedAt = X_SE;
 }
 

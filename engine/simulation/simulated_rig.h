@@ -36,6 +36,7 @@ struct SimulatedRigConfig {
     SimulatedThermometerConfig thermometer;
     SimulatedTrackerConfig tracker;
     SimulatedCameraConfig camera;
+    double viewFactorTolerance = 1e-8;
 };
 
 /// Advances everything together. The source radiates only while its heat is on (its shutter is open then).

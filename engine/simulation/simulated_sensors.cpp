@@ -120,6 +120,12 @@ bool SimulatedHeatSource::heating() const {
     return m_on && m_clock.now_s() < m_expires_s + 1e-9;
 }
 
+HeatState SimulatedHeatSource::heatState() const {
+    if (m_trouble == SourceTrouble::LinkLost)
+        return HeatState::Unknown;
+    return heating() ? HeatState::On : HeatState::Off;
+}
+
 std::optional<double> SimulatedHeatSource::setPoint_K() const {
     return m_setPoint_K - (m_trouble == SourceTrouble::Limited ? kLimited_K : 0.0);
 }

@@ -99,6 +99,7 @@ public:
     Result<void> keepHeating(double setPoint_K, double validFor_s) override;
     Result<void> heatOff() override;
     bool heating() const override;
+    HeatState heatState() const override;
     std::optional<double> setPoint_K() const override;
 
     void advance(double dt_s);

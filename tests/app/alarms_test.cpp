@@ -202,21 +202,21 @@ TEST_F(AlarmsTest, ABlockedWindowHoldsUpNothing) {
     const double before_s = window->lastSnapshot().runTime_s;
     const QSignalSpy silences(&window->engine(), &EngineClient::answeringChanged);
     QThread::sleep(3);
-    // What came meanwhile, as it came: a held-up loop would catch up with many samples at once.
-    std::size_t most = 0, got = 0;
+    std::size_t got = 0; // of what came meanwhile; that it came in time is told by the recording
     QObject::connect(&window->engine(), &EngineClient::snapshot, window.get(), [&](const Snapshot& snapshot) {
-        if (snapshot.runTime_s > before_s + 3.0)
-            return;
-        most = std::max(most, snapshot.newSamples.size());
-        got += snapshot.newSamples.size();
+        got += static_cast<std::size_t>(
+            std::ranges::count_if(snapshot.newSamples, [&](const TraceSample& sample) {
+                return sample.time_s > before_s && sample.time_s <= before_s + 3.0;
+            }));
     });
     ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().runTime_s > before_s + 3.5; }));
-    EXPECT_LE(most, 15U); // of 30; half a second's on a machine that is there
     EXPECT_GE(got, 25U);
     EXPECT_EQ(silences.count(), 0) << "the window was busy, not the engine";
 
     click("stopRunButton");
     ASSERT_TRUE(waitForState(RunState::Stopped));
+    ASSERT_TRUE(waitFor([&] { return window->lastSnapshot().recordingPath.empty(); }))
+        << "it is closed meanwhile";
     const auto record = readSession(recording.toStdString());
     ASSERT_TRUE(record.ok());
     double last_s = before_s, gap_s = 0.0;
@@ -228,7 +228,6 @@ TEST_F(AlarmsTest, ABlockedWindowHoldsUpNothing) {
     }
     EXPECT_GT(last_s, before_s + 3.0);
     EXPECT_LE(gap_s, 0.5);
-    RecordProperty("most_samples_in_one_snapshot", std::to_string(most));
 }
 
 } // namespace

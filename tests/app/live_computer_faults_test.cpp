@@ -76,7 +76,8 @@ TEST_F(LiveComputerFaults, aFullDiskEndsTheRunAndLeavesItsRecording) {
     load(small);
     ASSERT_NO_FATAL_FAILURE(beReady());
     live.send(Arm{disk.path() + "/run.bask"});
-    EXPECT_EQ(live.refusal.code, MessageCode::SafetyDiskLow) << "1 MB is less than the 100 MB it wants";
+    EXPECT_TRUE(waitFor([&] { return live.refusal.code == MessageCode::SafetyDiskLow; }))
+        << "1 MB is less than the 100 MB it wants";
     EXPECT_EQ(live.last.state, RunState::Ready);
 
     small.safety.leastDisk_MB = 0.0;
@@ -136,6 +137,7 @@ TEST_F(LiveComputerFaults, aClockThatIsSetChangesNothing) {
     g_clockJump_s = 0;
     live.send(Stop{});
     ASSERT_TRUE(reaches(RunState::Stopped, 40000)) << reasons();
+    ASSERT_TRUE(isClosed());
     const auto record = readSession(lastRecording());
     ASSERT_TRUE(record) << describe(record.error());
     EXPECT_EQ(record->outcome, "stopped");
@@ -169,6 +171,7 @@ TEST_F(LiveComputerFaults, aWindowThatHangsLeavesControlAndSafetyAlone) {
     EXPECT_LT(longestGap_s(from), 1.0);
     live.send(Stop{});
     ASSERT_TRUE(reaches(RunState::Stopped, 40000)) << reasons();
+    ASSERT_TRUE(isClosed());
     const auto record = readSession(lastRecording());
     ASSERT_TRUE(record) << describe(record.error());
     const auto told = std::ranges::find_if(record->events, [](const TraceEvent& event) {

@@ -20,21 +20,36 @@ namespace bask::test {
 /// The engine on its thread, with everything it told.
 class LiveEngine : public QObject {
 public:
-    LiveEngine() {
+    explicit LiveEngine(const std::string& alarmFile = {}) : m_worker(alarmFile) {
         m_worker.moveToThread(&m_thread);
         connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
         connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
             last = snapshot;
             std::ranges::copy(snapshot.newSamples, std::back_inserter(samples));
+            std::ranges::copy(snapshot.newEvents, std::back_inserter(events));
             if (snapshot.refusal.code != MessageCode::None)
                 refusal = snapshot.refusal;
         });
         m_thread.start();
     }
     ~LiveEngine() override {
-        QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
+        shutDown();
         m_thread.quit();
         m_thread.wait();
+    }
+    /// Goes on at once.
+    void post(const Command& command) {
+        QMetaObject::invokeMethod(&m_worker, [this, command] { m_worker.post(command); });
+    }
+    template <class Work>
+    requires std::is_invocable_v<Work>
+    void post(Work work) { QMetaObject::invokeMethod(&m_worker, std::move(work)); }
+    /// On the engine's thread; waits for it.
+    template <class Work> void ask(Work work) {
+        QMetaObject::invokeMethod(&m_worker, std::move(work), Qt::BlockingQueuedConnection);
+    }
+    void shutDown() {
+        QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
     }
     /// Waits until it is done; `refusal` is of this command then.
     void send(const Command& command) {
@@ -53,6 +68,7 @@ public:
     Snapshot last;
     Message refusal;
     std::vector<TraceSample> samples;
+    std::vector<TraceEvent> events;
 
 private:
     QThread m_thread;
@@ -78,6 +94,8 @@ struct Reaction {
 
 class LiveFaults : public RigProcesses {
 protected:
+    explicit LiveFaults(bool keepsAlarms = false) : live(keepsAlarms ? files() + "/alarms.json" : "") {}
+
     static constexpr double kReaction_ms = 1000.0; ///< the most, of motion and of heat
     static constexpr double kNear_m = 0.17;        ///< to the plate; the retreat ends at 0.2
 
@@ -93,7 +111,10 @@ protected:
     void load(const Experiment& loaded) {
         m_targets_K = {loaded.objects.front().target_K - 4.0, loaded.objects.front().target_K + 4.0};
         live.send(LoadExperiment{loaded});
-        ASSERT_EQ(live.last.state, RunState::Fault) << "until a person resets it";
+        if (!m_isLoaded) { // an edit that leaves the devices as they are asks for no reset
+            ASSERT_EQ(live.last.state, RunState::Fault) << "until a person resets it";
+        }
+        m_isLoaded = true;
     }
     /// A fault is not waited out: nothing ends it but a person.
     bool reaches(RunState state, int limit_ms = 20000) {
@@ -111,14 +132,19 @@ protected:
     /// As often as a busy machine's devices are late.
     void beReady() {
         ASSERT_TRUE(waitFor([&] {
+            if (!live.last.isPlaceSure) // as a person would who has looked
+                live.send(ClearRobotAlarm{});
             if (live.last.state == RunState::Fault)
                 live.send(Reset{});
             return live.last.state == RunState::Ready || live.last.state == RunState::Stopped;
         })) << reasons();
     }
     void home() {
-        live.send(HomeRobot{});
-        ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);
+        ASSERT_TRUE(waitFor([&] { // a robot that has just been found tells its state first
+            live.refusal = {};
+            live.send(HomeRobot{});
+            return live.refusal.code == MessageCode::None;
+        })) << describe(live.refusal);
         ASSERT_TRUE(waitFor([&] { return live.last.isPlaceSure; }));
     }
     /// A new run, up to a robot that moves before a hot plate.
@@ -157,6 +183,8 @@ protected:
     std::string recording() {
         return m_recordings.filePath(QStringLiteral("%1.bask").arg(++m_runs)).toStdString();
     }
+    /// Where recordings are, and the alarms where they are kept.
+    std::string files() const { return m_recordings.path().toStdString(); }
     std::string lastRecording() const {
         return m_recordings.filePath(QStringLiteral("%1.bask").arg(m_runs)).toStdString();
     }
@@ -216,8 +244,15 @@ protected:
         return raise(
             fault, [&] { tell(fault); }, as, after_ms);
     }
+    /// The recording of the run that has ended; after a fault it would go on until all is cold.
+    bool isClosed() {
+        if (live.last.state == RunState::Fault)
+            live.send(EndRecording{});
+        return waitFor([&] { return live.last.recordingPath.empty(); });
+    }
     /// The recording of the run has all that was told since the last look at one, in time.
     void expectRecorded(const std::string& outcome) {
+        ASSERT_TRUE(isClosed());
         const auto record = readSession(lastRecording());
         ASSERT_TRUE(record) << describe(record.error());
         EXPECT_EQ(record->outcome, outcome);
@@ -235,6 +270,15 @@ protected:
     }
 
     bool m_isBenchStopped = false;
+
+private:
+    /// In memory where there is such a place: a busy disk would hold the engine up.
+    QTemporaryDir m_recordings{QFileInfo(QStringLiteral("/dev/shm")).isWritable()
+                                   ? QStringLiteral("/dev/shm/bask-XXXXXX")
+                                   : QDir::tempPath() + QStringLiteral("/bask-XXXXXX")};
+
+protected:
+    bool m_isLoaded = false;
     LiveEngine live;
 
 private:
@@ -243,10 +287,6 @@ private:
         std::string name;
         double run_s; ///< when it was raised
     };
-    /// In memory where there is such a place: a busy disk would hold the engine up.
-    QTemporaryDir m_recordings{QFileInfo(QStringLiteral("/dev/shm")).isWritable()
-                                   ? QStringLiteral("/dev/shm/bask-XXXXXX")
-                                   : QDir::tempPath() + QStringLiteral("/bask-XXXXXX")};
     std::array<double, 2> m_targets_K{};
     int m_runs = 0;
     std::vector<Expected> m_expected;

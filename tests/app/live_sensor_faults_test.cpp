@@ -80,11 +80,19 @@ TEST_F(LiveSensorFaults, frozenReadingsHoldTheRun) {
     live.send(Start{true});
     ASSERT_TRUE(comesInRun([&] { return state().plate_degC > 40.0; })) << reasons();
     const Reaction seen =
-        raise("thermometer frozen", {MessageCode::SafetySensorFrozen, "very same value", 20000.0});
+        raise("thermometer frozen", {MessageCode::SafetySensorFrozen, "very same value", 90000.0});
     EXPECT_EQ(live.last.state, RunState::Holding) << reasons();
     EXPECT_LE(seen.moved_ms - seen.told_ms, kReaction_ms);
     tell("thermometer none");
-    ASSERT_TRUE(waitFor([&] { return isWell(); }, 7000)) << reasons();
+    ASSERT_TRUE(waitFor(
+        [&] { // it comes back elsewhere: a person who has looked says that it is right
+            for (std::size_t i = 0; i < live.last.sensors.size(); ++i)
+                if (live.last.sensors[i] == SensorTrust::Distrusted)
+                    live.send(ConfirmSensor{i});
+            return isWell();
+        },
+        7000))
+        << reasons();
     live.send(Stop{});
     ASSERT_TRUE(reaches(RunState::Stopped, 30000)) << reasons();
     expectRecorded("stopped");

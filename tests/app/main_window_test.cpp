@@ -2,6 +2,7 @@
 // need the tick.
 
 #include "app/settings_store.h"
+#include "engine/base/message_code.h"
 #include "engine/session/rig_file.h"
 #include "engine/session/session_file.h"
 #include "tests/app/window_fixture.h"
@@ -541,7 +542,8 @@ TEST_F(MainWindowTest, ALiveRigIsArmedAfterAQuestion) {
         Snapshot live = window->lastSnapshot();
         live.simulated = false;
         live.source_K = 473.15;
-        live.heatOn = true;
+        live.heat = HeatState::Unknown;
+        live.simulationSpeed = 20.0;
         live.newSamples.clear();
         for (const DeviceRole role : {DeviceRole::Robot, DeviceRole::HeatSource}) {
             live.devices.emplace_back().role = role;
@@ -554,8 +556,9 @@ TEST_F(MainWindowTest, ALiveRigIsArmedAfterAQuestion) {
     const auto question = [this] { return window->findChild<QMessageBox*>(QStringLiteral("armQuestion")); };
     seeLive();
     EXPECT_EQ(find<QLabel>("sampleAge")->text(), QStringLiteral("robot 12 ms, heat source lost"));
-    EXPECT_EQ(find<QLabel>("sourceState")->text(), QStringLiteral("source 200.0\u00a0°C, heat not known"))
-        << "its link is lost";
+    EXPECT_EQ(find<QLabel>("sourceState")->text(), QStringLiteral("source 200.0\u00a0°C,"));
+    EXPECT_EQ(find<QLabel>("heatWord")->text(), QStringLiteral("heat UNKNOWN")) << "its link is lost";
+    EXPECT_FALSE(find<QLabel>("loopRate")->text().contains(QStringLiteral("×"))) << "nothing is simulated";
     EXPECT_EQ(find<QFrame>("rigTag")->accessibleName(), QStringLiteral("LIVE"));
     window->actions().verb(Verb::Arm)->trigger();
     ASSERT_TRUE(question());
@@ -571,6 +574,100 @@ TEST_F(MainWindowTest, ALiveRigIsArmedAfterAQuestion) {
         if (question()->buttonRole(button) == QMessageBox::AcceptRole)
             QTest::mouseClick(button, Qt::LeftButton);
     EXPECT_TRUE(waitForState(RunState::Armed));
+}
+
+// Catches: a key or a click that does nothing and says nothing, and a sentence that stays when it is no more
+// so.
+TEST_F(MainWindowTest, AVerbThatCannotActSaysWhy) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    QTest::keyClick(window.get(), Qt::Key_F6);
+    EXPECT_TRUE(message().contains(QStringLiteral("Press Arm first"))) << message().toStdString();
+    EXPECT_EQ(state(), RunState::Ready);
+    QTest::mouseClick(find<QAbstractButton>("stopRunButton"), Qt::LeftButton);
+    EXPECT_TRUE(message().contains(QStringLiteral("no run to stop"))) << message().toStdString();
+    QTest::keyClick(window.get(), Qt::Key_F6);
+    ASSERT_TRUE(message().contains(QStringLiteral("Press Arm first")));
+    QTest::keyClick(window.get(), Qt::Key_F5); // which is possible
+    ASSERT_TRUE(waitForState(RunState::Armed));
+    EXPECT_EQ(message(), QString()) << "its cause is gone";
+    QTest::keyClick(window.get(), Qt::Key_F5);
+    EXPECT_TRUE(message().contains(QStringLiteral("armed already"))) << message().toStdString();
+}
+
+// Catches: "Not ready" said over a rig that is ready again.
+TEST_F(MainWindowTest, ARefusalGoesWithItsCause) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    Snapshot told = window->lastSnapshot();
+    told.newSamples.clear();
+    told.newEvents.clear();
+    told.state = RunState::NotReady;
+    const Message lost{MessageCode::ReasonSensorInvalid, {"hand"}};
+    told.reasons = {lost};
+    told.refusal = lost;
+    window->engine().blockSignals(true); // the engine's own go on
+    const auto tell = [&] {
+        window->engine().blockSignals(false);
+        emit window->engine().snapshot(told);
+        window->engine().blockSignals(true);
+        told.refusal = {};
+    };
+    tell();
+    EXPECT_TRUE(message().contains(QStringLiteral("hand"))) << message().toStdString();
+    tell();
+    EXPECT_TRUE(message().contains(QStringLiteral("hand")));
+    told.reasons = {{MessageCode::ReasonRecorderFailed, {"full"}}}; // another one
+    tell();
+    EXPECT_EQ(message(), QString());
+    window->engine().blockSignals(false);
+}
+
+// Catches: a robot that moves at one slip of the mouse, and a retreat that cannot be asked for.
+TEST_F(MainWindowTest, RetreatAsksAndKeepsStopWithinReach) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    ASSERT_TRUE(waitFor([this] { return window->lastSnapshot().canRetreat; }));
+    const auto question = [this] {
+        return window->findChild<QMessageBox*>(QStringLiteral("retreatQuestion"));
+    };
+    click("retreatButton");
+    ASSERT_TRUE(question());
+    EXPECT_FALSE(question()->isModal());
+    QTest::keyClick(question(), Qt::Key_Return); // the default answer
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    ASSERT_FALSE(question());
+    EXPECT_EQ(state(), RunState::Ready);
+    const double before_m = window->lastSnapshot().latest.coordinates[kZ];
+    click("retreatButton");
+    ASSERT_TRUE(question());
+    for (QAbstractButton* button : question()->buttons())
+        if (question()->buttonRole(button) == QMessageBox::AcceptRole)
+            QTest::mouseClick(button, Qt::LeftButton);
+    EXPECT_TRUE(waitFor([&] { return window->lastSnapshot().latest.coordinates[kZ] > before_m + 0.01; }));
+}
+
+// Catches: "Ready" alone over a hot plate.
+TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    Snapshot told = window->lastSnapshot();
+    told.newSamples.clear();
+    told.newEvents.clear();
+    EXPECT_TRUE(window->engine().shutDown(std::chrono::seconds(3)));
+    QCoreApplication::processEvents(); // what it had sent
+    auto* chip = find<RunStateChip>("runStateChip");
+    told.source_K = told.latest.source_K = kelvinFromCelsius(212.0);
+    told.sourceAge_s = 0.1;
+    for (ObjectSample& object : told.latest.objects)
+        object.viewFactor = 0.2;
+    emit window->engine().snapshot(told);
+    EXPECT_EQ(chip->caption(), QStringLiteral("source 212\u00a0°C below"));
+    EXPECT_TRUE(chip->reasonsMenu()->actions().at(2)->text().contains(QStringLiteral("Retreat")));
+    for (ObjectSample& object : told.latest.objects)
+        object.viewFactor = 0.001; // away from it
+    emit window->engine().snapshot(told);
+    EXPECT_EQ(chip->caption(), QString());
 }
 
 // Catches: a change lost by closing.

@@ -252,6 +252,32 @@ TEST(Reproduction, AtTheEdgeIsInOrOutOfTheBandButNear) {
 
 // Catches: places in the robot's frame instead of the source's, mountings left out, the comparison the wrong
 // way round.
+TEST(Reproduction, TheTenQuickestEndAsRecorded) {
+    static const std::set<std::string> kQuickest{"target-coefficient-40",
+                                                 "target-coefficient-45",
+                                                 "target-coefficient-55",
+                                                 "target-coefficient-K-0.005",
+                                                 "target-coefficient-K-0.05",
+                                                 "target-coefficient-K-0.5",
+                                                 "target-coefficient-bare-aluminium",
+                                                 "two-objects-50-40",
+                                                 "two-objects-50-50",
+                                                 "two-objects-60-40"};
+    auto figures = readPaperFigures(kPaper.toStdString(), {});
+    ASSERT_TRUE(figures) << describe(figures.error());
+    std::vector<PaperExperiment> experiments;
+    for (PaperFigure& figure : *figures)
+        for (PaperExperiment& each : figure.experiments)
+            if (kQuickest.contains(each.name))
+                experiments.push_back(std::move(each));
+    ASSERT_EQ(experiments.size(), kQuickest.size());
+    const auto results = reproduce(experiments, 0, [](int, int) {});
+    ASSERT_TRUE(results) << describe(results.error());
+    for (const ReproducedExperiment& result : *results)
+        for (const std::size_t by : {kByThePaper, kByTheLevelServo})
+            EXPECT_TRUE(result.asExpected(by)) << result.paper.name << ": " << verdictWords(result, by);
+}
+
 TEST(Reproduction, SaysWhetherTheHotterTargetIsCloserToTheAxis) {
     for (const double aside_m : {0.0, 0.05}) {
         const std::string closer = verdictAt(-0.05, aside_m);

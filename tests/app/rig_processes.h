@@ -3,6 +3,7 @@
 // its own.
 
 #include "engine/base/pose.h"
+#include "tests/support/guard_processes.h"
 #include "tests/support/wait_for.h"
 
 #include <QElapsedTimer>
@@ -42,6 +43,7 @@ protected:
     ~RigProcesses() override {
         endProcess(engine);
         endProcess(bench);
+        endGuardsOf(m_folder.path());
     }
 
     /// Leaves the processor to the engine and the bench meanwhile.
@@ -79,8 +81,12 @@ protected:
     }
     void startEngine(const QStringList& arguments = {}) {
         engine.setProcessChannelMode(QProcess::MergedChannels);
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("BASK_SETTINGS_DIR"), m_folder.path());
+        engine.setProcessEnvironment(environment);
         engine.start(QStringLiteral(BASK_PROGRAM),
                      QStringList{QStringLiteral("run"), experiment(), QStringLiteral("--live"),
+                                 QStringLiteral("--confirm-place"), QStringLiteral("--accept-limits"),
                                  QStringLiteral("-o"), session()} +
                          arguments);
     }
@@ -114,6 +120,16 @@ protected:
         for (const QString& value : match.captured(6).split(QLatin1Char(' ')))
             out.objects_degC.push_back(value.toDouble());
         return out;
+    }
+    /// When the bytes came that switched the bench's heat off, by SteadyClock; empty: it is on.
+    std::optional<double> off_s() {
+        m_told.clear();
+        bench.write("switched\n");
+        if (!waitFor([&] { return told().contains(" s\n"); }, 5000))
+            return std::nullopt;
+        static const QRegularExpression kLine(QStringLiteral("heat off since (\\S+) s"));
+        const auto match = kLine.match(QString::fromUtf8(m_told));
+        return match.hasMatch() ? std::optional(match.captured(1).toDouble()) : std::nullopt;
     }
     /// Its exit code, once it has ended.
     std::optional<int> ended(int limit_ms) {

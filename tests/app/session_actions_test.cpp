@@ -7,7 +7,10 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QTemporaryDir>
+#include <QWidget>
 
 #include <gtest/gtest.h>
 
@@ -67,6 +70,33 @@ TEST_F(SessionActionsTest, AMissingFileLeavesTheRecentList) {
     files.open(QStringLiteral("/nowhere/gone.json"));
     ASSERT_TRUE(waitFor([&] { return !problems.isEmpty(); }));
     EXPECT_FALSE(settings.recentFiles().contains(QStringLiteral("/nowhere/gone.json")));
+}
+
+// Catches: limits of a real rig that come in with a file, unasked; and a question on the way down.
+TEST_F(SessionActionsTest, LooserLimitsOfARealRigAreAskedAbout) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("rig.json"));
+    ASSERT_TRUE(QFile::copy(QStringLiteral(BASK_TEST_DATA "/rig/three-thin-disks.json"), path));
+    QWidget window;
+    SessionActions asking(document, settings, &window);
+    const auto box = [&] { return window.findChild<QMessageBox*>(QStringLiteral("limitsOfFile")); };
+    asking.open(path);
+    ASSERT_TRUE(waitFor([&] { return box() != nullptr; }));
+    EXPECT_TRUE(box()->text().contains(QStringLiteral("0.2 rad/s"))) << box()->text().toStdString();
+    EXPECT_EQ(box()->buttonRole(box()->defaultButton()), QMessageBox::RejectRole);
+    EXPECT_FALSE(document.experiment().rig);
+    box()->defaultButton()->click();
+    EXPECT_FALSE(document.experiment().rig);
+    asking.open(path);
+    ASSERT_TRUE(waitFor([&] { return box() != nullptr && box()->isVisible(); }));
+    for (QAbstractButton* button : box()->buttons())
+        if (box()->buttonRole(button) == QMessageBox::AcceptRole)
+            button->click();
+    ASSERT_TRUE(document.experiment().rig);
+    EXPECT_EQ(document.path(), path);
+    const int before = document.generation();
+    asking.open(path); // nothing more than now
+    ASSERT_TRUE(waitFor([&] { return document.generation() != before; }));
 }
 
 // Catches: a file with a slip in it that must be looked for again once it is mended.

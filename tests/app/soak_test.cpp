@@ -3,6 +3,7 @@
 
 #include "engine/runtime/lateness.h"
 #include "engine/session/session_file.h"
+#include "tests/app/hogs.h"
 #include "tests/app/rig_processes.h"
 
 #include <QJsonDocument>
@@ -14,27 +15,6 @@
 
 namespace bask::test {
 namespace {
-
-/// Busy threads, which take what the processors have.
-class Hogs {
-public:
-    explicit Hogs(int count) {
-        for (int i = 0; i < count; ++i)
-            m_threads.emplace_back([this] {
-                while (!m_isOver)
-                    ;
-            });
-    }
-    ~Hogs() {
-        m_isOver = true;
-        for (std::thread& thread : m_threads)
-            thread.join();
-    }
-
-private:
-    std::atomic<bool> m_isOver = false;
-    std::vector<std::thread> m_threads;
-};
 
 /// A thread that does nothing but wake up each 100 ms: as late as the machine makes anybody.
 class BareThread {

@@ -124,7 +124,8 @@ TEST_F(WindowSizeTest, NothingShownLaterMakesItGrow) {
     EXPECT_GT(find<QWidget>("eventDock")->height(), before);
     EXPECT_EQ(window->size(), size);
     find<QTabWidget>("dockTabs")->setCurrentIndex(1);
-    EXPECT_TRUE(waitFor([&] { return find<QWidget>("eventDock")->height() == before; }));
+    EXPECT_TRUE(waitFor([&] { return find<QWidget>("eventDock")->height() == before; }, 5000))
+        << find<QWidget>("eventDock")->height() << " px after " << before;
 }
 
 // Catches: a control that gets the keyboard where nobody sees it.

@@ -7,6 +7,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -14,6 +15,11 @@ namespace {
 constexpr int kMark = 18;
 constexpr int kButtonPadding = 8;
 constexpr int kMostText = 420;
+
+/// It still is so, and nobody has seen it.
+bool isCalling(const AlarmGroup& group) {
+    return group.isActive() && !group.alarm.isAcknowledged;
+}
 
 } // namespace
 
@@ -25,14 +31,15 @@ AlarmButton::AlarmButton(QWidget* parent) : QAbstractButton(parent) {
     hide();
     connect(this, &QAbstractButton::clicked, this, [this] {
         if (!m_alarms.empty())
-            emit alarmChosen(m_alarms.front().id);
+            emit alarmChosen(m_alarms.front().alarm.id);
     });
 }
 
 void AlarmButton::setAlarms(const std::vector<Alarm>& alarms) {
-    if (alarms == m_alarms)
+    std::vector<AlarmGroup> present = groupAlarms(alarms).present;
+    if (present == m_alarms)
         return;
-    m_alarms = alarms;
+    m_alarms = std::move(present);
     retranslateUi();
     setVisible(!m_alarms.empty());
 }
@@ -50,7 +57,7 @@ void AlarmButton::setStale(bool isStale) {
 void AlarmButton::retranslateUi() {
     if (m_alarms.empty())
         return;
-    const Alarm& alarm = m_alarms.front();
+    const Alarm& alarm = m_alarms.front().alarm;
     setText(alarmHeadline(alarm, m_unit));
     QString name = tr("Alarm of priority %1 (%2): %3")
                        .arg(QString::number(alarm.priority), alarmStateWords(alarm), text());
@@ -70,7 +77,7 @@ QString AlarmButton::othersText() const {
 
 QFont AlarmButton::textFont() const {
     QFont shown = font();
-    shown.setBold(!m_alarms.empty() && !m_alarms.front().isAcknowledged);
+    shown.setBold(!m_alarms.empty() && isCalling(m_alarms.front()));
     return shown;
 }
 
@@ -79,6 +86,12 @@ int AlarmButton::widthBesideText() const {
     const int othersWidth =
         others.isEmpty() ? 0 : QFontMetrics(textFont()).horizontalAdvance(others) + kButtonPadding;
     return kButtonPadding + kMark + kButtonPadding + othersWidth + kButtonPadding;
+}
+
+int AlarmButton::widthWithoutText() const {
+    QFont bold = font();
+    bold.setBold(true);
+    return kMark + 4 * kButtonPadding + QFontMetrics(bold).horizontalAdvance(QStringLiteral("+99"));
 }
 
 QSize AlarmButton::sizeHint() const {
@@ -94,9 +107,10 @@ QSize AlarmButton::minimumSizeHint() const {
 void AlarmButton::paintEvent(QPaintEvent*) {
     if (m_alarms.empty())
         return;
-    const Alarm& alarm = m_alarms.front();
+    const Alarm& alarm = m_alarms.front().alarm;
+    const bool isOver = !m_alarms.front().isActive();
     const bool dark = isDark(this);
-    const bool isNew = !alarm.isAcknowledged && !m_isStale;
+    const bool isNew = isCalling(m_alarms.front()) && !m_isStale;
     const QColor colour = isNew ? alarmColor(alarm.priority, dark) : secondaryText(dark);
 
     QPainter painter(this);
@@ -109,10 +123,10 @@ void AlarmButton::paintEvent(QPaintEvent*) {
 
     const QRect mark(kButtonPadding, (height() - kMark) / 2, kMark, kMark);
     painter.setOpacity(m_isStale ? 0.5 : 1.0);
-    painter.drawPixmap(mark, alarmPixmap(alarm.priority, dark, kMark, devicePixelRatioF()));
+    painter.drawPixmap(mark, alarmPixmap(alarm.priority, dark, kMark, devicePixelRatioF(), isOver));
     painter.setOpacity(1.0);
     painter.setFont(textFont());
-    painter.setPen(m_isStale ? secondaryText(dark) : palette().color(QPalette::WindowText));
+    painter.setPen(m_isStale || isOver ? secondaryText(dark) : palette().color(QPalette::WindowText));
     const int left = mark.right() + 1 + kButtonPadding;
     const int room = width() - widthBesideText();
     const QFontMetrics metrics(textFont());

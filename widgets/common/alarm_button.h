@@ -1,9 +1,9 @@
 #pragma once
-// The gravest alarm on the state bar: its mark, what it is, how many others there are. Without alarms it is
-// not there.
+// The gravest alarm on the state bar: its mark, what it is, how many other causes there are. Without alarms,
+// or with shelved ones alone, it is not there.
 
 #include "engine/base/units.h"
-#include "engine/session/alarm.h"
+#include "widgets/common/alarm_groups.h"
 
 #include <QAbstractButton>
 
@@ -18,7 +18,7 @@ class AlarmButton : public QAbstractButton {
 public:
     explicit AlarmButton(QWidget* parent = nullptr);
 
-    /// As the engine sorts them: the first is shown.
+    /// As the engine sorts them: the first that is active is shown.
     void setAlarms(const std::vector<Alarm>& alarms);
     void setTemperatureUnit(TemperatureUnit unit);
     /// The engine does not answer: what is shown may be old.
@@ -26,6 +26,8 @@ public:
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    /// Its width with the mark and the number of many others alone, whatever is shown now.
+    int widthWithoutText() const;
 
 signals:
     void alarmChosen(quint64 id);
@@ -40,7 +42,7 @@ private:
     int widthBesideText() const;
     void retranslateUi();
 
-    std::vector<Alarm> m_alarms;
+    std::vector<AlarmGroup> m_alarms;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isStale = false;
 };

@@ -1,15 +1,19 @@
 #include "widgets/common/alarm_list.h"
 
+#include "engine/runtime/command.h"
 #include "widgets/common/alarm_words.h"
+#include "widgets/common/shelf_popup.h"
 #include "widgets/common/theme.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QPainter>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTextEdit>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <algorithm>
@@ -21,16 +25,40 @@ enum Column { kPriority, kState, kRaised, kTimes, kWhat, kColumns };
 constexpr int kIdRole = Qt::UserRole;
 constexpr int kRowMark = 16;
 constexpr int kGap = 8;
+constexpr int kIndent = 16;
+
+/// A clock.
+QPixmap shelfPixmap(const QColor& ink, double devicePixelRatio) {
+    QPixmap pixmap(QSize(kRowMark, kRowMark) * devicePixelRatio);
+    pixmap.setDevicePixelRatio(devicePixelRatio);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(ink, 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.drawEllipse(QRectF(1.5, 1.5, kRowMark - 3.0, kRowMark - 3.0));
+    painter.drawPolyline(QPolygonF{{8.0, 4.5}, {8.0, 8.3}, {10.6, 9.8}});
+    return pixmap;
+}
+
+void fitRows(QTreeWidgetItem* parent, std::size_t wanted) {
+    const auto rows = static_cast<int>(wanted);
+    while (parent->childCount() > rows)
+        delete parent->child(parent->childCount() - 1);
+    while (parent->childCount() < rows)
+        new QTreeWidgetItem(parent);
+}
 
 } // namespace
 
 AlarmList::AlarmList(QWidget* parent)
     : QWidget(parent), m_tree(new QTreeWidget(this)), m_guidance(new QTextEdit(this)),
-      m_acknowledge(new QPushButton(this)), m_acknowledgeAll(new QPushButton(this)) {
+      m_acknowledge(new QPushButton(this)), m_acknowledgeAll(new QPushButton(this)),
+      m_shelve(new QToolButton(this)), m_shelf(new ShelfPopup(this)) {
     setObjectName(QStringLiteral("alarmList"));
     m_tree->setObjectName(QStringLiteral("alarmListTree"));
     m_tree->setColumnCount(kColumns);
     m_tree->setRootIsDecorated(false);
+    m_tree->setIndentation(kIndent);
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(true);
     m_tree->setFrameShape(QFrame::NoFrame);
@@ -48,8 +76,15 @@ AlarmList::AlarmList(QWidget* parent)
     m_acknowledge->setObjectName(QStringLiteral("acknowledgeAlarm"));
     m_acknowledgeAll->setObjectName(QStringLiteral("acknowledgeAllAlarms"));
 
+    m_shelve->setObjectName(QStringLiteral("shelveAlarm"));
+    m_shelve->setFocusPolicy(Qt::StrongFocus);
+
+    auto* one = new QHBoxLayout;
+    one->setSpacing(kGap / 2);
+    one->addWidget(m_acknowledge, 1);
+    one->addWidget(m_shelve);
     auto* buttons = new QVBoxLayout;
-    buttons->addWidget(m_acknowledge);
+    buttons->addLayout(one);
     buttons->addWidget(m_acknowledgeAll);
     buttons->addStretch(1);
     auto* row = new QHBoxLayout(this);
@@ -62,10 +97,16 @@ AlarmList::AlarmList(QWidget* parent)
     connect(m_tree, &QTreeWidget::itemSelectionChanged, this, [this] {
         const auto items = m_tree->selectedItems();
         m_chosen.reset();
-        if (!items.isEmpty())
+        if (!items.isEmpty() && items.first()->data(kPriority, kIdRole).isValid())
             m_chosen = items.first()->data(kPriority, kIdRole).toULongLong();
         showChosen();
     });
+    connect(m_tree, &QTreeWidget::itemExpanded, this,
+            [this](const QTreeWidgetItem* item) { setFolded(item, false); });
+    connect(m_tree, &QTreeWidget::itemCollapsed, this,
+            [this](const QTreeWidgetItem* item) { setFolded(item, true); });
+    connect(m_shelve, &QToolButton::clicked, this, &AlarmList::openShelf);
+    connect(m_shelf, &ShelfPopup::shelveRequested, this, &AlarmList::shelveRequested);
     connect(m_acknowledge, &QPushButton::clicked, this, [this] {
         if (m_chosen)
             emit acknowledgeRequested(*m_chosen);
@@ -83,12 +124,10 @@ void AlarmList::setAlarms(const std::vector<Alarm>& alarms) {
     };
     if (m_chosen && !has(alarms, *m_chosen))
         m_chosen.reset();
-    if (!m_chosen) {
-        const auto added =
-            std::ranges::find_if(alarms, [&](const Alarm& alarm) { return !has(m_alarms, alarm.id); });
-        if (added != alarms.end())
-            m_chosen = added->id;
-    }
+    m_groups = groupAlarms(alarms);
+    for (const AlarmGroup& group : m_groups.present)
+        if (!m_chosen && !has(m_alarms, group.alarm.id))
+            m_chosen = group.alarm.id;
     m_alarms = alarms;
     m_today = today;
     showRows();
@@ -111,51 +150,119 @@ void AlarmList::setStale(bool isStale) {
 void AlarmList::choose(std::uint64_t id) {
     if (std::ranges::find(m_alarms, id, &Alarm::id) != m_alarms.end())
         m_chosen = id;
+    for (const AlarmGroup& group : m_groups.present)
+        if (std::ranges::find(group.consequences, id, &Alarm::id) != group.consequences.end())
+            m_unfolded.insert(group.alarm.id);
     showRows();
     m_tree->scrollToItem(m_tree->currentItem());
     m_tree->setFocus();
+}
+
+void AlarmList::setFolded(const QTreeWidgetItem* item, bool isFolded) {
+    const QVariant id = item->data(kPriority, kIdRole);
+    if (!id.isValid())
+        m_isShelfFolded = isFolded;
+    else if (isFolded)
+        m_unfolded.erase(id.toULongLong());
+    else
+        m_unfolded.insert(id.toULongLong());
 }
 
 /// Rows are filled anew, not made anew, so that the view stays where it is.
 void AlarmList::showRows() {
     const QSignalBlocker quiet(m_tree);
     const int scrolled = m_tree->verticalScrollBar()->value();
-    const auto wanted = static_cast<int>(m_alarms.size());
-    while (m_tree->topLevelItemCount() > wanted)
-        delete m_tree->topLevelItem(m_tree->topLevelItemCount() - 1);
-    while (m_tree->topLevelItemCount() < wanted)
-        new QTreeWidgetItem(m_tree);
-    m_tree->clearSelection();
-    for (int i = 0; i < wanted; ++i) {
-        const Alarm& alarm = m_alarms[static_cast<std::size_t>(i)];
-        fill(m_tree->topLevelItem(i), alarm);
-        if (alarm.id == m_chosen)
-            m_tree->setCurrentItem(m_tree->topLevelItem(i));
-    }
+    const bool hasShelf = !m_groups.shelved.empty();
+    m_tree->setRootIsDecorated(hasShelf || !std::ranges::all_of(m_groups.present, &std::vector<Alarm>::empty,
+                                                                &AlarmGroup::consequences));
+    fitRows(m_tree->invisibleRootItem(), m_groups.present.size() + (hasShelf ? 1 : 0));
+    for (std::size_t i = 0; i < m_groups.present.size(); ++i)
+        fitRows(m_tree->topLevelItem(static_cast<int>(i)), m_groups.present[i].consequences.size());
+    if (hasShelf)
+        fitRows(m_tree->topLevelItem(static_cast<int>(m_groups.present.size())), m_groups.shelved.size());
+    m_tree->clearSelection(); // the neighbour of a row that left has got it
+    int row = 0;
+    for (const AlarmGroup& group : m_groups.present)
+        showGroup(m_tree->topLevelItem(row++), group);
+    if (hasShelf)
+        showShelf(m_tree->topLevelItem(row));
     m_tree->verticalScrollBar()->setValue(scrolled);
     showChosen();
 }
 
-void AlarmList::fill(QTreeWidgetItem* item, const Alarm& alarm) const {
+void AlarmList::showGroup(QTreeWidgetItem* item, const AlarmGroup& group) {
+    item->setFirstColumnSpanned(false);
+    fill(item, group.alarm, group.consequences.size());
+    for (std::size_t i = 0; i < group.consequences.size(); ++i)
+        fill(item->child(static_cast<int>(i)), group.consequences[i]);
+    item->setExpanded(m_unfolded.contains(group.alarm.id));
+}
+
+void AlarmList::showShelf(QTreeWidgetItem* item) {
+    for (int column = kPriority; column < kColumns; ++column) {
+        item->setText(column, QString());
+        item->setFont(column, m_tree->font());
+        item->setForeground(column, secondaryText(isDark(this)));
+    }
+    item->setData(kPriority, kIdRole, QVariant());
+    item->setIcon(kPriority, QIcon(shelfPixmap(secondaryText(isDark(this)), devicePixelRatioF())));
+    item->setText(kPriority, tr("Shelved: %1").arg(m_groups.shelved.size()));
+    item->setData(kPriority, Qt::AccessibleTextRole, item->text(kPriority));
+    item->setToolTip(kWhat, QString());
+    item->setFirstColumnSpanned(true);
+    for (std::size_t i = 0; i < m_groups.shelved.size(); ++i)
+        fill(item->child(static_cast<int>(i)), m_groups.shelved[i].alarm);
+    item->setExpanded(!m_isShelfFolded);
+}
+
+/// Bold is what still is so and nobody has seen; what is over is grey.
+void AlarmList::fill(QTreeWidgetItem* item, const Alarm& alarm, std::size_t following) const {
+    const bool dark = isDark(this);
     item->setData(kPriority, kIdRole, QVariant::fromValue<qulonglong>(alarm.id));
-    item->setIcon(kPriority, QIcon(alarmPixmap(alarm.priority, isDark(this), kRowMark, devicePixelRatioF())));
+    item->setText(kPriority, QString());
+    item->setIcon(kPriority,
+                  QIcon(alarmPixmap(alarm.priority, dark, kRowMark, devicePixelRatioF(), !alarm.isActive)));
     item->setData(kPriority, Qt::AccessibleTextRole, tr("Priority %1").arg(alarm.priority));
-    item->setText(kState, alarmStateWords(alarm));
+    QString state = alarm.shelvedUntil_s > 0.0 ? shelfWords(alarm, m_today) : alarmStateWords(alarm);
+    if (following > 0)
+        state += tr(", %n follow(s)", "from this alarm", static_cast<int>(following));
+    item->setText(kState, state);
+    item->setToolTip(kState, state);
     item->setText(kRaised, alarmTime(alarm.raised_s, m_today));
     item->setText(kTimes, alarm.count > 1 ? tr("%1×").arg(alarm.count) : QString());
     const QString sentence = alarmSentence(alarm, m_unit);
     item->setText(kWhat, sentence);
     item->setToolTip(kWhat, sentence);
+    const bool isShelved = alarm.shelvedUntil_s > 0.0;
+    const bool isQuiet = !alarm.isActive || isShelved;
     QFont font = m_tree->font();
-    font.setBold(!alarm.isAcknowledged);
+    font.setBold(!alarm.isAcknowledged && !isQuiet);
     font.setItalic(!alarm.isActive);
-    const QBrush ink = m_isStale         ? palette().brush(QPalette::Disabled, QPalette::Text)
-                       : !alarm.isActive ? QBrush(secondaryText(isDark(this)))
-                                         : palette().brush(QPalette::Active, QPalette::Text);
+    const QBrush ink = m_isStale ? palette().brush(QPalette::Disabled, QPalette::Text)
+                       : isQuiet ? QBrush(secondaryText(dark))
+                                 : palette().brush(QPalette::Active, QPalette::Text);
     for (int column = kPriority; column < kColumns; ++column) {
         item->setFont(column, font);
         item->setForeground(column, ink);
     }
+    if (alarm.id == m_chosen)
+        m_tree->setCurrentItem(item);
+}
+
+/// Causes only: what follows from one goes with it.
+bool AlarmList::isShelvable(const Alarm& alarm) const {
+    return std::ranges::any_of(m_groups.present,
+                               [&](const AlarmGroup& group) { return group.alarm.id == alarm.id; });
+}
+
+void AlarmList::openShelf() {
+    const Alarm* alarm = chosen();
+    if (alarm == nullptr)
+        return;
+    if (alarm->shelvedUntil_s > 0.0)
+        return emit unshelveRequested(alarm->id);
+    m_shelf->open(alarm->id, alarm->priority == 1 ? ShelveAlarm::kLongestGrave_s : ShelveAlarm::kLongest_s,
+                  *m_shelve);
 }
 
 const Alarm* AlarmList::chosen() const {
@@ -177,6 +284,10 @@ QString AlarmList::guidance() const {
         facts << tr("Over at %1.").arg(alarmTime(alarm->cleared_s, m_today));
     if (alarm->isFirst)
         facts << tr("The first of those that came together: likely their cause.");
+    if (!alarm->cause.empty() && !isShelvable(*alarm) && alarm->shelvedUntil_s <= 0.0)
+        facts << tr("It follows from the alarm over it, and goes with that.");
+    if (alarm->shelvedUntil_s > 0.0)
+        facts << shelfWords(*alarm, m_today) + u'.';
     if (alarm->isFromBefore)
         facts << tr("It was active when Bask was last left.");
     return QStringLiteral("<p style=\"margin:0\">%1</p><p style=\"margin:4px 0 0 0; color:%2\">%3</p>")
@@ -194,6 +305,16 @@ void AlarmList::showChosen() {
     const Alarm* alarm = chosen();
     m_acknowledge->setEnabled(!m_isStale && alarm != nullptr && !alarm->isAcknowledged);
     m_acknowledgeAll->setEnabled(!m_isStale && !std::ranges::all_of(m_alarms, &Alarm::isAcknowledged));
+    const bool isShelved = alarm != nullptr && alarm->shelvedUntil_s > 0.0;
+    m_shelve->setEnabled(!m_isStale && alarm != nullptr && (isShelved || isShelvable(*alarm)));
+    const QString verb = isShelved ? tr("Take the alarm back from the shelf")
+                                   : tr("Shelve: put the alarm aside for a time, with a reason");
+    if (verb != m_shelve->accessibleName()) {
+        m_shelve->setAccessibleName(verb);
+        m_shelve->setToolTip(verb);
+    }
+    m_shelve->setCheckable(isShelved);
+    m_shelve->setChecked(isShelved);
 }
 
 void AlarmList::retranslateUi() {
@@ -201,6 +322,7 @@ void AlarmList::retranslateUi() {
     m_tree->setAccessibleName(accessibleName());
     m_tree->setHeaderLabels({tr("Priority"), tr("State"), tr("Raised"), tr("Times"), tr("What is wrong")});
     m_guidance->setAccessibleName(tr("What to do about the alarm"));
+    m_shelve->setIcon(QIcon(shelfPixmap(palette().color(QPalette::ButtonText), devicePixelRatioF())));
     m_acknowledge->setText(tr("Acknowledge"));
     m_acknowledge->setToolTip(
         tr("You have seen this alarm. It stays in the list while its condition holds."));

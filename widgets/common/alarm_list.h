@@ -1,25 +1,31 @@
 #pragma once
-// The alarms, the gravest first, and of the chosen one what to do.
+// The alarms, the gravest first, what follows from each under it, those put aside at the end, and of the
+// chosen one what to do.
 
 #include "engine/base/units.h"
-#include "engine/session/alarm.h"
+#include "widgets/common/alarm_groups.h"
 
 #include <QDate>
 #include <QWidget>
 
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 class QPushButton;
 class QTextEdit;
+class QToolButton;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace bask {
 
-/// Object names: "alarmList", "alarmListTree" (priority, state, raised, times, what), "alarmGuidance",
-/// "acknowledgeAlarm" (the chosen one), "acknowledgeAllAlarms".
+class ShelfPopup;
+
+/// Object names: "alarmList", "alarmListTree" (priority, state, raised, times, what; what follows from an
+/// alarm is folded under it, the last row holds the shelved ones), "alarmGuidance", "acknowledgeAlarm" (the
+/// chosen one), "acknowledgeAllAlarms", "shelveAlarm" (or back, of a shelved one), "shelfPopup" (see there).
 class AlarmList : public QWidget {
     Q_OBJECT
 
@@ -38,19 +44,29 @@ public:
 signals:
     void acknowledgeRequested(quint64 id);
     void acknowledgeAllRequested();
+    void shelveRequested(quint64 id, double for_s, const QString& reason);
+    void unshelveRequested(quint64 id);
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     void showRows();
-    void fill(QTreeWidgetItem* item, const Alarm& alarm) const;
+    void showGroup(QTreeWidgetItem* item, const AlarmGroup& group);
+    void showShelf(QTreeWidgetItem* item);
+    void fill(QTreeWidgetItem* item, const Alarm& alarm, std::size_t following = 0) const;
+    void setFolded(const QTreeWidgetItem* item, bool isFolded);
+    void openShelf();
     void showChosen();
     QString guidance() const;
     const Alarm* chosen() const;
+    bool isShelvable(const Alarm& alarm) const;
     void retranslateUi();
 
     std::vector<Alarm> m_alarms;
+    AlarmGroups m_groups; ///< of them
+    std::set<std::uint64_t> m_unfolded;
+    bool m_isShelfFolded = false;
     QDate m_today;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isStale = false;
@@ -60,6 +76,8 @@ private:
     QTextEdit* m_guidance;
     QPushButton* m_acknowledge;
     QPushButton* m_acknowledgeAll;
+    QToolButton* m_shelve;
+    ShelfPopup* m_shelf;
 };
 
 } // namespace bask

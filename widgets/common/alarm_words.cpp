@@ -25,6 +25,11 @@ QString alarmStateWords(const Alarm& alarm) {
     return words.join(Words::tr(", ", "between states"));
 }
 
+QString shelfWords(const Alarm& alarm, QDate today) {
+    return Words::tr("Shelved until %1: %2")
+        .arg(alarmTime(alarm.shelvedUntil_s, today), QString::fromStdString(alarm.shelfReason));
+}
+
 QString alarmSentence(const Alarm& alarm, TemperatureUnit unit) {
     return inUnit(sentenceText(alarm.message), unit);
 }

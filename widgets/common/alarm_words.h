@@ -11,6 +11,8 @@ namespace bask {
 
 /// "Active, new, first": whether it is still so, whether somebody has seen it, and what is special.
 QString alarmStateWords(const Alarm& alarm);
+/// "Shelved until 14:05:00: the fan is off today".
+QString shelfWords(const Alarm& alarm, QDate today);
 /// What, value, limit, likely cause and what to do, temperatures in the unit shown.
 QString alarmSentence(const Alarm& alarm, TemperatureUnit unit);
 /// Its first part, for where there is little room.

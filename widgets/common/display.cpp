@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -70,6 +71,14 @@ QString formatDuration(double time_s) {
     return time_s < 0.0 && total > 0 ? QChar(0x2212) + text : text;
 }
 
+QString formatAge(double age_s) {
+    if (!std::isfinite(age_s))
+        return DisplayWords::tr("no value yet");
+    if (age_s < 99.5)
+        return DisplayWords::tr("%1 s old").arg(std::max(0.0, age_s), 0, 'f', 0);
+    return DisplayWords::tr("%1 old", "%1 is minutes and seconds").arg(formatDuration(age_s));
+}
+
 QString formatDate(const QDateTime& time) {
     return time.toLocalTime().toString(QStringLiteral("yyyy-MM-dd HH:mm"));
 }
@@ -115,7 +124,7 @@ QString runStateWord(RunState state) {
 QString runStateExplanation(RunState state) {
     switch (state) {
     case RunState::Idle:
-        return DisplayWords::tr("Nothing is armed. Heat and motion are off.");
+        return DisplayWords::tr("Nothing is armed.");
     case RunState::NotReady:
         return DisplayWords::tr("The rig cannot be armed or started yet.");
     case RunState::Ready:
@@ -130,11 +139,11 @@ QString runStateExplanation(RunState state) {
         return DisplayWords::tr(
             "All objects stay within their tolerance band. The controller keeps working.");
     case RunState::Stopping:
-        return DisplayWords::tr("The run is ending: the robot retreats and the heat is off.");
+        return DisplayWords::tr("The robot takes the objects away, and the heat was ordered off.");
     case RunState::Stopped:
-        return DisplayWords::tr("The run has ended. Heat and motion are off.");
+        return DisplayWords::tr("The run has ended.");
     case RunState::Fault:
-        return DisplayWords::tr("Heat and motion are off. Remove the cause, then press Reset.");
+        return DisplayWords::tr("A stop or a fault is latched. Remove its cause, then press Reset.");
     }
     return {};
 }

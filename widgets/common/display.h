@@ -26,6 +26,8 @@ QString formatDifference(double d_K, TemperatureUnit unit, int decimals = 1);
 QString formatRate(double rate_K_s, TemperatureUnit unit, int decimals = 1);
 /// "0:42", "12:03", "1:02:03".
 QString formatDuration(double time_s);
+/// "12 s old", "2:05 old"; of what was never told "no value yet".
+QString formatAge(double age_s);
 /// "2026-11-23 14:05" where this computer is: the same in every language.
 QString formatDate(const QDateTime& time);
 /// "12.5 mm".

@@ -16,10 +16,12 @@ struct MarkerWords {
 QString markerWord(MessageCode code) {
     switch (code) {
     case MessageCode::EventHeld:
+    case MessageCode::EventHeldFor:
         return MarkerWords::tr("Hold");
     case MessageCode::EventResumed:
         return MarkerWords::tr("Resume");
     case MessageCode::EventStopped:
+    case MessageCode::EventStoppedFor:
         return MarkerWords::tr("Stop");
     case MessageCode::EventEmergencyStop:
         return MarkerWords::tr("STOP");

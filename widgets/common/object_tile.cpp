@@ -8,6 +8,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
+#include <QPushButton>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -20,8 +21,8 @@ constexpr double kSteadyRate_K_s = 1.0 / 60.0; ///< slower than this is neither 
 constexpr int kStateIcon = 14;
 
 QPixmap activityPixmap(ObjectActivity activity, bool dark, const QColor& ink, double devicePixelRatio) {
-    if (activity == ObjectActivity::SensorInvalid)
-        return alarmPixmap(1, dark, kStateIcon, devicePixelRatio);
+    if (isUnknown(activity))
+        return unknownPixmap(dark, kStateIcon, devicePixelRatio);
     QPixmap pixmap(QSize(kStateIcon, kStateIcon) * devicePixelRatio);
     pixmap.setDevicePixelRatio(devicePixelRatio);
     pixmap.fill(Qt::transparent);
@@ -64,7 +65,11 @@ QString activityWord(ObjectActivity activity) {
     case ObjectActivity::Waiting:
         return ObjectTile::tr("No reading yet");
     case ObjectActivity::SensorInvalid:
-        return ObjectTile::tr("Sensor invalid");
+        return ObjectTile::tr("UNKNOWN", "the temperature of an object");
+    case ObjectActivity::SensorStale:
+        return ObjectTile::tr("Stale", "the reading of an object");
+    case ObjectActivity::SensorDistrusted:
+        return ObjectTile::tr("Not believed", "the reading of an object");
     case ObjectActivity::Heating:
         return ObjectTile::tr("Heating");
     case ObjectActivity::Cooling:
@@ -77,6 +82,11 @@ QString activityWord(ObjectActivity activity) {
         return ObjectTile::tr("Settled");
     }
     return {};
+}
+
+bool isUnknown(ObjectActivity activity) {
+    return activity == ObjectActivity::SensorInvalid || activity == ObjectActivity::SensorStale ||
+           activity == ObjectActivity::SensorDistrusted;
 }
 
 ObjectTile::ObjectTile(int index, QWidget* parent) : QFrame(parent), m_index(index) {
@@ -94,6 +104,10 @@ ObjectTile::ObjectTile(int index, QWidget* parent) : QFrame(parent), m_index(ind
     m_stateIcon = label("tileStateIcon", Qt::AlignRight);
     m_stateLabel = label("tileState", Qt::AlignRight);
     m_temperature = label("tileTemperature", Qt::AlignLeft);
+    m_age = label("tileAge", Qt::AlignLeft);
+    m_confirm = new QPushButton(this);
+    m_confirm->setObjectName(QStringLiteral("confirmSensor"));
+    connect(m_confirm, &QPushButton::clicked, this, &ObjectTile::confirmRequested);
     m_targetCaption = label("tileTargetCaption", Qt::AlignRight);
     m_errorCaption = label("tileErrorCaption", Qt::AlignRight);
     m_rateCaption = label("tileRateCaption", Qt::AlignRight);
@@ -110,7 +124,14 @@ ObjectTile::ObjectTile(int index, QWidget* parent) : QFrame(parent), m_index(ind
     auto* numbers = new QGridLayout;
     numbers->setHorizontalSpacing(8);
     numbers->setVerticalSpacing(0);
-    numbers->addWidget(m_temperature, 0, 0, 3, 1);
+    auto* reading = new QVBoxLayout;
+    reading->setSpacing(0);
+    reading->addStretch(1);
+    reading->addWidget(m_temperature);
+    reading->addWidget(m_age);
+    reading->addWidget(m_confirm, 0, Qt::AlignLeft);
+    reading->addStretch(1);
+    numbers->addLayout(reading, 0, 0, 3, 1);
     numbers->setColumnStretch(0, 1);
     QLabel* const rows[3][2] = {
         {m_targetCaption, m_target}, {m_errorCaption, m_error}, {m_rateCaption, m_rate}};
@@ -140,6 +161,7 @@ void ObjectTile::clear(double target_K) {
     m_sample = ObjectSample{};
     m_sample.measured_K = m_sample.estimated_K = m_sample.rate_K_s = kNaN;
     m_sample.target_K = target_K;
+    m_sensor = {};
     m_inBandSince_s = -1.0;
     m_rates.clear();
     m_activity = ObjectActivity::Waiting;
@@ -171,8 +193,12 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
         m_inBandSince_s = -1.0;
     else if (m_inBandSince_s < 0.0 || m_inBandSince_s > time_s)
         m_inBandSince_s = time_s;
+    if (m_sensor.trust == SensorTrust::Distrusted)
+        return ObjectActivity::SensorDistrusted;
     if (!sample.valid || !std::isfinite(sample.measured_K))
         return ObjectActivity::SensorInvalid;
+    if (m_sensor.trust == SensorTrust::Stale)
+        return ObjectActivity::SensorStale;
     if (inBand)
         return time_s - m_inBandSince_s >= kSettledAfter_s ? ObjectActivity::Settled
                                                            : ObjectActivity::Settling;
@@ -183,8 +209,9 @@ ObjectActivity ObjectTile::judge(double time_s, const ObjectSample& sample) {
     return ObjectActivity::Steady;
 }
 
-void ObjectTile::setSample(double time_s, const ObjectSample& sample) {
+void ObjectTile::setSample(double time_s, const ObjectSample& sample, const SensorView& sensor) {
     m_sample = sample;
+    m_sensor = sensor;
     m_activity = judge(time_s, sample);
     showValues();
 }
@@ -195,6 +222,7 @@ void ObjectTile::setMoment(const std::vector<TraceSample>& samples, std::size_t 
         --first;
     m_inBandSince_s = -1.0;
     m_rates.clear();
+    m_sensor = {};
     for (std::size_t row = first; row <= k; ++row)
         m_activity = judge(samples[row].time_s, samples[row].objects[i]);
     m_sample = samples[k].objects[i];
@@ -208,16 +236,15 @@ void ObjectTile::setTemperatureUnit(TemperatureUnit unit) {
 
 void ObjectTile::showValues() {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
-    const double measured_K =
-        m_sample.valid ? m_sample.measured_K : nothing; // an invalid reading is no number, never 0
-    m_temperature->setText(formatTemperature(measured_K, m_unit));
+    const bool isKnown = m_sample.valid && !isUnknown(m_activity);
+    const double measured_K = isKnown ? m_sample.measured_K : nothing;
+    showTemperature();
     m_target->setText(formatTemperature(m_sample.target_K, m_unit));
     m_error->setText(formatDifference(measured_K - m_sample.target_K, m_unit));
-    m_rate->setText(formatRate(m_sample.valid ? rate_K_s() : nothing, m_unit));
+    m_rate->setText(formatRate(isKnown ? rate_K_s() : nothing, m_unit));
 
     const bool dark = isDark(this);
-    const bool alarm = m_activity == ObjectActivity::SensorInvalid;
-    const QColor ink = alarm ? alarmColor(1, dark) : palette().color(QPalette::WindowText);
+    const QColor ink = isUnknown(m_activity) ? unknownColor(dark) : palette().color(QPalette::WindowText);
     if (const QString word = activityWord(m_activity);
         word != m_stateLabel->text() || m_stateIcon->pixmap().isNull()) {
         m_stateLabel->setText(word);
@@ -227,7 +254,34 @@ void ObjectTile::showValues() {
         m_stateLabel->setPalette(state);
         update();
     }
-    setAccessibleDescription(QStringLiteral("%1, %2").arg(m_stateLabel->text(), m_temperature->text()));
+    setAccessibleDescription(
+        QStringLiteral("%1, %2 %3").arg(m_stateLabel->text(), m_temperature->text(), m_age->text()));
+}
+
+/// What is shown of a reading that is not known is the last that was: grey and with its age, never as if it
+/// were the present one, and never 0.
+void ObjectTile::showTemperature() {
+    const bool isOld = isUnknown(m_activity);
+    const bool isDoubted = m_activity == ObjectActivity::SensorDistrusted;
+    const double told_K =
+        std::isfinite(m_sensor.told_K) || !m_sample.valid ? m_sensor.told_K : m_sample.measured_K;
+    m_temperature->setText(formatTemperature(isOld            ? told_K
+                                             : m_sample.valid ? m_sample.measured_K
+                                                              : std::numeric_limits<double>::quiet_NaN(),
+                                             m_unit));
+    if (QFont font = m_temperature->font(); font.strikeOut() != isDoubted) {
+        font.setStrikeOut(isDoubted);
+        m_temperature->setFont(font);
+    }
+    QPalette shown = palette();
+    if (isOld)
+        shown.setColor(QPalette::WindowText, secondaryText(isDark(this)));
+    if (m_temperature->palette() != shown)
+        m_temperature->setPalette(shown);
+    m_age->setText(isOld && !isDoubted && std::isfinite(m_sensor.age_s) ? formatAge(m_sensor.age_s)
+                                                                        : QString());
+    m_age->setVisible(!isDoubted);
+    m_confirm->setVisible(isDoubted);
 }
 
 void ObjectTile::retranslateUi() {
@@ -238,6 +292,11 @@ void ObjectTile::retranslateUi() {
     m_rateCaption->setToolTip(tr("Mean of the last 10 s"));
     setAccessibleName(tr("Object %1").arg(m_name));
     m_temperature->setAccessibleName(tr("Measured temperature of %1").arg(m_name));
+    m_age->setToolTip(tr("Age of the newest reading that was believed"));
+    m_confirm->setText(tr("Confirm"));
+    m_confirm->setAccessibleName(tr("Confirm the sensor of %1").arg(m_name));
+    m_confirm->setToolTip(
+        tr("You have looked: the sensor is on its object and right. It is believed again."));
     m_stateIcon->clear();
     showValues();
 }
@@ -249,15 +308,18 @@ void ObjectTile::restyle() {
     m_nameLabel->setFont(bold);
     QFont big = font();
     big.setPointSizeF(font().pointSizeF() * 2.1);
+    big.setStrikeOut(m_temperature->font().strikeOut());
     m_temperature->setFont(big);
     m_swatch->setPixmap(seriesSwatch(m_index, dark, {44, 14}, devicePixelRatioF()));
-    for (QLabel* caption : {m_targetCaption, m_errorCaption, m_rateCaption})
+    for (QLabel* caption : {m_targetCaption, m_errorCaption, m_rateCaption, m_age})
         caption->setPalette(captionPalette(palette()));
     // Widths of the longest figures, so that nothing moves while the numbers run.
     const QFontMetrics metrics(font());
     for (QLabel* value : {m_target, m_error, m_rate})
         value->setMinimumWidth(metrics.horizontalAdvance(QStringLiteral("+00.0\u00a0K/min")));
     m_temperature->setMinimumWidth(QFontMetrics(big).horizontalAdvance(QStringLiteral("000.0\u00a0\u00b0C")));
+    const int foot = std::max(m_age->sizeHint().height(), m_confirm->sizeHint().height());
+    m_age->setMinimumHeight(foot); // the tile is as high with the one as with the other
     m_stateIcon->clear();
     showValues();
     update();
@@ -267,9 +329,9 @@ void ObjectTile::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool dark = isDark(this);
-    const bool alarm = m_activity == ObjectActivity::SensorInvalid;
     painter.setBrush(palette().color(QPalette::Base));
-    painter.setPen(alarm ? QPen(alarmColor(1, dark), 2.0) : QPen(hairline(dark), 1.0));
+    painter.setPen(isUnknown(m_activity) ? QPen(unknownColor(dark), 2.0, Qt::DashLine)
+                                         : QPen(hairline(dark), 1.0));
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
 }
 

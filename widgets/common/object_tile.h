@@ -3,23 +3,44 @@
 // in a word.
 
 #include "engine/base/units.h"
-#include "engine/session/trace.h"
+#include "engine/runtime/snapshot.h"
 
 #include <QFrame>
 
 #include <deque>
+#include <limits>
 #include <utility>
 #include <vector>
 
 class QLabel;
+class QPushButton;
 
 namespace bask {
 
-/// What an object is doing, judged from its newest reading.
-enum class ObjectActivity { Waiting, SensorInvalid, Heating, Cooling, Steady, Settling, Settled };
+/// What an object is doing, judged from its newest reading; or why nobody knows.
+enum class ObjectActivity {
+    Waiting,
+    SensorInvalid,
+    SensorStale,
+    SensorDistrusted,
+    Heating,
+    Cooling,
+    Steady,
+    Settling,
+    Settled
+};
 
-/// Object names: the tile "objectTile.<index>"; inside "tileName", "tileState", "tileTemperature",
-/// "tileTarget", "tileError", "tileRate".
+/// How far an object's reading is believed, as the engine tells.
+struct SensorView {
+    SensorTrust trust = SensorTrust::Trusted;
+    double age_s = std::numeric_limits<double>::infinity();   ///< of the newest believed reading
+    double told_K = std::numeric_limits<double>::quiet_NaN(); ///< newest value, believed or not; NaN: none
+    bool operator==(const SensorView&) const = default;
+};
+
+/// A temperature that is not known, or no more, is grey with its age; one that is not believed is struck out,
+/// and a person can confirm it. Object names: the tile "objectTile.<index>"; inside "tileName", "tileState",
+/// "tileTemperature", "tileAge", "confirmSensor", "tileTarget", "tileError", "tileRate".
 class ObjectTile : public QFrame {
     Q_OBJECT
 public:
@@ -30,7 +51,7 @@ public:
 
     void setName(const QString& name);
     /// `time_s` is that of the reading, of any clock: it tells how long the object has been in its band.
-    void setSample(double time_s, const ObjectSample& sample);
+    void setSample(double time_s, const ObjectSample& sample, const SensorView& sensor = {});
     /// Any moment of a record: row `k`, this object being number `i` of each. What it was doing is judged as
     /// it would have been live, which takes the rows of the last kSettledAfter_s and the one before.
     void setMoment(const std::vector<TraceSample>& samples, std::size_t k, std::size_t i);
@@ -38,6 +59,10 @@ public:
     void clear(double target_K);
     void setTemperatureUnit(TemperatureUnit unit);
     ObjectActivity activity() const { return m_activity; }
+
+signals:
+    /// A person says that the sensor is right.
+    void confirmRequested();
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -47,6 +72,7 @@ private:
     void retranslateUi();
     void restyle();
     void showValues();
+    void showTemperature();
     ObjectActivity judge(double time_s, const ObjectSample& sample);
     void takeRate(double time_s, const ObjectSample& sample);
     double rate_K_s() const; ///< NaN: none
@@ -54,14 +80,18 @@ private:
     int m_index;
     QString m_name;
     ObjectSample m_sample;
+    SensorView m_sensor;
     ObjectActivity m_activity = ObjectActivity::Waiting;
     double m_inBandSince_s = -1.0;
     std::deque<std::pair<double, double>> m_rates; ///< of the last kRateOver_s: time, K/s
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
-    QLabel *m_swatch, *m_nameLabel, *m_stateIcon, *m_stateLabel, *m_temperature;
+    QLabel *m_swatch, *m_nameLabel, *m_stateIcon, *m_stateLabel, *m_temperature, *m_age;
+    QPushButton* m_confirm;
     QLabel *m_targetCaption, *m_errorCaption, *m_rateCaption, *m_target, *m_error, *m_rate;
 };
 
 QString activityWord(ObjectActivity activity);
+/// Its temperature is not known.
+bool isUnknown(ObjectActivity activity);
 
 } // namespace bask

@@ -18,7 +18,11 @@ namespace {
 
 constexpr int kIcon = 16;
 constexpr int kPadding = 10;
+constexpr int kArrow = 14;
+constexpr int kHeight = 38;       // of the buttons beside it
+constexpr int kMostCompact = 150; // px
 constexpr int kReasonWidth = 420;
+constexpr double kCaptionSize = 0.82;
 
 constexpr std::array kStates{RunState::Idle,    RunState::NotReady, RunState::Ready,   RunState::Armed,
                              RunState::Running, RunState::Holding,  RunState::Settled, RunState::Stopping,
@@ -107,10 +111,27 @@ RunStateChip::RunStateChip(QWidget* parent) : QAbstractButton(parent), m_menu(ne
 }
 
 void RunStateChip::setState(RunState state, const QStringList& reasons) {
-    if (state == m_state && reasons == m_reasons)
+    if (state == m_state && reasons == m_reasons && !m_isUnknown)
         return;
+    m_isUnknown = false;
     m_state = state;
     m_reasons = reasons;
+    retranslateUi();
+}
+
+void RunStateChip::setUnknown(const QString& reason) {
+    if (m_isUnknown && m_reasons == QStringList{reason})
+        return;
+    m_isUnknown = true;
+    m_reasons = {reason};
+    m_caption.clear();
+    retranslateUi();
+}
+
+void RunStateChip::setCaption(const QString& caption) {
+    if (caption == m_caption)
+        return;
+    m_caption = caption;
     retranslateUi();
 }
 
@@ -128,16 +149,25 @@ void RunStateChip::setCompact(bool isCompact) {
     updateGeometry();
 }
 
+QString RunStateChip::word() const {
+    return m_isUnknown ? tr("UNKNOWN", "state of the run") : chipText(m_state, m_reasons.size());
+}
+
 void RunStateChip::retranslateUi() {
-    setText(chipText(m_state, m_reasons.size()));
-    setToolTip(runStateExplanation(m_state) + QLatin1Char('\n') +
-               tr("Click for the reasons and what to do."));
-    setAccessibleName(tr("State of the run: %1").arg(text()));
-    setAccessibleDescription(m_reasons.isEmpty() ? runStateExplanation(m_state)
-                                                 : m_reasons.join(QLatin1Char('\n')));
+    setText(word());
+    const QString explanation = m_isUnknown ? m_reasons.first() : runStateExplanation(m_state);
+    QStringList tips{explanation};
+    if (!m_caption.isEmpty())
+        tips << m_notes;
+    if (!m_isUnknown)
+        tips << tr("Click for the reasons and what to do.");
+    setToolTip(tips.join(QLatin1Char('\n')));
+    setAccessibleName(tr("State of the run: %1")
+                          .arg(m_caption.isEmpty() ? text() : text() + QStringLiteral(", ") + m_caption));
+    setAccessibleDescription(m_reasons.isEmpty() ? explanation : m_reasons.join(QLatin1Char('\n')));
 
     m_menu->clear();
-    const QStringList lines = m_reasons.isEmpty() ? QStringList{runStateExplanation(m_state)} : m_reasons;
+    const QStringList lines = m_reasons.isEmpty() ? QStringList{explanation} : m_reasons;
     for (int i = 0; i < lines.size(); ++i) {
         QAction* action =
             addLine(m_reasons.size() > 1 ? QStringLiteral("%1.  %2").arg(i + 1).arg(lines[i]) : lines[i]);
@@ -171,23 +201,26 @@ void RunStateChip::openMenu() {
     m_menu->popup(mapToGlobal(QPoint(0, height() + 2)));
 }
 
+/// Wide enough for every state, so that the bar does not jump when the state changes.
 QSize RunStateChip::sizeHint() const {
     QFont bold = font();
     bold.setBold(true);
     const QFontMetrics metrics(bold);
-    int widest = metrics.horizontalAdvance(text());
-    if (!m_isCompact) // wide enough for every state, so that the bar does not jump when the state changes
-        for (RunState state : kStates)
-            widest = std::max(
-                widest, metrics.horizontalAdvance(chipText(state, state == RunState::NotReady ? 9 : 0)));
-    return {widest + kIcon + 3 * kPadding + 14, std::max(metrics.height() + 12, 30)};
+    int widest = metrics.horizontalAdvance(tr("UNKNOWN", "state of the run"));
+    for (RunState state : kStates)
+        widest =
+            std::max(widest, metrics.horizontalAdvance(chipText(state, state == RunState::NotReady ? 9 : 0)));
+    const int whole = widest + kIcon + 3 * kPadding + kArrow;
+    return {m_isCompact ? std::min(whole, kMostCompact) : whole, std::max(2 * metrics.height() + 4, kHeight)};
 }
 
 void RunStateChip::paintEvent(QPaintEvent*) {
     const bool dark = isDark(this);
-    const int priority = alarmPriority(m_state);
-    const bool fault = m_state == RunState::Fault;
-    const QColor signal = priority > 0 ? alarmColor(priority, dark) : inkColor(m_state, dark);
+    const int priority = m_isUnknown ? 0 : alarmPriority(m_state);
+    const bool fault = m_isUnknown || m_state == RunState::Fault;
+    const QColor signal = m_isUnknown    ? unknownColor(dark)
+                          : priority > 0 ? alarmColor(priority, dark)
+                                         : inkColor(m_state, dark);
 
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -200,7 +233,9 @@ void RunStateChip::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 6, 6);
 
     const QRect icon(kPadding, (height() - kIcon) / 2, kIcon, kIcon);
-    if (priority > 0)
+    if (m_isUnknown)
+        painter.drawPixmap(icon, unknownPixmap(dark, kIcon, devicePixelRatioF()));
+    else if (priority > 0)
         painter.drawPixmap(icon, alarmPixmap(priority, dark, kIcon, devicePixelRatioF()));
     else
         drawStateIcon(painter, m_state, icon, signal);
@@ -210,7 +245,20 @@ void RunStateChip::paintEvent(QPaintEvent*) {
     painter.setFont(bold);
     painter.setPen(palette().color(QPalette::WindowText));
     const int left = icon.right() + 1 + kPadding - 2;
-    painter.drawText(QRect(left, 0, width() - left - 20, height()), Qt::AlignVCenter | Qt::AlignLeft, text());
+    const QRect room(left, 0, width() - left - kPadding - kArrow + 4, height());
+    const auto write = [&](const QRect& in, const QString& line) {
+        painter.drawText(in, Qt::AlignVCenter | Qt::AlignLeft,
+                         painter.fontMetrics().elidedText(line, Qt::ElideRight, in.width()));
+    };
+    if (m_caption.isEmpty()) {
+        write(room, text());
+    } else {
+        write(room.adjusted(0, 2, 0, -height() / 2 + 1), text());
+        QFont small = font();
+        small.setPointSizeF(font().pointSizeF() * kCaptionSize);
+        painter.setFont(small);
+        write(room.adjusted(0, height() / 2, kArrow, -2), m_caption);
+    }
 
     painter.setPen(QPen(secondaryText(dark), 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     const QPointF arrow(width() - kPadding - 5, height() / 2.0 + 1.5);

@@ -159,13 +159,14 @@ QColor alarmColor(int priority, bool dark) {
     }
 }
 
-QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio) {
+QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio, bool isOver) {
     QPixmap pixmap = blankPixmap({size, size}, devicePixelRatio);
     QPainter painter(&pixmap);
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(alarmColor(priority, dark));
-    const QRectF box = QRectF(0, 0, size, size).adjusted(0.5, 0.5, -0.5, -0.5);
+    painter.setPen(isOver ? QPen(secondaryText(dark), 1.2) : QPen(Qt::NoPen));
+    painter.setBrush(isOver ? QBrush(Qt::NoBrush) : QBrush(alarmColor(priority, dark)));
+    const double edge = isOver ? 1.0 : 0.5;
+    const QRectF box = QRectF(0, 0, size, size).adjusted(edge, edge, -edge, -edge);
     QRectF textBox = box;
     if (priority == 1) {
         painter.drawPolygon(QPolygonF{{box.center().x(), box.top()}, box.bottomRight(), box.bottomLeft()});
@@ -182,8 +183,30 @@ QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio) 
     font.setBold(true);
     font.setPixelSize(qMax(6, qRound(size * (priority == 1 ? 0.58 : 0.62))));
     painter.setFont(font);
-    painter.setPen(priority == 1 && !dark ? Qt::white : Qt::black);
+    painter.setPen(isOver ? secondaryText(dark) : QColor(priority == 1 && !dark ? Qt::white : Qt::black));
     painter.drawText(textBox, Qt::AlignCenter, QString::number(priority));
+    return pixmap;
+}
+
+QColor unknownColor(bool dark) {
+    return dark ? QColor(0xce, 0xa6, 0xf5) : QColor(0x77, 0x36, 0xa3);
+}
+
+QPixmap unknownPixmap(bool dark, int size, double devicePixelRatio) {
+    QPixmap pixmap = blankPixmap({size, size}, devicePixelRatio);
+    QPainter painter(&pixmap);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const QColor colour = unknownColor(dark);
+    QPen frame(colour, qMax(1.2, size * 0.08));
+    frame.setDashPattern({1.8, 1.2});
+    painter.setPen(frame);
+    painter.drawRoundedRect(QRectF(0, 0, size, size).adjusted(1, 1, -1, -1), size * 0.16, size * 0.16);
+    QFont font = QApplication::font();
+    font.setBold(true);
+    font.setPixelSize(qMax(7, qRound(size * 0.72)));
+    painter.setFont(font);
+    painter.setPen(colour);
+    painter.drawText(QRectF(0, 0, size, size), Qt::AlignCenter, QStringLiteral("?"));
     return pixmap;
 }
 

@@ -36,8 +36,13 @@ QPixmap seriesSwatch(int index, bool dark, QSize size, double devicePixelRatio);
 
 /// Alarm colours; always shown with their shape and figure. Priority 1 red, 2 orange, 3 yellow.
 QColor alarmColor(int priority, bool dark);
-/// Red triangle "1", orange diamond "2" or yellow circle "3".
-QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio);
+/// Red triangle "1", orange diamond "2" or yellow circle "3"; of an alarm that is over the grey outline.
+QPixmap alarmPixmap(int priority, bool dark, int size, double devicePixelRatio, bool isOver = false);
+
+/// What is not known is neither good nor bad, and has a colour and a shape of its own: a violet square that
+/// is open, with a question mark.
+QColor unknownColor(bool dark);
+QPixmap unknownPixmap(bool dark, int size, double devicePixelRatio);
 
 QColor accentColor(bool dark);   ///< running, selected, changed: a quiet blue
 QColor secondaryText(bool dark); ///< captions; at least 4.5:1 on window and base

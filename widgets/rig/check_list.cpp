@@ -63,9 +63,13 @@ void CheckList::put(Line& line, Kind kind, const QString& text) {
     const CheckMark mark = kind == Kind::Done    ? CheckMark::Tick
                            : kind == Kind::Wrong ? CheckMark::Cross
                                                  : CheckMark::Waiting;
-    line.mark->setPixmap(kind == Kind::Reason ? alarmPixmap(3, dark, kRowMark, ratio)
-                                              : checkMarkPixmap(mark, dark, kRowMark, ratio));
-    const QString word = kind == Kind::Done ? tr("done") : kind == Kind::Wrong ? tr("wrong") : tr("not yet");
+    line.mark->setPixmap(kind == Kind::Reason    ? alarmPixmap(3, dark, kRowMark, ratio)
+                         : kind == Kind::Unknown ? unknownPixmap(dark, kRowMark, ratio)
+                                                 : checkMarkPixmap(mark, dark, kRowMark, ratio));
+    const QString word = kind == Kind::Done      ? tr("done")
+                         : kind == Kind::Wrong   ? tr("wrong")
+                         : kind == Kind::Unknown ? tr("not known")
+                                                 : tr("not yet");
     line.text->setAccessibleDescription(word);
 }
 
@@ -134,7 +138,11 @@ void CheckList::showDevices() {
 void CheckList::showPlace() {
     if (m_last.robotAlarm.code != MessageCode::None)
         return put(m_place, Kind::Wrong, tr("Robot: in alarm"));
-    if (!m_last.isPlaceSure)
+    if (m_last.place == PlaceState::Unknown)
+        return put(
+            m_place, Kind::Unknown,
+            tr("Robot: its place is UNKNOWN, what it told last is %1").arg(formatAge(m_last.placeAge_s)));
+    if (m_last.place == PlaceState::Unsure)
         return put(m_place, Kind::Wrong, tr("Robot: its place is not sure"));
     put(m_place, Kind::Done, tr("Robot: its place is sure"));
 }
@@ -146,16 +154,28 @@ void CheckList::showSensors() {
     const QString age = ageText(m_last.sampleAge_s);
     if (!(m_last.sampleAge_s <= kFreshPeriods * m_period_s))
         return put(m_sensors, Kind::Wrong, tr("Sensors: the newest readings are %1 old").arg(age));
-    const auto bad = std::ranges::count(objects, false, &ObjectSample::valid);
+    int bad = 0;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (!objects[i].valid && !(i < m_last.sensors.size() && m_last.sensors[i] == SensorTrust::Distrusted))
+            ++bad;
     if (bad > 0)
         return put(m_sensors, Kind::Wrong,
                    tr("Sensors: %1 of %2 without a valid reading").arg(bad).arg(objects.size()));
+    if (const auto doubted = std::ranges::count(m_last.sensors, SensorTrust::Distrusted); doubted > 0)
+        return put(m_sensors, Kind::Unknown,
+                   tr("Sensors: %1 of %2 not believed").arg(doubted).arg(m_last.sensors.size()));
+    if (const auto stale = std::ranges::count(m_last.sensors, SensorTrust::Stale); stale > 0)
+        return put(m_sensors, Kind::Unknown,
+                   tr("Sensors: %1 of %2 stale").arg(stale).arg(m_last.sensors.size()));
     put(m_sensors, Kind::Done, tr("Sensors: fresh and valid"));
 }
 
 void CheckList::showSource() {
     const double wanted_K = m_last.heatSetPoint_K.value_or(m_setPoint_K);
     const double now_K = sourceTemperature_K(m_last);
+    if (m_last.heat == HeatState::Unknown && !m_last.isSourceByHand)
+        return put(m_source, Kind::Unknown,
+                   tr("Source: UNKNOWN whether it heats, %1").arg(sourceReadingText(m_last, m_unit)));
     if (!std::isfinite(now_K))
         return put(m_source, Kind::Waiting, tr("Source: no temperature"));
     const QString now = formatTemperature(now_K, m_unit), wanted = formatTemperature(wanted_K, m_unit);

@@ -33,7 +33,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum class Kind { Done, Wrong, Waiting, Reason };
+    enum class Kind { Done, Wrong, Waiting, Unknown, Reason };
     struct Line {
         QLabel *mark, *text;
         int shown = -1; ///< kind of the mark that is drawn

@@ -1,5 +1,6 @@
 #include "widgets/rig/device_card.h"
 
+#include "engine/base/message_code.h"
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/rig/check_mark.h"
@@ -43,7 +44,8 @@ void setText(QLabel* label, const QString& text) {
 DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
     : QWidget(parent), m_role(role), m_title(new QLabel(this)), m_driver(new QLabel(this)),
       m_mark(new QLabel(this)), m_word(new QLabel(this)), m_age(new QLabel(this)),
-      m_problem(new QLabel(this)), m_setUp(new QPushButton(this)), m_remove(new QPushButton(this)) {
+      m_problem(new QLabel(this)), m_accept(new QPushButton(this)), m_setUp(new QPushButton(this)),
+      m_remove(new QPushButton(this)) {
     const auto name = [role](const char* part) {
         return QStringLiteral("%1.%2").arg(QLatin1String(part), QLatin1String(roleName(role)));
     };
@@ -52,6 +54,8 @@ DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
     m_word->setObjectName(name("state"));
     m_age->setObjectName(name("age"));
     m_problem->setObjectName(name("problem"));
+    m_accept->setObjectName(name("accept"));
+    m_accept->hide();
     m_setUp->setObjectName(name("setUp"));
     m_remove->setObjectName(name("remove"));
     QFont bold = font();
@@ -80,7 +84,9 @@ DeviceCard::DeviceCard(DeviceRole role, QWidget* parent)
     layout->addWidget(m_driver, 1, 0, 1, 4);
     layout->addWidget(m_age, 2, 0, 1, 4);
     layout->addWidget(m_problem, 3, 0, 1, 4);
+    layout->addWidget(m_accept, 4, 0, 1, 4, Qt::AlignLeft);
     layout->setColumnStretch(1, 1);
+    connect(m_accept, &QPushButton::clicked, this, [this] { emit acceptWanted(m_role); });
     connect(m_setUp, &QPushButton::clicked, this, [this] { emit setUpWanted(m_role); });
     connect(m_remove, &QPushButton::clicked, this, [this] { emit removeWanted(m_role); });
     retranslate();
@@ -106,6 +112,7 @@ void DeviceCard::setState(const std::optional<RigDeviceState>& state) {
 
 void DeviceCard::setEditable(bool editable) {
     m_editable = editable;
+    m_accept->setEnabled(editable);
     m_setUp->setEnabled(editable);
     m_remove->setEnabled(editable);
 }
@@ -138,6 +145,8 @@ void DeviceCard::showState() {
     } else if (m_state) {
         const DeviceStatus& status = m_state->status;
         word = linkWord(status.link);
+        if (status.link == LinkState::Live && !status.identity.empty())
+            word += QStringLiteral(": ") + QString::fromStdString(status.identity);
         if (const QString text = ageText(m_state->age_s); !text.isEmpty())
             age = tr("%1 ago").arg(text);
         if (status.link == LinkState::Live && status.rate_Hz > 0.0)
@@ -152,9 +161,7 @@ void DeviceCard::showState() {
     setText(m_word, word);
     setText(m_age, age);
     setText(m_problem, problem);
-    const QString identity = m_state ? QString::fromStdString(m_state->status.identity) : QString();
-    if (toolTip() != identity)
-        setToolTip(identity);
+    m_accept->setVisible(isThere && m_state && m_state->status.problem.code == MessageCode::DeviceExchanged);
     showMark();
 }
 
@@ -176,6 +183,9 @@ void DeviceCard::retranslate() {
         widest = std::max(widest, m_title->fontMetrics().horizontalAdvance(roleWord(role)));
     m_title->setMinimumWidth(widest + kMark);
     m_remove->setText(tr("Remove"));
+    m_accept->setText(tr("This is the one"));
+    m_accept->setToolTip(tr("Use the device that answers now, and remember it instead of the one before"));
+    m_accept->setAccessibleName(roleWord(m_role) + QStringLiteral(", ") + m_accept->text());
     m_age->setToolTip(tr("Age of its newest answer, answers a second, and answers that nobody can read or "
                          "that were not asked for"));
     setAccessibleName(roleWord(m_role));

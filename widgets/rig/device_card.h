@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace bask {
 
-/// Object names end in the role's ("robot"): "card.", "driver.", "state.", "age.", "problem.", "setUp.",
-/// "remove.".
+/// Object names end in the role's ("robot"): "card.", "driver.", "state.", "age.", "problem.", "accept.",
+/// "setUp.", "remove.".
 class DeviceCard : public QWidget {
     Q_OBJECT
 
@@ -30,6 +30,8 @@ public:
 signals:
     void setUpWanted(bask::DeviceRole role);
     void removeWanted(bask::DeviceRole role);
+    /// Another device than before answers there, and is the right one.
+    void acceptWanted(bask::DeviceRole role);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -47,7 +49,7 @@ private:
     bool m_editable = true;
     int m_shownMark = -1;
     QLabel *m_title, *m_driver, *m_mark, *m_word, *m_age, *m_problem;
-    QPushButton *m_setUp, *m_remove;
+    QPushButton *m_accept, *m_setUp, *m_remove;
 };
 
 } // namespace bask

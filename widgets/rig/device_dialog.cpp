@@ -51,16 +51,17 @@ QString driverName(DeviceRole role, int driver) {
 DeviceDialog::DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vector<std::string>& objects,
                            QWidget* parent)
     : QDialog(parent), m_role(role), m_objects(objects), m_driver(new QComboBox(this)),
-      m_port(new QComboBox(this)), m_profile(new QComboBox(this)), m_driverLabel(new QLabel(this)),
-      m_portLabel(new QLabel(this)), m_portDescription(new QLabel(this)), m_lineLabel(new QLabel(this)),
-      m_axesLabel(new QLabel(this)), m_profileLabel(new QLabel(this)), m_unitLabel(new QLabel(this)),
-      m_channelsLabel(new QLabel(this)), m_watchdogLabel(new QLabel(this)), m_result(new QLabel(this)),
-      m_refresh(new QPushButton(this)), m_profileFile(new QPushButton(this)), m_try(new QPushButton(this)),
-      m_use(new QPushButton(this)), m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)),
-      m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)),
-      m_line(new SerialForm(this)), m_axes(new AxisTable(this)), m_mustHome(new QCheckBox(this)),
-      m_probe(new QCheckBox(this)), m_unattended(new QCheckBox(this)), m_unitNumber(new QSpinBox(this)),
-      m_watchdog(new QDoubleSpinBox(this)), m_message(new MessageBar(this)) {
+      m_port(new QComboBox(this)), m_profile(new QComboBox(this)), m_homing(new QComboBox(this)),
+      m_homingLabel(new QLabel(this)), m_driverLabel(new QLabel(this)), m_portLabel(new QLabel(this)),
+      m_portDescription(new QLabel(this)), m_lineLabel(new QLabel(this)), m_axesLabel(new QLabel(this)),
+      m_profileLabel(new QLabel(this)), m_unitLabel(new QLabel(this)), m_channelsLabel(new QLabel(this)),
+      m_watchdogLabel(new QLabel(this)), m_result(new QLabel(this)), m_refresh(new QPushButton(this)),
+      m_profileFile(new QPushButton(this)), m_try(new QPushButton(this)), m_use(new QPushButton(this)),
+      m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)), m_profilePart(new QWidget(this)),
+      m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)), m_line(new SerialForm(this)),
+      m_axes(new AxisTable(this)), m_probe(new QCheckBox(this)), m_unattended(new QCheckBox(this)),
+      m_unitNumber(new QSpinBox(this)), m_watchdog(new QDoubleSpinBox(this)),
+      m_message(new MessageBar(this)) {
     setObjectName("deviceDialog");
     setModal(false);
     build();
@@ -163,7 +164,9 @@ void DeviceDialog::buildTrial() {
 }
 
 void DeviceDialog::buildUse() {
-    m_mustHome->setObjectName("mustHome");
+    m_homing->setObjectName("homing");
+    for (int i = 0; i < 3; ++i)
+        m_homing->addItem(QString());
     m_watchdog->setObjectName("watchdog");
     m_watchdog->setRange(20.0, 1500.0);
     m_watchdog->setDecimals(0);
@@ -183,7 +186,7 @@ void DeviceDialog::buildUse() {
     }
     m_useStep = addStep();
     m_form->addRow(m_axesLabel, m_axes);
-    m_form->addRow(QString(), m_mustHome);
+    m_form->addRow(m_homingLabel, m_homing);
     m_form->addRow(m_channelsLabel, m_channelsPart);
     m_form->addRow(m_watchdogLabel, m_watchdog);
     m_form->addRow(QString(), m_probe);
@@ -202,7 +205,7 @@ void DeviceDialog::fill(const RigSpec& rig) {
         choose(static_cast<int>(robot.driver));
         m_line->setLine(rig.robot ? robot.serial : usual());
         m_axes->setAxes(robot.axes);
-        m_mustHome->setChecked(robot.mustHome);
+        m_homing->setCurrentIndex(robot.mustHome ? (*robot.mustHome ? 1 : 2) : 0);
     } else if (m_role == DeviceRole::Thermometer) {
         addDrivers(ThermometerDriver::Modbus, ThermometerDriver::Stream);
         const ThermometerDeviceSpec thermometer = rig.thermometer.value_or(ThermometerDeviceSpec());
@@ -329,8 +332,9 @@ RigSpec DeviceDialog::device() const {
                                       : ModbusProfile();
     switch (m_role) {
     case DeviceRole::Robot:
-        rig.robot = {static_cast<RobotDriver>(driver), port, m_line->line(), m_axes->axes(),
-                     m_mustHome->isChecked()};
+        rig.robot = {static_cast<RobotDriver>(driver), port, m_line->line(), m_axes->axes(), std::nullopt};
+        if (m_homing->currentIndex() > 0)
+            rig.robot->mustHome = m_homing->currentIndex() == 1;
         break;
     case DeviceRole::Thermometer:
         rig.thermometer = {
@@ -445,7 +449,7 @@ void DeviceDialog::showParts() {
     m_refresh->setVisible(hasLine());
     showRow(m_line, hasLine());
     showRow(m_axes, m_role == DeviceRole::Robot);
-    showRow(m_mustHome, m_role == DeviceRole::Robot);
+    showRow(m_homing, m_role == DeviceRole::Robot && hasLine());
     showRow(m_profilePart, isModbus());
     showRow(m_unitNumber, isModbus());
     showRow(m_channelsPart, m_role == DeviceRole::Thermometer);
@@ -500,7 +504,11 @@ void DeviceDialog::retranslate() {
     m_refresh->setToolTip(tr("Look for ports anew"));
     m_lineLabel->setText(tr("Line"));
     m_axesLabel->setText(tr("Axes"));
-    m_mustHome->setText(tr("Its place is not sure before it was homed"));
+    m_homingLabel->setText(tr("Its place is sure"));
+    m_homing->setAccessibleName(m_homingLabel->text());
+    m_homing->setItemText(0, tr("Once it is homed, if its controller can; else once it is confirmed"));
+    m_homing->setItemText(1, tr("Once it is homed"));
+    m_homing->setItemText(2, tr("Once it is homed or confirmed"));
     m_profileLabel->setText(tr("Device"));
     m_profile->setAccessibleName(tr("Device"));
     m_profileFile->setText(tr("From file…"));

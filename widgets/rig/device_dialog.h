@@ -25,7 +25,7 @@ class MessageBar;
 class SerialForm;
 
 /// Not modal. Object names: "driver", "port", "portDescription", "refreshPorts", those of SerialForm and
-/// AxisTable, "mustHome", "profile", "profileFile", "unit", "channel.0" ..., "watchdog", "probe",
+/// AxisTable, "homing", "profile", "profileFile", "unit", "channel.0" ..., "watchdog", "probe",
 /// "tryDevice", "tryResult", "useDevice", "cancelDevice", "deviceMessage".
 class DeviceDialog : public QDialog {
     Q_OBJECT
@@ -89,14 +89,14 @@ private:
 
     QFormLayout* m_form = nullptr;
     QLabel *m_deviceStep = nullptr, *m_connectionStep = nullptr, *m_trialStep = nullptr, *m_useStep = nullptr;
-    QComboBox *m_driver, *m_port, *m_profile;
-    QLabel *m_driverLabel, *m_portLabel, *m_portDescription, *m_lineLabel, *m_axesLabel, *m_profileLabel,
-        *m_unitLabel, *m_channelsLabel, *m_watchdogLabel, *m_result;
+    QComboBox *m_driver, *m_port, *m_profile, *m_homing;
+    QLabel *m_homingLabel, *m_driverLabel, *m_portLabel, *m_portDescription, *m_lineLabel, *m_axesLabel,
+        *m_profileLabel, *m_unitLabel, *m_channelsLabel, *m_watchdogLabel, *m_result;
     QPushButton *m_refresh, *m_profileFile, *m_try, *m_use, *m_cancel;
     QWidget *m_portPart, *m_profilePart, *m_channelsPart, *m_trialPart;
     SerialForm* m_line;
     AxisTable* m_axes;
-    QCheckBox *m_mustHome, *m_probe, *m_unattended;
+    QCheckBox *m_probe, *m_unattended;
     QSpinBox* m_unitNumber;
     QDoubleSpinBox* m_watchdog;
     std::vector<QSpinBox*> m_channels;

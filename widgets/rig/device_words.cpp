@@ -6,6 +6,7 @@
 #include <QLocale>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace bask {
@@ -152,6 +153,13 @@ RigSpec withoutDevice(RigSpec rig, DeviceRole role) {
 
 double sourceTemperature_K(const Snapshot& snapshot) {
     return snapshot.source_K.value_or(std::numeric_limits<double>::quiet_NaN());
+}
+
+QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit) {
+    if (snapshot.source_K || !std::isfinite(snapshot.sourceAge_s))
+        return formatTemperature(sourceTemperature_K(snapshot), unit);
+    return Words::tr("%1, %2", "a temperature and how old it is")
+        .arg(formatTemperature(snapshot.latest.source_K, unit), formatAge(snapshot.sourceAge_s));
 }
 
 QString ageText(double age_s) {

@@ -13,6 +13,10 @@ namespace bask {
 /// Its newest reading; NaN while that is not valid, or the source does not answer.
 double sourceTemperature_K(const Snapshot& snapshot);
 
+/// "182.3 °C" as it is now; the last one with its age, "182.3 °C, 12 s old", where nothing newer is known; a
+/// dash without any.
+QString sourceReadingText(const Snapshot& snapshot, TemperatureUnit unit);
+
 inline constexpr std::array kDeviceRoles{DeviceRole::Robot, DeviceRole::Thermometer, DeviceRole::HeatSource,
                                          DeviceRole::Camera};
 

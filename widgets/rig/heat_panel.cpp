@@ -1,6 +1,7 @@
 #include "widgets/rig/heat_panel.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/rig/device_words.h"
 #include "widgets/rig/way_up_question.h"
@@ -14,8 +15,9 @@ namespace bask {
 
 HeatPanel::HeatPanel(QWidget* parent)
     : QWidget(parent), m_setPointLabel(new QLabel(this)), m_typedLabel(new QLabel(this)),
-      m_state(new QLabel(this)), m_setPoint(new QuantitySpinBox(this)), m_typed(new QuantitySpinBox(this)),
-      m_on(new QPushButton(this)), m_off(new QPushButton(this)), m_take(new QPushButton(this)) {
+      m_mark(new QLabel(this)), m_state(new QLabel(this)), m_setPoint(new QuantitySpinBox(this)),
+      m_typed(new QuantitySpinBox(this)), m_on(new QPushButton(this)), m_off(new QPushButton(this)),
+      m_take(new QPushButton(this)) {
     m_setPoint->setObjectName("heatSetPoint");
     m_typed->setObjectName("typedSource");
     m_on->setObjectName("heatOn");
@@ -38,7 +40,11 @@ HeatPanel::HeatPanel(QWidget* parent)
     };
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_state);
+    auto* state = new QHBoxLayout;
+    state->setSpacing(6);
+    state->addWidget(m_mark, 0, Qt::AlignTop);
+    state->addWidget(m_state, 1);
+    layout->addLayout(state);
     layout->addLayout(row({m_setPointLabel, m_setPoint, m_on, m_off}));
     layout->addLayout(row({m_typedLabel, m_typed, m_take}));
     connect(m_on, &QPushButton::clicked, this, &HeatPanel::heat);
@@ -58,10 +64,12 @@ void HeatPanel::setUsual(double setPoint_K) {
 
 void HeatPanel::apply(const Snapshot& snapshot, bool mayHeat) {
     m_last.simulated = snapshot.simulated;
-    m_last.heatOn = snapshot.heatOn;
+    m_last.heat = snapshot.heat;
+    m_last.source_K = snapshot.source_K;
+    m_last.latest.source_K = snapshot.latest.source_K;
+    m_last.sourceAge_s = snapshot.sourceAge_s;
     m_last.heatSetPoint_K = snapshot.heatSetPoint_K;
     m_last.isSourceByHand = snapshot.isSourceByHand;
-    m_last.latest.source_K = sourceTemperature_K(snapshot);
     m_mayHeat = mayHeat;
     showState();
 }
@@ -98,16 +106,23 @@ void HeatPanel::showState() {
         part->setVisible(byHand);
     m_on->setEnabled(m_mayHeat);
     m_setPoint->setEnabled(m_mayHeat);
-    const QString now = formatTemperature(m_last.latest.source_K, m_unit);
+    const QString now = sourceReadingText(m_last, m_unit);
+    const bool isUnknown = !byHand && m_last.heat == HeatState::Unknown;
     QString text;
     if (byHand)
         text = tr("A person keeps the source hot: %1 as typed last.").arg(now);
+    else if (isUnknown && m_last.heatSetPoint_K)
+        text = tr("UNKNOWN whether it heats: it was asked to heat towards %1. Last seen: %2.")
+                   .arg(formatTemperature(*m_last.heatSetPoint_K, m_unit), now);
+    else if (isUnknown)
+        text = tr("UNKNOWN whether it heats. Last seen: %1. Take it for hot.").arg(now);
     else if (m_last.heatSetPoint_K)
         text = tr("Heating towards %1: %2 now.").arg(formatTemperature(*m_last.heatSetPoint_K, m_unit), now);
-    else if (m_last.heatOn)
+    else if (m_last.heat == HeatState::On)
         text = tr("The heat is on: %1 now.").arg(now);
     else
         text = tr("The heat is off: %1 now.").arg(now);
+    showUnknown(m_mark, m_state, isUnknown);
     if (text != m_state->text())
         m_state->setText(text);
 }
@@ -128,6 +143,8 @@ void HeatPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        showState();
 }
 
 } // namespace bask

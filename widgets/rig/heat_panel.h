@@ -45,7 +45,7 @@ private:
     bool m_mayHeat = false;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     double m_usual_K = 0.0;
-    QLabel *m_setPointLabel, *m_typedLabel, *m_state;
+    QLabel *m_setPointLabel, *m_typedLabel, *m_mark, *m_state;
     QuantitySpinBox *m_setPoint, *m_typed;
     QPushButton *m_on, *m_off, *m_take;
 };

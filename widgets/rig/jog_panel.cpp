@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/rig/coordinate_words.h"
 
 #include <QComboBox>
@@ -16,6 +17,7 @@
 #include <QToolButton>
 
 #include <algorithm>
+#include <cmath>
 
 namespace bask {
 namespace {
@@ -29,9 +31,10 @@ constexpr int kButton = 34;
 
 JogPanel::JogPanel(QWidget* parent)
     : QWidget(parent), m_stepLabel(new QLabel(this)), m_speedLabel(new QLabel(this)),
-      m_goLabel(new QLabel(this)), m_problem(new QLabel(this)), m_stepLength(new QComboBox(this)),
-      m_stepAngle(new QComboBox(this)), m_speed(new QSpinBox(this)), m_go(new QPushButton(this)),
-      m_take(new QPushButton(this)), m_home(new QPushButton(this)), m_clear(new QPushButton(this)) {
+      m_goLabel(new QLabel(this)), m_problem(new QLabel(this)), m_placeMark(new QLabel(this)),
+      m_placeLabel(new QLabel(this)), m_stepLength(new QComboBox(this)), m_stepAngle(new QComboBox(this)),
+      m_speed(new QSpinBox(this)), m_go(new QPushButton(this)), m_take(new QPushButton(this)),
+      m_home(new QPushButton(this)), m_clear(new QPushButton(this)) {
     m_stepLength->setObjectName("stepLength");
     m_stepAngle->setObjectName("stepAngle");
     m_speed->setObjectName("jogSpeed");
@@ -43,10 +46,17 @@ JogPanel::JogPanel(QWidget* parent)
     m_problem->setWordWrap(true);
     m_problem->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_problem->hide();
+    m_placeLabel->setObjectName("robotPlace");
+    m_placeLabel->setWordWrap(true);
+    auto* place = new QHBoxLayout;
+    place->setSpacing(6);
+    place->addWidget(m_placeMark, 0, Qt::AlignTop);
+    place->addWidget(m_placeLabel, 1);
 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(8);
+    layout->addLayout(place);
     layout->addWidget(m_problem);
     layout->addWidget(buildSteps());
     layout->addWidget(buildRows());
@@ -171,7 +181,8 @@ void JogPanel::apply(const Snapshot& snapshot, bool mayMove) {
     m_isMoving = snapshot.isMoving;
     m_mayMove = mayMove;
     m_alarm = snapshot.robotAlarm;
-    m_isPlaceSure = snapshot.isPlaceSure;
+    m_place = snapshot.place;
+    m_placeAge_s = snapshot.placeAge_s;
     if (!m_isMoving)
         m_goal.reset();
     m_mayHome = mayMove || snapshot.state == RunState::Fault; // which may be for its unsure place
@@ -184,7 +195,23 @@ void JogPanel::apply(const Snapshot& snapshot, bool mayMove) {
         if (const QString text = coordinateReadout(k, m_at[k]); at->text() != text)
             at->setText(text);
     }
+    showPlace();
     showEnabled();
+}
+
+void JogPanel::showPlace() {
+    const bool isUnknown = m_place == PlaceState::Unknown;
+    const QString text = !isUnknown ? QString()
+                         : std::isfinite(m_placeAge_s)
+                             ? tr("Place UNKNOWN: the robot does not answer. What stands below is %1.")
+                                   .arg(formatAge(m_placeAge_s))
+                             : tr("Place UNKNOWN: the robot has not told it yet.");
+    if (text != m_placeLabel->text())
+        m_placeLabel->setText(text);
+    m_placeLabel->setVisible(isUnknown);
+    showUnknown(m_placeMark, m_placeLabel, isUnknown);
+    for (const Row& row : m_rows)
+        showOld(row.at, m_place != PlaceState::Sure);
 }
 
 void JogPanel::showEnabled() {
@@ -195,9 +222,9 @@ void JogPanel::showEnabled() {
     m_go->setEnabled(m_mayMove);
     m_take->setEnabled(m_mayMove);
     m_home->setEnabled(m_mayHome);
-    const bool isTrouble = m_alarm.code != MessageCode::None || !m_isPlaceSure;
+    const bool isTrouble = m_alarm.code != MessageCode::None || m_place == PlaceState::Unsure;
     m_clear->setEnabled(isTrouble);
-    const Message problem = m_isPlaceSure || m_alarm.code != MessageCode::None
+    const Message problem = m_place != PlaceState::Unsure || m_alarm.code != MessageCode::None
                                 ? m_alarm
                                 : Message{MessageCode::RobotPlaceUnsure, {}};
     const QString text = sentenceText(problem);
@@ -301,6 +328,7 @@ void JogPanel::retranslate() {
     m_home->setToolTip(tr("The robot seeks its switches to know its place: it moves"));
     m_clear->setText(tr("Clear alarm"));
     m_clear->setToolTip(tr("After you have seen to it: the robot is where it says. Nothing moves."));
+    showPlace();
     showEnabled();
 }
 
@@ -317,6 +345,8 @@ bool JogPanel::event(QEvent* event) {
 
 void JogPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        showPlace();
     if (event->type() == QEvent::LanguageChange)
         retranslate();
 }

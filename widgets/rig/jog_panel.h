@@ -22,8 +22,8 @@ namespace bask {
 
 /// A button that is held sends Jog every kRepeat_ms, and a zero one when it is let go, whatever lets it go.
 /// Object names end in the coordinate's ("theta_x"): "at.", "stepDown.", "stepUp.", "holdDown.", "holdUp.",
-/// "goTo."; others "stepLength", "stepAngle", "jogSpeed", "goToPose", "takePose", "homeRobot", "clearAlarm",
-/// "robotProblem".
+/// "goTo."; others "robotPlace" (while that is not known), "stepLength", "stepAngle", "jogSpeed", "goToPose",
+/// "takePose", "homeRobot", "clearAlarm", "robotProblem".
 class JogPanel : public QWidget {
     Q_OBJECT
 
@@ -62,6 +62,7 @@ private:
     void takePose();
     void goToPose();
     void showEnabled();
+    void showPlace();
     void retranslate();
 
     RobotLimits m_limits;
@@ -72,14 +73,15 @@ private:
     bool m_mayHome = false;
     bool m_isPoseTaken = false; ///< once by itself: the fields begin where the robot is
     Message m_alarm;
-    bool m_isPlaceSure = true;
+    PlaceState m_place = PlaceState::Sure;
+    double m_placeAge_s = 0.0;
 
     QToolButton* m_held = nullptr; ///< the button that moves the robot now
     int m_heldCoordinate = 0, m_heldDirection = 0;
     QTimer m_repeat{this};
 
     std::array<Row, 6> m_rows{};
-    QLabel *m_stepLabel, *m_speedLabel, *m_goLabel, *m_problem;
+    QLabel *m_stepLabel, *m_speedLabel, *m_goLabel, *m_problem, *m_placeMark, *m_placeLabel;
     QComboBox *m_stepLength, *m_stepAngle;
     QSpinBox* m_speed;
     QPushButton *m_go, *m_take, *m_home, *m_clear;

@@ -40,6 +40,7 @@ RigDevices::RigDevices(QWidget* parent)
         layout->addWidget(m_cards[i]);
         connect(m_cards[i], &DeviceCard::setUpWanted, this, &RigDevices::setUpWanted);
         connect(m_cards[i], &DeviceCard::removeWanted, this, &RigDevices::removeWanted);
+        connect(m_cards[i], &DeviceCard::acceptWanted, this, &RigDevices::acceptWanted);
     }
     // A click asks; what is shown is what is in use.
     connect(m_simulated, &QRadioButton::clicked, this, [this] {

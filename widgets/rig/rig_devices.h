@@ -36,6 +36,7 @@ signals:
     void saveWanted();
     void setUpWanted(bask::DeviceRole role);
     void removeWanted(bask::DeviceRole role);
+    void acceptWanted(bask::DeviceRole role);
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -1,6 +1,7 @@
 #include "widgets/rig/rig_page.h"
 
 #include "engine/session/limits_widened.h"
+#include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
 #include "widgets/rig/check_list.h"
@@ -115,6 +116,8 @@ void RigPage::connectAll() {
     connect(m_devices, &RigDevices::saveWanted, this, &RigPage::saveRigRequested);
     connect(m_devices, &RigDevices::setUpWanted, this, &RigPage::setUp);
     connect(m_devices, &RigDevices::removeWanted, this, &RigPage::remove);
+    connect(m_devices, &RigDevices::acceptWanted, this,
+            [this](DeviceRole role) { emit commandIssued(AcceptDevice{role}); });
     connect(m_devices, &RigDevices::named, this, [this](const QString& name) {
         Experiment changed = m_experiment;
         if (!changed.rig)
@@ -166,12 +169,25 @@ void RigPage::useRig(const RigSpec& rig) {
     const std::size_t channels = rig.thermometer ? rig.thermometer->channels.size() : objects;
     if (rig.thermometer)
         changed.rig->thermometer->channels = channelsFor(rig.thermometer->channels, objects);
-    if (edit(changed) && channels != objects)
-        m_message->say(MessageBar::Kind::Note,
-                       tr("The rig was set up for %1 objects, and there are %2: check the thermometer's "
-                          "channels.")
-                           .arg(channels)
-                           .arg(objects));
+    const auto use = [this, changed, channels, objects] {
+        if (edit(changed) && channels != objects)
+            m_message->say(MessageBar::Kind::Note,
+                           tr("The rig was set up for %1 objects, and there are %2: check the thermometer's "
+                              "channels.")
+                               .arg(channels)
+                               .arg(objects));
+    };
+    dropQuestion(this, kQuestion);
+    QStringList lines;
+    for (const Message& limit : widenedOnRealRig(m_experiment, changed))
+        lines << sentenceText(limit);
+    if (lines.isEmpty())
+        return use();
+    askOnTheWayUp(this, kQuestion, tr("Limits of the real rig"),
+                  tr("This rig is allowed more than now, or than is usual:") + QStringLiteral("\n\n") +
+                      lines.join(u'\n') + QStringLiteral("\n\n") +
+                      tr("Do robot, source, objects and sensors bear it?"),
+                  tr("Use these limits"), use);
 }
 
 void RigPage::setUp(DeviceRole role) {

@@ -1,6 +1,7 @@
 #include "widgets/run/run_page.h"
 
 #include "widgets/common/display.h"
+#include "widgets/common/labels.h"
 #include "widgets/common/marker_words.h"
 #include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
@@ -60,6 +61,9 @@ void RunPage::setExperiment(const Experiment& experiment) {
         m_targets_K.push_back(object.target_K);
     }
     m_tiles->setObjects(QStringLiteral("objectTile."), names);
+    for (std::size_t i = 0; i < m_tiles->tiles().size(); ++i)
+        connect(m_tiles->tiles()[i], &ObjectTile::confirmRequested, this,
+                [this, i] { emit sensorConfirmed(i); });
     for (TracePlot* plot : m_plots) {
         plot->setObjects(names);
         plot->setSpeedLimits({experiment.robot.maxSpeed_m_s, experiment.robot.maxRotation_rad_s});
@@ -122,11 +126,23 @@ void RunPage::showTiles(const Snapshot& snapshot) {
         ObjectSample sample = snapshot.latest.objects[i];
         if (snapshot.targets_K.size() == m_targets_K.size() || !(sample.target_K > 0.0))
             sample.target_K = m_targets_K[i]; // the engine's present target; the sample may be older
-        m_tiles->tiles()[i]->setSample(snapshot.sampleTime_s, sample); // runs on between runs
+        SensorView sensor;
+        if (i < snapshot.sensors.size())
+            sensor = {snapshot.sensors[i], snapshot.readingAges_s[i], snapshot.toldReadings_K[i]};
+        m_tiles->tiles()[i]->setSample(snapshot.sampleTime_s, sample, sensor); // runs on between runs
     }
 }
 
 void RunPage::showLimits(const Snapshot& snapshot) {
+    showUnknown(m_placeMark, m_limits, snapshot.place == PlaceState::Unknown);
+    if (snapshot.place == PlaceState::Unknown) {
+        m_limits->setText(tr("Place UNKNOWN, what is drawn is %1.").arg(formatAge(snapshot.placeAge_s)));
+        return m_limits->setToolTip(m_limits->text());
+    }
+    if (snapshot.place == PlaceState::Unsure) {
+        m_limits->setText(tr("The robot is not sure of its place."));
+        return m_limits->setToolTip(m_limits->text());
+    }
     const bool controlled = snapshot.state == RunState::Running || snapshot.state == RunState::Settled;
     const ActiveLimits& limits = snapshot.latest.limits;
     const QString words = limitWords(limits);

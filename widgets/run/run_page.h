@@ -51,6 +51,8 @@ public:
 signals:
     void controllerApplied(const bask::ControllerSettings& settings);
     void noteAdded(const QString& text);
+    /// A person says that the sensor of an object is right.
+    void sensorConfirmed(std::size_t object);
     void simulationSpeedChosen(double factor);
 
 protected:
@@ -89,7 +91,8 @@ private:
     SceneView* m_scene = nullptr;
     QLabel* m_sceneLabel = nullptr;
     QToolButton *m_viewTop = nullptr, *m_viewSide = nullptr, *m_viewIsometric = nullptr;
-    QLabel* m_limits = nullptr;
+    QLabel* m_placeMark = nullptr;
+    QLabel* m_limits = nullptr; ///< also where the robot is, while that is not known
     ControllerPanel* m_controller = nullptr;
     QLabel* m_noteLabel = nullptr;
     QLineEdit* m_note = nullptr;

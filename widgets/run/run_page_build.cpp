@@ -159,7 +159,7 @@ QWidget* RunPage::makeSide() {
     m_viewIsometric = viewButton(side, "viewIsometric");
     m_scene = new SceneView(side);
     m_scene->setObjectName(QStringLiteral("runScene"));
-    m_scene->setMinimumHeight(110);
+    m_scene->setMinimumHeight(80);
     connect(m_viewTop, &QToolButton::clicked, m_scene, [this] { m_scene->viewAlongMinusZ(); });
     connect(m_viewSide, &QToolButton::clicked, m_scene, [this] { m_scene->viewAlongX(); });
     connect(m_viewIsometric, &QToolButton::clicked, m_scene, [this] { m_scene->viewIsometric(); });
@@ -171,6 +171,7 @@ QWidget* RunPage::makeSide() {
     bar->addWidget(m_viewSide);
     bar->addWidget(m_viewIsometric);
 
+    m_placeMark = new QLabel(side);
     m_limits = new QLabel(side);
     m_limits->setObjectName(QStringLiteral("activeLimits"));
     m_limits->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -196,7 +197,11 @@ QWidget* RunPage::makeSide() {
     layout->setSpacing(6);
     layout->addLayout(bar);
     layout->addWidget(m_scene, 1);
-    layout->addWidget(m_limits);
+    auto* limits = new QHBoxLayout;
+    limits->setSpacing(6);
+    limits->addWidget(m_placeMark);
+    limits->addWidget(m_limits, 1);
+    layout->addLayout(limits);
     layout->addWidget(m_controller);
     layout->addWidget(m_speedRow);
     return side;

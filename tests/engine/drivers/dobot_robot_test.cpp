@@ -49,6 +49,18 @@ protected:
         return state ? state->alarm.code : state.error().code();
     }
     double y() const { return m_arm->position()[1]; }
+    /// The largest over 20 ms each while it is driven, mm/s.
+    double fastest_mm_s(const Vector6d& twist, double time_s) {
+        double out = 0.0;
+        for (double t = 0.0; t < time_s - 1e-9; t += 0.02) {
+            const double before = y();
+            if (std::fmod(t + 1e-9, 0.1) < 0.02)
+                (void)m_robot->setTwist(twist, 0.15);
+            run(0.02);
+            out = std::max(out, (y() - before) / 0.02);
+        }
+        return out;
+    }
 
     ManualClock m_clock;
     MotionGuard m_guard = [](const Vector6d&) { return true; };
@@ -87,6 +99,44 @@ TEST_F(DobotRobotTest, FollowsAVelocity) {
     EXPECT_DOUBLE_EQ(m_arm->position()[3], 0.0);
     EXPECT_EQ(m_robot->discarded(), 0);
     EXPECT_FALSE(m_robot->state()->moving);
+}
+
+// Catches moves that are quicker than the experiment allows: twice as quick to make up for the pauses, or
+// rounded up to a percentage of the arm's own speed.
+TEST_F(DobotRobotTest, NoMoveIsQuickerThanItIsLimitedTo) {
+    for (const double largest_m_s : {0.02, 0.005, 0.0007}) {
+        makeLive();
+        m_robot->limitSpeed(largest_m_s, 0.1);
+        run(0.5);
+        const double from = y();
+        const Vector6d wanted = largest_m_s / 0.005 * m_left;
+        EXPECT_LE(fastest_mm_s(wanted, 5.0), 1000.0 * largest_m_s * 1.01 + 1e-9) << largest_m_s;
+        EXPECT_GT(y() - from, 0.6 * 5000.0 * largest_m_s) << largest_m_s;
+        EXPECT_EQ(alarm(), MessageCode::None) << describe(m_robot->state()->alarm);
+    }
+}
+
+// Catches an arm whose own full speed is set otherwise than it is taken for.
+TEST_F(DobotRobotTest, AnArmThatIsTooQuickIsStopped) {
+    DobotSimulatorConfig config;
+    makeLive(config);
+    config.fullSpeed_mm_s = 2000.0;
+    m_robot.reset();
+    m_arm = std::make_unique<DobotSimulator>(config);
+    m_dashboard = std::make_unique<DeviceLink>(m_arm->dashboard(), m_clock);
+    m_motion = std::make_unique<DeviceLink>(m_arm->motion(), m_clock);
+    m_feedback = std::make_unique<DeviceLink>(m_arm->feedback(), m_clock);
+    m_robot = std::make_unique<DobotRobot>(*m_dashboard, *m_motion, *m_feedback, m_clock,
+                                           AxisMap(kArmAxes, Vector6d::Zero()),
+                                           [](const Vector6d&) { return true; });
+    run(0.5);
+    const double from = y();
+    drive(4.0 * m_left, 1.0);
+    EXPECT_EQ(m_robot->state()->alarm.args.at(1).find("it moves faster than it may"), 0U);
+    EXPECT_LT(y() - from, 20.0);
+    const double stood = y();
+    run(1.0);
+    EXPECT_EQ(y(), stood);
 }
 
 // Catches a halt that comes to the arm before the move that it is for, and is not repeated.
@@ -209,6 +259,8 @@ TEST_F(DobotRobotTest, ItsSpeedIsKnown) {
     DobotSimulatorConfig config;
     config.speedFactor = 0.01;
     makeLive(config);
+    m_robot->limitSpeed(0.1, 0.1);
+    run(0.5);
     EXPECT_TRUE(drive(m_left, 3.0));
     EXPECT_GT(y(), 8.0);
     run(1.0);
@@ -320,8 +372,8 @@ TEST(DobotBytes, AnArmThatLeavesItsWayIsStopped) {
         }
     };
     run(DobotMode::Idle, 200.0);
-    EXPECT_EQ(dashboard.takeSent(), "SpeedFactor(100)");
-    dashboard.say("0,{},SpeedFactor(100);");
+    EXPECT_EQ(dashboard.takeSent(), "SpeedFactor(4)"); // 20 of 500 mm/s
+    dashboard.say("0,{},SpeedFactor(4);");
     run(DobotMode::Idle, 200.0);
     EXPECT_EQ(dashboard.takeSent(), "User(0)");
     dashboard.say("0,{},Tool(0);0,{},User(0)");
@@ -337,8 +389,8 @@ TEST(DobotBytes, AnArmThatLeavesItsWayIsStopped) {
     ASSERT_TRUE(robot.state());
     ASSERT_TRUE(robot.setTwist((Vector6d() << 0.01, 0, 0, 0, 0, 0).finished(), 10.0));
     run(DobotMode::Idle, 200.0);
-    EXPECT_EQ(motion.takeSent(), "MovL(205.000,0.000,0.000,7.000,SpeedL=4,AccL=20)");
-    motion.say("0,{},MovL(205.000,0.000,0.000,7.000,SpeedL=4,AccL=20);");
+    EXPECT_EQ(motion.takeSent(), "MovL(205.000,0.000,0.000,7.000,SpeedL=100,AccL=20)");
+    motion.say("0,{},MovL(205.000,0.000,0.000,7.000,SpeedL=100,AccL=20);");
     run(DobotMode::Running, 203.0);
     EXPECT_EQ(robot.state()->alarm.code, MessageCode::None);
     EXPECT_EQ(dashboard.takeSent(), "");
@@ -362,15 +414,15 @@ TEST(DobotBytes, RefusalsAndMissingReplies) {
         }
         return dashboard.takeSent();
     };
-    EXPECT_EQ(run(DobotMode::Idle), "SpeedFactor(100)");
-    dashboard.say("0,{},SpeedFactor(100);");
+    EXPECT_EQ(run(DobotMode::Idle), "SpeedFactor(4)");
+    dashboard.say("0,{},SpeedFactor(4);");
     EXPECT_EQ(run(DobotMode::Idle), "User(0)");
     dashboard.say("-1,{},User(0);");
     EXPECT_EQ(run(DobotMode::Idle), "");
     EXPECT_EQ(robot.state()->alarm, (Message{MessageCode::RobotRefused, {"-1", "not carried out"}}));
     EXPECT_TRUE(robot.clearAlarm());
-    EXPECT_EQ(run(DobotMode::Idle), "SpeedFactor(100)");
-    dashboard.say("0,{},SpeedFactor(100);");
+    EXPECT_EQ(run(DobotMode::Idle), "SpeedFactor(4)");
+    dashboard.say("0,{},SpeedFactor(4);");
     EXPECT_EQ(run(DobotMode::Error), "User(0)");
     dashboard.say("0,{},User(0);");
     run(DobotMode::Error);

@@ -42,6 +42,7 @@ protected:
         m_guard = [](const Vector6d& target) { return isInside(target); };
         make(config, false, kAxes);
         run(1.0);
+        clear();
     }
     double uniform(double a, double b) { return std::uniform_real_distribution(a, b)(m_random); }
     int upTo(int n) { return std::uniform_int_distribution(0, n)(m_random); }

@@ -34,9 +34,12 @@ protected:
         ASSERT_EQ(sentAfter(0.25), "?");
         ASSERT_EQ(answered("<Idle|MPos:0.000,0.000,0.000>\r\n"), "$$\n");
         answered("$13=0\r\n$22=1\r\nok\r\n");
+        answered("[VER:1.1h.20190825:left]\r\n[OPT:V,15,128]\r\nok\r\n");
         answered("<Idle|MPos:0.000,0.000,0.000>\r\n", 0.2);
         ASSERT_EQ(m_robot.status().link, LinkState::Live);
+        ASSERT_EQ(m_robot.status().signature, "VER:1.1h.20190825:left");
         answered("<Idle|MPos:0.000,0.000,0.000>\r\n");
+        ASSERT_TRUE(m_robot.clearAlarm());
     }
     MessageCode alarm() { return m_robot.state()->alarm.code; }
 
@@ -251,6 +254,31 @@ TEST_F(GrblBytesTest, AnOkToADroppedStepIsNoRefusal) {
     answered("<Idle|MPos:0.000,0.000,0.000>\r\n");
     EXPECT_TRUE(m_robot.clearAlarm());
     EXPECT_EQ(alarm(), MessageCode::None);
+}
+
+// Catches another robot that is plugged in at the same port and is moved, homed or cleared.
+TEST_F(GrblBytesTest, AnotherRobotIsWrittenNothing) {
+    m_robot.expect("VER:1.1h.20190825:right");
+    sentAfter(0.01);
+    m_link.say("\r\nGrbl 1.1h ['$' for help]\r\n");
+    sentAfter(0.25);
+    ASSERT_EQ(answered("<Idle|MPos:0.000,0.000,0.000>\r\n"), "$$\n");
+    EXPECT_EQ(answered("$13=0\r\n$22=1\r\nok\r\n"), "$I\n");
+    EXPECT_NE(m_robot.status().link, LinkState::Live);
+    answered("[VER:1.1h.20190825:left]\r\n[OPT:V,15,128]\r\nok\r\n");
+    answered("<Idle|MPos:0.000,0.000,0.000>\r\n", 0.2);
+    EXPECT_EQ(m_robot.status().link, LinkState::Opening);
+    EXPECT_EQ(m_robot.status().problem,
+              (Message{MessageCode::DeviceExchanged,
+                       {"port", "VER:1.1h.20190825:right", "VER:1.1h.20190825:left"}}));
+    EXPECT_EQ(m_robot.setTwist(m_twist, 10.0).error().code(), MessageCode::DeviceExchanged);
+    EXPECT_EQ(m_robot.home().error().code(), MessageCode::DeviceExchanged);
+    EXPECT_EQ(m_robot.clearAlarm().error().code(), MessageCode::DeviceExchanged);
+    (void)m_robot.halt();
+    std::string sent;
+    for (int i = 0; i < 40; ++i)
+        sent += answered("<Idle|MPos:0.000,0.000,0.000>\r\n", 0.1);
+    EXPECT_EQ(sent.find_first_not_of('?'), std::string::npos) << sent;
 }
 
 // Catches a device of another kind that is only called silent.

@@ -23,8 +23,6 @@ TEST_F(GrblRobotTest, TellsWhereItIs) {
     EXPECT_TRUE(state->coordinates.isApprox(
         (Vector6d() << 0.01, -0.02, 0.03, radFromDeg(45.0), 0.0, 0.0).finished(), 1e-9));
     EXPECT_FALSE(state->moving);
-    EXPECT_TRUE(state->isPlaceSure);
-    EXPECT_EQ(state->alarm.code, MessageCode::None);
     EXPECT_LE(state->time_s, m_clock.now_s());
     EXPECT_GE(state->time_s, m_clock.now_s() - 0.25);
     EXPECT_EQ(m_robot->status().identity, "Grbl 1.1h");
@@ -75,6 +73,7 @@ TEST_F(GrblRobotTest, AxesAreMapped) {
     config.start = {0.0, 0.0, 0.0, 0.0};
     make(config, false, {{'X', 2, true, 0.2}, {'A', 5, false, 0.1}});
     run(1.0);
+    clear();
     drive((Vector6d() << 0.0, 0.0, -0.01, 0.0, 0.0, 0.05).finished(), 5.0);
     run(1.0);
     EXPECT_GT(x_mm(), 25.0);
@@ -224,6 +223,59 @@ TEST_F(GrblRobotTest, WhatMustBeHomedIsNotSureBefore) {
     ASSERT_TRUE(m_robot->home());
     run(1.0);
     EXPECT_EQ(alarm(), MessageCode::None);
+}
+
+// Catches a controller that says zero wherever it was switched on, and is believed.
+TEST_F(GrblRobotTest, ThePlaceIsNotSureBeforeItIsConfirmed) {
+    make({});
+    run(1.0);
+    EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure);
+    EXPECT_FALSE(m_robot->state()->isPlaceSure);
+    m_link->takeSent();
+    EXPECT_FALSE(drive(m_right, 0.5));
+    EXPECT_TRUE(linesIn(m_link->takeSent(), "$J=").empty());
+    clear();
+    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_TRUE(m_robot->state()->isPlaceSure);
+    EXPECT_TRUE(drive(m_right, 0.5));
+}
+
+// Catches homing that is switched on in the controller and not asked for.
+TEST_F(GrblRobotTest, AControllerThatHomesIsToBeHomed) {
+    makeLive({}, std::nullopt);
+    EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure);
+    EXPECT_EQ(m_robot->clearAlarm().error().code(), MessageCode::RobotPlaceUnsure);
+    ASSERT_TRUE(m_robot->home());
+    run(1.0);
+    EXPECT_EQ(alarm(), MessageCode::None);
+
+    GrblSimulatorConfig without;
+    without.canHome = false;
+    makeLive(without, std::nullopt);
+    EXPECT_EQ(alarm(), MessageCode::None) << "confirmed";
+}
+
+// Catches a controller that was reset by the opening of its port before it had ever been heard.
+TEST_F(GrblRobotTest, ARestartWhileItIsOpenedIsSeen) {
+    GrblSimulatorConfig config;
+    config.isHal = true;
+    make(config);
+    run(1.0);
+    ASSERT_TRUE(m_robot->home());
+    run(1.0);
+    ASSERT_TRUE(m_robot->state()->isPlaceSure);
+    m_robot = std::make_unique<GrblRobot>(
+        *m_link, m_clock, AxisMap(kFourAxes, Vector6d::Zero()),
+        [this](const Vector6d& target) { return m_guard(target); }, std::nullopt);
+    run(1.0);
+    EXPECT_TRUE(m_robot->state()->isPlaceSure) << "it tells that it was homed, and went on";
+    m_robot = std::make_unique<GrblRobot>(
+        *m_link, m_clock, AxisMap(kFourAxes, Vector6d::Zero()),
+        [this](const Vector6d& target) { return m_guard(target); }, std::nullopt);
+    run(0.1);
+    m_device->restart();
+    run(1.0);
+    EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure);
 }
 
 TEST_F(GrblRobotTest, HomingIsRefusedWhereThereIsNone) {
@@ -437,7 +489,7 @@ TEST_F(GrblRobotTest, AFirstStartIsWaitedFor) {
     EXPECT_EQ(m_robot->status().link, LinkState::Live);
     EXPECT_EQ(m_link->opened(), 1);
     EXPECT_EQ(m_robot->status().identity, "Grbl 1.1h");
-    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_EQ(alarm(), MessageCode::RobotPlaceUnsure);
 }
 
 // Catches a place told in work coordinates, or in inches, or without an axis, that is used as if it were not.

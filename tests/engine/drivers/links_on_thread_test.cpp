@@ -101,6 +101,29 @@ struct LinkOnThread : testing::Test {
 
 } // namespace
 
+// Catches bytes that waited while the link was held up, and are taken for new.
+TEST_F(LinkOnThread, WhatWaitedAtALinkThatIsHeldUpIsOld) {
+    ASSERT_TRUE(isOpened());
+    const SteadyClock clock;
+    link.write("a");
+    heardUntil("a");
+    line.heldUp_ms = 300;
+    std::this_thread::sleep_for(milliseconds(20)); // it looks, and is held up
+    const double came_s = clock.now_s();
+    {
+        const std::lock_guard lock(line.mutex);
+        line.unread += "b";
+    }
+    heardUntil("b");
+    EXPECT_LE(link.emptyAt_s(), came_s);
+    EXPECT_GT(clock.now_s(), came_s + 0.2);
+    line.heldUp_ms = 0;
+    heardUntil("");
+    const double later_s = clock.now_s();
+    ASSERT_TRUE(test::waitFor([&] { return link.read().empty() && link.emptyAt_s() > later_s; }))
+        << "an empty line is told, too";
+}
+
 // Catches an engine that waits for a terminal that the machine holds up.
 TEST_F(LinkOnThread, NoCallWaitsForALinkThatIsHeldUp) {
     ASSERT_TRUE(isOpened());

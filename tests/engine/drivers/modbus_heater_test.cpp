@@ -38,7 +38,9 @@ TEST_F(ModbusHeaterTest, HeatsTowardsTheSetPointWithEveryProfile) {
     for (const char* profile : {"eurotherm-2400", "watlow-ez-zone", "pixsys-drr245"}) {
         const auto heater = made(profile);
         EXPECT_FALSE(heater->keepHeating(kWarm_K, 0.5).ok()) << "nobody has answered";
+        EXPECT_EQ(heater->heatState(), HeatState::Unknown);
         run(*heater, 2.0);
+        EXPECT_EQ(heater->heatState(), HeatState::Off) << profile;
         ASSERT_TRUE(heater->read().ok()) << profile;
         EXPECT_NEAR(heater->read()->value_K, 296.15, 0.6) << profile;
         EXPECT_FALSE(heater->heating()) << profile;
@@ -55,14 +57,103 @@ TEST_F(ModbusHeaterTest, HeatsTowardsTheSetPointWithEveryProfile) {
         EXPECT_NEAR(heater->read()->value_K, kWarm_K, 1.0) << profile;
         EXPECT_LE(sim.writes(), 4) << "written where it differs, not again and again: " << profile;
 
+        EXPECT_EQ(heater->heatState(), HeatState::On) << profile;
         EXPECT_TRUE(heater->heatOff().ok());
+        EXPECT_EQ(heater->heatState(), HeatState::On) << "ordered is not confirmed: " << profile;
         run(*heater, 1.0);
         EXPECT_FALSE(heater->heating()) << profile;
+        EXPECT_EQ(heater->heatState(), HeatState::Off) << profile;
         const double before_K = sim.plate_K(5);
         run(*heater, 60.0);
         EXPECT_LT(sim.plate_K(5), before_K - 5.0) << profile;
         sim = ModbusSimulator();
     }
+}
+
+// Catches a temperature that waited for an engine that was held up and is told as new.
+TEST_F(ModbusHeaterTest, AReadingIsAsOldAsItsQuestion) {
+    const auto heater = made("pixsys-drr245");
+    run(*heater, 2.0);
+    const RegisterSpec plate = *shipped("pixsys-drr245").processValue;
+    const double before_s = heater->read()->time_s;
+    std::size_t seen = link.sent.size();
+    for (bool isAsked = false; !isAsked;) {
+        run(*heater, 0.005);
+        for (; seen < link.sent.size(); ++seen)
+            isAsked = isAsked || (link.sent[seen].address <= plate.address &&
+                                  plate.address < link.sent[seen].address + link.sent[seen].count);
+    }
+    const double asked_s = clock.now_s();
+    clock.advance(5.0);
+    run(*heater, 0.005);
+    for (int i = 0; i < 100 && heater->read()->time_s == before_s; ++i)
+        run(*heater, 0.005);
+    EXPECT_EQ(heater->read()->time_s, asked_s);
+}
+
+// Catches a controller in the other unit, which heats to 392 degC for 200 degC: Watlow's tells it.
+TEST_F(ModbusHeaterTest, AControllerIsReadAndSetInTheUnitThatItTells) {
+    const ModbusProfile& watlow = shipped("watlow-ez-zone");
+    for (const RegisterUnit unit : {RegisterUnit::Celsius, RegisterUnit::Fahrenheit}) {
+        sim = ModbusSimulator();
+        sim.addController(5, inUnit(watlow, unit));
+        const auto heater = heaterOf(watlow);
+        run(*heater, 2.0);
+        ASSERT_TRUE(heater->read());
+        EXPECT_NEAR(heater->read()->value_K, 296.15, 0.1);
+        heat(*heater, 3.0, kZeroCelsius_K + 200.0);
+        EXPECT_TRUE(m_newest.ok());
+        EXPECT_NEAR(sim.setPoint_K(5), kZeroCelsius_K + 200.0, 0.01);
+        EXPECT_NEAR(heater->setPoint_K().value(), kZeroCelsius_K + 200.0, 0.01);
+        EXPECT_TRUE(heater->heatOff().ok());
+        run(*heater, 2.0);
+        EXPECT_FALSE(heater->heating());
+        EXPECT_LT(sim.setPoint_K(5), kZeroCelsius_K + 40.0);
+    }
+}
+
+TEST_F(ModbusHeaterTest, AControllerInAnUnknownUnitIsNotHeated) {
+    const auto heater = made("watlow-ez-zone");
+    run(*heater, 2.0);
+    heat(*heater, 3.0);
+    ASSERT_TRUE(m_newest.ok());
+    sim.setRegister(5, 3, 2490, 7);
+    heat(*heater, 2.0);
+    EXPECT_EQ(m_newest.error().code(), MessageCode::DeviceAnswersWrong);
+    EXPECT_EQ(heater->read().error().code(), MessageCode::DeviceAnswersWrong);
+    EXPECT_LT(sim.setPoint_K(5), kZeroCelsius_K + 40.0);
+}
+
+// Catches another controller of the same kind, at the same unit of another line, that is switched.
+TEST_F(ModbusHeaterTest, AnotherControllerIsWrittenNothing) {
+    ModbusProfile profile = shipped("pixsys-drr245");
+    profile.identity = {3, 0, 2};
+    ASSERT_EQ(modbusProfileFromJson(modbusProfileToJson(profile), "")->identity, profile.identity);
+    sim.addController(5, profile);
+    const auto be = [&](std::uint16_t number) {
+        sim.setRegister(5, 3, 0, 0x00f5);
+        sim.setRegister(5, 3, 1, number);
+    };
+    be(7);
+    const auto heater = heaterOf(profile);
+    heater->expect("00f5 0008");
+    sim.setRegister(5, 3, 1016, 1); // somebody uses it
+    run(*heater, 2.0);
+    EXPECT_EQ(heater->status().link, LinkState::Opening);
+    EXPECT_EQ(heater->read().error().message,
+              (Message{MessageCode::DeviceExchanged, {"line", "00f5 0008", "00f5 0007"}}));
+    heat(*heater, 1.0);
+    EXPECT_EQ(m_newest.error().code(), MessageCode::DeviceExchanged);
+    EXPECT_EQ(heater->heatOff().error().code(), MessageCode::DeviceExchanged);
+    run(*heater, 2.0);
+    EXPECT_EQ(sim.writes(), 0);
+    EXPECT_TRUE(sim.isOn(5));
+    EXPECT_EQ(heater->heatState(), HeatState::Unknown);
+    be(8);
+    run(*heater, 2.0);
+    EXPECT_EQ(heater->status().link, LinkState::Live);
+    EXPECT_EQ(heater->status().signature, "00f5 0008");
+    EXPECT_FALSE(sim.isOn(5)) << "found on, it is switched off";
 }
 
 // Promise: heat is off unless something keeps saying on.
@@ -130,6 +221,7 @@ TEST_F(ModbusHeaterTest, AfterALostLinkItIsSwitchedOff) {
     heat(*heater, 2.0);
     EXPECT_FALSE(m_newest.ok());
     EXPECT_TRUE(heater->heating()) << "not yet seen to be off";
+    EXPECT_EQ(heater->heatState(), HeatState::Unknown);
     EXPECT_FALSE(heater->setPoint_K().has_value());
     EXPECT_FALSE(heater->heatOff().ok());
     EXPECT_NEAR(sim.setPoint_K(5), kWarm_K, 0.01);

@@ -66,6 +66,20 @@ TEST_F(ModbusThermometerTest, AReadingKeepsItsTime) {
     EXPECT_EQ(thermometer->read()->front().time_s, time_s);
 }
 
+// Catches a reply that waited for an engine that was held up and is told as new.
+TEST_F(ModbusThermometerTest, AReadingIsAsOldAsItsQuestion) {
+    const auto thermometer = made("thermasgard-rtm1", {0});
+    run(*thermometer, 0.5);
+    const std::size_t before = link.sent.size();
+    while (link.sent.size() == before)
+        run(*thermometer, 0.005);
+    const double asked_s = clock.now_s();
+    clock.advance(5.0);
+    run(*thermometer, 0.005);
+    ASSERT_TRUE(thermometer->read());
+    EXPECT_EQ(thermometer->read()->front().time_s, asked_s);
+}
+
 // Promise: open and shorted sensors never become a temperature, whatever way the device tells them.
 TEST_F(ModbusThermometerTest, FaultySensorsAreInvalid) {
     struct Case {

@@ -101,8 +101,11 @@ TEST_F(NamurHeaterTest, readsTheProbeWhereItIsSet) {
 
 // Catches a plate left hot from before, since it is told to stop when Bask comes.
 TEST_F(NamurHeaterTest, aPlateJustFoundIsToldToStop) {
+    EXPECT_EQ(m_heater.heatState(), HeatState::Unknown);
     EXPECT_EQ(run(0.1).at(0), "STOP_1");
+    EXPECT_EQ(m_heater.heatState(), HeatState::Unknown) << "it has not said so yet";
     run(5.0);
+    EXPECT_EQ(m_heater.heatState(), HeatState::Off);
     EXPECT_EQ(count("STOP_1"), 3u) << "it does not say whether it heard the first";
     EXPECT_EQ(count("OUT_SP_1 0.0"), 1u);
     EXPECT_FALSE(m_heater.heating());
@@ -181,10 +184,13 @@ TEST_F(NamurHeaterTest, heatOffGoesOutAtOnce) {
     EXPECT_TRUE(m_heater.heatOff().ok());
     EXPECT_EQ(m_link.takeSent(), "STOP_1 \r\n");
     EXPECT_TRUE(m_heater.heating()) << "not seen to be off";
+    EXPECT_EQ(m_heater.heatState(), HeatState::On) << "not yet";
     EXPECT_TRUE(m_heater.heatOff().ok());
     EXPECT_EQ(m_link.takeSent(), "") << "not a flood, however often it is asked for";
     m_link.unplug();
     EXPECT_EQ(m_heater.heatOff().error().code(), MessageCode::LinkLost);
+    m_heater.work();
+    EXPECT_EQ(m_heater.heatState(), HeatState::Unknown);
 }
 
 // Catches a set point that the plate did not take, and one that it forgets when it starts.
@@ -383,6 +389,7 @@ TEST_F(NamurHeaterTest, aPlateThatDoesNotStopIsToldAndNotFed) {
             EXPECT_EQ(off.error().message, (Message{MessageCode::SafetySetPointOther, {"0", "60"}}));
         }
         EXPECT_TRUE(m_heater.heating());
+        EXPECT_EQ(m_heater.heatState(), i < 31 ? HeatState::On : HeatState::Unknown);
         run(0.1);
     }
     EXPECT_EQ(count("OUT_WD1@30"), 0u);
@@ -434,6 +441,7 @@ TEST_F(NamurHeaterTest, aLostPlateIsToldFoundAgainAndStopped) {
     m_answers.clear();
     run(NamurHeater::kSilence_s + 0.1);
     EXPECT_TRUE(m_heater.heating()) << "not seen to be off";
+    EXPECT_EQ(m_heater.heatState(), HeatState::Unknown);
     EXPECT_EQ(m_heater.status().link, LinkState::Lost);
     EXPECT_EQ(m_heater.status().problem, (Message{MessageCode::DeviceSilent, {"/dev/ttyTEST", "2"}}));
     EXPECT_EQ(m_heater.read().error().code(), MessageCode::DeviceSilent);

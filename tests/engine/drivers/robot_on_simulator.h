@@ -25,7 +25,7 @@ class RobotOnSimulator : public testing::Test {
 protected:
     static constexpr double kTick_s = 0.005;
 
-    void make(const GrblSimulatorConfig& config, bool mustHome = false,
+    void make(const GrblSimulatorConfig& config, std::optional<bool> mustHome = false,
               std::vector<AxisSpec> axes = kFourAxes) {
         m_robot.reset();
         m_device = std::make_unique<GrblSimulator>(config);
@@ -34,10 +34,13 @@ protected:
             *m_link, m_clock, AxisMap(std::move(axes), Vector6d::Zero()),
             [this](const Vector6d& target) { return m_guard(target); }, mustHome);
     }
-    void makeLive(const GrblSimulatorConfig& config = {}, bool mustHome = false) {
+    /// Its place is confirmed where that is enough.
+    void makeLive(const GrblSimulatorConfig& config = {}, std::optional<bool> mustHome = false) {
         make(config, mustHome);
         run(1.0);
         ASSERT_EQ(m_robot->status().link, LinkState::Live) << describe(m_robot->status().problem);
+        if (alarm() == MessageCode::RobotPlaceUnsure)
+            (void)m_robot->clearAlarm();
         m_link->takeSent();
     }
     void run(double time_s) {

@@ -60,6 +60,16 @@ TEST_F(StreamThermometerTest, noReadingIsNewerThanItsMeasurement) {
     EXPECT_DOUBLE_EQ(m_thermometer.read().value()[0].value_K, kelvinFromCelsius(21.0));
 }
 
+// Catches lines that waited at a link that was held up itself, told as new.
+TEST_F(StreamThermometerTest, aLineThatWaitedAtTheLinkIsOld) {
+    run(1.0);
+    const double waited_s = m_clock.now_s() - 0.7;
+    m_link.setEmptyAt(waited_s);
+    say("x\nT1 = 20\nT1 = 21\n");
+    run(0.1);
+    EXPECT_DOUBLE_EQ(m_thermometer.read().value()[0].time_s, waited_s);
+}
+
 // Catches a fault that comes a moment after the temperature too late to spoil it.
 TEST_F(StreamThermometerTest, aTemperatureWaitsForItsFault) {
     run(0.1);

@@ -56,6 +56,24 @@ TEST_F(TcpLinkTest, bytesGoThroughAndALostConnectionComesBack) {
     EXPECT_EQ(link.problem(), Message{});
 }
 
+// Catches two programs that move one robot, and one that cannot be talked to after the other has ended.
+TEST_F(TcpLinkTest, aDeviceIsTalkedToByOneBaskAtATime) {
+    plugIn(0);
+    TcpLink link("127.0.0.1", m_server->port());
+    {
+        TcpLink first("127.0.0.1", m_server->port());
+        first.open();
+        ASSERT_TRUE(until(first, [&] { return first.isOpen(); }));
+        link.open();
+        EXPECT_EQ(link.problem().code, MessageCode::LinkNotOpened);
+        EXPECT_NE(describe(link.problem()).find("another Bask"), std::string::npos)
+            << describe(link.problem());
+        EXPECT_TRUE(first.isOpen());
+    }
+    link.open();
+    EXPECT_TRUE(until(link, [&] { return link.isOpen(); }));
+}
+
 // Catches an attempt that is begun anew each time a driver asks, so that a slow one never ends.
 TEST_F(TcpLinkTest, anAttemptUnderWayIsLeftInPeace) {
     plugIn(0);

@@ -55,9 +55,12 @@ public:
     std::string read() override { return std::exchange(m_unread, {}); }
     void write(std::string_view bytes) override { m_sent += bytes; }
     void say(std::string_view bytes) { m_unread += bytes; }
+    double emptyAt_s() const override { return m_emptyAt_s; }
+    void setEmptyAt(double time_s) { m_emptyAt_s = time_s; }
 
 private:
     std::string m_unread;
+    double m_emptyAt_s = std::numeric_limits<double>::infinity();
 };
 
 /// Bytes take `delay_s` each way.

@@ -14,6 +14,7 @@
 #include <QTemporaryDir>
 
 #include <fstream>
+#include <sstream>
 
 namespace bask {
 namespace {
@@ -139,6 +140,23 @@ TEST_F(RecipeCommand, refusesWhatCannotBeRunBeforeItBegins) {
     refused({path, "--out", folder.path()}, "--out is for recipes");
     refused({"--recipe", ""}, "--recipe: the name is empty");
     refused({path}, "format"); // no experiment
+}
+
+// Catches a file that brings limits to a real rig which nobody was asked about.
+TEST_F(RecipeCommand, looserLimitsOfARealRigAreRefusedUnasked) {
+    std::ifstream data(BASK_TEST_DATA "/rig/three-thin-disks.json");
+    std::stringstream text;
+    text << data.rdbuf();
+    const QString experiment = folder.filePath("rig.json");
+    std::ofstream(experiment.toStdString()) << text.str();
+    write(R"({"run": "rig.json", "until": {"time_s": 5}})");
+    for (const QStringList& arguments :
+         {QStringList{"--recipe", path, "--live"}, QStringList{experiment, "--live"}}) {
+        const auto done = run(arguments);
+        EXPECT_EQ(done.code, kExitBadInput) << done.err;
+        EXPECT_NE(done.err.find("rotation: 0.2 rad/s instead of 0.1 rad/s"), std::string::npos) << done.err;
+        EXPECT_NE(done.err.find("--accept-limits"), std::string::npos) << done.err;
+    }
 }
 
 } // namespace bask

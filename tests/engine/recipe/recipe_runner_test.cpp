@@ -230,16 +230,28 @@ TEST_F(Runner, aRigThatDoesNotGetReadyFailsItsStep) {
     EXPECT_EQ(runner->reason(), snapshot.reasons.front());
 }
 
-// A real rig begins with a latched fault; anything else that is latched is for a person.
-TEST_F(Runner, resetsOnlyWhatALoadLatches) {
+// Catches a fault that nobody has looked at and that is reset all the same, in the middle of a night.
+TEST_F(Runner, neverResets) {
+    const auto connected = [this] {
+        load();
+        snapshot.reasons = {{MessageCode::SafetyStartUp, {}}, {MessageCode::RobotOpening, {}}};
+    };
     begin({run("a")});
-    load();
-    snapshot.reasons = {{MessageCode::SafetyStartUp, {}}, {MessageCode::RobotOpening, {}}};
-    EXPECT_EQ(take(RunState::Fault), "reset");
-    EXPECT_EQ(take(RunState::Fault, 0.5), "");
-    EXPECT_EQ(take(RunState::Fault), "reset");
+    connected();
+    EXPECT_EQ(take(RunState::Fault), "");
+    EXPECT_EQ(take(RunState::Fault, 5.0), "");
+    EXPECT_FALSE(runner->isOver()) << "somebody may be looking at the rig";
     snapshot.reasons.push_back({MessageCode::ReasonEmergencyStop, {}});
     EXPECT_EQ(take(RunState::Fault, 5.0), "");
+    EXPECT_EQ(runner->end(), RecipeEnd::Fault);
+
+    snapshot.reasons.clear();
+    begin({run("a"), run("b")});
+    start();
+    sample(100.0, 0.0);
+    take(RunState::Stopped);
+    connected(); // for the second step: nothing of the rig has changed
+    EXPECT_EQ(take(RunState::Fault), "");
     EXPECT_EQ(runner->end(), RecipeEnd::Fault);
 }
 

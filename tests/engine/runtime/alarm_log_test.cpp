@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace bask {
 namespace {
 
@@ -88,7 +90,8 @@ TEST(AlarmLog, AlarmsOutliveARestart) {
     EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 1);
     const auto read = readAlarms(path);
     ASSERT_TRUE(read) << describe(read.error());
-    AlarmLog after(*read);
+    AlarmLog after;
+    after.addFromBefore(*read);
     ASSERT_EQ(after.alarms().size(), 2U);
     EXPECT_EQ(after.alarms()[0].message, open("a").message);
     EXPECT_TRUE(after.alarms()[0].isFromBefore);
@@ -98,6 +101,83 @@ TEST(AlarmLog, AlarmsOutliveARestart) {
     EXPECT_TRUE(after.alarms()[0].isActive);
     EXPECT_FALSE(after.alarms()[0].isFromBefore);
     EXPECT_EQ(after.alarms()[0].count, 2);
+}
+
+// Catches one lost link that is ten alarms, each to be acknowledged.
+TEST(AlarmLog, WhatFollowsFromACauseStandsUnderItAndIsSeenWithIt) {
+    const AlarmCondition link{"ThermometerLost", {MessageCode::LinkLost, {"/dev/x", "gone"}}, 1};
+    const auto under = [](const std::string& object) {
+        AlarmCondition condition = open(object);
+        condition.cause = "ThermometerLost";
+        return condition;
+    };
+    AlarmLog log;
+    log.update(1.0, {open("a")}); // before anybody knows of the link
+    log.update(2.0, {under("a"), under("b"), link});
+    ASSERT_EQ(log.alarms().size(), 3U);
+    EXPECT_EQ(log.alarms()[0].key, "ThermometerLost");
+    EXPECT_EQ(log.alarms()[1].cause, "ThermometerLost");
+    EXPECT_EQ(log.alarms()[2].cause, "ThermometerLost");
+    EXPECT_TRUE(log.acknowledge(log.alarms()[0].id));
+    EXPECT_TRUE(std::ranges::all_of(log.alarms(), &Alarm::isAcknowledged));
+    log.update(3.0, {under("a"), under("b"), under("c"), link});
+    EXPECT_TRUE(std::ranges::all_of(log.alarms(), &Alarm::isAcknowledged)) << "the cause has been seen";
+    log.update(4.0, {open("b")}); // the link is back, one sensor is not
+    ASSERT_EQ(log.alarms().size(), 1U);
+    EXPECT_EQ(log.alarms()[0].cause, "");
+}
+
+// Catches a shelf without a reason or an end, one that hides a grave alarm for long, and an alarm that never
+// comes back from it.
+TEST(AlarmLog, AShelvedAlarmComesBackByItself) {
+    AlarmLog log;
+    log.update(1.0, {open("a"), warm("b")});
+    const std::uint64_t grave = log.alarms()[0].id, other = log.alarms()[1].id;
+    EXPECT_FALSE(log.shelve(grave, 1.0, 600.0, " "));
+    EXPECT_FALSE(log.shelve(grave, 1.0, 1801.0, "wire ordered"));
+    EXPECT_FALSE(log.shelve(99, 1.0, 600.0, "wire ordered"));
+    ASSERT_TRUE(log.shelve(grave, 1.0, 600.0, "wire ordered"));
+    ASSERT_TRUE(log.shelve(other, 1.0, 3600.0, "known"));
+    EXPECT_TRUE(log.alarms()[0].isAcknowledged && log.alarms()[1].isAcknowledged);
+    log.update(100.0, {});
+    EXPECT_EQ(log.alarms().size(), 2U) << "listed, though over";
+    log.update(200.0, {open("a")});
+    EXPECT_TRUE(log.alarms()[0].isAcknowledged) << "still shelved";
+    log.update(601.0, {open("a")});
+    ASSERT_EQ(log.alarms()[0].id, grave);
+    EXPECT_FALSE(log.alarms()[0].isAcknowledged);
+    EXPECT_EQ(log.alarms()[0].shelvedUntil_s, 0.0);
+    EXPECT_EQ(log.alarms()[0].shelfReason, "");
+    EXPECT_TRUE(log.unshelve(other));
+    EXPECT_FALSE(log.unshelve(other));
+    EXPECT_EQ(log.alarms().size(), 1U) << "over long ago";
+}
+
+// Catches an alarm of the plate in the lab that comes back over a simulated run, and one that is lost there.
+TEST(AlarmLog, EachKindOfRigHasItsOwn) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("alarms.json").toStdString();
+    AlarmLog log;
+    log.update(1.0, {warm("simulated")});
+    log.use(true);
+    EXPECT_TRUE(log.alarms().empty());
+    log.update(2.0, {open("real")});
+    log.use(true);
+    ASSERT_EQ(log.alarms().size(), 1U);
+    EXPECT_TRUE(log.alarms()[0].isActive);
+    ASSERT_TRUE(writeAlarms(log.all(), path));
+    AlarmLog after;
+    after.addFromBefore(readAlarms(path).value());
+    for (AlarmLog* one : {&log, &after}) {
+        one->use(false);
+        ASSERT_EQ(one->alarms().size(), 1U);
+        EXPECT_EQ(one->alarms()[0].key, warm("simulated").key);
+        EXPECT_TRUE(one->alarms()[0].isFromBefore && !one->alarms()[0].isActive);
+        one->use(true);
+        ASSERT_EQ(one->alarms().size(), 1U);
+        EXPECT_EQ(one->alarms()[0].key, open("real").key);
+        EXPECT_TRUE(one->alarms()[0].isFromBefore && !one->alarms()[0].isActive);
+    }
 }
 
 // Catches a program that does not start, or believes nonsense, since its alarms are damaged.

@@ -8,12 +8,18 @@
 #include <QElapsedTimer>
 #include <QThread>
 
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
 namespace bask {
 
 /// Worker on its thread, with everything it published.
 class EngineThread : public QObject {
 public:
-    explicit EngineThread(const std::string& alarmFile = {}) : m_worker(alarmFile) {
+    explicit EngineThread(const std::string& alarmFile = {}, const std::string& deviceFile = {},
+                          std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>())
+        : m_worker(alarmFile, deviceFile, std::move(awake)) {
         m_worker.moveToThread(&m_thread);
         connect(&m_thread, &QThread::started, &m_worker, &EngineWorker::start);
         connect(&m_worker, &EngineWorker::published, this, [this](const Snapshot& snapshot) {
@@ -21,6 +27,8 @@ public:
             if (snapshot.refusal.code != MessageCode::None)
                 refusal = snapshot.refusal;
             samples += snapshot.newSamples.size();
+            ++snapshots;
+            std::ranges::copy(snapshot.newEvents, std::back_inserter(events));
             inOrder = inOrder && snapshot.sequence == m_sequence + 1;
             m_sequence = snapshot.sequence;
         });
@@ -53,8 +61,10 @@ public:
     Snapshot last;
     Message refusal;
     std::size_t samples = 0;
+    std::vector<TraceEvent> events;
     std::shared_ptr<const VisionView> view; ///< handed on last
     int views = 0;
+    int snapshots = 0;
     bool inOrder = true;
 
 private:

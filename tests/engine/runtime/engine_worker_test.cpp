@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <thread>
 
 namespace bask {
 namespace {
@@ -55,6 +57,7 @@ TEST(EngineWorker, RunsRecordsAndDropsNoSample) {
     ASSERT_TRUE(rig.reaches(RunState::Settled));
     rig.send(Stop{});
     ASSERT_TRUE(rig.reaches(RunState::Stopped));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); })) << "it is closed meanwhile";
     EXPECT_TRUE(rig.inOrder);
     const auto session = readSession(path);
     ASSERT_TRUE(session) << describe(session.error());
@@ -63,6 +66,125 @@ TEST(EngineWorker, RunsRecordsAndDropsNoSample) {
     ASSERT_EQ(session->notes.size(), 1U);
     EXPECT_EQ(session->notes[0].text, "hello");
     EXPECT_TRUE(session->simulated);
+}
+
+// Catches targets that cannot be held and are run without a person's word, and one whose Start is lost.
+TEST(EngineWorker, AnUnreachableTargetNeedsAnExplicitYes) {
+    Rig rig;
+    Experiment experiment = oneDisk();
+    experiment.objects[0].target_K = kelvinFromCelsius(-20.0); // nothing cools it
+    rig.send(LoadExperiment{experiment});
+    rig.send(SetSimulationSpeed{20.0});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{false});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::ReasonTargetInfeasible; }));
+    EXPECT_EQ(rig.last.state, RunState::Armed);
+    rig.send(Start{true});
+    EXPECT_TRUE(rig.reaches(RunState::Running));
+}
+
+// Catches a Start that is still being judged when STOP comes, and starts the run afterwards.
+TEST(EngineWorker, WhatWasBegunIsVoidAfterStop) {
+    const QTemporaryDir folder;
+    Rig rig;
+    rig.send(LoadExperiment{oneDisk()});
+    rig.send(SetSimulationSpeed{20.0});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    const std::uint64_t runId = rig.last.runId;
+    rig.send(Arm{folder.filePath("run.bask").toStdString()});
+    rig.send(Start{});
+    rig.send(EmergencyStop{});
+    rig.send(Reset{});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    ASSERT_TRUE(rig.reaches(RunState::Armed));
+    EXPECT_EQ(rig.last.runId, runId + 1) << "the first was never armed";
+    rig.send(Start{});
+    rig.send(Disarm{});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    const double at_s = rig.last.clock_s;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.clock_s > at_s + 30.0; }));
+    EXPECT_EQ(rig.last.state, RunState::Ready);
+}
+
+// Catches snapshots and rows that pile up, or are lost, while the window hangs.
+TEST(EngineWorker, AWindowThatHangsGetsTheNewestAndEveryRow) {
+    Rig rig;
+    rig.send(LoadExperiment{oneDisk()});
+    rig.send(SetSimulationSpeed{20.0});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{});
+    rig.send(Start{true});
+    ASSERT_TRUE(rig.reaches(RunState::Running));
+    const double before_s = rig.last.runTime_s;
+    const int taken = rig.snapshots;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // it hangs, for thirty snapshots
+    QCoreApplication::processEvents();
+    EXPECT_LE(rig.snapshots - taken, static_cast<int>(Underway::kMost));
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > before_s + 20.0; }));
+    EXPECT_TRUE(rig.inOrder);
+    // Start falls between two steps of the rig.
+    EXPECT_NEAR(static_cast<double>(rig.samples), rig.last.runTime_s / 0.5 + 1.0, 1.0);
+}
+
+// Catches pictures of a megabyte each that pile up, and a window that shows old ones afterwards.
+TEST(EngineWorker, AWindowThatHangsGetsTwoPicturesAndThenTheNewest) {
+    Rig rig;
+    rig.send(LoadExperiment{withHalfSizePictures(withMarkers())});
+    rig.send(WatchCamera{true, {}});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.views > 2; }));
+    const int taken = rig.views;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // it hangs
+    const double hung_s = rig.view->frame->time_s;
+    QCoreApplication::processEvents();
+    EXPECT_LE(rig.views - taken, static_cast<int>(Underway::kMost));
+    EXPECT_TRUE(rig.waitFor([&] { return rig.view->frame->time_s > hung_s + 1.0; }, 5000));
+}
+
+// Catches a second program with the same settings that is not told so.
+TEST(EngineWorker, ASecondBaskIsTold) {
+    const QTemporaryDir folder;
+    const std::string file = folder.filePath("alarms.json").toStdString();
+    Rig first(file);
+    ASSERT_TRUE(first.waitFor([&] { return QFile::exists(folder.filePath("alarms.json.lock")); }));
+    Rig second(file);
+    ASSERT_TRUE(second.waitFor([&] {
+        return std::ranges::any_of(second.events, [](const TraceEvent& event) {
+            return describe(event.message).find("alarms-2.json") != std::string::npos;
+        });
+    }));
+    EXPECT_TRUE(first.events.empty());
+}
+
+// Catches a recording that ends with the fault that people want to see, an outcome that is not the run's, and
+// one that cannot be ended.
+TEST(EngineWorker, ARecordingGoesOnAfterStopUntilAPersonEndsIt) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("stop.bask").toStdString();
+    Experiment hot = oneDisk();
+    hot.objects[0].target_K = kelvinFromCelsius(70.0);
+    Rig rig;
+    rig.send(SetSimulationSpeed{20.0});
+    rig.send(LoadExperiment{hot});
+    ASSERT_TRUE(rig.reaches(RunState::Ready));
+    rig.send(Arm{path});
+    rig.send(Start{true});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.latest.objects[0].estimated_K > 320.0; }));
+    rig.send(EndRecording{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.refusal.code == MessageCode::SessionAlreadyRunning; }));
+    rig.send(EmergencyStop{});
+    ASSERT_TRUE(rig.reaches(RunState::Fault));
+    const double stop_s = rig.last.runTime_s;
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > stop_s + 5.0; }));
+    EXPECT_EQ(rig.last.recordingPath, path);
+    rig.send(EndRecording{});
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); }));
+    const auto session = readSession(path);
+    ASSERT_TRUE(session) << describe(session.error());
+    EXPECT_EQ(session->outcome, "emergency-stop");
+    EXPECT_GT(session->samples.back().time_s, stop_s + 4.0);
+    EXPECT_LE(session->controlledSamples().back().time_s, stop_s);
 }
 
 // Catches an engine that waits for a camera to be let go (a picture that is looked at, a driver that hangs)
@@ -163,9 +285,11 @@ TEST(EngineWorker, SimulatedFaultsReachTheOperatorAndResetClearsThem) {
     ASSERT_TRUE(rig.reaches(RunState::Fault));
     ASSERT_FALSE(rig.last.reasons.empty());
     EXPECT_FALSE(rig.last.heatOn);
+    EXPECT_EQ(rig.last.heat, HeatState::Unknown) << "a lost source is not off";
     rig.send(SimulateFault{SimulatedFault::None});
     rig.send(Reset{});
     EXPECT_TRUE(rig.reaches(RunState::Ready));
+    EXPECT_EQ(rig.last.heat, HeatState::Off);
 }
 
 // Catches a hold that is over before a person can do anything: its limit of 15 s was 0.75 s of theirs.
@@ -234,7 +358,7 @@ TEST(EngineWorker, AlarmsArePublishedAcknowledgedAndOutliveIt) {
     EXPECT_FALSE(lost->isActive);
     rig.send(AcknowledgeAll{});
     ASSERT_TRUE(rig.waitFor([&] { return rig.last.alarms.empty(); }));
-    EXPECT_TRUE(readAlarms(file).value().empty());
+    EXPECT_TRUE(rig.waitFor([&] { return readAlarms(file).value().empty(); })) << "written meanwhile";
 }
 
 // Catches a recording that is begun on a disk which has no room for it.
@@ -429,6 +553,7 @@ TEST(EngineWorker, ASessionHasTheOffsetsThatWereFoundBeforeArm) {
     rig.send(Stop{});
     ASSERT_TRUE(rig.reaches(RunState::Stopped));
     EXPECT_EQ(rig.last.zeroing, zeroing);
+    ASSERT_TRUE(rig.waitFor([&] { return rig.last.recordingPath.empty(); })) << "it is closed meanwhile";
     const auto session = readSession(path);
     ASSERT_TRUE(session) << describe(session.error());
     const auto arm = std::ranges::find(session->commands, "arm", &CommandRow::name);

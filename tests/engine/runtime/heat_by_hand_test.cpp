@@ -33,6 +33,7 @@ struct DeafSource final : HeatSource {
         return {};
     }
     bool heating() const override { return isDeaf || inner.heating(); }
+    HeatState heatState() const override { return isDeaf ? HeatState::Unknown : inner.heatState(); }
     HeatSource& inner;
     bool isDeaf = false;
     int orders = 0;

@@ -302,7 +302,7 @@ TEST(Dropouts, DoNotEndARun) {
         const auto outcome = runSimulated(experiment, {400.0, {}, {}});
         ASSERT_TRUE(outcome) << describe(outcome.error());
         EXPECT_TRUE(outcome->settled) << seed;
-        EXPECT_FALSE(has(*outcome, MessageCode::EventHeld)) << seed;
+        EXPECT_FALSE(has(*outcome, MessageCode::EventHeldFor)) << seed;
         EXPECT_NEAR(outcome->simulated_s, 400.0, 1.5);
     }
 }

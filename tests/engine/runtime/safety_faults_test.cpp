@@ -3,6 +3,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/runtime/fault_script.h"
+#include "engine/runtime/missing_devices.h"
 #include "engine/runtime/simulated_run.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 
@@ -226,6 +227,95 @@ TEST(Safety, ASensorThatDoesNotWarmNearTheSourceEndsTheRun) {
     EXPECT_EQ(rig.loop.reasons().front().args.at(0), "left");
 }
 
+// Catches a sensor that came off and is believed again, since it reads the room for long enough; a run that
+// is resumed on its reading; and one that is back on its object and not believed.
+TEST(Safety, ASensorThatCameOffIsDistrustedUntilItAgrees) {
+    Rig rig;
+    rig.run(1.0);
+    ASSERT_LE(rig.until([&] { return rig.loop.latest().objects[0].true_K > kelvinFromCelsius(36.0); }, 300.0),
+              300.0);
+    EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Trusted);
+    setFault(rig.rig, SimulatedFault::SensorOff, 0, true);
+    EXPECT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetySensorJump); }, 1.0), 1.0);
+    rig.periods(100); // a reading of the room has long been no jump any more
+    EXPECT_TRUE(rig.isAlarm(MessageCode::SafetySensorJump));
+    EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Distrusted);
+    EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Trusted);
+    EXPECT_NEAR(rig.loop.toldReading_K(0), rig.rig.environment_K(), 0.5);
+    EXPECT_GT(rig.loop.readingAge_s(0), 9.0);
+    const auto refused = rig.loop.resume();
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::ReasonSensorDistrusted);
+    setFault(rig.rig, SimulatedFault::SensorOff, 0, false);
+    EXPECT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetySensorJump); }, 1.0), 1.0);
+    EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Trusted);
+    EXPECT_TRUE(rig.loop.resume());
+}
+
+// Catches a distrust that no person can end, or that ends without a word in the record.
+TEST(Safety, APersonConfirmsADistrustedSensor) {
+    Rig rig;
+    rig.run(1.0);
+    ASSERT_LE(rig.until([&] { return rig.loop.latest().objects[1].true_K > kelvinFromCelsius(36.0); }, 300.0),
+              300.0);
+    setFault(rig.rig, SimulatedFault::SensorOff, 1, true);
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 120.0), 120.0);
+    ASSERT_TRUE(rig.loop.reset());
+    rig.periods(600); // the object cools: where it is nobody knows
+    EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Distrusted);
+    EXPECT_EQ(rig.loop.state(), RunState::NotReady);
+    EXPECT_FALSE(rig.loop.setHeat(kelvinFromCelsius(100.0)));
+    rig.events.clear();
+    (void)rig.loop.takeRecord();
+    EXPECT_FALSE(rig.loop.confirmSensor(2));
+    ASSERT_TRUE(rig.loop.confirmSensor(1));
+    const LoopRecord record = rig.loop.takeRecord();
+    ASSERT_EQ(record.commands.size(), 1U);
+    EXPECT_EQ(record.commands.front().name, "confirm-sensor");
+    ASSERT_EQ(record.events.size(), 1U);
+    EXPECT_EQ(record.events.front().message.code, MessageCode::EventSensorConfirmed);
+    rig.periods(40);
+    EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Trusted);
+    EXPECT_EQ(rig.loop.state(), RunState::Ready);
+    EXPECT_FALSE(rig.isAlarm(MessageCode::SafetySensorJump));
+}
+
+// Catches a sensor that gave no value, came back on nothing, and is believed.
+TEST(Safety, ASensorThatComesBackElsewhereIsDistrusted) {
+    Rig rig;
+    rig.run(1.0);
+    ASSERT_LE(rig.until([&] { return rig.loop.latest().objects[0].true_K > kelvinFromCelsius(36.0); }, 300.0),
+              300.0);
+    setFault(rig.rig, SimulatedFault::SensorLost, 0, true);
+    rig.periods(120);
+    setFault(rig.rig, SimulatedFault::SensorOff, 0, true);
+    rig.periods(10);
+    EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Distrusted);
+    setFault(rig.rig, SimulatedFault::SensorLost, 0, true);
+    rig.periods(5);
+    setFault(rig.rig, SimulatedFault::SensorLost, 0, false);
+    rig.periods(5);
+    EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Trusted);
+}
+
+// Catches a sensor that stopped while its object rests and is shown as if it were new.
+TEST(Safety, ASensorWithoutItsNoiseIsToldAndStale) {
+    Experiment experiment = fastDisks();
+    experiment.simulation.sensorNoise_K = 0.1;
+    experiment.sampling = {1.0, 10, 2};
+    Rig rig(experiment);
+    rig.periods(300);
+    EXPECT_TRUE(rig.loop.alarmConditions().empty());
+    setFault(rig.rig, SimulatedFault::SensorFrozen, 1, true);
+    EXPECT_NEAR(rig.until([&] { return rig.isAlarm(MessageCode::SafetySensorQuiet); }, 60.0), 31.0, 5.0);
+    EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Stale);
+    EXPECT_EQ(rig.loop.alarmConditions().front().priority, 3);
+    EXPECT_EQ(rig.loop.state(), RunState::Ready) << "told, no more";
+    setFault(rig.rig, SimulatedFault::SensorFrozen, 1, false);
+    rig.periods(1);
+    EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Trusted);
+}
+
 // Catches heat that stays on unnoticed since the source did not take the order.
 TEST(Safety, HeatThatCannotBeSwitchedOffIsTold) {
     Rig rig;
@@ -255,6 +345,7 @@ TEST(Safety, ASourceHeatedByHandIsSaidToStayHot) {
         }
         Result<void> heatOff() override { return source.heatOff(); }
         bool heating() const override { return source.heating(); }
+        HeatState heatState() const override { return source.heatState(); }
         bool isByHand() const override { return true; }
         HeatSource& source;
     };
@@ -349,6 +440,37 @@ TEST(Safety, DevicesAreGivenTimeToConnectAndThenMissed) {
     EXPECT_EQ(again.alarmConditions().back().message.code, MessageCode::ReasonRobotLost);
 }
 
+// Catches a rig that is in alarm before anything of it was set up, and one without a device that can be run.
+TEST(Safety, WhatIsNotSetUpIsNoAlarmAndNotReady) {
+    const Experiment experiment = fastDisks();
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    MissingRobot noRobot;
+    MissingThermometer noThermometer;
+    MissingHeatSource noSource;
+    const auto isMissing = [](const Message& reason) { return reason.code == MessageCode::RigIncomplete; };
+    ServoLoop empty(experiment, {noRobot, noThermometer, noSource, {}, nullptr, true}, rig.clock());
+    ServoLoop part(experiment, {noRobot, rig.thermometer(), rig.heatSource(), {}, nullptr, true},
+                   rig.clock());
+    const auto periods = [&](ServoLoop& loop, int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(experiment.sampling.period_s);
+            loop.tick();
+        }
+    };
+    periods(empty, 100);
+    EXPECT_EQ(empty.state(), RunState::NotReady);
+    EXPECT_TRUE(empty.alarmConditions().empty());
+    EXPECT_EQ(std::ranges::count_if(empty.reasons(), isMissing), 3);
+    periods(part, 100);
+    EXPECT_EQ(part.alarmConditions().size(), 1U);
+    EXPECT_EQ(part.alarmConditions().front().message.code, MessageCode::SafetyStartUp);
+    ASSERT_TRUE(part.reset());
+    periods(part, 50);
+    EXPECT_EQ(part.state(), RunState::NotReady);
+    EXPECT_EQ(std::ranges::count_if(part.reasons(), isMissing), 1);
+    EXPECT_FALSE(part.arm());
+}
+
 // Catches a loop that was held up without anybody being told.
 TEST(Safety, ALateLoopIsNoted) {
     Rig rig;
@@ -359,6 +481,113 @@ TEST(Safety, ALateLoopIsNoted) {
     EXPECT_EQ(rig.loop.state(), RunState::Running);
     for (const AlarmCondition& condition : rig.loop.alarmConditions())
         EXPECT_EQ(condition.priority, 3);
+}
+
+// Catches a warning limit that acts on its edge alone: a run that begins, or goes on, above it.
+TEST(Safety, NoRunBeginsOrGoesOnAboveAWarningLimit) {
+    Rig rig;
+    rig.periods(40);
+    ASSERT_TRUE(rig.loop.arm());
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
+    ASSERT_LE(rig.until([&] { return rig.isAlarm(MessageCode::SafetyObjectWarm); }, 80.0), 80.0);
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, false);
+    ASSERT_EQ(rig.loop.state(), RunState::Armed);
+    const auto refused = rig.loop.start(true);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::SafetyObjectWarm);
+    ASSERT_LE(rig.until([&] { return !rig.isAlarm(MessageCode::SafetyObjectWarm); }, 600.0), 600.0);
+    ASSERT_TRUE(rig.loop.start(true));
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, true);
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Holding; }, 80.0), 80.0);
+    setFault(rig.rig, SimulatedFault::ObjectHot, 0, false);
+    EXPECT_EQ(rig.loop.remedy().code, MessageCode::RemedyStop);
+    const auto held = rig.loop.resume();
+    ASSERT_FALSE(held);
+    EXPECT_EQ(held.error().code(), MessageCode::SafetyObjectWarm);
+}
+
+// Catches what the engine did by itself without why, and a fault whose remedy cannot be done in a fault.
+TEST(Safety, TheCauseStandsInTheEventAndTheRemedyFitsTheState) {
+    Rig rig;
+    rig.run(20.0);
+    setFault(rig.rig, SimulatedFault::SensorOpen, 1, true);
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 90.0), 90.0);
+    const Message open{MessageCode::SafetySensorOpen, {"right"}};
+    const auto isRecorded = [&](const Message& message) {
+        return std::ranges::find(rig.events, message) != rig.events.end();
+    };
+    EXPECT_TRUE(isRecorded(messageAbout(MessageCode::EventHeldFor, open)));
+    EXPECT_TRUE(isRecorded(messageAbout(MessageCode::EventStoppedFor, open)));
+    EXPECT_TRUE(isRecorded(
+        {MessageCode::EventSensorLostTooLong, {formatNumber(rig.experiment.safety.heldLimit_s), "right"}}));
+    for (const Message& reason : rig.loop.reasons())
+        EXPECT_EQ(describe(reason).find("resume"), std::string::npos) << describe(reason);
+    EXPECT_EQ(rig.loop.remedy(), (Message{MessageCode::RemedyReset, {}}));
+    setFault(rig.rig, SimulatedFault::RobotLost, 0, true);
+    rig.periods(2);
+    EXPECT_EQ(rig.loop.remedy().code, MessageCode::RemedyWait);
+}
+
+// Catches one lost link that is ten alarms, and a fault that is another alarm than the condition it is for.
+TEST(Safety, OneLostLinkIsOneCause) {
+    for (const SimulatedFault fault :
+         {SimulatedFault::RobotLost, SimulatedFault::SourceLost, SimulatedFault::SensorOpen}) {
+        Rig rig;
+        rig.run(20.0);
+        std::vector<std::string> causes;
+        setFault(rig.rig, fault, 0, true);
+        const auto look = [&] {
+            for (const AlarmCondition& condition : rig.loop.alarmConditions())
+                if (condition.cause.empty() && std::ranges::find(causes, condition.key) == causes.end())
+                    causes.push_back(condition.key);
+            return false;
+        };
+        (void)rig.until(look, 60.0);
+        setFault(rig.rig, fault, 0, false);
+        if (fault == SimulatedFault::RobotLost)
+            setFault(rig.rig, SimulatedFault::RobotRestarted, 0, true);
+        (void)rig.until(look, 5.0);
+        EXPECT_EQ(causes.size(), 1U) << simulatedFaultName(fault) << ": " << causes.back();
+        const auto alarms = rig.loop.alarmConditions();
+        EXPECT_EQ(
+            std::ranges::count_if(alarms, [](const AlarmCondition& alarm) { return alarm.cause.empty(); }),
+            1);
+    }
+}
+
+// Catches the minutes after a fault, which are what people want to see, that nobody records.
+TEST(Safety, TheRecordGoesOnThroughAFaultUntilEverythingIsCold) {
+    for (const bool isStop : {true, false}) {
+        Experiment experiment = twoDisks(80.0);
+        experiment.sampling = {1.0, 5, 2};
+        Rig rig(experiment);
+        rig.run(300.0);
+        (void)rig.loop.takeRecord();
+        if (isStop)
+            rig.loop.emergencyStop();
+        else
+            setFault(rig.rig, SimulatedFault::RobotAlarm, 0, true);
+        rig.periods(1);
+        ASSERT_EQ(rig.loop.state(), RunState::Fault);
+        const std::string outcome = isStop ? "emergency-stop" : "fault";
+        EXPECT_EQ(rig.loop.outcome(), outcome);
+        const double end_s = rig.loop.runTime_s();
+        std::vector<TraceSample> samples;
+        for (int i = 0; i < 3600 && rig.loop.isCooling(); ++i) {
+            rig.periods(1);
+            const LoopRecord rows = rig.loop.takeRecord();
+            samples.insert(samples.end(), rows.samples.begin(), rows.samples.end());
+        }
+        EXPECT_FALSE(rig.loop.isCooling());
+        ASSERT_GT(samples.size(), 30U);
+        EXPECT_NEAR(samples.front().time_s, end_s, 0.01) << "its time goes on";
+        EXPECT_NEAR(samples.back().time_s, end_s + static_cast<double>(samples.size() - 1), 0.01);
+        for (const ObjectSample& object : samples.back().objects)
+            EXPECT_LT(object.estimated_K, kelvinFromCelsius(40.0));
+        EXPECT_EQ(rig.loop.outcome(), outcome);
+        rig.periods(10);
+        EXPECT_TRUE(rig.loop.takeRecord().samples.empty());
+    }
 }
 
 // Catches a disk that fills up unnoticed.

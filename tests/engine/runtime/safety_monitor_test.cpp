@@ -51,6 +51,8 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::SourceNotHeating, MessageCode::SafetySourceNotHeating),
           std::pair(SafetyCondition::SourceHeatsUnasked, MessageCode::SafetySourceHeatsUnasked),
           std::pair(SafetyCondition::SourceNotCooling, MessageCode::SafetySourceNotCooling),
+          std::pair(SafetyCondition::SourceCold, MessageCode::SafetySourceCold),
+          std::pair(SafetyCondition::SourceUnit, MessageCode::SafetySourceUnit),
           std::pair(SafetyCondition::NoWatchdog, MessageCode::SafetyNoWatchdog),
           std::pair(SafetyCondition::SetPointOther, MessageCode::SafetySetPointOther),
           std::pair(SafetyCondition::NotWarming, MessageCode::SafetyNotWarming),
@@ -67,8 +69,58 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::HeatByHand, MessageCode::SafetyHeatByHand),
           std::pair(SafetyCondition::SensorsApart, MessageCode::SafetySensorsApart),
           std::pair(SafetyCondition::DiskLow, MessageCode::SafetyDiskLow),
+          std::pair(SafetyCondition::SensorQuiet, MessageCode::SafetySensorQuiet),
           std::pair(SafetyCondition::LoopLate, MessageCode::SafetyLoopLate)})
         EXPECT_EQ(safetyRow(condition).priority, alarmPriority(code)) << messageName(code);
+}
+
+// Catches a controller in degC that is read as degF: a room of 25 degC is -3.9 degC then, and 200 degC 392.
+TEST(SafetyMonitor, ASourceColderThanTheRoomIsNotHeated) {
+    Monitor m;
+    m.seen.isSourceSwitched = true;
+    m.seen.source_K = m.experiment.environment_K - 4.0; // the room is not known better
+    m.after(1.0);
+    m.after(1.0);
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceCold));
+    m.seen.source_K = kelvinFromCelsius((celsiusFromKelvin(m.experiment.environment_K) - 32.0) / 1.8);
+    m.after(1.0);
+    m.after(1.0);
+    EXPECT_TRUE(m.isActive(SafetyCondition::SourceCold));
+    ASSERT_NE(m.monitor.forbidsReset(), nullptr);
+    EXPECT_EQ(m.monitor.forbidsReset()->message.code, MessageCode::SafetySourceCold);
+    m.seen.isByHand = true; // typed by a person
+    m.after(1.0);
+    EXPECT_FALSE(m.isActive(SafetyCondition::SourceCold));
+}
+
+// Catches a controller in degF that is read as degC; and a hot source that cools through that number.
+TEST(SafetyMonitor, ASourceInTheOtherUnitIsNotHeated) {
+    Monitor m;
+    m.seen.isSourceSwitched = true;
+    const double room_degF = celsiusFromKelvin(m.experiment.environment_K) * 1.8 + 32.0;
+    m.seen.source_K = kelvinFromCelsius(room_degF + 30.0);
+    for (int i = 0; i < 600; ++i) { // it cools as a heavy plate does
+        *m.seen.source_K -= (*m.seen.source_K - m.experiment.environment_K) / 1200.0;
+        m.after(1.0);
+        ASSERT_FALSE(m.isActive(SafetyCondition::SourceUnit)) << i;
+    }
+    Monitor cold;
+    cold.seen.isSourceSwitched = true;
+    cold.seen.source_K = kelvinFromCelsius(room_degF + 2.0);
+    for (int i = 0; i < 35; ++i)
+        cold.after(1.0);
+    EXPECT_TRUE(cold.isActive(SafetyCondition::SourceUnit));
+
+    Monitor heated;
+    heated.seen.isSourceSwitched = true;
+    heated.seen.asked_K = kelvinFromCelsius(200.0);
+    heated.seen.readBack_K = kelvinFromCelsius(200.0);
+    heated.after(1.0);
+    heated.seen.readBack_K = kelvinFromCelsius(392.0);
+    heated.after(1.0);
+    const SafetyChanges changes = heated.after(1.0);
+    ASSERT_EQ(changes.raised.size(), 1U);
+    EXPECT_EQ(changes.raised[0].message, (Message{MessageCode::SafetySourceUnit, {"392", "200"}}));
 }
 
 // Catches a limit that chatters about its value, and one that a single wrong reading of the source trips.
@@ -80,8 +132,8 @@ TEST(SafetyMonitor, LimitsHaveDelaysAndHysteresis) {
     ASSERT_EQ(changes.raised.size(), 1U);
     EXPECT_EQ(
         describe(changes.raised[0].message),
-        "\"left\" has 120.1 °C, above its warning limit of 120 °C. The robot holds: look whether target "
-        "and limits are right, then resume or stop.");
+        "\"left\" has 120.1 °C, above its warning limit of 120 °C. Let it cool: Stop or Retreat takes it "
+        "away. Check its target and its limits.");
     m.seen.objects[0].measured_K = warning_K - 1.5;
     EXPECT_TRUE(m.after(1.0).ended.empty());
     m.seen.objects[0].measured_K = warning_K - 2.5;

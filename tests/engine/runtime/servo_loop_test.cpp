@@ -76,6 +76,31 @@ TEST_F(ServoLoopTest, HoldStandsStillAndResumeGoesOn) {
     EXPECT_NE(rig.simulatedRobot().coordinates(), at);
 }
 
+// Catches: a lost robot that is shown where it was as if it were there, and one that has told nothing yet.
+TEST_F(ServoLoopTest, TheAgeOfTheRobotsPlaceIsTold) {
+    EXPECT_EQ(loop.placeState(), PlaceState::Unknown);
+    EXPECT_TRUE(std::isinf(loop.placeAge_s()));
+    EXPECT_TRUE(std::isinf(loop.sourceAge_s()));
+    periods(3);
+    EXPECT_EQ(loop.placeState(), PlaceState::Sure);
+    EXPECT_LE(loop.placeAge_s(), 0.1);
+    EXPECT_LE(loop.sourceAge_s(), experiment.sampling.period_s);
+    const Vector6d at = loop.latest().coordinates;
+    for (const RobotTrouble trouble : {RobotTrouble::LinkLost, RobotTrouble::Slow}) {
+        rig.simulatedRobot().setTrouble(trouble);
+        periods(12);
+        EXPECT_EQ(loop.placeState(), PlaceState::Unknown);
+        EXPECT_GE(loop.placeAge_s(), 11.0 * experiment.sampling.period_s);
+        EXPECT_EQ(loop.latest().coordinates, at);
+        rig.simulatedRobot().setTrouble(RobotTrouble::None);
+        periods(1);
+        EXPECT_EQ(loop.placeState(), PlaceState::Sure);
+    }
+    rig.simulatedRobot().setTrouble(RobotTrouble::Restarted);
+    periods(1);
+    EXPECT_EQ(loop.placeState(), PlaceState::Unsure);
+}
+
 // Catches: limits of the last command in the samples of a robot that is told to stand.
 TEST_F(ServoLoopTest, WhileItStandsNothingHoldsItBack) {
     startRun();
@@ -161,16 +186,6 @@ TEST_F(ServoLoopTest, AnEngineThatDiesLeavesRobotAndHeatToExpire) {
     EXPECT_FALSE(rig.heatSource().heating());
     rig.advance(10.0);
     EXPECT_EQ(rig.simulatedRobot().coordinates(), at);
-}
-
-TEST_F(ServoLoopTest, AnUnreachableTargetNeedsAnExplicitYes) {
-    periods(10);
-    ASSERT_TRUE(loop.setTargets({kelvinFromCelsius(35.0), kelvinFromCelsius(120.0)}));
-    ASSERT_TRUE(loop.arm());
-    const auto refused = loop.start(false);
-    ASSERT_FALSE(refused);
-    EXPECT_EQ(refused.error().code(), MessageCode::ReasonTargetInfeasible);
-    EXPECT_TRUE(loop.start(true));
 }
 
 // Catches events that do not say which targets were set, and a reason that is lost or told when no run is on.
@@ -298,6 +313,7 @@ public:
     }
     Result<void> heatOff() override { return m_source.heatOff(); }
     bool heating() const override { return m_source.heating(); }
+    HeatState heatState() const override { return m_source.heatState(); }
     bool deaf = false;
 
 private:

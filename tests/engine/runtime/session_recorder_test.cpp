@@ -1,5 +1,6 @@
 #include "engine/runtime/session_recorder.h"
 
+#include "engine/base/message_code.h"
 #include "engine/session/session_store.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 #include "tests/support/wait_for.h"
@@ -15,7 +16,13 @@ namespace {
 class SessionRecorderTest : public testing::Test {
 protected:
     std::unique_ptr<SessionRecorder> recorder() const {
-        return std::move(SessionRecorder::create(m_path, m_experiment, false).value());
+        auto out = std::make_unique<SessionRecorder>(m_path, m_experiment, false);
+        EXPECT_TRUE(test::waitFor([&] { return out->made().has_value(); }) && *out->made());
+        return out;
+    }
+    static bool isFinished(SessionRecorder& recording) {
+        recording.finish("settled");
+        return test::waitFor([&] { return recording.finished().has_value(); }) && *recording.finished();
     }
     LoopRecord sampleAt(double time_s) const {
         LoopRecord rows;
@@ -50,7 +57,7 @@ TEST_F(SessionRecorderTest, aFileThatCannotBeWrittenForAWhileHoldsNobodyUp) {
     EXPECT_LT(longest_ms, 300) << "the lock is kept for longer";
     EXPECT_EQ(recording->rows(), 0U);
     ASSERT_TRUE((*other)->execute("ROLLBACK"));
-    ASSERT_TRUE(recording->finish("settled"));
+    ASSERT_TRUE(isFinished(*recording));
     const auto session = readSession(m_path);
     ASSERT_TRUE(session) << describe(session.error());
     EXPECT_EQ(session->samples.size(), static_cast<std::size_t>(samples));
@@ -77,8 +84,30 @@ TEST_F(SessionRecorderTest, aFailureIsToldByTheNextCall) {
     ASSERT_TRUE(other && (*other)->execute("DROP TABLE step"));
     ASSERT_TRUE(recording->add(sampleAt(0.0)));
     ASSERT_TRUE(test::waitFor([&] { return !recording->add({}).ok(); }));
-    EXPECT_FALSE(recording->finish("settled"));
+    EXPECT_FALSE(isFinished(*recording));
     EXPECT_EQ(recording->rows(), 0U);
+}
+
+// Catches a caller that is held up by a file that cannot be made yet, and rows that come before it is.
+TEST_F(SessionRecorderTest, whatComesBeforeTheFileIsThereIsWritten) {
+    QElapsedTimer since;
+    since.start();
+    SessionRecorder recording(m_path + "2", m_experiment, false);
+    ASSERT_TRUE(recording.add(sampleAt(0.0)));
+    recording.finish("stopped");
+    EXPECT_LT(since.elapsed(), 300);
+    ASSERT_TRUE(test::waitFor([&] { return recording.finished().has_value(); }));
+    const auto session = readSession(m_path + "2");
+    ASSERT_TRUE(session) << describe(session.error());
+    EXPECT_EQ(session->samples.size(), 1U);
+}
+
+// Catches a recording that is begun where there is no room for it.
+TEST_F(SessionRecorderTest, noFileIsMadeWhereThereIsNoRoom) {
+    SessionRecorder recording(m_path, m_experiment, false, 1e12);
+    ASSERT_TRUE(test::waitFor([&] { return recording.made().has_value(); }));
+    EXPECT_EQ(recording.made()->error().code(), MessageCode::SafetyDiskLow);
+    EXPECT_FALSE(QFile::exists(QString::fromStdString(m_path)));
 }
 
 } // namespace bask

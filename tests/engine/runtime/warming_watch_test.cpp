@@ -1,6 +1,7 @@
 // Whether an object that follows its heat is told from one whose sensor does not, with readings as sensors
 // give them.
 
+#include "engine/base/units.h"
 #include "engine/runtime/source_watch.h"
 #include "engine/runtime/warming_watch.h"
 
@@ -14,6 +15,11 @@
 namespace bask {
 namespace {
 
+/// Of an object of this time constant by radiation: a quarter of that, and moving air.
+LossRange lossesOf(double timeConstant_s) {
+    return {0.25 / timeConstant_s, 15.0 / timeConstant_s};
+}
+
 /// dT/dt = power - loss (T - 298), read with noise and a resolution once a second.
 struct Object {
     double noise_K = 0.02, resolution_K = 0.1;
@@ -24,8 +30,8 @@ struct Object {
     /// When an alarm was given, s: a contradiction for 30 s, or the same value for so long. Infinite: never.
     double alarm_s(const std::function<double(double)>& power_K_s,
                    const std::function<double(double, double)>& reading = {}) const {
-        WarmingWatch watch(450.0, SafetySpec().warming_K);
-        watch.restAt(0.0, 298.0, 0.0);
+        WarmingWatch watch(lossesOf(450.0), 298.0, SafetySpec().warming_K);
+        watch.restAt(0.0, 298.0);
         std::mt19937_64 random(5);
         std::normal_distribution<double> noise(0.0, noise_K);
         double T = 298.0, felt = 298.0, followed_s = 0.0;
@@ -73,14 +79,19 @@ TEST(WarmingWatch, FindsAnObjectThatDoesNotWarm) {
               170.0);
 }
 
-// Catches a frozen sensor while its object warms.
+// The reading stays below the target, so the robot goes nearer. Catches a frozen sensor while its object
+// warms.
 TEST(WarmingWatch, FindsASensorThatIsFrozen) {
     for (const double from_s : {60.0, 80.0}) {
         const Object object;
         double kept_K = 0.0;
-        EXPECT_LT(object.alarm_s(
-                      approach, [&](double t, double value) { return t < from_s ? kept_K = value : kept_K; }),
-                  from_s + 45.0);
+        const auto power_K_s = [&](double t) {
+            return approach(t) * (t < from_s ? 1.0 : 1.0 + (t - from_s) / 60.0);
+        };
+        EXPECT_LT(
+            object.alarm_s(power_K_s,
+                           [&](double t, double value) { return t < from_s ? kept_K = value : kept_K; }),
+            from_s + 60.0);
     }
 }
 
@@ -88,8 +99,8 @@ TEST(WarmingWatch, FindsASensorThatIsFrozen) {
 // a robot that goes nearer and nearer by a reading that stays.
 TEST(WarmingWatch, FindsASensorThatFreezesOnTheWay) {
     constexpr double kTime_s = 12.0, kFrozen_s = 40.0, kPeriod_s = 0.1;
-    WarmingWatch watch(kTime_s, SafetySpec().warming_K);
-    watch.restAt(0.0, 298.0, 0.0);
+    WarmingWatch watch(lossesOf(kTime_s), 298.0, SafetySpec().warming_K);
+    watch.restAt(0.0, 298.0);
     double T = 298.0, kept_K = T, found_s = 1e9;
     for (double t = kPeriod_s; t < 60.0 && found_s > 1e8; t += kPeriod_s) {
         const double power_K_s = t < kFrozen_s - 3.0 ? 1.5
@@ -108,7 +119,7 @@ TEST(WarmingWatch, FindsASensorThatFreezesOnTheWay) {
 
 // Catches a source that is told not to heat while it does, and one that heats unasked unnoticed.
 TEST(SourceWatch, TellsASourceThatDoesNotObey) {
-    SourceWatch watch{SafetySpec{}};
+    SourceWatch watch{SafetySpec{}, kelvinFromCelsius(25.0)};
     double T = 300.0, t = 0.0;
     const auto seconds = [&](int count, double rate, std::optional<double> setPoint_K) {
         for (int i = 0; i < count; ++i, t += 1.0)

@@ -1,3 +1,4 @@
+#include "engine/base/units.h"
 #include "engine/session/limits_widened.h"
 
 #include <gtest/gtest.h>
@@ -100,6 +101,29 @@ TEST(LimitsWidened, WhatIsNoLimitIsNoMatter) {
     Experiment hotter = automatic;
     hotter.source.temperature_K += 10.0; // takes its trip limit along
     EXPECT_TRUE(widensLimits(automatic, hotter));
+}
+
+// Catches a file whose limits nobody set on this rig, taken over since there is nothing to compare it with.
+TEST(LimitsWidened, AreToldInWordsAndAgainstTheUsual) {
+    Experiment usual;
+    usual.objects.emplace_back().name = "hand";
+    usual.rig.emplace().source.emplace();
+    usual.robot.upper[0] += 0.1; // the rig's own
+    EXPECT_TRUE(widenedFromUsual(usual).empty());
+    EXPECT_EQ(limitsLoosened({}), Message{});
+    Experiment more = usual;
+    more.objects[0].trip_K = kelvinFromCelsius(180.0);
+    more.rig->source->mayHeatUnattended = true;
+    const auto widened = widenedFromUsual(more);
+    ASSERT_EQ(widened.size(), 2U);
+    EXPECT_EQ(describe(widened[0]), "trip limit of \"hand\": 180 °C instead of 150 °C");
+    EXPECT_EQ(describe(widened[1]), "heat without a watchdog: allowed instead of not allowed");
+    EXPECT_NE(describe(limitsLoosened(widened)).find("180"), std::string::npos);
+    EXPECT_EQ(widenedLimits(usual, more), widened);
+    Experiment renamed = usual; // a limit does not come in under another name
+    renamed.objects[0].name = "foot";
+    renamed.objects[0].trip_K = kelvinFromCelsius(151.0);
+    EXPECT_EQ(widenedLimits(usual, renamed).size(), 1U);
 }
 
 // Does not compile with a new field: it needs its place in widensLimits() and above.

@@ -195,13 +195,16 @@ TEST(RunMetrics, SettledIsFromTheLastEntryIntoTheBand) {
     EXPECT_EQ(settledFrom_s({0, 0, 0, 0}, true, kSettledBand_K, 330.0), 1.0) << "of the target then";
 }
 
-// Catches: the last sample taken from the retreat.
+// Catches: the last sample taken from the retreat, or from the time after a fault.
 TEST(RunMetrics, TheLastSampleIsThatAtStop) {
-    SessionRecord record = recordOf(10.0, [](double t) { return 300.0 + t; });
-    record.events.push_back({6.0, {MessageCode::EventStopped, {}}});
-    const RunMetrics metrics = runMetrics(record);
-    EXPECT_EQ(metrics.last.time_s, 6.0);
-    EXPECT_EQ(metrics.last.objects.at(0).true_K, 306.0);
+    for (const MessageCode end :
+         {MessageCode::EventStopped, MessageCode::EventStoppedFor, MessageCode::EventEmergencyStop}) {
+        SessionRecord record = recordOf(10.0, [](double t) { return 300.0 + t; });
+        record.events.push_back({6.0, {end, {}}});
+        const RunMetrics metrics = runMetrics(record);
+        EXPECT_EQ(metrics.last.time_s, 6.0);
+        EXPECT_EQ(metrics.last.objects.at(0).true_K, 306.0);
+    }
     EXPECT_TRUE(runMetrics(SessionRecord()).last.objects.empty());
 }
 

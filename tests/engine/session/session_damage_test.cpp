@@ -166,6 +166,8 @@ TEST_F(DamagedSession, WhatComputesIsRefused) {
              {"DROP VIEW pose", "CREATE VIEW pose AS SELECT a.time_s FROM step AS a CROSS JOIN step"},
              {"DROP VIEW pose", "CREATE VIEW pose AS SELECT hex(zeroblob(9)) AS time_s FROM step"},
              {"DROP TABLE object", "CREATE VIEW object AS SELECT number, time_s AS name FROM step"},
+             {"WITH n(i) AS (SELECT 3 UNION ALL SELECT i + 1 FROM n LIMIT 9) INSERT INTO object SELECT i, "
+              "'x' FROM n"},
              {"CREATE TRIGGER more AFTER INSERT ON meta BEGIN DELETE FROM step; END"},
              {"ALTER TABLE note ADD COLUMN long TEXT AS (hex(zeroblob(9)))"}})
         ASSERT_NO_FATAL_FAILURE(refusals("whole.bask", statements));

@@ -4,11 +4,13 @@
 #include "widgets/common/alarm_button.h"
 
 #include <QDateTime>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QTextEdit>
+#include <QToolButton>
 #include <QTreeWidget>
 
 #include <gtest/gtest.h>
@@ -63,29 +65,30 @@ TEST_F(AlarmListTest, SaysWhatEachIs) {
     list.setAlarms({first, over, seen});
     ASSERT_EQ(tree()->topLevelItemCount(), 3);
     EXPECT_EQ(cell(0, 1), QStringLiteral("Active, new, first"));
-    EXPECT_EQ(cell(1, 1), QStringLiteral("Over, new, from before"));
-    EXPECT_EQ(cell(2, 1), QStringLiteral("Active, seen"));
+    EXPECT_EQ(cell(2, 1), QStringLiteral("Over, new, from before"));
+    EXPECT_EQ(cell(1, 1), QStringLiteral("Active, seen"));
     EXPECT_EQ(cell(0, 2), QStringLiteral("12:00:05"));
-    EXPECT_TRUE(cell(1, 2).endsWith(QStringLiteral(" 12:00:05"))) << cell(1, 2).toStdString();
+    EXPECT_TRUE(cell(2, 2).endsWith(QStringLiteral(" 12:00:05"))) << cell(2, 2).toStdString();
     EXPECT_EQ(cell(0, 3), QStringLiteral("3×"));
-    EXPECT_EQ(cell(1, 3), QString());
+    EXPECT_EQ(cell(2, 3), QString());
     EXPECT_TRUE(cell(0, 4).startsWith(QStringLiteral("\"hand\" has 152.3\u00a0°C, above its limit of 150")));
-    EXPECT_EQ(tree()->topLevelItem(2)->data(0, Qt::AccessibleTextRole).toString(),
+    EXPECT_EQ(tree()->topLevelItem(1)->data(0, Qt::AccessibleTextRole).toString(),
               QStringLiteral("Priority 2"));
-    EXPECT_FALSE(tree()->topLevelItem(2)->icon(0).isNull());
+    EXPECT_FALSE(tree()->topLevelItem(1)->icon(0).isNull());
     const auto look = [&](int row) {
         const QFont font = tree()->topLevelItem(row)->font(1);
         return std::pair(font.bold(), font.italic());
     };
     EXPECT_EQ(look(0), std::pair(true, false));
-    EXPECT_EQ(look(1), std::pair(true, true));
-    EXPECT_EQ(look(2), std::pair(false, false));
+    EXPECT_EQ(look(2), std::pair(false, true)) << "what is over does not call";
+    EXPECT_NE(tree()->topLevelItem(2)->foreground(1), tree()->topLevelItem(0)->foreground(1));
+    EXPECT_EQ(look(1), std::pair(false, false));
 
     choose(0);
     EXPECT_TRUE(guidance().contains(QStringLiteral("reset once it has cooled.")));
     EXPECT_TRUE(guidance().contains(QStringLiteral("3 times since it was last acknowledged")));
     EXPECT_TRUE(guidance().contains(QStringLiteral("likely their cause")));
-    choose(1);
+    choose(2);
     EXPECT_TRUE(guidance().contains(QStringLiteral("active when Bask was last left")));
     list.setTemperatureUnit(TemperatureUnit::Fahrenheit);
     EXPECT_TRUE(cell(0, 4).contains(QStringLiteral("306.1\u00a0°F"))) << cell(0, 4).toStdString();
@@ -164,6 +167,110 @@ TEST_F(AlarmListTest, OldAlarmsLookOldAndCannotBeAcknowledged) {
     EXPECT_NE(tree()->topLevelItem(0)->foreground(4), before);
     list.setStale(false);
     EXPECT_TRUE(canAcknowledge() && canAcknowledgeAll());
+}
+
+// Catches: ten rows for one lost link, what follows hidden for good, and one that is told where it belongs
+// only while nothing changes.
+TEST_F(AlarmListTest, WhatFollowsIsFoldedUnderItsCause) {
+    Alarm cause = hot(1, "hand");
+    Alarm first = hot(2, "foot"), second = hot(3, "plate");
+    first.cause = second.cause = cause.key;
+    list.setAlarms({cause, first, second});
+    ASSERT_EQ(tree()->topLevelItemCount(), 1);
+    EXPECT_EQ(tree()->topLevelItem(0)->childCount(), 2);
+    EXPECT_FALSE(tree()->topLevelItem(0)->isExpanded());
+    EXPECT_TRUE(cell(0, 1).startsWith(QStringLiteral("Active, new, 2 follow"))) << cell(0, 1).toStdString();
+    EXPECT_TRUE(guidance().contains(QStringLiteral("hand"))) << "the cause is the one to read";
+    tree()->topLevelItem(0)->setExpanded(true);
+    cause.count = 2;
+    list.setAlarms({hot(4, "ear"), cause, first, second});
+    ASSERT_EQ(tree()->topLevelItemCount(), 2);
+    EXPECT_FALSE(tree()->topLevelItem(0)->isExpanded());
+    EXPECT_TRUE(tree()->topLevelItem(1)->isExpanded());
+    tree()->setCurrentItem(tree()->topLevelItem(1)->child(1));
+    EXPECT_TRUE(guidance().contains(QStringLiteral("plate"))) << guidance().toStdString();
+    EXPECT_TRUE(guidance().contains(QStringLiteral("follows from the alarm over it")));
+    EXPECT_FALSE(list.findChild<QToolButton*>(QStringLiteral("shelveAlarm"))->isEnabled());
+    tree()->topLevelItem(1)->setExpanded(false);
+    list.choose(3);
+    EXPECT_TRUE(tree()->topLevelItem(1)->isExpanded()) << "a person has asked for it";
+}
+
+// Catches: an alarm put aside without a reason or for longer than its priority allows, one that is out of
+// sight for good, and one that cannot be taken back.
+TEST_F(AlarmListTest, IsShelvedWithAReasonListedAndTakenBack) {
+    QSignalSpy shelved(&list, &AlarmList::shelveRequested);
+    QSignalSpy back(&list, &AlarmList::unshelveRequested);
+    list.resize(700, 140);
+    list.show();
+    Alarm alarm = hot(7, "hand");
+    list.setAlarms({alarm});
+    auto* shelve = list.findChild<QToolButton*>(QStringLiteral("shelveAlarm"));
+    QTest::mouseClick(shelve, Qt::LeftButton);
+    auto* popup = list.findChild<QWidget*>(QStringLiteral("shelfPopup"));
+    ASSERT_TRUE(popup->isVisible());
+    EXPECT_FALSE(button("shelve.15")->isEnabled()) << "no reason yet";
+    auto* reason = popup->findChild<QLineEdit*>(QStringLiteral("shelfReason"));
+    QTest::keyClicks(reason, QStringLiteral("  the fan is off "));
+    EXPECT_TRUE(button("shelve.15")->isEnabled());
+    EXPECT_FALSE(button("shelve.60")->isEnabled()) << "priority 1";
+    QTest::mouseClick(button("shelve.15"), Qt::LeftButton);
+    EXPECT_FALSE(popup->isVisible());
+    ASSERT_EQ(shelved.count(), 1);
+    EXPECT_EQ(shelved.first()[0].toULongLong(), 7U);
+    EXPECT_EQ(shelved.first()[1].toDouble(), 900.0);
+    EXPECT_EQ(shelved.first()[2].toString(), QStringLiteral("the fan is off"));
+
+    alarm.shelvedUntil_s = alarm.raised_s + 900.0;
+    alarm.shelfReason = "the fan is off";
+    alarm.isAcknowledged = true;
+    list.setAlarms({alarm, hot(8, "foot")});
+    ASSERT_EQ(tree()->topLevelItemCount(), 2);
+    EXPECT_TRUE(cell(0, 4).contains(QStringLiteral("foot")));
+    QTreeWidgetItem* shelf = tree()->topLevelItem(1);
+    EXPECT_EQ(shelf->text(0), QStringLiteral("Shelved: 1"));
+    ASSERT_EQ(shelf->childCount(), 1);
+    EXPECT_TRUE(shelf->isExpanded());
+    EXPECT_EQ(shelf->child(0)->text(1), QStringLiteral("Shelved until 12:15:05: the fan is off"));
+    EXPECT_FALSE(shelf->child(0)->font(4).bold());
+    tree()->setCurrentItem(shelf->child(0));
+    EXPECT_TRUE(shelve->accessibleName().contains(QStringLiteral("back")));
+    QTest::mouseClick(shelve, Qt::LeftButton);
+    ASSERT_EQ(back.count(), 1);
+    EXPECT_EQ(back.first().first().toULongLong(), 7U);
+    list.setAlarms({});
+    EXPECT_EQ(tree()->topLevelItemCount(), 0);
+}
+
+// Catches: bold red for what is over, and consequences and shelved ones counted.
+TEST(AlarmButton, CallsOnlyForWhatStillIsSo) {
+    const auto isCallingRed = [](AlarmButton& button) {
+        button.resize(button.sizeHint());
+        const QImage picture = button.grab().toImage();
+        int red = 0;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x) {
+                const QColor pixel = picture.pixelColor(x, y);
+                red += pixel.red() > 150 && pixel.green() < 90 && pixel.blue() < 90 ? 1 : 0;
+            }
+        return red > 20;
+    };
+    QWidget bar;
+    AlarmButton button(&bar);
+    Alarm cause = hot(1, "hand"), follows = hot(2, "foot"), over = hot(3, "plate"), shelved = hot(4, "ear");
+    follows.cause = cause.key;
+    over.isActive = false;
+    shelved.shelvedUntil_s = 1e9;
+    button.setAlarms({over, cause, follows, shelved});
+    EXPECT_TRUE(button.text().contains(QStringLiteral("hand"))) << "it still is so";
+    EXPECT_TRUE(button.accessibleName().endsWith(QStringLiteral(" 1 more.")))
+        << button.accessibleName().toStdString();
+    EXPECT_TRUE(isCallingRed(button));
+    button.setAlarms({over, shelved});
+    EXPECT_TRUE(button.text().contains(QStringLiteral("plate")));
+    EXPECT_FALSE(isCallingRed(button));
+    button.setAlarms({shelved});
+    EXPECT_TRUE(button.isHidden());
 }
 
 // Catches: a button that keeps its room without alarms, hides how many there are, or says by colour alone

@@ -1,6 +1,9 @@
 #include "widgets/common/object_tile.h"
 
 #include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -79,11 +82,72 @@ TEST(ObjectTile, AnInvalidSensorShowsNoNumber) {
     Shown shown;
     shown.feed(1.0, 313.0, 0.0);
     shown.feed(2.0, 0.0, 0.0, false);
-    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Sensor invalid"));
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("UNKNOWN"));
     for (const char* name : {"tileTemperature", "tileError", "tileRate"})
         EXPECT_EQ(shown.text(name), QStringLiteral("\u2014")) << name;
     EXPECT_EQ(shown.text("tileTarget"), QStringLiteral("40.0\u00a0°C"));
     EXPECT_EQ(shown.tile.activity(), ObjectActivity::SensorInvalid);
+}
+
+// Catches a reading of a while ago shown as if it were of now, and one of a frozen sensor.
+TEST(ObjectTile, AnOldReadingIsGreyWithItsAge) {
+    Shown shown;
+    const auto ink = [&] {
+        return shown.tile.findChild<QLabel*>(QStringLiteral("tileTemperature"))
+            ->palette()
+            .color(QPalette::WindowText);
+    };
+    shown.feed(1.0, 313.0, 0.0);
+    const QColor fresh = ink();
+    EXPECT_EQ(shown.text("tileAge"), QString());
+    ObjectSample lost;
+    lost.target_K = 313.15;
+    shown.tile.setSample(13.0, lost, {SensorTrust::Stale, 12.2, 321.35});
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("UNKNOWN"));
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("48.2\u00a0°C"));
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("12 s old"));
+    EXPECT_NE(ink(), fresh);
+    for (const char* name : {"tileError", "tileRate"})
+        EXPECT_EQ(shown.text(name), QStringLiteral("\u2014")) << name;
+    ObjectSample frozen = lost;
+    frozen.measured_K = 321.35;
+    frozen.valid = true;
+    shown.tile.setSample(60.0, frozen, {SensorTrust::Stale, 150.0, 321.35});
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Stale"));
+    EXPECT_EQ(shown.text("tileAge"), QStringLiteral("2:30 old"));
+    EXPECT_NE(ink(), fresh);
+    shown.feed(61.0, 313.0, 0.0);
+    EXPECT_EQ(shown.text("tileAge"), QString());
+    EXPECT_EQ(ink(), fresh);
+}
+
+// Catches 24.9 degC on the tile of an object that has 48 degC since its sensor came off, and no way to say
+// that it is right after all.
+TEST(ObjectTile, WhatIsNotBelievedIsStruckOutUntilAPersonConfirmsIt) {
+    Shown shown;
+    shown.tile.show();
+    shown.tile.resize(240, shown.tile.sizeHint().height());
+    const int height = shown.tile.sizeHint().height();
+    auto* confirm = shown.tile.findChild<QPushButton*>(QStringLiteral("confirmSensor"));
+    const auto isStruck = [&] {
+        return shown.tile.findChild<QLabel*>(QStringLiteral("tileTemperature"))->font().strikeOut();
+    };
+    shown.feed(1.0, 321.0, 0.0);
+    EXPECT_FALSE(confirm->isVisible() || isStruck());
+    ObjectSample off;
+    off.target_K = 313.15;
+    shown.tile.setSample(2.0, off, {SensorTrust::Distrusted, 5.0, 298.05});
+    EXPECT_EQ(shown.text("tileState"), QStringLiteral("Not believed"));
+    EXPECT_EQ(shown.text("tileTemperature"), QStringLiteral("24.9\u00a0°C"));
+    EXPECT_EQ(shown.text("tileError"), QStringLiteral("\u2014"));
+    EXPECT_TRUE(isStruck());
+    ASSERT_TRUE(confirm->isVisible());
+    EXPECT_EQ(shown.tile.sizeHint().height(), height) << "the page does not jump";
+    QSignalSpy confirmed(&shown.tile, &ObjectTile::confirmRequested);
+    QTest::mouseClick(confirm, Qt::LeftButton);
+    EXPECT_EQ(confirmed.count(), 1);
+    shown.feed(3.0, 298.05, 0.0);
+    EXPECT_FALSE(confirm->isVisible() || isStruck());
 }
 
 // Catches a replay that says "Settling" of an object that had long settled, or "Settled" of one that had not.

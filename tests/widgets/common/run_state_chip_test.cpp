@@ -51,6 +51,48 @@ TEST(RunStateChip, StatesDifferWithoutColour) {
     }
 }
 
+// Catches "Fault (latched)", or what was told last, of an engine that tells nothing.
+TEST(RunStateChip, UnknownIsAStateOfItsOwn) {
+    RunStateChip chip, fault;
+    chip.setState(RunState::Running, {});
+    chip.setUnknown(QStringLiteral("The engine is not answering."));
+    fault.setState(RunState::Fault, {QStringLiteral("The engine is not answering.")});
+    EXPECT_EQ(chip.text(), QStringLiteral("UNKNOWN"));
+    EXPECT_TRUE(chip.isUnknown());
+    EXPECT_TRUE(chip.toolTip().contains(QStringLiteral("not answering")));
+    EXPECT_EQ(chip.sizeHint(), fault.sizeHint());
+    chip.resize(chip.sizeHint());
+    fault.resize(fault.sizeHint());
+    EXPECT_NE(chip.grab().toImage().convertToFormat(QImage::Format_Grayscale8),
+              fault.grab().toImage().convertToFormat(QImage::Format_Grayscale8));
+    chip.setState(RunState::Running, {});
+    EXPECT_FALSE(chip.isUnknown());
+    EXPECT_EQ(chip.text(), QStringLiteral("Running"));
+}
+
+// Catches "Ready" alone over a hot plate, and a bar that jumps with what is said besides.
+TEST(RunStateChip, TheCaptionIsSaidAndTakesNoRoom) {
+    RunStateChip chip;
+    chip.setState(RunState::Ready, {});
+    const QSize size = chip.sizeHint();
+    chip.resize(size);
+    const QImage without = chip.grab().toImage();
+    chip.setCaption(QStringLiteral("source 212 °C below"));
+    EXPECT_EQ(chip.sizeHint(), size);
+    EXPECT_NE(chip.grab().toImage(), without);
+    EXPECT_TRUE(chip.accessibleName().contains(QStringLiteral("Ready, source 212 °C below")));
+}
+
+// Catches a narrow bar whose verbs slide under the hand with every state.
+TEST(RunStateChip, KeepsItsWidthWhereItIsNarrow) {
+    RunStateChip chip;
+    chip.setCompact(true);
+    chip.setState(RunState::Idle, {});
+    const int idle = chip.sizeHint().width();
+    chip.setState(RunState::Fault, {QStringLiteral("a"), QStringLiteral("b")});
+    EXPECT_EQ(chip.sizeHint().width(), idle);
+}
+
 // Catches a state bar that jumps when the state changes.
 TEST(RunStateChip, KeepsItsWidth) {
     RunStateChip chip;

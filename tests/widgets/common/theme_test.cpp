@@ -30,6 +30,7 @@ TEST(Theme, ContrastInLightAndDark) {
         for (auto ground : {QPalette::Window, QPalette::Base, QPalette::Button}) {
             EXPECT_GE(contrast(palette.color(QPalette::Text), palette.color(ground)), 7.0);
             EXPECT_GE(contrast(secondaryText(dark), palette.color(ground)), 4.5);
+            EXPECT_GE(contrast(unknownColor(dark), palette.color(ground)), 4.5);
         }
         EXPECT_GE(contrast(palette.color(QPalette::HighlightedText), palette.color(QPalette::Highlight)),
                   4.5);
@@ -45,4 +46,23 @@ TEST(Theme, SixObjectsDiffer) {
         for (int j = 0; j < i; ++j)
             EXPECT_FALSE(seriesColor(i, false) == seriesColor(j, false) &&
                          seriesDashes(i) == seriesDashes(j));
+}
+
+// Catches what is not known, or over, drawn like an alarm that holds, by colour or in shades of grey.
+TEST(Theme, UnknownAndOverAreShapesOfTheirOwn) {
+    for (const bool dark : {false, true}) {
+        QList<QImage> seen;
+        const auto isNew = [&](const QPixmap& mark) {
+            const QImage picture = mark.toImage().convertToFormat(QImage::Format_Grayscale8);
+            const bool is = !seen.contains(picture);
+            seen << picture;
+            return is;
+        };
+        EXPECT_TRUE(isNew(unknownPixmap(dark, 16, 1.0)));
+        for (int priority = 1; priority <= 3; ++priority) {
+            EXPECT_NE(unknownColor(dark), alarmColor(priority, dark));
+            EXPECT_TRUE(isNew(alarmPixmap(priority, dark, 16, 1.0))) << priority;
+            EXPECT_TRUE(isNew(alarmPixmap(priority, dark, 16, 1.0, true))) << priority << ", over";
+        }
+    }
 }

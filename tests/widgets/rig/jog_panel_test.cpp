@@ -177,6 +177,27 @@ TEST_F(JogPanelTest, OnlyFreeCoordinatesAreShown) {
     EXPECT_FALSE(child<QDoubleSpinBox>("goTo.theta_z")->isVisible());
 }
 
+// Catches coordinates of a robot that does not answer, shown as if it were there.
+TEST_F(JogPanelTest, TheLastPlaceOfALostRobotIsGreyWithItsAge) {
+    const auto ink = [this] { return child<QLabel>("at.x")->palette().color(QPalette::WindowText); };
+    panel.apply(snapshot, true);
+    EXPECT_FALSE(child<QLabel>("robotPlace")->isVisible());
+    const QString at = child<QLabel>("at.x")->text();
+    const QColor known = ink();
+    snapshot.place = PlaceState::Unknown;
+    snapshot.placeAge_s = 12.3;
+    panel.apply(snapshot, false);
+    EXPECT_TRUE(child<QLabel>("robotPlace")->isVisible());
+    EXPECT_TRUE(child<QLabel>("robotPlace")->text().contains("UNKNOWN"));
+    EXPECT_TRUE(child<QLabel>("robotPlace")->text().contains("12 s old"));
+    EXPECT_EQ(child<QLabel>("at.x")->text(), at);
+    EXPECT_NE(ink(), known);
+    snapshot.place = PlaceState::Sure;
+    panel.apply(snapshot, true);
+    EXPECT_FALSE(child<QLabel>("robotPlace")->isVisible());
+    EXPECT_EQ(ink(), known);
+}
+
 // Catches motion offered during a run, and an alarm that nobody sees or cannot clear.
 TEST_F(JogPanelTest, FollowsWhatTheEngineAllows) {
     panel.apply(snapshot, false);
@@ -192,7 +213,7 @@ TEST_F(JogPanelTest, FollowsWhatTheEngineAllows) {
     EXPECT_TRUE(std::holds_alternative<ClearRobotAlarm>(sent.back()));
 
     snapshot.robotAlarm = {};
-    snapshot.isPlaceSure = false;
+    snapshot.place = PlaceState::Unsure;
     panel.apply(snapshot, true);
     EXPECT_TRUE(child<QLabel>("robotProblem")->isVisible());
     snapshot.state = RunState::Fault; // for that very reason

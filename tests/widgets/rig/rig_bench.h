@@ -37,7 +37,11 @@ inline Snapshot quietSnapshot(const Experiment& experiment) {
     snapshot.state = RunState::Ready;
     snapshot.simulated = !experiment.rig;
     snapshot.latest.coordinates << 0.01, 0.02, 0.15, 0.1, 0.0, 0.0;
-    snapshot.source_K = 300.0;
+    snapshot.place = PlaceState::Sure;
+    snapshot.placeAge_s = 0.05;
+    snapshot.source_K = snapshot.latest.source_K = 300.0;
+    snapshot.sourceAge_s = 0.05;
+    snapshot.heat = HeatState::Off;
     for (std::size_t i = 0; i < experiment.objects.size(); ++i) {
         ObjectSample object;
         object.valid = true;

@@ -17,6 +17,8 @@
 #include <QScrollArea>
 #include <QTabWidget>
 
+#include <limits>
+
 namespace bask {
 namespace {
 
@@ -90,6 +92,24 @@ TEST_F(RigPageTest, TheCardsTellHowTheDevicesAre) {
     page.apply(snapshot, true);
     EXPECT_EQ(text("age.robot"), "12 ms ago, 10.0 Hz, 3 answer(s) discarded"); // English is in its own file
     EXPECT_FALSE(child<QLabel>("problem.robot")->isVisible());
+}
+
+// Catches another device at a port of which nobody can say that it is the right one.
+TEST_F(RigPageTest, AnotherDeviceIsToldAndAccepted) {
+    useReal();
+    EXPECT_FALSE(child<QAbstractButton>("accept.robot")->isVisible());
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.devices[0].status.identity = "Grbl 1.1h";
+    page.apply(snapshot, true);
+    EXPECT_EQ(text("state.robot"), "Live: Grbl 1.1h");
+    snapshot.devices[0].status.link = LinkState::Opening;
+    snapshot.devices[0].status.problem = {MessageCode::DeviceExchanged, {"/dev/ttyROBOT", "left", "right"}};
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("problem.robot").contains("right")) << text("problem.robot").toStdString();
+    click("accept.robot");
+    const auto* accepted = last<AcceptDevice>();
+    ASSERT_TRUE(accepted);
+    EXPECT_EQ(accepted->role, DeviceRole::Robot);
 }
 
 // Catches a device that is set up in the dialog and not in the experiment, or the other way round.
@@ -247,7 +267,7 @@ TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
     EXPECT_EQ(state("check.devices"), "done");
     Snapshot snapshot = test::quietSnapshot(experiment);
     snapshot.devices[2].status.link = LinkState::Lost;
-    snapshot.isPlaceSure = false;
+    snapshot.place = PlaceState::Unsure;
     snapshot.latest.objects[1].valid = false;
     snapshot.heatSetPoint_K = 304.0;
     snapshot.reasons = {{MessageCode::RobotPlaceUnsure, {}}, {MessageCode::ReasonRecorderFailed, {"full"}}};
@@ -274,10 +294,40 @@ TEST_F(RigPageTest, TheChecklistTellsWhatIsMissing) {
 TEST_F(RigPageTest, AnUnknownTemperatureIsADash) {
     Snapshot snapshot = test::quietSnapshot(experiment);
     snapshot.source_K.reset();
+    snapshot.sourceAge_s = std::numeric_limits<double>::infinity();
     page.apply(snapshot, true);
     EXPECT_EQ(text("measuredSource"), QStringLiteral("\u2014"));
     EXPECT_TRUE(text("heatState").contains(QStringLiteral("\u2014"))) << text("heatState").toStdString();
     EXPECT_TRUE(text("check.source").contains("Source: no temperature"));
+}
+
+// Catches "The heat is off" of a heater that does not answer, and a place, a heat or a temperature that is
+// ticked though nobody knows it.
+TEST_F(RigPageTest, WhatIsNotKnownIsSaidToBeUnknown) {
+    useReal();
+    const auto state = [this](const char* name) { return child<QLabel>(name)->accessibleDescription(); };
+    Snapshot snapshot = test::quietSnapshot(experiment);
+    snapshot.heat = HeatState::Unknown;
+    snapshot.source_K.reset();
+    snapshot.latest.source_K = kelvinFromCelsius(182.3);
+    snapshot.sourceAge_s = 12.0;
+    snapshot.place = PlaceState::Unknown;
+    snapshot.placeAge_s = 65.0;
+    snapshot.sensors = {SensorTrust::Trusted, SensorTrust::Distrusted};
+    snapshot.latest.objects[1].valid = false;
+    page.apply(snapshot, true);
+    EXPECT_TRUE(text("heatState").contains("UNKNOWN")) << text("heatState").toStdString();
+    EXPECT_TRUE(text("heatState").contains(QStringLiteral("182.3\u00a0\u00b0C, 12 s old")));
+    EXPECT_FALSE(text("heatState").contains("off"));
+    for (const char* name : {"check.source", "check.place", "check.sensors"})
+        EXPECT_EQ(state(name), "not known") << name;
+    EXPECT_TRUE(text("check.place").contains("65 s old"));
+    EXPECT_TRUE(text("check.sensors").contains("1 of 2 not believed"));
+    const QColor unknown = child<QLabel>("heatState")->palette().color(QPalette::WindowText);
+    page.apply(test::quietSnapshot(experiment), true);
+    EXPECT_TRUE(text("heatState").contains("The heat is off"));
+    EXPECT_NE(child<QLabel>("heatState")->palette().color(QPalette::WindowText), unknown);
+    EXPECT_EQ(state("check.place"), "done");
 }
 
 // Catches a rig that cannot be given its name.

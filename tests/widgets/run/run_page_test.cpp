@@ -148,6 +148,7 @@ TEST(RunPage, SaysWhichLimitsHoldTheRobotBack) {
     ASSERT_NE(said, nullptr);
     Snapshot snapshot = snapshotOf(likeARun(5));
     snapshot.state = RunState::Running;
+    snapshot.place = PlaceState::Sure;
     page.apply(snapshot);
     EXPECT_EQ(said->text(), QStringLiteral("No limit holds the robot back."));
     snapshot.latest.limits.add(Limit::Speed);

@@ -1,0 +1,124 @@
+// bask study alarms: whether the engine's alarms are true, over healthy and faulty runs at random.
+
+#include "app/commands/command_line.h"
+#include "app/commands/paper_experiments.h"
+#include "app/commands/studies.h"
+#include "app/commands/study_output.h"
+#include "engine/runtime/alarm_study.h"
+
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+
+#include <cstdio>
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+constexpr const char* kMark = "Bask alarm study";
+
+Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
+    const QTemporaryDir folder;
+    std::vector<Experiment> rigs;
+    if (draw == AlarmDraw::Paper) {
+        const auto unpacked = unpackPaperExperiments(folder.path());
+        if (!unpacked)
+            return unpacked.error();
+        auto figures = readPaperFigures(*unpacked, {});
+        if (!figures)
+            return figures.error();
+        for (PaperFigure& figure : *figures)
+            for (PaperExperiment& each : figure.experiments)
+                rigs.push_back(std::move(each.experiment));
+        return rigs;
+    }
+    const auto copied = copyStudyFiles(
+        folder.path(), {"triangle.json", "line.json", "contours/bunny_1200.png", "contours/hand_1200.png"});
+    if (!copied)
+        return copied.error();
+    for (const char* name : {"triangle.json", "line.json"}) {
+        auto rig = readExperiment(folder.filePath(name).toStdString());
+        if (!rig)
+            return rig.error();
+        rigs.push_back(std::move(*rig));
+    }
+    return rigs;
+}
+
+void printFaults(const AlarmSummary& summary) {
+    if (summary.faults.empty())
+        return;
+    std::printf("%-20s %6s %6s %6s %9s %9s %9s %10s\n", "fault", "draws", "shown", "found", "rate %",
+                "median s", "worst s", "unseen K");
+    for (const FaultSummary& fault : summary.faults)
+        std::printf("%-20s %6d %6d %6d %9.1f %9.1f %9.1f %10.1f\n", simulatedFaultName(fault.fault),
+                    fault.draws, fault.shown, fault.found,
+                    fault.shown > 0 ? 100.0 * fault.found / fault.shown : 100.0, fault.median_s,
+                    fault.worst_s, fault.unseen_K);
+}
+
+void printSummary(const AlarmStudy& study, const std::vector<AlarmRow>& rows) {
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        if (!rows[k].refusal.empty())
+            std::printf("run %zu was not begun: %s\n", k + 1, rows[k].refusal.c_str());
+        for (const RaisedAlarm& alarm : rows[k].alarms)
+            if (alarm.isFalse)
+                std::printf("run %zu, %.0f s, false: %s\n", k + 1, alarm.time_s, alarm.sentence.c_str());
+    }
+    const AlarmSummary summary = summarize(rows);
+    printFaults(summary);
+    const int all = summary.alarms[0] + summary.alarms[1] + summary.alarms[2];
+    for (std::size_t p = 0; p < summary.alarms.size(); ++p)
+        std::printf("alarms of priority %zu: %d (%.0f %%), %.3f per 10 minutes\n", p + 1, summary.alarms[p],
+                    all > 0 ? 100.0 * summary.alarms[p] / all : 0.0, summary.per10min[p]);
+    std::printf("most alarms of one run within 10 minutes: %d\n", summary.mostIn10min);
+    std::printf("hottest true temperature over its trip limit: %.1f K\n", summary.overTrip_K);
+    std::printf("simulated: %.1f h in %zu runs\n", summary.hours, rows.size());
+    if (study.draw != AlarmDraw::Faulty)
+        std::printf("false trips: %d (%.4f per hour), false words: %d (%.4f per hour)\n", summary.falseTrips,
+                    summary.falseTrips / summary.hours, summary.falseWords,
+                    summary.falseWords / summary.hours);
+}
+
+/// Whether all is as it has to be: no false word, and every fault that showed itself was found.
+bool isMet(const AlarmSummary& summary) {
+    for (const FaultSummary& fault : summary.faults)
+        if (fault.found < fault.shown)
+            return false;
+    return summary.falseTrips == 0 && summary.falseWords == 0;
+}
+
+} // namespace
+
+int alarmStudyCommand(const QString& folder, const AlarmRequest& request) {
+    static constexpr const char* kStems[] = {"alarm_study_healthy", "alarm_study_faulty",
+                                             "alarm_study_paper"};
+    const auto files = studyFiles(folder, kMark, kStems[static_cast<int>(request.draw)], {".csv"});
+    if (!files)
+        return kExitBadInput;
+    auto rigs = alarmRigs(request.draw);
+    if (!rigs)
+        return refuseStudy(rigs.error());
+    const AlarmStudy study{std::move(*rigs), request.draw, request.count, request.seed};
+    const bool terminal = isatty(STDERR_FILENO) != 0;
+    QElapsedTimer told;
+    told.start();
+    const auto rows = runAlarmStudy(study, 0, [&](int done) {
+        if (terminal)
+            std::fprintf(stderr, "\r%d of %d runs ", done, study.count);
+        else if (told.elapsed() > 60000) {
+            std::fprintf(stderr, "%d of %d runs\n", done, study.count);
+            told.start();
+        }
+    });
+    if (terminal)
+        std::fputc('\n', stderr);
+    if (!rows)
+        return refuseStudy(rows.error());
+    if (const auto written = writeStudyFiles(*files, {alarmCsv(study, *rows)}); !written)
+        return refuseStudy(written.error());
+    printSummary(study, *rows);
+    return isMet(summarize(*rows)) ? kExitDone : kExitNegative;
+}
+
+} // namespace bask

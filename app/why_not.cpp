@@ -1,0 +1,110 @@
+#include "app/why_not.h"
+
+#include "engine/base/message_code.h"
+#include "widgets/common/display.h"
+
+#include <QCoreApplication>
+
+namespace bask {
+namespace {
+
+struct WhyNotWords {
+    Q_DECLARE_TR_FUNCTIONS(bask::WhyNot)
+};
+
+QString withFirstReason(const QString& text, const Snapshot& snapshot) {
+    if (snapshot.reasons.empty())
+        return text;
+    return text + u' ' + sentenceText(snapshot.reasons.front());
+}
+
+QString whyNotArm(const Snapshot& snapshot) {
+    switch (snapshot.state) {
+    case RunState::Idle:
+        return WhyNotWords::tr("Arm is not possible: no experiment is loaded. Open one first.");
+    case RunState::Armed:
+        return WhyNotWords::tr("The rig is armed already. Press Start.");
+    case RunState::Fault:
+        return withFirstReason(
+            WhyNotWords::tr(
+                "Arm is not possible: a stop or a fault is latched. Remove its cause, then press Reset."),
+            snapshot);
+    case RunState::Stopping:
+        return WhyNotWords::tr("Arm is not possible yet: the run is stopping.");
+    case RunState::NotReady:
+    case RunState::Stopped:
+        return withFirstReason(WhyNotWords::tr("Arm is not possible: the rig is not ready."), snapshot);
+    default:
+        return WhyNotWords::tr("Arm is not possible: a run is on. Stop it first.");
+    }
+}
+
+QString whyNotStart(RunState state) {
+    if (state == RunState::Fault)
+        return WhyNotWords::tr("Start is not possible: a stop or a fault is latched. Press Reset, then Arm.");
+    if (isRunOn(state))
+        return WhyNotWords::tr("Start is not possible: a run is on.");
+    return WhyNotWords::tr("Start is not possible: the rig is not armed. Press Arm first.");
+}
+
+QString whyNotHold(RunState state) {
+    if (state == RunState::Holding)
+        return WhyNotWords::tr("The run is held already. Resume goes on, Stop ends it.");
+    if (state == RunState::Stopping)
+        return WhyNotWords::tr("Hold is not possible: the run is stopping. STOP ends all motion.");
+    return WhyNotWords::tr("There is nothing to hold: the robot does not move.");
+}
+
+QString whyNotStop(RunState state) {
+    if (state == RunState::Stopping)
+        return WhyNotWords::tr("The run is stopping already.");
+    if (state == RunState::Fault)
+        return WhyNotWords::tr("There is no run to stop: a stop or a fault has ended it.");
+    return WhyNotWords::tr("There is no run to stop.");
+}
+
+QString whyNotRetreat(const Snapshot& snapshot) {
+    if (snapshot.state == RunState::Stopping)
+        return WhyNotWords::tr("The robot is retreating already.");
+    if (snapshot.place == PlaceState::Unknown)
+        return WhyNotWords::tr(
+            "Retreat is not possible: the robot does not answer. Take the objects away by hand, "
+            "mind the heat.");
+    if (snapshot.robotAlarm.code != MessageCode::None)
+        return WhyNotWords::tr("Retreat is not possible:") + u' ' + sentenceText(snapshot.robotAlarm);
+    if (snapshot.place == PlaceState::Unsure)
+        return WhyNotWords::tr(
+            "Retreat is not possible: the robot is not sure of its place. Look where it is, then "
+            "home it or clear its alarm on the Rig page.");
+    return WhyNotWords::tr(
+        "Retreat is not possible now: there is no robot that can move, or the objects are away "
+        "already.");
+}
+
+} // namespace
+
+QString whyNot(const Snapshot& snapshot, Verb verb) {
+    if (allows(snapshot, verb))
+        return {};
+    switch (verb) {
+    case Verb::Arm:
+        return whyNotArm(snapshot);
+    case Verb::Start:
+        return whyNotStart(snapshot.state);
+    case Verb::Hold:
+        return whyNotHold(snapshot.state);
+    case Verb::Resume:
+        return WhyNotWords::tr("There is nothing to resume: no run is held.");
+    case Verb::Stop:
+        return whyNotStop(snapshot.state);
+    case Verb::Retreat:
+        return whyNotRetreat(snapshot);
+    case Verb::Reset:
+        return WhyNotWords::tr("There is nothing to reset: no stop and no fault is latched.");
+    case Verb::EmergencyStop:
+        break;
+    }
+    return {};
+}
+
+} // namespace bask

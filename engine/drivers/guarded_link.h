@@ -1,0 +1,42 @@
+#pragma once
+// A heater's port as a link of bytes: through its guard while there is one, else by itself.
+
+#include "engine/drivers/byte_link.h"
+#include "engine/drivers/heater_guard.h"
+
+#include <functional>
+#include <memory>
+
+namespace bask {
+
+/// A guard that ends is a link that is lost; opened again, it is the port itself. A new guard then gets the
+/// port without a loss.
+class GuardedLink final : public ByteLink {
+public:
+    /// `direct` makes a link to the same port. `guard` and `clock` outlive it.
+    GuardedLink(HeaterGuard& guard, std::function<std::unique_ptr<ByteLink>()> direct, const Clock& clock);
+
+    /// One that is being opened stays so. While the guard switches off there is nothing to open.
+    void open() override;
+    void close() override;
+    bool isOpen() const override;
+    Message problem() const override;
+    std::string read() override;
+    void write(std::string_view bytes) override;
+    std::string name() const override { return m_guard.port(); }
+
+private:
+    enum class Way { Guard, Direct, ToGuard };
+
+    bool isGuarded() const;
+    void goOverToGuard();
+
+    HeaterGuard& m_guard;
+    std::function<std::unique_ptr<ByteLink>()> m_make;
+    const Clock& m_clock;
+    std::unique_ptr<ByteLink> m_direct; ///< made when it is needed
+    Way m_way = Way::Guard;
+    double m_since_s = 0.0; ///< on its way to the guard
+};
+
+} // namespace bask

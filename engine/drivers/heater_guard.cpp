@@ -1,0 +1,275 @@
+#include "engine/drivers/heater_guard.h"
+
+#include "engine/base/message_code.h"
+#include "engine/base/result.h"
+#include "engine/drivers/serial_port.h"
+
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <utility>
+
+namespace bask {
+namespace {
+
+using guard::Order;
+using guard::Told;
+
+constexpr double kHeldUp_s = 0.3; // since the last work(): the engine was silent, not the guard
+constexpr double kStarting_s = 3.0;
+constexpr double kEnding_s = 0.5;
+constexpr std::size_t kMostUnread = 65536;
+
+std::string_view bytesOf(const guard::OffProgram& program) {
+    return {reinterpret_cast<const char*>(&program), sizeof program};
+}
+
+/// With nothing of this program but the socket: no environment, no blocked signals.
+int startProcess(const std::string& program, int socket, const std::vector<std::string>& arguments,
+                 pid_t& process) {
+    std::vector<char*> words;
+    for (const std::string& each : arguments)
+        words.push_back(const_cast<char*>(each.c_str()));
+    words.push_back(nullptr);
+    char* const environment[] = {nullptr};
+    posix_spawn_file_actions_t actions;
+    posix_spawnattr_t attributes;
+    ::posix_spawn_file_actions_init(&actions);
+    ::posix_spawnattr_init(&attributes);
+    ::posix_spawn_file_actions_adddup2(&actions, socket, guard::kSocket);
+    sigset_t none, all;
+    ::sigemptyset(&none);
+    ::sigfillset(&all);
+    ::posix_spawnattr_setsigmask(&attributes, &none);
+    ::posix_spawnattr_setsigdefault(&attributes, &all);
+    ::posix_spawnattr_setflags(&attributes,
+                               POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSID);
+    const int problem =
+        ::posix_spawn(&process, program.c_str(), &actions, &attributes, words.data(), environment);
+    ::posix_spawn_file_actions_destroy(&actions);
+    ::posix_spawnattr_destroy(&attributes);
+    return problem;
+}
+
+} // namespace
+
+const std::string& guardProgram() {
+    static const std::string found = [] {
+        namespace fs = std::filesystem;
+        std::error_code code;
+        const fs::path folder = fs::read_symlink("/proc/self/exe", code).parent_path();
+        for (const fs::path& each : {folder / "bask-guard", folder.parent_path() / "libexec/bask/bask-guard",
+                                     fs::path(BASK_GUARD_BUILT)})
+            if (!each.empty() && ::access(each.c_str(), X_OK) == 0)
+                return each.string();
+        return std::string();
+    }();
+    return found;
+}
+
+HeaterGuard::HeaterGuard(std::string port, const SerialSettings& settings, std::string logFile,
+                         const Clock& clock)
+    : m_port(std::move(port)), m_settings(settings), m_logFile(std::move(logFile)), m_clock(clock) {}
+
+HeaterGuard::~HeaterGuard() {
+    dismiss();
+}
+
+/// By the end of the socket: an armed one takes over, another one ends, and its port is free then.
+void HeaterGuard::dismiss() {
+    if (m_socket >= 0)
+        ::close(std::exchange(m_socket, -1));
+    const pid_t process = std::exchange(m_process, -1);
+    const double until_s = SteadyClock().now_s() + (std::exchange(m_isArmed, false) ? 0.0 : kEnding_s);
+    while (process > 0 && ::waitpid(process, nullptr, WNOHANG) == 0 && SteadyClock().now_s() < until_s)
+        ::poll(nullptr, 0, 1);
+}
+
+void HeaterGuard::start(const std::string& program) {
+    if (m_state != State::None && m_state != State::Ended)
+        return;
+    m_state = State::None;
+    m_isArmed = m_isPortOpen = m_isPortOpening = false;
+    m_unread.clear();
+    m_off.clear();
+    m_portProblem = {};
+    const auto fail = [this](const std::string& why) {
+        m_problem = {MessageCode::HeaterGuardMissing, {why}};
+    };
+    if (program.empty())
+        return fail("bask-guard is not there");
+    std::array<int, 2> ends{};
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends.data()) != 0)
+        return fail(std::strerror(errno));
+    const int problem =
+        startProcess(program, ends[1],
+                     {"bask-guard", std::filesystem::absolute(m_port), std::to_string(m_settings.baud),
+                      std::to_string(m_settings.dataBits), std::string(1, m_settings.parity),
+                      std::to_string(m_settings.stopBits), m_logFile},
+                     m_process);
+    ::close(ends[1]);
+    if (problem != 0) {
+        ::close(ends[0]);
+        m_process = -1;
+        return fail(program + ": " + std::strerror(problem));
+    }
+    m_socket = ends[0];
+    m_state = State::Starting;
+    m_problem = {};
+    m_answered_s = m_beat_s = m_worked_s = m_clock.now_s();
+}
+
+void HeaterGuard::work() {
+    const double now_s = m_clock.now_s();
+    receive();
+    if (now_s - m_worked_s > kHeldUp_s)
+        m_answered_s = now_s;
+    m_worked_s = now_s;
+    if (m_socket < 0 || m_state == State::TookOver)
+        return;
+    const double most_s = m_state == State::Starting ? kStarting_s : kSilent_s;
+    if (now_s - m_answered_s > most_s) {
+        ::kill(m_process, SIGKILL); // stopped, or stuck: the port must become free
+        return end();
+    }
+    if (now_s - m_beat_s >= guard::kBeat_s) {
+        m_beat_s = now_s;
+        tell(Order::Beat);
+    }
+}
+
+void HeaterGuard::receive() {
+    std::array<char, 1 + guard::kMost> packet{};
+    while (m_socket >= 0) {
+        const ssize_t count = ::recv(m_socket, packet.data(), packet.size(), MSG_DONTWAIT);
+        if (count > 0)
+            take(static_cast<Told>(packet[0]), {packet.data() + 1, static_cast<std::size_t>(count) - 1});
+        else if (count < 0 && errno == EINTR)
+            continue;
+        else if (count < 0 && errno == EAGAIN)
+            return;
+        else
+            end();
+    }
+}
+
+void HeaterGuard::take(Told kind, std::string_view bytes) {
+    if (m_state != State::TookOver)
+        m_answered_s = m_clock.now_s();
+    switch (kind) {
+    case Told::Hello:
+        if (!bytes.empty() && bytes[0] == guard::kVersion)
+            m_state = State::Guarding;
+        return;
+    case Told::Beat:
+    case Told::Off: // its end follows
+        return;
+    case Told::Opened:
+        m_isPortOpen = true;
+        m_isPortOpening = false;
+        m_portProblem = {};
+        return;
+    case Told::Failed: {
+        int problem = 0;
+        std::memcpy(&problem, bytes.data(), std::min(bytes.size(), sizeof problem));
+        return losePort({MessageCode::LinkNotOpened, {m_port, whyNotOpened(problem)}});
+    }
+    case Told::Lost:
+        return losePort({MessageCode::LinkLost, {m_port, "it was unplugged"}});
+    case Told::Stuck:
+        return losePort({MessageCode::LinkStuck, {m_port}});
+    case Told::Bytes:
+        if (m_isPortOpen && m_unread.size() < kMostUnread)
+            m_unread += bytes;
+        return;
+    case Told::TookOver:
+        m_state = State::TookOver;
+        m_problem = {MessageCode::HeaterGuardTookOver, {std::string(bytes)}};
+        return losePort(m_problem);
+    }
+}
+
+bool HeaterGuard::tell(Order order, std::string_view bytes) {
+    std::string packet(1, static_cast<char>(order));
+    packet += bytes;
+    return m_socket >= 0 && ::send(m_socket, packet.data(), packet.size(), MSG_DONTWAIT | MSG_NOSIGNAL) ==
+                                static_cast<ssize_t>(packet.size());
+}
+
+void HeaterGuard::losePort(Message problem) {
+    m_isPortOpen = m_isPortOpening = false;
+    m_unread.clear();
+    m_portProblem = std::move(problem);
+}
+
+void HeaterGuard::end() {
+    if (m_state == State::Starting)
+        m_problem = {MessageCode::HeaterGuardMissing, {"bask-guard has ended at once"}};
+    else if (m_state == State::Guarding)
+        m_problem = {MessageCode::HeaterGuardLost, {}};
+    m_state = m_state == State::Starting ? State::None : State::Ended;
+    losePort(m_problem);
+    m_isArmed = false;
+    dismiss();
+}
+
+void HeaterGuard::arm(const guard::OffProgram& off) {
+    if (m_state != State::Guarding)
+        return;
+    if (bytesOf(off) != m_off && tell(Order::Program, bytesOf(off)))
+        m_off = bytesOf(off);
+    if (!m_isArmed && !m_off.empty())
+        m_isArmed = tell(Order::Arm);
+}
+
+void HeaterGuard::disarm() {
+    if (m_isArmed)
+        m_isArmed = !tell(Order::Disarm);
+}
+
+bool HeaterGuard::handOver(double within_s) {
+    if (m_isArmed)
+        tell(Order::TakeOver);
+    const double until_s = SteadyClock().now_s() + within_s;
+    while (m_isArmed && m_state == State::Guarding && SteadyClock().now_s() < until_s) {
+        pollfd state{m_socket, POLLIN, 0};
+        ::poll(&state, 1, 10);
+        receive();
+    }
+    return m_state == State::TookOver;
+}
+
+void HeaterGuard::openPort() {
+    if (m_isPortOpening || (m_state != State::Guarding && m_state != State::Starting))
+        return;
+    m_isPortOpen = false;
+    m_isPortOpening = true;
+    m_unread.clear();
+    m_portProblem = {};
+    tell(Order::Open);
+}
+
+void HeaterGuard::closePort() {
+    m_isPortOpen = m_isPortOpening = false;
+    m_unread.clear();
+    tell(Order::Close);
+}
+
+std::string HeaterGuard::read() {
+    receive(); // now, and not at the next work(): what has come is not to wait
+    return std::exchange(m_unread, {});
+}
+
+void HeaterGuard::write(std::string_view bytes) {
+    for (; isPortOpen() && !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), guard::kMost)))
+        tell(Order::Write, bytes.substr(0, guard::kMost));
+}
+
+} // namespace bask

@@ -1,0 +1,51 @@
+#include "engine/drivers/off_program.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace bask {
+namespace {
+
+using guard::OffStep;
+
+OffStep made(std::string_view send, std::string_view expect, int reply_ms, int pause_ms) {
+    if (send.size() > OffStep::kMostBytes || expect.size() > OffStep::kMostBytes)
+        throw std::invalid_argument("OffStep: too long");
+    OffStep step;
+    step.timeout_ms = static_cast<std::uint16_t>(reply_ms);
+    step.pause_ms = static_cast<std::uint16_t>(pause_ms);
+    step.sends = static_cast<std::uint8_t>(send.size());
+    step.expects = static_cast<std::uint8_t>(expect.size());
+    std::ranges::copy(send, step.send);
+    std::ranges::copy(expect, step.expect);
+    return step;
+}
+
+} // namespace
+
+OffStep offWrite(std::string_view bytes, int reply_ms, int pause_ms) {
+    return made(bytes, {}, reply_ms, pause_ms);
+}
+
+OffStep offWhenBytes(std::string_view question, std::string_view answer, int reply_ms) {
+    OffStep step = made(question, answer, reply_ms, 0);
+    step.reply = OffStep::Reply::Bytes;
+    step.mustFit = true;
+    return step;
+}
+
+OffStep offWhenNumber(std::string_view question, double most, std::string_view tail, int reply_ms) {
+    OffStep step = made(question, tail, reply_ms, 0);
+    step.reply = OffStep::Reply::Number;
+    step.mustFit = true;
+    step.most = most;
+    return step;
+}
+
+void add(guard::OffProgram& program, const OffStep& step) {
+    if (program.count == guard::OffProgram::kMostSteps)
+        throw std::invalid_argument("OffProgram: too many steps");
+    program.steps[program.count++] = step;
+}
+
+} // namespace bask

@@ -1,0 +1,19 @@
+#pragma once
+// How a driver says to the guard what switches its device off.
+
+#include "engine/guard/guard_messages.h"
+
+#include <string_view>
+
+namespace bask {
+
+/// Sent, and whatever comes back within reply_ms is passed over.
+guard::OffStep offWrite(std::string_view bytes, int reply_ms, int pause_ms);
+/// Sent, and these bytes must come back.
+guard::OffStep offWhenBytes(std::string_view question, std::string_view answer, int reply_ms);
+/// Sent, and a line "NUMBER TAIL" of a number up to `most` must come back.
+guard::OffStep offWhenNumber(std::string_view question, double most, std::string_view tail, int reply_ms);
+/// Throws std::invalid_argument on a step that is too long.
+void add(guard::OffProgram& program, const guard::OffStep& step);
+
+} // namespace bask

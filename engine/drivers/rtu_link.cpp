@@ -1,0 +1,253 @@
+#include "engine/drivers/rtu_link.h"
+
+#include "engine/base/message_code.h"
+#include "engine/protocols/modbus_frame.h"
+
+#include <algorithm>
+#include <map>
+#include <stdexcept>
+#include <utility>
+
+namespace bask {
+namespace {
+
+constexpr std::size_t kExceptionBytes = 5, kWriteReplyBytes = 8;
+constexpr double kGapBytes = 3.5;       // of silence between two frames
+constexpr double kLeastGap_s = 0.00175; // from 19200 baud on
+
+std::string frameOf(const ModbusRequest& request) {
+    return modbusRequest({request.unit, request.function, request.address, request.count, request.values});
+}
+
+int byteAt(const std::string& bytes, std::size_t i) {
+    return static_cast<unsigned char>(bytes[i]);
+}
+
+/// A whole frame with its CRC at the beginning of the bytes: 0 where it is none, or not yet.
+std::size_t frameLength(const std::string& bytes, const ModbusRequest& request) {
+    if (bytes.size() < kExceptionBytes || byteAt(bytes, 0) != request.unit ||
+        (byteAt(bytes, 1) & 0x7f) != request.function)
+        return 0;
+    const bool isException = (byteAt(bytes, 1) & 0x80) != 0;
+    const std::size_t length = isException ? kExceptionBytes
+                               : request.reads()
+                                   ? kExceptionBytes + static_cast<std::size_t>(byteAt(bytes, 2))
+                                   : kWriteReplyBytes;
+    if (bytes.size() < length)
+        return 0;
+    const int crc = modbusCrc(std::string_view(bytes).substr(0, length - 2));
+    return crc == (byteAt(bytes, length - 2) | byteAt(bytes, length - 1) << 8) ? length : 0;
+}
+
+/// Skips what is before a frame: noise, or another unit's answer.
+std::optional<std::string> takeFrame(std::string& bytes, const ModbusRequest& request) {
+    for (std::size_t at = 0; at + kExceptionBytes <= bytes.size(); ++at) {
+        const std::string rest = bytes.substr(at);
+        if (const std::size_t length = frameLength(rest, request); length > 0) {
+            bytes.erase(0, at + length);
+            return rest.substr(0, length);
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::vector<std::uint16_t>> registersIn(const std::string& frame,
+                                                      const ModbusRequest& request) {
+    std::vector<std::uint16_t> out;
+    if (!request.reads())
+        return frame.substr(0, 6) == frameOf(request).substr(0, 6) ? std::optional(out) : std::nullopt;
+    if (byteAt(frame, 2) != 2 * request.count)
+        return std::nullopt;
+    for (std::size_t i = 3; i + 3 < frame.size(); i += 2)
+        out.push_back(static_cast<std::uint16_t>(byteAt(frame, i) << 8 | byteAt(frame, i + 1)));
+    return out;
+}
+
+} // namespace
+
+struct RtuLink::Line {
+    struct Asked {
+        int number;
+        ModbusRequest request;
+        double until_s;
+    };
+
+    void look();
+    void take();
+    ModbusReply judged(const std::string& frame);
+    void deliver(ModbusReply reply);
+    void giveUp();
+    void forget();
+    void keepSilent() { quietUntil_s = clock.now_s() + replyTime_s; }
+    double onTheLine_s(double count) const { return count * (settings.dataBits + 3) / settings.baud; }
+    Error wrong(const char* words);
+    Error silence() const;
+
+    std::unique_ptr<ByteLink> bytes;
+    SerialSettings settings;
+    const Clock& clock;
+    double replyTime_s;
+    std::string heard{};
+    std::optional<Asked> asked{};
+    std::map<int, ModbusReply> replies{};
+    std::map<int, std::vector<ModbusRequest>> unanswered{}; ///< by unit: answers to them may still come
+    Message problem{}; ///< nobody has answered for long; None: that of the bytes counts
+    double quietUntil_s = -1e300;
+    int lastNumber = 0, silent = 0, discarded = 0;
+};
+
+RtuLink::RtuLink(std::unique_ptr<ByteLink> line, const SerialSettings& settings, const Clock& clock,
+                 double replyTime_s)
+    : m_line(new Line{std::move(line), settings, clock, replyTime_s}) {}
+
+RtuLink::~RtuLink() = default;
+
+void RtuLink::open() {
+    if (isOpen())
+        return;
+    m_line->forget();
+    m_line->problem = {};
+    m_line->bytes->open();
+}
+
+void RtuLink::close() {
+    m_line->forget();
+    m_line->bytes->close();
+}
+
+bool RtuLink::isOpen() const {
+    return m_line->bytes->isOpen();
+}
+
+/// The request under way is told that there was no answer.
+void RtuLink::Line::forget() {
+    if (asked)
+        deliver(silence());
+    asked.reset();
+    unanswered.clear();
+    heard.clear();
+    quietUntil_s = -1e300;
+    silent = 0;
+}
+
+Message RtuLink::problem() const {
+    return m_line->problem.code == MessageCode::None ? m_line->bytes->problem() : m_line->problem;
+}
+
+bool RtuLink::isFree() const {
+    m_line->look();
+    return isOpen() && !m_line->asked && m_line->clock.now_s() >= m_line->quietUntil_s;
+}
+
+Error RtuLink::Line::wrong(const char* words) {
+    ++discarded;
+    return {MessageCode::DeviceAnswersWrong, "", {bytes->name(), words}};
+}
+
+Error RtuLink::Line::silence() const {
+    return {MessageCode::DeviceSilent, "", {bytes->name(), formatNumber(replyTime_s)}};
+}
+
+/// The deadline is first: what waited here unread is not to look new.
+void RtuLink::Line::look() {
+    if (!bytes->isOpen()) {
+        if (asked)
+            forget();
+        return;
+    }
+    if (asked && clock.now_s() > asked->until_s)
+        giveUp();
+    const std::string come = bytes->read();
+    if (come.empty())
+        return;
+    if (!asked) {
+        keepSilent(); // nobody asked for that, or not now
+        return;
+    }
+    heard += come;
+    take();
+}
+
+void RtuLink::Line::take() {
+    const auto frame = takeFrame(heard, asked->request);
+    if (!frame)
+        return;
+    quietUntil_s = clock.now_s() + std::max(kLeastGap_s, onTheLine_s(kGapBytes));
+    deliver(judged(*frame));
+    asked.reset();
+    heard.clear();
+}
+
+ModbusReply RtuLink::Line::judged(const std::string& frame) {
+    const ModbusRequest& request = asked->request;
+    silent = 0;
+    if (const auto late = unanswered.find(request.unit); late != unanswered.end()) {
+        keepSilent();
+        const bool isSameQuestion = std::ranges::all_of(
+            late->second, [&](const ModbusRequest& earlier) { return frameOf(earlier) == frameOf(request); });
+        unanswered.erase(late);
+        if (!isSameQuestion)
+            return wrong("it may be late, to an earlier question");
+    }
+    if ((byteAt(frame, 1) & 0x80) != 0)
+        return Error(MessageCode::DeviceException, "",
+                     {bytes->name(), std::to_string(request.unit), std::to_string(byteAt(frame, 2))});
+    if (auto registers = registersIn(frame, request))
+        return std::move(*registers);
+    keepSilent();
+    return wrong(request.reads() ? "another number of registers" : "another write");
+}
+
+void RtuLink::Line::deliver(ModbusReply reply) {
+    replies.emplace(asked->number, std::move(reply));
+    if (replies.size() > kMostReplies)
+        replies.erase(replies.begin());
+}
+
+void RtuLink::Line::giveUp() {
+    deliver(silence());
+    keepSilent();
+    std::vector<ModbusRequest>& earlier = unanswered[asked->request.unit];
+    const std::string frame = frameOf(asked->request);
+    if (std::ranges::none_of(earlier, [&](const ModbusRequest& each) { return frameOf(each) == frame; }))
+        earlier.push_back(asked->request);
+    asked.reset();
+    heard.clear();
+    if (++silent < kMostSilent)
+        return;
+    problem = {MessageCode::DeviceSilent, {bytes->name(), formatNumber(silent * 2.0 * replyTime_s, 2)}};
+    bytes->close();
+}
+
+int RtuLink::send(const ModbusRequest& request) {
+    if (!isFree())
+        throw std::logic_error("RtuLink: sends only when it is free");
+    Line& line = *m_line;
+    const std::string frame = frameOf(request);
+    const double reply = request.reads() ? 5.0 + 2.0 * request.count : static_cast<double>(kWriteReplyBytes);
+    const double time_s = line.replyTime_s + line.onTheLine_s(static_cast<double>(frame.size()) + reply);
+    line.heard.clear();
+    line.asked = Line::Asked{++line.lastNumber, request, line.clock.now_s() + time_s};
+    line.bytes->write(frame);
+    return line.lastNumber;
+}
+
+std::optional<ModbusReply> RtuLink::takeReply(int number) {
+    m_line->look();
+    const auto it = m_line->replies.find(number);
+    if (it == m_line->replies.end())
+        return std::nullopt;
+    std::optional<ModbusReply> out(std::move(it->second));
+    m_line->replies.erase(it);
+    return out;
+}
+
+std::string RtuLink::name() const {
+    return m_line->bytes->name();
+}
+
+int RtuLink::discarded() const {
+    return m_line->discarded;
+}
+
+} // namespace bask

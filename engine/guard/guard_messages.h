@@ -1,0 +1,67 @@
+#pragma once
+// What Bask and its guard say to each other: packets of one kind byte and its bytes, over a socket pair that
+// keeps them apart and in order. Both ends are built together.
+
+#include <cstddef>
+#include <cstdint>
+
+namespace bask::guard {
+
+inline constexpr int kVersion = 1;
+inline constexpr int kSocket = 3;          ///< the guard's descriptor of it
+inline constexpr double kSilence_s = 2.0;  ///< of the engine: then the guard takes over
+inline constexpr double kBeat_s = 0.1;     ///< between two of the engine's beats
+inline constexpr std::size_t kMost = 4096; ///< bytes of one packet after its kind
+
+/// To the guard. The bytes of Write go to the port as they are; Program has an OffProgram.
+enum class Order : char {
+    Beat = 'b',
+    Open = 'o',
+    Close = 'c',
+    Write = 'w',
+    Program = 'p',
+    Arm = 'a',     ///< heat may be on from here: without the engine it is switched off
+    Disarm = 'd',  ///< it is known to be off
+    TakeOver = 'x' ///< at once
+};
+
+/// From the guard.
+enum class Told : char {
+    Hello = 'V', ///< its version, one byte
+    Beat = 'b',  ///< one for each
+    Opened = 'O',
+    Failed = 'F', ///< an int: errno of the opening
+    Lost = 'L',   ///< it was unplugged
+    Stuck = 'S',  ///< it takes no more bytes
+    Bytes = 'r',
+    TookOver = 'T', ///< why, in English
+    Off = 'K'       ///< confirmed; the guard ends
+};
+
+/// One step of switching off: bytes to send, and what is to come back.
+struct OffStep {
+    static constexpr std::size_t kMostBytes = 64;
+    enum class Reply : std::uint8_t {
+        None,
+        Bytes, ///< these, anywhere in what comes
+        Number ///< a line "NUMBER TAIL" of a number up to `most`; TAIL are the bytes
+    };
+    std::uint16_t timeout_ms = 0; ///< for what is to come back
+    std::uint16_t pause_ms = 0;   ///< after it
+    std::uint8_t sends = 0, expects = 0;
+    Reply reply = Reply::None;
+    bool mustFit = false; ///< or heat is not known to be off
+    unsigned char send[kMostBytes] = {};
+    unsigned char expect[kMostBytes] = {};
+    double most = 0.0;
+};
+
+/// Heat is off when all of its steps that must fit did so in one pass.
+struct OffProgram {
+    static constexpr std::size_t kMostSteps = 8;
+    std::uint8_t count = 0;
+    OffStep steps[kMostSteps] = {};
+};
+static_assert(sizeof(OffProgram) <= kMost);
+
+} // namespace bask::guard

@@ -1,0 +1,128 @@
+#include "engine/guard/guarded_port.h"
+
+#include <asm/termbits.h> // any speed; <termios.h> has only some, and declares the same names
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+namespace bask::guard {
+namespace {
+
+constexpr int kDrain_ms = 100; // for the last bytes before it is closed, which may be a stop
+
+unsigned bitsFlag(int bits) {
+    return bits == 5 ? CS5 : bits == 6 ? CS6 : bits == 7 ? CS7 : CS8;
+}
+
+/// Raw: no echo, no line editing, no flow control.
+bool makeRaw(int descriptor, const PortSettings& settings) {
+    termios2 line{};
+    if (::ioctl(descriptor, TCGETS2, &line) != 0)
+        return false;
+    line.c_iflag = IGNBRK;
+    line.c_oflag = 0;
+    line.c_lflag = 0;
+    line.c_cflag = CREAD | CLOCAL | BOTHER | bitsFlag(settings.dataBits);
+    if (settings.parity != 'N')
+        line.c_cflag |= PARENB | (settings.parity == 'O' ? PARODD : 0U);
+    if (settings.stopBits == 2)
+        line.c_cflag |= CSTOPB;
+    line.c_ispeed = line.c_ospeed = static_cast<speed_t>(settings.baud);
+    line.c_cc[VMIN] = 0;
+    line.c_cc[VTIME] = 0;
+    return ::ioctl(descriptor, TCSETS2, &line) == 0;
+}
+
+} // namespace
+
+int GuardedPort::open() {
+    close();
+    const int opened = ::open(m_settings.path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    if (opened < 0)
+        return errno;
+    int problem = 0;
+    // The second keeps out a program of root's too, which the first does not.
+    if (::ioctl(opened, TIOCEXCL) != 0)
+        problem = errno;
+    else if (::flock(opened, LOCK_EX | LOCK_NB) != 0)
+        problem = EBUSY;
+    else if (!makeRaw(opened, m_settings))
+        problem = errno;
+    if (problem != 0) {
+        ::close(opened);
+        return problem;
+    }
+    m_descriptor = opened;
+    forget();
+    return 0;
+}
+
+void GuardedPort::close() {
+    if (m_descriptor < 0)
+        return;
+    drain();
+    ::ioctl(m_descriptor, TCFLSH, TCIOFLUSH); // or the system waits for up to half a minute
+    ::ioctl(m_descriptor, TIOCNXCL);
+    ::close(m_descriptor);
+    m_descriptor = -1;
+    m_queued = 0;
+}
+
+void GuardedPort::drain() {
+    int unsent = 0;
+    for (int i = 0; i < kDrain_ms; ++i) {
+        if (!flush() || ::ioctl(m_descriptor, TIOCOUTQ, &unsent) != 0 || (unsent == 0 && m_queued == 0))
+            return;
+        ::poll(nullptr, 0, 1);
+    }
+}
+
+short GuardedPort::events() const {
+    return static_cast<short>(m_queued > 0 ? POLLIN | POLLOUT : POLLIN);
+}
+
+long GuardedPort::read(void* bytes, std::size_t most) {
+    const ssize_t count = ::read(m_descriptor, bytes, most);
+    if (count > 0)
+        return count;
+    if (count < 0 && (errno == EAGAIN || errno == EINTR))
+        return 0;
+    if (count < 0)
+        return -1;
+    // With VMIN 0 a read of nothing is nothing there, unless the line is hung up.
+    pollfd state{m_descriptor, POLLIN, 0};
+    ::poll(&state, 1, 0);
+    return (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0 ? -1 : 0;
+}
+
+bool GuardedPort::write(const void* bytes, std::size_t count) {
+    if (m_queued + count > sizeof m_queue)
+        return false;
+    std::memcpy(m_queue + m_queued, bytes, count);
+    m_queued += count;
+    return true;
+}
+
+bool GuardedPort::flush() {
+    while (m_queued > 0) {
+        const ssize_t count = ::write(m_descriptor, m_queue, m_queued);
+        if (count < 0)
+            return errno == EAGAIN || errno == EINTR;
+        if (count == 0)
+            return true;
+        m_queued -= static_cast<std::size_t>(count);
+        std::memmove(m_queue, m_queue + count, m_queued);
+    }
+    return true;
+}
+
+void GuardedPort::forget() {
+    m_queued = 0;
+    ::ioctl(m_descriptor, TCFLSH, TCIOFLUSH);
+}
+
+} // namespace bask::guard

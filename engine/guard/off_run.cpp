@@ -1,0 +1,158 @@
+#include "engine/guard/off_run.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <ctime>
+#include <poll.h>
+
+namespace bask::guard {
+namespace {
+
+constexpr int kQuiet_ms = 60;    // before the first word: what was half said is over, and late answers
+constexpr int kQuickPasses = 10; // then it is tried less often: memories of set points wear
+constexpr int kSoon_ms = 300, kLater_ms = 5000;
+constexpr int kLoggedOften = 10, kLoggedSeldom = 100; // passes
+
+double now_s() {
+    timespec now{};
+    ::clock_gettime(CLOCK_MONOTONIC, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+/// As it can be read: printable as it is, else in hexadecimal.
+void show(char* out, std::size_t size, const unsigned char* bytes, std::size_t count) {
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < count && at + 5 < size; ++i) {
+        const bool isPlain = bytes[i] >= ' ' && bytes[i] <= '~';
+        at +=
+            static_cast<std::size_t>(std::snprintf(out + at, size - at, isPlain ? "%c" : "<%02x>", bytes[i]));
+    }
+    out[at] = '\0';
+}
+
+bool isBlank(unsigned char byte) {
+    return byte == ' ' || byte == '\r' || byte == '\n';
+}
+
+/// A whole line "0.0 1", blanks around it.
+bool isNumberLine(const char* line, const OffStep& step) {
+    char* end = nullptr;
+    const double number = std::strtod(line, &end);
+    if (end == line || *end != ' ' || !(number <= step.most))
+        return false;
+    while (*end == ' ')
+        ++end;
+    if (std::strncmp(end, reinterpret_cast<const char*>(step.expect), step.expects) != 0)
+        return false;
+    for (end += step.expects; *end != '\0'; ++end)
+        if (!isBlank(static_cast<unsigned char>(*end)))
+            return false;
+    return true;
+}
+
+bool hasNumber(const OffStep& step, const unsigned char* bytes, std::size_t count) {
+    char line[128] = {};
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (bytes[i] != '\n' && bytes[i] != '\r') {
+            if (length + 1 < sizeof line)
+                line[length++] = static_cast<char>(bytes[i]);
+            continue;
+        }
+        line[length] = '\0';
+        if (length > 0 && isNumberLine(line, step))
+            return true;
+        length = 0;
+    }
+    return false;
+}
+
+} // namespace
+
+bool fits(const OffStep& step, const unsigned char* bytes, std::size_t count) {
+    switch (step.reply) {
+    case OffStep::Reply::None:
+        return true;
+    case OffStep::Reply::Bytes:
+        return step.expects > 0 && ::memmem(bytes, count, step.expect, step.expects) != nullptr;
+    case OffStep::Reply::Number:
+        return hasNumber(step, bytes, count);
+    }
+    return false;
+}
+
+bool OffRun::isLogged() const {
+    return m_passes <= kLoggedOften || m_passes % kLoggedSeldom == 0;
+}
+
+void OffRun::untilConfirmed() {
+    if (m_port.isOpen())
+        m_port.forget();
+    for (;;) {
+        ++m_passes;
+        if (isOpen() && hear(nullptr, kQuiet_ms) && pass()) {
+            m_log.say("the heat is confirmed off, at the %d. try", m_passes);
+            return;
+        }
+        ::poll(nullptr, 0, m_passes < kQuickPasses ? kSoon_ms : kLater_ms);
+    }
+}
+
+bool OffRun::isOpen() {
+    if (m_port.isOpen())
+        return true;
+    const int problem = m_port.open();
+    if (problem != 0 && isLogged())
+        m_log.say("the port cannot be opened: %s", std::strerror(problem));
+    return problem == 0;
+}
+
+bool OffRun::pass() {
+    bool isOff = m_program.count > 0;
+    for (std::size_t i = 0; i < m_program.count && m_port.isOpen(); ++i)
+        isOff = take(m_program.steps[i]) && isOff;
+    return isOff && m_port.isOpen();
+}
+
+bool OffRun::take(const OffStep& step) {
+    m_heard = 0;
+    if (!m_port.write(step.send, step.sends))
+        m_port.forget();
+    const bool hasCome = hear(&step, step.timeout_ms);
+    if (isLogged()) {
+        char sent[200], heard[120];
+        show(sent, sizeof sent, step.send, step.sends);
+        show(heard, sizeof heard, m_bytes, m_heard);
+        m_log.say("sent \"%s\", read \"%s\"%s", sent, heard,
+                  !hasCome && step.mustFit ? ", which is not off" : "");
+    }
+    (void)hear(nullptr, step.pause_ms);
+    return hasCome || !step.mustFit;
+}
+
+bool OffRun::hear(const OffStep* step, int ms) {
+    const double until_s = now_s() + 1e-3 * ms;
+    for (;;) {
+        if (step != nullptr && step->reply != OffStep::Reply::None && fits(*step, m_bytes, m_heard))
+            return true;
+        const double left_ms = 1e3 * (until_s - now_s());
+        if (left_ms <= 0.0 && (step == nullptr || step->reply != OffStep::Reply::None || m_port.isFlushed()))
+            return step == nullptr || step->reply == OffStep::Reply::None;
+        if (left_ms <= -1000.0)
+            return false; // it takes nothing
+        pollfd state{m_port.descriptor(), m_port.events(), 0};
+        ::poll(&state, 1, left_ms > 1.0 ? static_cast<int>(left_ms) : 1);
+        if (m_heard == sizeof m_bytes)
+            m_heard = 0;
+        const long count = m_port.read(m_bytes + m_heard, sizeof m_bytes - m_heard);
+        if (count < 0 || !m_port.flush()) {
+            m_log.say("the port was unplugged");
+            m_port.close();
+            return false;
+        }
+        m_heard = step == nullptr ? 0 : m_heard + static_cast<std::size_t>(count);
+    }
+}
+
+} // namespace bask::guard

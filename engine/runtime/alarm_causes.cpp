@@ -1,0 +1,107 @@
+#include "engine/runtime/alarm_causes.h"
+
+#include "engine/base/message_code.h"
+
+#include <algorithm>
+#include <array>
+
+namespace bask {
+namespace {
+
+using Condition = SafetyCondition;
+
+struct Consequence {
+    Condition condition;
+    Condition cause;         ///< the nearest first, where a condition has several
+    bool isOfObject = false; ///< only if both are of the same object
+};
+
+// No condition leads back to itself.
+constexpr std::array kConsequences{
+    Consequence{Condition::RobotAlarm, Condition::RobotLost},
+    Consequence{Condition::RobotSlow, Condition::RobotLost},
+    Consequence{Condition::RobotSlow, Condition::RobotAlarm},
+    Consequence{Condition::RobotPlaceUnsure, Condition::RobotAlarm},
+    Consequence{Condition::RobotPlaceUnsure, Condition::RobotSlow},
+    Consequence{Condition::RobotPlaceUnsure, Condition::RobotLost},
+    Consequence{Condition::SourceLost, Condition::HeaterGuardGone},
+    Consequence{Condition::SourceSilent, Condition::SourceLost},
+    Consequence{Condition::HeatNotOff, Condition::SourceLost},
+    Consequence{Condition::SetPointOther, Condition::SourceUnit},
+    Consequence{Condition::SetPointOther, Condition::SourceLost},
+    Consequence{Condition::SourceCold, Condition::SourceUnit},
+    Consequence{Condition::SourceNotHeating, Condition::SetPointOther},
+    Consequence{Condition::SourceNotHeating, Condition::SourceSilent},
+    Consequence{Condition::SourceNotHeating, Condition::SourceLost},
+    Consequence{Condition::SourceHeatsUnasked, Condition::HeatNotOff},
+    Consequence{Condition::SourceHeatsUnasked, Condition::SourceLost},
+    Consequence{Condition::SourceNotCooling, Condition::SourceHeatsUnasked},
+    Consequence{Condition::SourceNotCooling, Condition::HeatNotOff},
+    Consequence{Condition::SourceNotCooling, Condition::SourceLost},
+    Consequence{Condition::SensorOpen, Condition::ThermometerLost},
+    Consequence{Condition::SensorShort, Condition::ThermometerLost},
+    Consequence{Condition::SensorInvalid, Condition::ThermometerLost},
+    Consequence{Condition::SensorStale, Condition::ThermometerLost},
+    Consequence{Condition::SensorFrozen, Condition::ThermometerLost},
+    Consequence{Condition::NotWarming, Condition::SensorFrozen, true},
+    Consequence{Condition::NotWarming, Condition::SensorJump, true},
+    Consequence{Condition::NotWarming, Condition::SourceNotHeating},
+    Consequence{Condition::NotWarming, Condition::SourceSilent},
+    Consequence{Condition::NotWarming, Condition::SourceLost},
+    Consequence{Condition::ObjectWarm, Condition::ObjectHot, true},
+};
+
+const SafetyFinding* nearestCause(const SafetyFinding& finding, const std::vector<SafetyFinding>& present) {
+    for (const Consequence& row : kConsequences) {
+        if (row.condition != finding.condition)
+            continue;
+        const auto cause = std::ranges::find_if(present, [&](const SafetyFinding& other) {
+            return other.condition == row.cause && (!row.isOfObject || other.object == finding.object);
+        });
+        if (cause != present.end())
+            return &*cause;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment) {
+    const auto ofObject = [&](const char* name) {
+        return std::string(name) + ':' + experiment.objects[finding.object].name;
+    };
+    const char* const name = messageName(finding.message.code);
+    switch (finding.condition) {
+    case Condition::RobotLost: // a link says one thing after another while it is lost
+        return "RobotLost";
+    case Condition::RobotAlarm:
+        return "RobotAlarm";
+    case Condition::ThermometerLost:
+        return "ThermometerLost";
+    case Condition::SourceLost:
+        return "SourceLost";
+    case Condition::SensorOpen:
+    case Condition::SensorShort:
+    case Condition::SensorInvalid:
+    case Condition::SensorStale:
+    case Condition::SensorJump:
+        return ofObject("SensorLost");
+    case Condition::SensorFrozen:
+    case Condition::SensorQuiet:
+    case Condition::ObjectHot:
+    case Condition::ObjectWarm:
+    case Condition::NotWarming:
+        return ofObject(name);
+    default:
+        return name;
+    }
+}
+
+const SafetyFinding* causeOf(const SafetyFinding& finding, const std::vector<SafetyFinding>& present) {
+    const SafetyFinding* cause = nullptr;
+    for (const SafetyFinding* next = &finding; (next = nearestCause(*next, present)) != nullptr;)
+        cause = next;
+    return cause;
+}
+
+} // namespace bask

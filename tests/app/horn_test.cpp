@@ -1,0 +1,94 @@
+#include "app/horn.h"
+#include "app/settings_store.h"
+#include "tests/support/wait_for.h"
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+Alarm calling(int priority) {
+    Alarm alarm;
+    alarm.id = 1;
+    alarm.key = "a";
+    alarm.priority = priority;
+    return alarm;
+}
+
+struct Heard {
+    Horn horn;
+    int times = 0;
+    Heard() {
+        horn.setSound([this] { ++times; });
+    }
+    void tell(const std::vector<Alarm>& alarms, bool simulated = false) {
+        Snapshot snapshot;
+        snapshot.simulated = simulated;
+        snapshot.alarms = alarms;
+        horn.apply(snapshot);
+    }
+};
+
+} // namespace
+
+// Catches: a horn that is silent beside a real rig, or goes on after everybody has seen it.
+TEST(Horn, SoundsUntilTheAlarmIsAcknowledged) {
+    Heard heard;
+    heard.tell({});
+    EXPECT_EQ(heard.times, 0);
+    heard.tell({calling(1)});
+    EXPECT_EQ(heard.times, 1) << "at once";
+    for (int i = 0; i < 5; ++i)
+        heard.tell({calling(1)}); // 20 times a second
+    EXPECT_EQ(heard.times, 1);
+    EXPECT_TRUE(waitFor([&] { return heard.times == 2; }, 10 * Horn::kGrave_ms));
+    Alarm seen = calling(1);
+    seen.isAcknowledged = true;
+    heard.tell({seen});
+    EXPECT_FALSE(heard.horn.isSounding());
+}
+
+// Catches: a horn for what is over, put aside, only to be noted, or follows from what a person has seen.
+TEST(Horn, IsSilentForWhatDoesNotCall) {
+    Alarm over = calling(1), shelved = calling(1), cause = calling(1), follows = calling(1);
+    over.isActive = false;
+    shelved.shelvedUntil_s = 1e12;
+    cause.isAcknowledged = true;
+    follows.key = "b";
+    follows.cause = "a";
+    for (const std::vector<Alarm>& alarms : {std::vector{over}, {shelved}, {calling(3)}, {cause, follows}}) {
+        Heard heard;
+        heard.tell(alarms);
+        EXPECT_EQ(heard.times, 0);
+        EXPECT_FALSE(heard.horn.isSounding());
+    }
+}
+
+// Catches: a horn that people switch off because it sounds at every trial on the simulated rig.
+TEST(Horn, ByDefaultOnlyOnARealRig) {
+    EXPECT_EQ(SettingsStore().hornMode(), HornMode::RealRig);
+    Heard heard;
+    heard.tell({calling(1)}, true);
+    EXPECT_EQ(heard.times, 0);
+    heard.horn.setMode(HornMode::Always);
+    EXPECT_EQ(heard.times, 1);
+    heard.horn.setMode(HornMode::Off);
+    EXPECT_FALSE(heard.horn.isSounding());
+    heard.tell({calling(1)});
+    EXPECT_EQ(heard.times, 1);
+    SettingsStore().setHornMode(HornMode::Always);
+    EXPECT_EQ(SettingsStore().hornMode(), HornMode::Always);
+    SettingsStore().setHornMode(HornMode::RealRig);
+}
+
+// Catches: an engine that hangs beside a hot plate without a sound.
+TEST(Horn, AnEngineThatDoesNotAnswerIsHeard) {
+    Heard heard;
+    heard.tell({});
+    heard.horn.setAnswering(false);
+    EXPECT_EQ(heard.times, 1);
+    heard.horn.setAnswering(true);
+    EXPECT_FALSE(heard.horn.isSounding());
+}
+
+} // namespace bask::test

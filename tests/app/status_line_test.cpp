@@ -1,0 +1,69 @@
+#include "app/status_line.h"
+
+#include "engine/base/units.h"
+
+#include <QLabel>
+#include <QMenu>
+
+#include <gtest/gtest.h>
+
+namespace bask::test {
+namespace {
+
+struct Line {
+    QMenu units, languages;
+    StatusLine line{&units, &languages};
+    Snapshot snapshot;
+
+    Line() {
+        snapshot.latest.objects.resize(1);
+        snapshot.heat = HeatState::On;
+        snapshot.source_K = snapshot.latest.source_K = kelvinFromCelsius(182.3);
+        snapshot.sourceAge_s = 0.1;
+        line.resize(1200, 30);
+        line.show();
+    }
+    QLabel* label(const char* name) { return line.findChild<QLabel*>(QLatin1String(name)); }
+    QColor ink(const char* name) { return label(name)->palette().color(QPalette::WindowText); }
+};
+
+} // namespace
+
+// Catches: a real rig that seems to run at twenty times its speed.
+TEST(StatusLineTest, LiveNeverShowsASimulationSpeed) {
+    Line shown;
+    shown.snapshot.simulationSpeed = 20.0;
+    shown.line.apply(shown.snapshot);
+    EXPECT_TRUE(shown.label("loopRate")->text().contains(QStringLiteral("×20")));
+    shown.snapshot.simulated = false;
+    shown.line.apply(shown.snapshot);
+    EXPECT_FALSE(shown.label("loopRate")->text().contains(QStringLiteral("×")));
+}
+
+// Catches: "heat off" of a heater that is lost, and its last temperature shown as if it were of now.
+TEST(StatusLineTest, ALostHeaterIsUnknownAndItsTemperatureOld) {
+    Line shown;
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat on"));
+    EXPECT_EQ(shown.label("sourceState")->text(), QStringLiteral("source 182.3\u00a0°C,"));
+    const QColor known = shown.ink("heatWord"), fresh = shown.ink("sourceState");
+    shown.snapshot.heat = HeatState::Unknown;
+    shown.snapshot.source_K.reset();
+    shown.snapshot.sourceAge_s = 12.0;
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat UNKNOWN"));
+    EXPECT_EQ(shown.label("sourceState")->text(), QStringLiteral("source 182.3\u00a0°C, 12 s old,"));
+    EXPECT_NE(shown.ink("heatWord"), known);
+    EXPECT_NE(shown.ink("sourceState"), fresh);
+    EXPECT_NE(shown.ink("sourceState"), shown.ink("heatWord"));
+    shown.snapshot.heat = HeatState::Off;
+    shown.snapshot.source_K = kelvinFromCelsius(150.0);
+    shown.line.apply(shown.snapshot);
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat off"));
+    EXPECT_EQ(shown.ink("heatWord"), known);
+    shown.line.setAnswering(false); // what the engine told last may be long over
+    EXPECT_EQ(shown.label("heatWord")->text(), QStringLiteral("heat UNKNOWN"));
+    EXPECT_NE(shown.ink("sourceState"), fresh);
+}
+
+} // namespace bask::test

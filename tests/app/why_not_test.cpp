@@ -1,0 +1,46 @@
+#include "app/why_not.h"
+
+#include "engine/base/message_code.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace bask::test {
+
+// Catches: a verb that is dead without a word, in any state, and a reason given for one that is possible.
+TEST(WhyNot, EveryVerbThatCannotActSaysWhyInEveryState) {
+    for (int state = 0; state <= static_cast<int>(RunState::Fault); ++state)
+        for (int verb = 0; verb < kVerbs; ++verb)
+            for (const bool canRetreat : {false, true}) {
+                Snapshot snapshot;
+                snapshot.state = static_cast<RunState>(state);
+                snapshot.canRetreat = canRetreat;
+                const auto which = static_cast<Verb>(verb);
+                EXPECT_EQ(whyNot(snapshot, which).isEmpty(), allows(snapshot, which))
+                    << runStateName(snapshot.state) << ", verb " << verb;
+            }
+}
+
+// Catches: one sentence for everything.
+TEST(WhyNot, TheReasonIsTheStates) {
+    Snapshot snapshot;
+    std::set<QString> said;
+    for (const RunState state : {RunState::Idle, RunState::NotReady, RunState::Armed, RunState::Running,
+                                 RunState::Stopping, RunState::Fault}) {
+        snapshot.state = state;
+        said.insert(whyNot(snapshot, Verb::Arm));
+    }
+    EXPECT_EQ(said.size(), 6U);
+    snapshot.state = RunState::NotReady;
+    snapshot.reasons = {{MessageCode::ReasonSensorInvalid, {"hand"}}};
+    EXPECT_TRUE(whyNot(snapshot, Verb::Arm).contains(QStringLiteral("hand")));
+    said.clear();
+    for (const PlaceState place : {PlaceState::Sure, PlaceState::Unsure, PlaceState::Unknown}) {
+        snapshot.place = place;
+        said.insert(whyNot(snapshot, Verb::Retreat));
+    }
+    EXPECT_EQ(said.size(), 3U);
+}
+
+} // namespace bask::test

@@ -1,0 +1,474 @@
+// The guard process itself, between the engine's side and a simulated heater on a pseudo-terminal. The test
+// is the engine: it beats when it calls work().
+
+#include "engine/base/units.h"
+#include "engine/device_simulators/modbus_simulator.h"
+#include "engine/device_simulators/namur_simulator.h"
+#include "engine/device_simulators/pty_server.h"
+#include "engine/device_simulators/terminal_server.h"
+#include "engine/drivers/byte_link_on_thread.h"
+#include "engine/drivers/guarded_heater.h"
+#include "engine/drivers/guarded_link.h"
+#include "engine/drivers/modbus_heater.h"
+#include "engine/drivers/namur_heater.h"
+#include "engine/drivers/rtu_link.h"
+#include "engine/drivers/serial_link.h"
+#include "engine/protocols/modbus_frame.h"
+#include "tests/support/guard_processes.h"
+#include "tests/support/wait_for.h"
+
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <csignal>
+#include <fcntl.h>
+#include <fstream>
+#include <mutex>
+#include <poll.h>
+#include <sys/wait.h>
+#include <termios.h>
+#include <thread>
+#include <unistd.h>
+
+namespace bask {
+namespace {
+
+using State = HeaterGuard::State;
+
+const ModbusProfile& shipped(std::string_view name) {
+    return *std::ranges::find(shippedProfiles(), name, &ModbusProfile::name);
+}
+
+/// A device on a pseudo-terminal that lives by itself.
+class FarEnd {
+public:
+    FarEnd(ByteDevice& device, std::string path) : m_device(device), m_path(std::move(path)) {
+        plug();
+        m_thread = std::thread([this] {
+            while (!m_isOver) {
+                with([this] {
+                    if (m_server && !isStopped)
+                        m_server->work(m_clock.now_s());
+                });
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            }
+        });
+    }
+    ~FarEnd() {
+        m_isOver = true;
+        m_thread.join();
+    }
+    /// The device is looked at, or changed, while it does not work.
+    template <class Do> std::invoke_result_t<Do> with(Do work) {
+        const std::lock_guard lock(m_mutex);
+        return work();
+    }
+    void plug() {
+        with([this] { m_server = PtyServer::create(m_device, m_path).value(); });
+    }
+    void unplug() {
+        with([this] { m_server.reset(); });
+    }
+    std::atomic<bool> isStopped = false;
+
+private:
+    ByteDevice& m_device;
+    std::string m_path;
+    SteadyClock m_clock;
+    std::mutex m_mutex;
+    std::unique_ptr<PtyServer> m_server;
+    std::atomic<bool> m_isOver = false;
+    std::thread m_thread;
+};
+
+/// A new pseudo-terminal, linked at the path; its far end.
+int openTerminal(const std::string& path) {
+    const int master = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+    ::grantpt(master);
+    ::unlockpt(master);
+    termios raw{};
+    ::tcgetattr(master, &raw);
+    ::cfmakeraw(&raw);
+    ::tcsetattr(master, TCSANOW, &raw);
+    return ::symlink(::ptsname(master), path.c_str()) == 0 ? master : -1;
+}
+
+/// Says back at once what it hears, on two lines.
+class Echo {
+public:
+    Echo(int first, int second) : m_masters{first, second} {
+        m_thread = std::thread([this] {
+            std::array<char, 256> bytes{};
+            while (!m_isOver) {
+                pollfd ends[] = {{m_masters[0], POLLIN, 0}, {m_masters[1], POLLIN, 0}};
+                ::poll(ends, 2, 20);
+                for (int i = 0; i < 2; ++i)
+                    if ((ends[i].revents & POLLIN) != 0)
+                        if (const ssize_t count = ::read(m_masters[i], bytes.data(), bytes.size()); count > 0)
+                            (void)!::write(m_masters[i], bytes.data(), static_cast<std::size_t>(count));
+            }
+        });
+    }
+    ~Echo() {
+        m_isOver = true;
+        m_thread.join();
+        ::close(m_masters[0]);
+        ::close(m_masters[1]);
+    }
+
+private:
+    int m_masters[2];
+    std::atomic<bool> m_isOver = false;
+    std::thread m_thread;
+};
+
+/// From the question until all of it has come back.
+template <class Ask, class Hear>
+double secondsFor(const Clock& clock, const std::string& question, Ask ask, Hear hear) {
+    std::array<char, 256> bytes{};
+    const double begun_s = clock.now_s();
+    ask();
+    for (std::size_t heard = 0; heard < question.size() && clock.now_s() < begun_s + 1.0;)
+        if (const ssize_t count = hear(bytes.data(), bytes.size()); count > 0)
+            heard += static_cast<std::size_t>(count);
+        else
+            std::this_thread::sleep_for(std::chrono::microseconds(20));
+    return clock.now_s() - begun_s;
+}
+
+/// The engine's side, as RealRig has it.
+class GuardTest : public testing::Test {
+protected:
+    GuardTest() { guard.emplace(port, SerialSettings{9600, 8, 'N', 1}, log, clock); }
+
+    ~GuardTest() override {
+        heater.reset();
+        guard.reset();
+        test::endGuardsOf(folder.path());
+    }
+
+    std::unique_ptr<GuardedLink> newLink() {
+        return std::make_unique<GuardedLink>(
+            *guard,
+            [this] {
+                return std::make_unique<ByteLinkOnThread>(
+                    port, [this] { return std::make_unique<SerialLink>(port, SerialSettings{}); });
+            },
+            clock);
+    }
+    void makeNamur(const std::string& program = guardProgram()) {
+        namurLink = newLink();
+        auto made = std::make_unique<NamurHeater>(*namurLink, clock, NamurHeaterConfig{});
+        device = made.get();
+        heater = std::make_unique<GuardedHeater>(std::move(made), *guard, program, &NamurHeater::offProgram,
+                                                 clock);
+    }
+    void makeModbus(const char* profile) {
+        modbusLink = std::make_unique<RtuLink>(newLink(), SerialSettings{9600, 8, 'N', 1}, clock);
+        auto made = ModbusHeater::create(*modbusLink, clock, {4, shipped(profile)}).value();
+        const ModbusHeater& of = *made;
+        device = made.get();
+        heater = std::make_unique<GuardedHeater>(
+            std::move(made), *guard, guardProgram(), [&of] { return of.offProgram(); }, clock);
+    }
+    void work() {
+        guard->work();
+        device->work();
+        heater->work();
+    }
+    template <class Condition> bool until(Condition condition, int limit_ms = 5000) {
+        return test::waitFor(
+            [&] {
+                work();
+                return condition();
+            },
+            limit_ms);
+    }
+    /// Without a beat, as an engine that is dead or hangs.
+    template <class Condition> static bool untilWithoutBeat(Condition condition, int limit_ms) {
+        return test::waitFor(condition, limit_ms);
+    }
+    void heatUp(double setPoint_degC = 80.0) {
+        ASSERT_TRUE(until([&] { return device->status().link == LinkState::Live && heater->read().ok(); }))
+            << describe(device->status().problem);
+        ASSERT_TRUE(until([&] { return heats(setPoint_degC) && isOn(); }));
+    }
+    bool heats(double setPoint_degC) {
+        return heater->keepHeating(kelvinFromCelsius(setPoint_degC), 1.0).ok();
+    }
+    bool isOn() {
+        return end.with([&] { return plate.isOn() && plate.setPoint_K() > kelvinFromCelsius(1.0); });
+    }
+    std::string logText() const {
+        std::ifstream file(log);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    bool isGone(int process) const { return ::waitpid(process, nullptr, WNOHANG) != 0; }
+
+    QTemporaryDir folder;
+    std::string port = folder.filePath("heater").toStdString(),
+                log = folder.filePath("guard.log").toStdString();
+    NamurSimulator plate;
+    FarEnd end{plate, port};
+    SteadyClock clock;
+    std::optional<HeaterGuard> guard;
+    std::unique_ptr<GuardedLink> namurLink;
+    std::unique_ptr<RtuLink> modbusLink;
+    Device* device = nullptr;
+    std::unique_ptr<GuardedHeater> heater;
+};
+
+} // namespace
+
+// Catches a plate that stays hot when the engine's thread hangs, and a guard that acts before its time.
+TEST_F(GuardTest, AnEngineThatHangsIsSwitchedOffWithinThreeSeconds) {
+    makeNamur();
+    heatUp();
+    const double hung_s = clock.now_s();
+    EXPECT_FALSE(untilWithoutBeat([&] { return !isOn(); }, 1500)) << "too early";
+    ASSERT_TRUE(untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 3000));
+    EXPECT_LT(clock.now_s() - hung_s, 3.0);
+    EXPECT_FALSE(isOn());
+    EXPECT_NE(logText().find("sent \"STOP_1 <0d><0a>\""), std::string::npos) << logText();
+
+    work(); // the engine is back
+    EXPECT_EQ(heater->guardProblem().code, MessageCode::HeaterGuardTookOver);
+    EXPECT_FALSE(heats(80.0)) << "heat again only after a reset";
+    EXPECT_TRUE(until([&] { return guard->state() == State::Ended && heater->read().ok(); }))
+        << "by itself now";
+    EXPECT_EQ(heater->guardProblem().code, MessageCode::HeaterGuardTookOver);
+    heater->renewGuard();
+    EXPECT_EQ(heater->guardProblem().code, MessageCode::None);
+    bool wasLost = false;
+    EXPECT_TRUE(until([&] {
+        wasLost = wasLost || !heater->read().ok();
+        return heater->cannotHeat().code == MessageCode::None && heats(80.0) && isOn();
+    }));
+    EXPECT_FALSE(wasLost) << "the new guard gets the port without a loss";
+}
+
+// Catches an off that comes late, or never, when the engine is no more.
+TEST_F(GuardTest, AnEngineThatEndsIsSwitchedOffAtOnce) {
+    makeNamur();
+    heatUp();
+    const double ended_s = clock.now_s();
+    heater.reset();
+    namurLink.reset();
+    guard.reset();
+    ASSERT_TRUE(untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 3000));
+    EXPECT_LT(clock.now_s() - ended_s, 1.0);
+    EXPECT_FALSE(isOn());
+}
+
+// Catches a guard that writes to a heater that is known to be off, or stays.
+TEST_F(GuardTest, AGoodbyeWithTheHeatOffWritesNothing) {
+    makeNamur();
+    heatUp();
+    ASSERT_TRUE(heater->heatOff().ok());
+    ASSERT_TRUE(until([&] { return !heater->heating(); }));
+    EXPECT_FALSE(isOn());
+    const int process = guard->processId();
+    guard.reset();
+    EXPECT_TRUE(isGone(process));
+    EXPECT_EQ(logText(), "");
+}
+
+// Catches a heater that nobody guards any more and that goes on heating.
+TEST_F(GuardTest, AGuardThatIsKilledIsNoticedAndTheEngineSwitchesOff) {
+    for (const int number : {SIGKILL, SIGSTOP}) {
+        SCOPED_TRACE(number);
+        if (!heater)
+            makeNamur();
+        heater->renewGuard();
+        heatUp();
+        const double killed_s = clock.now_s();
+        ASSERT_EQ(::kill(guard->processId(), number), 0);
+        ASSERT_TRUE(until([&] { return heater->guardProblem().code == MessageCode::HeaterGuardLost; }, 1000));
+        ASSERT_TRUE(until([&] { return !isOn(); }, 3000));
+        EXPECT_LT(clock.now_s() - killed_s, 2.0);
+        EXPECT_FALSE(heats(80.0));
+    }
+}
+
+// Catches a guard that what ends Bask ends too.
+TEST_F(GuardTest, SignalsDoNotEndItAndATermSwitchesOffFirst) {
+    makeNamur();
+    heatUp();
+    const int process = guard->processId();
+    for (const int number : {SIGINT, SIGHUP, SIGQUIT, SIGPIPE})
+        ASSERT_EQ(::kill(process, number), 0);
+    until([] { return false; }, 300);
+    EXPECT_EQ(guard->state(), State::Guarding);
+    EXPECT_TRUE(isOn() && heats(80.0));
+    ASSERT_EQ(::kill(process, SIGTERM), 0);
+    EXPECT_TRUE(until([&] { return guard->state() == State::Ended; }));
+    EXPECT_FALSE(isOn());
+    EXPECT_NE(logText().find("told to end"), std::string::npos);
+}
+
+// Catches a guard that gives up on a device that does not answer, or takes its silence for off.
+TEST_F(GuardTest, ItGoesOnUntilTheDeviceSaysOff) {
+    makeNamur();
+    heatUp();
+    end.isStopped = true;
+    heater.reset();
+    guard.reset();
+    EXPECT_FALSE(
+        untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 2500));
+    EXPECT_NE(logText().find("which is not off"), std::string::npos) << logText();
+    end.isStopped = false;
+    EXPECT_TRUE(untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 3000));
+    EXPECT_FALSE(isOn());
+}
+
+// Catches a cable that is pulled while the guard switches off, and a guard that gives up.
+TEST_F(GuardTest, ItOpensAPortThatComesBack) {
+    makeNamur();
+    heatUp();
+    end.unplug();
+    heater.reset();
+    guard.reset();
+    EXPECT_TRUE(
+        untilWithoutBeat([&] { return logText().find("cannot be opened") != std::string::npos; }, 3000));
+    end.plug();
+    EXPECT_TRUE(untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 5000));
+    EXPECT_FALSE(isOn());
+}
+
+// Catches an unplugged port that looks open, or does not come back.
+TEST_F(GuardTest, AnUnpluggedPortIsToldAsWithoutAGuard) {
+    makeNamur();
+    ASSERT_TRUE(until([&] { return namurLink->isOpen(); }));
+    end.unplug();
+    EXPECT_TRUE(until([&] { return namurLink->problem().code == MessageCode::LinkLost; }));
+    EXPECT_FALSE(namurLink->isOpen());
+    EXPECT_TRUE(until([&] { return namurLink->problem().code == MessageCode::LinkNotOpened; }));
+    EXPECT_EQ(namurLink->problem().args.at(1), "there is no such port");
+    end.plug();
+    EXPECT_TRUE(until([&] { return namurLink->isOpen(); }));
+}
+
+// Catches two programs on one port.
+TEST_F(GuardTest, APortHasOneGuard) {
+    makeNamur();
+    ASSERT_TRUE(until([&] { return namurLink->isOpen(); }));
+    HeaterGuard second(port, {}, {}, clock);
+    second.start(guardProgram());
+    second.openPort();
+    EXPECT_TRUE(until([&] {
+        second.work();
+        return second.portProblem().code == MessageCode::LinkNotOpened;
+    }));
+    EXPECT_EQ(second.portProblem().args.at(1), "another program has it open");
+    SerialLink direct(port, {});
+    direct.open();
+    EXPECT_FALSE(direct.isOpen());
+    EXPECT_EQ(direct.problem().args.at(1), "another program has it open");
+}
+
+// Catches heat without a guard, and anything else than heat that is refused.
+TEST_F(GuardTest, WithoutItsProgramThereIsNoHeatAndEverythingElse) {
+    makeNamur("/nowhere/bask-guard");
+    EXPECT_EQ(heater->cannotHeat().code, MessageCode::HeaterGuardMissing);
+    EXPECT_EQ(heater->guardProblem().code, MessageCode::None) << "no fault";
+    EXPECT_TRUE(until([&] { return heater->read().ok(); }));
+    const auto refused = heater->keepHeating(kelvinFromCelsius(80.0), 1.0);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code(), MessageCode::HeaterGuardMissing);
+    EXPECT_FALSE(isOn());
+}
+
+// The guard is on the way of every byte. Catches a way that takes longer than 2 ms more: of the questions of
+// a thermometer on the heater's line, asked in turn with and without it.
+TEST(GuardDelay, BytesGoThroughWithinTwoMilliseconds) {
+    constexpr int kQuestions = 400;
+    QTemporaryDir folder;
+    const std::string ports[] = {folder.filePath("direct").toStdString(),
+                                 folder.filePath("guarded").toStdString()};
+    int masters[2]{};
+    for (int i = 0; i < 2; ++i) {
+        masters[i] = openTerminal(ports[i]);
+        ASSERT_GE(masters[i], 0);
+    }
+    Echo echo(masters[0], masters[1]);
+    const int direct = openRawTerminal(ports[0]);
+    ASSERT_GE(direct, 0);
+    const SteadyClock clock;
+    HeaterGuard guard(ports[1], SerialSettings{9600, 8, 'N', 1}, {}, clock);
+    guard.start(guardProgram());
+    guard.openPort();
+    ASSERT_TRUE(test::waitFor([&] {
+        guard.work();
+        return guard.isPortOpen();
+    }));
+    const std::string question = modbusRequest({1, 4, 0, 3, {}});
+    std::vector<double> took_s[2];
+    for (int i = 0; i < kQuestions; ++i) {
+        guard.work();
+        took_s[0].push_back(secondsFor(
+            clock, question, [&] { (void)!::write(direct, question.data(), question.size()); },
+            [&](char* bytes, std::size_t most) { return ::read(direct, bytes, most); }));
+        took_s[1].push_back(secondsFor(
+            clock, question, [&] { guard.write(question); },
+            [&](char* bytes, std::size_t most) {
+                const std::string come = guard.read();
+                come.copy(bytes, most);
+                return static_cast<ssize_t>(come.size());
+            }));
+    }
+    ::close(direct);
+    const auto quantile_ms = [&](int way, double share) {
+        std::vector<double> sorted = took_s[way];
+        std::ranges::sort(sorted);
+        return 1e3 * sorted[static_cast<std::size_t>(share * (kQuestions - 1))];
+    };
+    std::printf("| there and back, ms    | median | p99    |\n| without the guard     | %6.3f | %6.3f |\n"
+                "| through it            | %6.3f | %6.3f |\n",
+                quantile_ms(0, 0.5), quantile_ms(0, 0.99), quantile_ms(1, 0.5), quantile_ms(1, 0.99));
+    EXPECT_LE(quantile_ms(1, 0.5) - quantile_ms(0, 0.5), 2.0);
+    EXPECT_LE(quantile_ms(1, 0.99) - quantile_ms(0, 0.99), 2.0);
+}
+
+// Catches a program of frames that does not switch such a controller off; each is read back.
+TEST(ModbusGuard, EveryControllerIsSwitchedOffByItsFrames) {
+    for (const char* name : {"eurotherm-2400", "watlow-ez-zone", "pixsys-drr245"}) {
+        SCOPED_TRACE(name);
+        QTemporaryDir folder;
+        const std::string port = folder.filePath("heater").toStdString(),
+                          log = folder.filePath("guard.log").toStdString();
+        ModbusSimulator sim;
+        sim.addController(4, shipped(name));
+        FarEnd end(sim, port);
+        const SteadyClock clock;
+        std::optional<HeaterGuard> guard(std::in_place, port, SerialSettings{9600, 8, 'N', 1}, log, clock);
+        RtuLink link(std::make_unique<GuardedLink>(*guard, nullptr, clock), {9600, 8, 'N', 1}, clock);
+        auto made = ModbusHeater::create(link, clock, {4, shipped(name)}).value();
+        ModbusHeater& device = *made;
+        GuardedHeater heater(
+            std::move(made), *guard, guardProgram(), [&] { return device.offProgram(); }, clock);
+        const auto heats = [&] {
+            return end.with([&] { return sim.isOn(4) && sim.setPoint_K(4) > kelvinFromCelsius(79.0); });
+        };
+        ASSERT_TRUE(test::waitFor(
+            [&] {
+                guard->work();
+                device.work();
+                heater.work();
+                return heater.keepHeating(kelvinFromCelsius(80.0), 1.0).ok() && heats();
+            },
+            5000));
+        ASSERT_TRUE(guard->handOver(1.0)) << "and the engine's bytes are blocked";
+        const auto text = [&] {
+            std::ifstream file(log);
+            return std::string(std::istreambuf_iterator<char>(file), {});
+        };
+        EXPECT_TRUE(test::waitFor([&] { return text().find("confirmed off") != std::string::npos; }, 3000))
+            << text();
+        EXPECT_FALSE(heats());
+        test::endGuardsOf(folder.path());
+    }
+}
+
+} // namespace bask

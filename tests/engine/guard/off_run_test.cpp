@@ -1,0 +1,50 @@
+// Which answers the guard takes for "off".
+
+#include "engine/drivers/off_program.h"
+#include "engine/guard/off_run.h"
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+
+namespace bask::guard {
+namespace {
+
+bool fitsText(const OffStep& step, std::string_view text) {
+    return fits(step, reinterpret_cast<const unsigned char*>(text.data()), text.size());
+}
+
+} // namespace
+
+// Catches a set point that is not off taken for off, and another channel's number for the set point.
+TEST(OffRun, ANumberIsReadByItsLine) {
+    const OffStep step = offWhenNumber("IN_SP_1 \r\n", 0.6, "1", 500);
+    for (const char* off :
+         {"0.0 1\r\n", "0.0 1 \r\n", "0 1\r\n", "-0.5 1\r\n", "80.0 2\r\n0.0 1\r\n", ".0 1\r\n"})
+        EXPECT_TRUE(fitsText(step, off)) << off;
+    for (const char* other : {"80.0 1\r\n", "0.0 2\r\n", "0.0 1", "0.0 12\r\n", "0.01\r\n", "x0.0 1\r\n",
+                              "nan 1\r\n", "1\r\n", "", "0.0\r\n"})
+        EXPECT_FALSE(fitsText(step, other)) << other;
+}
+
+// Catches a reply that is not found after noise, and half of one taken for it.
+TEST(OffRun, BytesAreFoundAnywhere) {
+    const std::string_view answer("\x02\x03\x02\x00\x00\xfc\x44", 7);
+    const OffStep step = offWhenBytes("?", answer, 300);
+    EXPECT_TRUE(fitsText(step, answer));
+    EXPECT_TRUE(fitsText(step, "noise" + std::string(answer) + "more"));
+    EXPECT_FALSE(fitsText(step, answer.substr(0, 6)));
+    EXPECT_FALSE(fitsText(step, ""));
+    EXPECT_FALSE(fitsText(offWhenBytes("?", "", 300), "anything")) << "no answer confirms nothing";
+}
+
+// Catches a step that is cut, so that half a frame is sent.
+TEST(OffRun, AStepThatIsTooLongIsRefused) {
+    EXPECT_THROW(offWrite(std::string(65, 'x'), 0, 0), std::invalid_argument);
+    OffProgram program;
+    for (std::size_t i = 0; i < OffProgram::kMostSteps; ++i)
+        add(program, offWrite("x", 0, 0));
+    EXPECT_THROW(add(program, offWrite("x", 0, 0)), std::invalid_argument);
+}
+
+} // namespace bask::guard

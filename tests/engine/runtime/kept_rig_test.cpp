@@ -1,0 +1,71 @@
+// Edits of an experiment on a real rig.
+
+#include "engine/base/units.h"
+#include "tests/engine/runtime/rig_on_ports.h"
+
+namespace bask {
+namespace {
+
+using KeptRigTest = test::RigOnPorts;
+
+} // namespace
+
+// Catches a port that is opened anew by an edit: an Arduino behind it resets, says zero and is believed.
+TEST_F(KeptRigTest, AnEditLeavesEveryPortAlone) {
+    ASSERT_NO_FATAL_FAILURE(beginWell());
+    ASSERT_NO_FATAL_FAILURE(moveAside());
+    experiment.objects[0].name = "plate";
+    experiment.source.emittance = 0.5;
+    experiment.robot.upper[kX] += 0.01;
+    ASSERT_NO_FATAL_FAILURE(load());
+    EXPECT_NEAR(engine->last.latest.coordinates[kX], experiment.start[kX] + 0.01, 2e-4) << "told at once";
+    ASSERT_TRUE(sees([&] { return engine->last.state == RunState::Ready; })) << reasons();
+    EXPECT_EQ(opened(), (std::array{1, 1, 1}));
+    EXPECT_NEAR(engine->last.latest.coordinates[kX], experiment.start[kX] + 0.01, 2e-4);
+    EXPECT_TRUE(engine->last.isPlaceSure);
+    Vector6d back = experiment.start;
+    engine->send(MoveTo{back});
+    EXPECT_TRUE(sees([&] { return grbl.positions().at(0) < 0.1; })) << "the new loop's robot moves";
+}
+
+// Catches an edit of the thermometer that resets the robot's controller.
+TEST_F(KeptRigTest, ADeviceThatIsChangedIsTheOnlyOneThatIsOpenedAnew) {
+    ASSERT_NO_FATAL_FAILURE(beginWell());
+    ASSERT_NO_FATAL_FAILURE(moveAside());
+    experiment.rig->thermometer->channels = {1};
+    ASSERT_NO_FATAL_FAILURE(load());
+    EXPECT_EQ(engine->last.state, RunState::Fault) << "a person looks at a rig that is another one";
+    ASSERT_TRUE(sees([&] { return devices[1].times() == 2 && areLive(); }));
+    EXPECT_EQ(opened(), (std::array{1, 2, 1}));
+    ASSERT_NO_FATAL_FAILURE(waitForSamples(0.5));
+    EXPECT_NEAR(engine->last.latest.coordinates[kX], experiment.start[kX] + 0.01, 2e-4);
+}
+
+// Catches an edit that ends a latched STOP.
+TEST_F(KeptRigTest, WhatIsLatchedStaysSoOverAnEdit) {
+    ASSERT_NO_FATAL_FAILURE(beginWell());
+    engine->send(EmergencyStop{});
+    ASSERT_TRUE(sees([&] { return engine->last.state == RunState::Fault; }));
+    experiment.objects[0].name = "plate";
+    ASSERT_NO_FATAL_FAILURE(load());
+    EXPECT_EQ(engine->last.state, RunState::Fault);
+    ASSERT_FALSE(engine->last.reasons.empty());
+    EXPECT_EQ(engine->last.reasons.front().code, MessageCode::ReasonEmergencyStop);
+    EXPECT_TRUE(std::ranges::any_of(engine->last.alarms, [](const Alarm& alarm) {
+        return alarm.isActive && alarm.message.code == MessageCode::ReasonEmergencyStop;
+    }));
+}
+
+// Catches heat by hand that goes on under an experiment that nobody has heated.
+TEST_F(KeptRigTest, HeatByHandEndsWithAnEdit) {
+    ASSERT_NO_FATAL_FAILURE(beginWell());
+    engine->send(SetHeat{kelvinFromCelsius(100.0)});
+    ASSERT_TRUE(sees([&] { return plate.isOn(); })) << describe(engine->refusal);
+    experiment.objects[0].name = "plate";
+    ASSERT_NO_FATAL_FAILURE(load());
+    EXPECT_TRUE(sees([&] { return !plate.isOn() && !engine->last.heatOn; }));
+    EXPECT_FALSE(engine->last.heatSetPoint_K);
+    EXPECT_EQ(opened(), (std::array{1, 1, 1}));
+}
+
+} // namespace bask

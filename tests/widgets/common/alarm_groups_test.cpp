@@ -1,0 +1,65 @@
+#include "widgets/common/alarm_groups.h"
+
+#include <gtest/gtest.h>
+
+namespace bask {
+namespace {
+
+Alarm alarmOf(std::uint64_t id, const std::string& key, const std::string& cause = {}) {
+    Alarm alarm;
+    alarm.id = id;
+    alarm.key = key;
+    alarm.cause = cause;
+    return alarm;
+}
+
+std::vector<std::uint64_t> idsOf(const std::vector<Alarm>& alarms) {
+    std::vector<std::uint64_t> ids;
+    for (const Alarm& alarm : alarms)
+        ids.push_back(alarm.id);
+    return ids;
+}
+
+} // namespace
+
+// Catches: one lost link counted as ten alarms, and a consequence of a consequence that stands by itself.
+TEST(AlarmGroups, WhatFollowsIsUnderItsCause) {
+    const AlarmGroups groups = groupAlarms({alarmOf(4, "third", "second"), alarmOf(1, "first"),
+                                            alarmOf(2, "second", "first"), alarmOf(3, "other")});
+    ASSERT_EQ(groups.present.size(), 2U);
+    EXPECT_EQ(groups.present[0].alarm.id, 1U);
+    EXPECT_EQ(idsOf(groups.present[0].consequences), (std::vector<std::uint64_t>{4, 2}));
+    EXPECT_EQ(groups.present[1].alarm.id, 3U);
+    EXPECT_TRUE(groups.shelved.empty());
+}
+
+// Catches: a consequence that nobody sees once its cause has left the list, and causes that name each other.
+TEST(AlarmGroups, NoneIsLost) {
+    const AlarmGroups orphan = groupAlarms({alarmOf(2, "second", "first")});
+    ASSERT_EQ(orphan.present.size(), 1U);
+    EXPECT_EQ(orphan.present[0].alarm.id, 2U);
+    const AlarmGroups circle = groupAlarms({alarmOf(1, "a", "b"), alarmOf(2, "b", "a")});
+    EXPECT_EQ(circle.present.size(), 2U);
+    const AlarmGroups itself = groupAlarms({alarmOf(1, "a", "a")});
+    EXPECT_EQ(itself.present.size(), 1U);
+}
+
+// Catches: an alarm that is over in front of one that still is so, and a shelved one among those that call.
+TEST(AlarmGroups, WhatStillIsSoComesFirstAndTheShelvedApart) {
+    Alarm over = alarmOf(1, "a");
+    over.isActive = false;
+    Alarm shelved = alarmOf(2, "b");
+    shelved.shelvedUntil_s = 1e9;
+    const AlarmGroups groups = groupAlarms({over, shelved, alarmOf(3, "c"), alarmOf(4, "d", "b")});
+    ASSERT_EQ(groups.present.size(), 2U);
+    EXPECT_EQ(groups.present[0].alarm.id, 3U);
+    EXPECT_EQ(groups.present[1].alarm.id, 1U);
+    ASSERT_EQ(groups.shelved.size(), 1U);
+    EXPECT_EQ(groups.shelved[0].alarm.id, 2U);
+    EXPECT_EQ(idsOf(groups.shelved[0].consequences), (std::vector<std::uint64_t>{4}));
+    over.cause.clear();
+    Alarm alive = alarmOf(5, "e", "a");
+    EXPECT_TRUE(groupAlarms({over, alive}).present[0].isActive()) << "something of it still is so";
+}
+
+} // namespace bask

@@ -1,0 +1,43 @@
+#include "widgets/common/alarm_groups.h"
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+/// Follows causes to the last one that is in the list, a circle for as many steps as there are alarms.
+std::size_t rootOf(const std::vector<Alarm>& alarms, std::size_t i) {
+    for (std::size_t steps = 0; steps < alarms.size() && !alarms[i].cause.empty(); ++steps) {
+        const auto cause = std::ranges::find(alarms, alarms[i].cause, &Alarm::key);
+        if (cause == alarms.end())
+            break;
+        i = static_cast<std::size_t>(cause - alarms.begin());
+    }
+    return i;
+}
+
+} // namespace
+
+bool AlarmGroup::isActive() const {
+    return alarm.isActive || std::ranges::any_of(consequences, &Alarm::isActive);
+}
+
+AlarmGroups groupAlarms(const std::vector<Alarm>& alarms) {
+    std::vector<std::size_t> roots(alarms.size());
+    for (std::size_t i = 0; i < alarms.size(); ++i)
+        roots[i] = rootOf(alarms, i);
+    AlarmGroups groups;
+    for (std::size_t i = 0; i < alarms.size(); ++i) {
+        if (std::ranges::find(roots, i) == roots.end())
+            continue;
+        AlarmGroup group{alarms[i], {}};
+        for (std::size_t k = 0; k < alarms.size(); ++k)
+            if (k != i && roots[k] == i)
+                group.consequences.push_back(alarms[k]);
+        (alarms[i].shelvedUntil_s > 0.0 ? groups.shelved : groups.present).push_back(std::move(group));
+    }
+    std::ranges::stable_partition(groups.present, &AlarmGroup::isActive);
+    return groups;
+}
+
+} // namespace bask
