@@ -25,6 +25,8 @@ public:
     /// End-effector twist [v; w], R axes, m/s and rad/s. It ends by itself after validFor_s: an engine that
     /// dies stops the robot.
     virtual Result<void> setTwist(const Vector6d& twist, double validFor_s) = 0;
+    /// While it takes the objects away from the heat a place that is not sure does not keep it from moving.
+    virtual void setRetreating(bool isRetreating) { (void)isRetreating; }
     /// Zero velocity now.
     virtual Result<void> halt() = 0;
     /// Finds its place anew by its switches; moves. Refused where it cannot.

@@ -389,7 +389,7 @@ void DobotRobot::act(double now_s) {
     }
     const bool isFree = m_isIdleSeen && !m_move_s && !m_isHalting && !m_asked && m_toAsk.empty();
     if (isFree && m_isSetUp && !m_otherFrame_s && m_linkState == LinkState::Live &&
-        alarm().code == MessageCode::None)
+        keepsFromTwist().code == MessageCode::None)
         sendStep(now_s);
 }
 
@@ -495,15 +495,20 @@ Message DobotRobot::alarm() const {
         return {MessageCode::RobotDisabled, {}};
     if (!m_failure.empty())
         return {MessageCode::RobotAlarm, {"?", m_failure}};
-    if (m_elsewhere)
-        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
     if (!m_held.empty())
         return {MessageCode::RobotHeld, {m_held}};
     if (m_isSlow)
         return {MessageCode::RobotSlow, {formatNumber(kSlowArm_s)}};
     if (m_refused)
         return {MessageCode::RobotRefused, {std::to_string(*m_refused), dobotErrorWords(*m_refused)}};
+    if (m_elsewhere)
+        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
     return {};
+}
+
+Message DobotRobot::keepsFromTwist() const {
+    const Message what = alarm();
+    return m_isRetreating && what.code == MessageCode::RobotElsewhere ? Message{} : what;
 }
 
 void DobotRobot::note(const Message& message, double now_s) {
@@ -539,7 +544,7 @@ Result<void> DobotRobot::setTwist(const Vector6d& twist, double validFor_s) {
         throw std::invalid_argument("DobotRobot: a twist is not finite");
     if (m_linkState != LinkState::Live)
         return notLive();
-    if (const Message what = alarm(); what.code != MessageCode::None) {
+    if (const Message what = keepsFromTwist(); what.code != MessageCode::None) {
         Error error;
         error.message = what;
         return error;

@@ -42,6 +42,7 @@ public:
     /// An Error, too, while something keeps it from moving. Throws std::invalid_argument for numbers that are
     /// not finite.
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
+    void setRetreating(bool isRetreating) override { m_isRetreating = isRetreating; }
     Result<void> halt() override;
     Result<void> home() override; ///< RobotCannotHome
     /// Clears what state() shows as its alarm; ends an alarm or a pause, and enables it.
@@ -89,6 +90,7 @@ private:
     /// A move that came after the last reset waits in its queue, though the queue may be stopped.
     bool isResetDue() const { return m_reset_s < std::max(m_halted_s, m_answered_s); }
     Message alarm() const;
+    Message keepsFromTwist() const;
     void note(const Message& message, double now_s);
     Error notLive() const;
 
@@ -136,6 +138,7 @@ private:
     std::optional<int> m_alarm; ///< 0: number not told
     std::optional<int> m_refused;
     std::optional<double> m_elsewhere;
+    bool m_isRetreating = false;
     std::string m_failure; ///< seen from here, its controller does not tell it
     std::string m_held;
     bool m_isDisabled = false, m_isSlow = false;

@@ -24,6 +24,7 @@ constexpr double kHoldTime_s = 1.0; // to slow down in
 constexpr double kFenceAfter_s = 0.5, kFenceTime_s = 5.0;
 constexpr double kNote_s = 5.0;
 constexpr double kSetUpPause_s = 1.0;
+constexpr double kNextTime_s = 5.0; // an order that cannot begin by then is dropped
 
 std::string wordsOr(std::string words, const char* otherwise) {
     return words.empty() ? otherwise : words;
@@ -145,6 +146,10 @@ void GrblRobot::watch(double now_s) {
     }
     if (m_fence_s && now_s - *m_fence_s > kFenceTime_s)
         m_fence_s.reset();
+    if (m_next && now_s - std::max(m_nextFrom_s, m_waiting_s) > kNextTime_s) {
+        m_next.reset();
+        note({MessageCode::RobotOpening, {}}, now_s);
+    }
 }
 
 void GrblRobot::ask(double now_s) {
@@ -183,7 +188,7 @@ void GrblRobot::act(double now_s) {
     sendFence(now_s);
     if (!maySend(now_s))
         return;
-    if (m_next) {
+    if (m_next && (m_next == Kind::Unlock || isIdentified())) {
         const Kind next = *std::exchange(m_next, std::nullopt);
         send(next, next == Kind::Home ? "$H\n" : "$X\n", now_s);
         if (next == Kind::Home)
@@ -191,7 +196,7 @@ void GrblRobot::act(double now_s) {
     } else if (!m_isSetUp || m_signature.empty()) {
         setUp(now_s);
     } else if (isIdentified() && m_isIdleSeen && m_linkState == LinkState::Live &&
-               alarm().code == MessageCode::None) {
+               keepsFromTwist().code == MessageCode::None) {
         sendStep(now_s);
     }
 }
@@ -247,7 +252,7 @@ void GrblRobot::stopJog() {
 /// Only where it stands: in motion it would lose its place.
 void GrblRobot::reset(std::optional<Kind> then, double now_s) {
     m_link.write(std::string(1, grbl::kReset));
-    m_reset_s = now_s;
+    m_reset_s = m_nextFrom_s = now_s;
     m_next = then;
 }
 
@@ -265,7 +270,8 @@ bool GrblRobot::isMoving() const {
     const bool isSlowing = (m_status.state == GrblState::Hold && m_status.part == 1) ||
                            (m_status.state == GrblState::Door && m_status.part.value_or(0) >= 2);
     return m_step || isSlowing || m_status.state == GrblState::Jog || m_status.state == GrblState::Run ||
-           m_status.state == GrblState::Home || (m_line && m_line->kind == Kind::Home);
+           m_status.state == GrblState::Home || m_next == Kind::Home ||
+           (m_line && m_line->kind == Kind::Home);
 }
 
 bool GrblRobot::isPlaceSure() const {
@@ -273,22 +279,28 @@ bool GrblRobot::isPlaceSure() const {
            !m_isPlaceInDoubt && !isHomingDue();
 }
 
-Message GrblRobot::alarm() const {
+Message GrblRobot::keepsFromMoving() const {
     if (m_alarm == kNotTold)
         return {MessageCode::RobotAlarm, {"?", "the controller does not tell which"}};
     if (m_alarm)
         return {MessageCode::RobotAlarm,
                 {std::to_string(*m_alarm), wordsOr(grblAlarmWords(*m_alarm), "not known to Bask")}};
-    if (m_hasRestarted)
-        return {MessageCode::RobotRestarted, {}};
-    if (m_elsewhere)
-        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
     if (!m_held.empty())
         return {MessageCode::RobotHeld, {m_held}};
     if (m_isSlow)
         return {MessageCode::RobotSlow, {formatNumber(kSlow_s)}};
     if (m_refused)
         return refusal(*m_refused);
+    return {};
+}
+
+Message GrblRobot::alarm() const {
+    if (Message what = keepsFromMoving(); what.code != MessageCode::None)
+        return what;
+    if (m_hasRestarted)
+        return {MessageCode::RobotRestarted, {}};
+    if (m_elsewhere)
+        return {MessageCode::RobotElsewhere, {formatNumber(*m_elsewhere, 2), formatNumber(kElsewhere)}};
     if (!isPlaceSure())
         return {MessageCode::RobotPlaceUnsure, {}};
     return {};
@@ -332,7 +344,7 @@ Result<void> GrblRobot::setTwist(const Vector6d& twist, double validFor_s) {
         throw std::invalid_argument("GrblRobot: a twist is not finite");
     if (m_linkState != LinkState::Live)
         return notLive();
-    if (const Message what = alarm(); what.code != MessageCode::None) {
+    if (const Message what = keepsFromTwist(); what.code != MessageCode::None) {
         Error error;
         error.message = what;
         return error;
@@ -412,15 +424,19 @@ Result<void> GrblRobot::home() {
         return notLive();
     if (!m_canHome.value_or(true))
         return Error(MessageCode::RobotCannotHome, m_link.name());
-    if (!isResting() || m_step || m_isHalting || m_reset_s || m_runStop_s || m_line || m_next)
+    const bool isInAlarm = m_status.state == GrblState::Alarm;
+    const bool isOwed = m_line && !(isInAlarm && m_line->kind != Kind::Home); // an alarm may keep the answer
+    if (!isResting() || m_step || m_isHalting || m_reset_s || m_runStop_s || isOwed || m_next)
         return Error(MessageCode::CommandNotNow, m_link.name(), {"home", m_status.word});
+    m_planner.forget();
+    if (isInAlarm) { // in some it tells what it is only after a reset; it homes when it has told
+        reset(Kind::Home, m_clock.now_s());
+        return {};
+    }
     if (!isIdentified())
         return Error(MessageCode::RobotOpening, m_link.name());
-    m_planner.forget();
-    if (m_status.state == GrblState::Alarm)
-        reset(Kind::Home, m_clock.now_s());
-    else
-        m_next = Kind::Home;
+    m_next = Kind::Home;
+    m_nextFrom_s = m_clock.now_s();
     return {};
 }
 

@@ -36,6 +36,7 @@ public:
     /// An Error, too, while something keeps it from moving. Throws std::invalid_argument for numbers that are
     /// not finite.
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
+    void setRetreating(bool isRetreating) override { m_isRetreating = isRetreating; }
     Result<void> halt() override;
     Result<void> home() override;
     /// Clears what state() shows as its alarm, and nothing behind it: after a limit switch the controller
@@ -108,6 +109,8 @@ private:
     bool isPlaceSure() const;
     bool isHomingDue() const { return m_mustHome.value_or(m_canHome.value_or(false)) && !m_isHomed; }
     bool isResting() const; ///< Idle or Alarm, where it reads its `$` lines
+    Message keepsFromMoving() const;
+    Message keepsFromTwist() const { return m_isRetreating ? keepsFromMoving() : alarm(); }
     Message alarm() const;
     static Message refusal(int error);
     void note(const Message& message, double now_s);
@@ -143,6 +146,7 @@ private:
     double m_linesFrom_s = 0.0;      ///< late answers are waited for until then
     std::optional<double> m_reset_s; ///< 0x18 whose banner has not come
     std::optional<Kind> m_next;      ///< Unlock or Home, as soon as a line may be sent
+    double m_nextFrom_s = 0.0;
     bool m_isHalting = false;
     std::optional<double>
         m_homeStop_s; ///< when homing was to end; over when the robot has shown that it took it
@@ -167,6 +171,7 @@ private:
     std::optional<double> m_elsewhere;
     std::string m_held;
     bool m_isHomed = false, m_isConfirmed = false; ///< since it started
+    bool m_isRetreating = false;
     bool m_hasRestarted = false, m_isSlow = false, m_isPlaceInDoubt = false;
 };
 

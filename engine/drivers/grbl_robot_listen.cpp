@@ -240,6 +240,7 @@ void GrblRobot::takeBanner(const GrblBanner& banner, double now_s) {
     const bool isOfStop = m_isPlaceInDoubt && now_s - m_stopAgain_s < kQuiet_s; // one that was sent twice
     if (m_reset_s || isOfStop) {
         m_isPlaceToCheck = true;
+        m_setUpFrom_s = now_s; // asked again at once where an alarm had kept the answer
     } else {
         m_next.reset();
         m_isSetUp = m_isHomed = m_isConfirmed = false;

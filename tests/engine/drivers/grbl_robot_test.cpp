@@ -165,11 +165,35 @@ TEST_F(GrblRobotTest, ARestartIsSeen) {
     EXPECT_EQ(alarm(), MessageCode::RobotRestarted);
     EXPECT_FALSE(m_robot->state()->isPlaceSure);
     EXPECT_TRUE(linesIn(m_link->takeSent(), "$J=").empty());
+    m_robot->setRetreating(true); // from the heat it goes without a place
+    EXPECT_TRUE(drive(m_right, 0.5));
+    m_robot->setRetreating(false);
+    EXPECT_TRUE(m_robot->halt());
+    run(0.5);
+    EXPECT_FALSE(drive(m_right, 0.5));
+    m_link->takeSent();
     clear();
     EXPECT_EQ(alarm(), MessageCode::None);
     EXPECT_TRUE(m_robot->state()->isPlaceSure);
     EXPECT_TRUE(drive(m_right, 1.0));
     EXPECT_FALSE(linesIn(m_link->takeSent(), "$J=").empty());
+}
+
+// Catches a robot that was found in an alarm in which it answers nothing, and cannot be homed before it has.
+TEST_F(GrblRobotTest, OneFoundInAnAlarmIsHomed) {
+    GrblSimulatorConfig config;
+    config.start = {100.0, 0.0, 0.0, 0.0};
+    make(config, true);
+    ASSERT_TRUE(m_device->setFault("alarm"));
+    run(2.0);
+    ASSERT_EQ(alarm(), MessageCode::RobotAlarm);
+    ASSERT_TRUE(m_device->setFault("none"));
+    ASSERT_TRUE(m_robot->home());
+    EXPECT_TRUE(m_robot->state()->moving) << "from now on";
+    run(6.0);
+    EXPECT_EQ(alarm(), MessageCode::None);
+    EXPECT_TRUE(m_robot->state()->isPlaceSure);
+    EXPECT_FALSE(m_robot->state()->moving);
 }
 
 // Catches an alarm that is cleared together with the doubt about the place that it left.
