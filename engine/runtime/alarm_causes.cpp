@@ -33,10 +33,8 @@ constexpr std::array kConsequences{
     Consequence{Condition::SourceNotHeating, Condition::SetPointOther},
     Consequence{Condition::SourceNotHeating, Condition::SourceSilent},
     Consequence{Condition::SourceNotHeating, Condition::SourceLost},
-    Consequence{Condition::SourceHeatsUnasked, Condition::HeatNotOff},
     Consequence{Condition::SourceHeatsUnasked, Condition::SourceLost},
     Consequence{Condition::SourceNotCooling, Condition::SourceHeatsUnasked},
-    Consequence{Condition::SourceNotCooling, Condition::HeatNotOff},
     Consequence{Condition::SourceNotCooling, Condition::SourceLost},
     Consequence{Condition::SensorOpen, Condition::ThermometerLost},
     Consequence{Condition::SensorShort, Condition::ThermometerLost},
@@ -74,8 +72,9 @@ std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment)
     switch (finding.condition) {
     case Condition::RobotLost: // a link says one thing after another while it is lost
         return "RobotLost";
-    case Condition::RobotAlarm:
-        return "RobotAlarm";
+    case Condition::RobotAlarm: // another number is another alarm
+        return finding.message.code == MessageCode::RobotAlarm ? "RobotAlarm:" + finding.message.args.at(0)
+                                                               : "RobotAlarm";
     case Condition::ThermometerLost:
         return "ThermometerLost";
     case Condition::SourceLost:

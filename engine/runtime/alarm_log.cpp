@@ -9,6 +9,9 @@
 
 namespace bask {
 
+/// What follows from a cause within this time was seen with it; a grave one that comes later was not.
+constexpr double kAtOnce_s = 30.0;
+
 void AlarmLog::addFromBefore(std::vector<Alarm> before) {
     for (Alarm& alarm : before) {
         auto& kept = alarm.isLive == m_isLive ? m_alarms : m_others;
@@ -109,7 +112,9 @@ void AlarmLog::raise(const AlarmCondition& condition, double utc_s, bool isFirst
     alarm->isFirst = isFirst;
     alarm->cause = condition.cause;
     const Alarm* const cause = find(condition.cause);
-    alarm->isAcknowledged = alarm->shelvedUntil_s > 0.0 || (cause != nullptr && cause->isAcknowledged);
+    const bool isSeen = cause != nullptr && cause->isAcknowledged &&
+                        (condition.priority > 1 || utc_s - cause->raised_s <= kAtOnce_s);
+    alarm->isAcknowledged = alarm->shelvedUntil_s > 0.0 || isSeen;
 }
 
 // What is over and seen goes; what followed from it stands for itself.

@@ -163,10 +163,11 @@ void SafetyMonitor::add(SafetyCondition condition, Message message, std::size_t 
     m_present.push_back({condition, object, std::move(message)});
 }
 
-bool SafetyMonitor::isActive(SafetyCondition condition, std::size_t object) const {
-    return std::ranges::any_of(m_active, [&](const SafetyFinding& finding) {
+const SafetyFinding* SafetyMonitor::activeOne(SafetyCondition condition, std::size_t object) const {
+    const auto found = std::ranges::find_if(m_active, [&](const SafetyFinding& finding) {
         return isSame(finding.condition, finding.object, condition, object);
     });
+    return found == m_active.end() ? nullptr : &*found;
 }
 
 void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
@@ -175,13 +176,14 @@ void SafetyMonitor::addObject(std::size_t i, const SafetyObservation& seen) {
     addWarming(i, seen);
     // Too fast for heat, but as many times in a row as make a fault: it may have touched the source.
     const bool isRejected = !object.measured_K && object.jump.inARow >= m_experiment.safety.jumps;
-    if (!object.measured_K && !isRejected)
-        return;
-    const double seen_K = isRejected ? object.jump.least_K : *object.measured_K;
+    const auto seen_K = isRejected ? std::optional(object.jump.least_K) : object.measured_K;
     const auto over = [&](Condition condition, MessageCode code, double limit_K) {
-        const double from_K = limit_K - (isActive(condition, i) ? kHysteresis_K : 0.0);
-        if (seen_K > from_K)
-            add(condition, {code, {name(i), oneDigit(celsiusFromKelvin(seen_K)), celsius(limit_K)}}, i);
+        const SafetyFinding* const active = activeOne(condition, i);
+        const double from_K = limit_K - (active ? kHysteresis_K : 0.0);
+        if (!seen_K && active && object.most_K > from_K) // nobody has seen that it is over
+            add(condition, active->message, i);
+        else if (seen_K && *seen_K > from_K)
+            add(condition, {code, {name(i), oneDigit(celsiusFromKelvin(*seen_K)), celsius(limit_K)}}, i);
     };
     over(Condition::ObjectHot, MessageCode::SafetyObjectHot,
          tripLimit_K(m_experiment, m_experiment.objects[i]));
@@ -246,24 +248,30 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     ObjectWatch& watch = m_objects[i];
     const bool isNew = object.measured_K && object.age_s < 0.5 * m_experiment.sampling.period_s;
     watch.warming.add(seen.now_s, isNew ? object.measured_K : std::nullopt, power_K_s(i, seen));
+    if (watch.frozenAt_K && object.measured_K && *watch.frozenAt_K != *object.measured_K)
+        watch.frozenAt_K.reset();
+    if (watch.frozenAt_K) // also while it drops out
+        add(Condition::SensorFrozen,
+            {MessageCode::SafetySensorFrozen, {name(i), formatNumber(seen.now_s - watch.frozenSince_s, 3)}},
+            i);
     if (!object.measured_K)
         return;
-    if (watch.frozenAt_K && *watch.frozenAt_K != *object.measured_K)
-        watch.frozenAt_K.reset();
     if (isNew)
         watch.quiet.add(seen.now_s, *object.measured_K);
     if (const double quiet_s = watch.quiet.quietFor_s(); quiet_s > 0.0 && !watch.frozenAt_K)
         add(Condition::SensorQuiet,
             {MessageCode::SafetySensorQuiet, {name(i), formatNumber(std::floor(quiet_s))}}, i);
+    // In a fault also what goes on heating them by itself; by hand, objects are taken off a hot rig.
+    const bool isHeated = seen.asked_K || (seen.isHeatUnwanted && !seen.isSourceDark);
+    if (watch.frozenAt_K || !isHeated)
+        return;
     const double same_s = watch.warming.sameFor_s();
-    if (seen.asked_K && !watch.frozenAt_K && same_s >= m_experiment.safety.frozen_s &&
-        watch.warming.unfollowedWhileSame(kWhileSame_K))
-        watch.frozenAt_K = object.measured_K, watch.frozenSince_s = seen.now_s - same_s;
-    if (watch.frozenAt_K)
-        add(Condition::SensorFrozen,
-            {MessageCode::SafetySensorFrozen, {name(i), formatNumber(seen.now_s - watch.frozenSince_s, 3)}},
+    if (same_s >= m_experiment.safety.frozen_s && watch.warming.unfollowedWhileSame(kWhileSame_K)) {
+        watch.frozenAt_K = object.measured_K;
+        watch.frozenSince_s = seen.now_s - same_s;
+        add(Condition::SensorFrozen, {MessageCode::SafetySensorFrozen, {name(i), formatNumber(same_s, 3)}},
             i);
-    else if (const auto& found = watch.warming.unfollowed(); found && seen.asked_K)
+    } else if (const auto& found = watch.warming.unfollowed())
         add(Condition::NotWarming,
             {MessageCode::SafetyNotWarming,
              {name(i), formatNumber(found->expected_K, 2), formatNumber(found->time_s, 3)}},
@@ -296,10 +304,13 @@ void SafetyMonitor::addSource(const SafetyObservation& seen) {
         add(Condition::HeaterGuardGone, seen.guardProblem);
     if (seen.isSourcePoseLost)
         add(Condition::SourcePoseLost, {MessageCode::ReasonSourcePoseLost, {}});
+    const SafetyFinding* const hot = activeOne(Condition::SourceHot);
+    if (!seen.source_K && hot) // nobody has seen that it is over
+        add(Condition::SourceHot, hot->message);
     if (!seen.source_K)
         return;
     const double trip_K = sourceTripLimit_K(m_experiment);
-    const double from_K = trip_K - (isActive(Condition::SourceHot) ? kHysteresis_K : 0.0);
+    const double from_K = trip_K - (hot ? kHysteresis_K : 0.0);
     if (*seen.source_K > from_K)
         add(Condition::SourceHot,
             {MessageCode::SafetySourceHot, {oneDigit(celsiusFromKelvin(*seen.source_K)), celsius(trip_K)}});
@@ -483,8 +494,9 @@ double SafetyMonitor::lostTooLongIn_s() const {
 }
 
 const SafetyFinding* SafetyMonitor::lostSensor() const {
-    const auto found = std::ranges::find_if(
-        m_active, [](const SafetyFinding& finding) { return isOfSensor(finding.condition); });
+    const auto found = std::ranges::find_if(m_active, [](const SafetyFinding& finding) {
+        return isOfSensor(finding.condition) || finding.condition == Condition::SensorFrozen;
+    });
     return found == m_active.end() ? nullptr : &*found;
 }
 
@@ -493,7 +505,9 @@ void SafetyMonitor::forgetLoss() {
 }
 
 void SafetyMonitor::restart() {
+    const bool wasHeated = m_source.wasHeated();
     m_source = SourceWatch(m_experiment.safety, m_experiment.environment_K);
+    m_source.use(wasHeated);
     for (ObjectWatch& object : m_objects)
         object.warming.reset();
 }

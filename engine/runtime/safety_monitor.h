@@ -9,6 +9,7 @@
 #include "engine/runtime/warming_watch.h"
 #include "engine/session/experiment.h"
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -84,6 +85,7 @@ struct ObservedObject {
     double age_s = 0.0;                 ///< of the newest valid reading
     std::optional<double> measured_K{}; ///< valid and fresh
     double viewFactor = 0.0;
+    double most_K = std::numeric_limits<double>::infinity(); ///< it can be by its heat balance
 };
 
 /// What is known at one tick. Messages of code None: no problem.
@@ -164,6 +166,9 @@ public:
     void confirmSensor(std::size_t object);
     /// The sensors have been zeroed: the objects are as they have been for long.
     void atRest(const SafetyObservation& seen);
+    /// Whether the source's heat was ever on, for the monitor that has the same one next.
+    bool wasSourceHeated() const { return m_source.wasHeated(); }
+    void useHistory(bool wasSourceHeated) { m_source.use(wasSourceHeated); }
     /// At a reset: what objects and source did before is forgotten.
     void restart();
 
@@ -194,7 +199,10 @@ private:
     void addRig(const SafetyObservation& seen);
     void addCrossCheck(const SafetyObservation& seen);
     void add(SafetyCondition condition, Message message, std::size_t object = 0);
-    bool isActive(SafetyCondition condition, std::size_t object = 0) const;
+    const SafetyFinding* activeOne(SafetyCondition condition, std::size_t object = 0) const;
+    bool isActive(SafetyCondition condition, std::size_t object = 0) const {
+        return activeOne(condition, object) != nullptr;
+    }
     void raise(const SafetyObservation& seen, SafetyChanges& changes);
     void end(const SafetyObservation& seen, SafetyChanges& changes);
     const std::string& name(std::size_t i) const { return m_experiment.objects[i].name; }

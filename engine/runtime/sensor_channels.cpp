@@ -148,6 +148,20 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
     }
 }
 
+void SensorChannels::useDistrust(const SensorChannels& before) {
+    for (std::size_t i = 0; i < std::min(size(), before.size()); ++i) {
+        if (!before.m_channels[i].isDistrusted)
+            continue;
+        RateEstimator estimator = std::move(m_channels[i].estimator);
+        m_channels[i] = before.m_channels[i];
+        m_channels[i].estimator = std::move(estimator);
+        for (const Reading& reading : m_channels[i].window)
+            m_channels[i].estimator.add(reading.time_s, reading.value_K + m_channels[i].offset_K);
+        if (bounds(i) != nullptr && before.bounds(i) != nullptr)
+            m_limits.bounds[i] = *before.bounds(i);
+    }
+}
+
 double SensorChannels::told_K(std::size_t i, double now_s) const {
     const Channel& channel = m_channels[i];
     const bool isNew =

@@ -47,6 +47,8 @@ public:
     bool isDistrusted(std::size_t i) const { return m_channels[i].isDistrusted; }
     /// Where the object is by the heat balance.
     const HeatBounds* bounds(std::size_t i) const;
+    /// Those that were distrusted before are so still. Of the same sensors; not of more channels.
+    void useDistrust(const SensorChannels& before);
     /// Newest plausible reading, believed or not; NaN: there is none, or it is older than some periods.
     double told_K(std::size_t i, double now_s) const;
     /// Believes what the sensor tells now, and forgets what it told before. False: it tells nothing.

@@ -93,6 +93,10 @@ void ServoLoop::use(const RigKnowledge& known) {
     m_hasThermometer = known.hasThermometer;
     m_hasRobot = known.hasRobot;
     m_hasSource = known.hasSource;
+    m_isRetreatRefused = known.isRetreatRefused;
+    if (known.sensors)
+        m_sensors.useDistrust(*known.sensors);
+    m_safety.useHistory(known.wasSourceHeated);
     m_record = {}; // there is no start to tell of
 }
 
@@ -143,6 +147,7 @@ LoopRecord ServoLoop::takeRecord() {
 
 void ServoLoop::makeSafe() {
     endMove();
+    m_devices.robot.setRetreating(false);
     m_handHeat_K.reset();
     switchHeatOff();
 }
@@ -222,11 +227,18 @@ double ServoLoop::environment_K() const {
     return m_sensors.zeroing() ? m_sensors.zeroing()->environment_K : m_experiment.environment_K;
 }
 
+RigKnowledge ServoLoop::knowledge() const {
+    return {m_faults,    m_made_s,           m_hasThermometer, m_hasRobot,
+            m_hasSource, m_isRetreatRefused, m_sensors,        m_safety.wasSourceHeated()};
+}
+
 Result<void> ServoLoop::mayArm() const {
     if (const auto fit = checkTargets(m_experiment); !fit)
         return fit;
     if (m_state != RunState::Ready && m_state != RunState::Stopped)
         return refusal("Arm");
+    if (m_isHoming)
+        return Error(MessageCode::CommandNotNow, {}, {"Arm", "Homing"});
     if (const Message why = m_devices.source.cannotHeat(); why.code != MessageCode::None)
         return Error(why.code, {}, why.args);
     if (!m_sensors.zeroing())
@@ -320,7 +332,8 @@ Result<void> ServoLoop::hold() {
 
 void ServoLoop::holdFor(const SafetyFinding& finding) {
     if (isMoving()) {
-        (void)hold();
+        if (!m_isHoming) // broken off, it would lose its place
+            (void)hold();
     } else if (m_state == RunState::Running || m_state == RunState::Settled) {
         m_state = RunState::Holding;
         m_heldBySafety = true;
@@ -392,7 +405,8 @@ void ServoLoop::emergencyStop() {
     command("emergency-stop");
     m_isHoming = false;
     event(MessageCode::EventEmergencyStop);
-    m_isRetreatRefused = m_retreatAt_s || (m_state == RunState::Stopping && hot() != nullptr);
+    const bool refuses = m_retreatAt_s || (m_state == RunState::Stopping && hot() != nullptr);
+    m_isRetreatRefused = m_isRetreatRefused || refuses;
     m_retreatAt_s.reset();
     endRun("emergency-stop");
     Latched reason = latched({MessageCode::ReasonEmergencyStop, {}});
@@ -563,6 +577,15 @@ std::vector<Message> ServoLoop::reasons() const {
     return out;
 }
 
+namespace {
+
+// Seen over a link that works: what was lost before and is latched is not its cause.
+bool heatsByItself(SafetyCondition condition) {
+    return condition == SafetyCondition::SourceHeatsUnasked || condition == SafetyCondition::SourceNotCooling;
+}
+
+} // namespace
+
 std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
     const std::vector<SafetyFinding> present = foundOrLatched();
     std::vector<AlarmCondition> out;
@@ -570,7 +593,8 @@ std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
                          const std::optional<SafetyFinding>& finding = {}) {
         if (std::ranges::find(out, key, &AlarmCondition::key) != out.end())
             return;
-        const SafetyFinding* cause = finding ? causeOf(*finding, present) : nullptr;
+        const auto& causes = finding && heatsByItself(finding->condition) ? m_safety.active() : present;
+        const SafetyFinding* cause = finding ? causeOf(*finding, causes) : nullptr;
         out.push_back({std::move(key), message, priority, cause ? alarmKey(*cause, m_experiment) : ""});
     };
     for (const Latched& fault : m_faults)

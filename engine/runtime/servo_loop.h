@@ -43,11 +43,28 @@ struct LatchedFault {
     std::optional<SafetyFinding> finding;
 };
 
+/// Whether a robot comes nearer to where it was sent.
+class Approach {
+public:
+    void begin(double now_s);
+    /// Left: m or rad.
+    void add(double now_s, double left, double period_s);
+    /// It will not come any nearer.
+    bool isStill() const { return m_isStill; }
+
+private:
+    double m_nearer_s = 0.0, m_left = 0.0;
+    bool m_isStill = false;
+};
+
 /// What is known of a real rig, for the loop that has it next.
 struct RigKnowledge {
     std::vector<LatchedFault> faults; ///< empty: a person has looked at the rig and reset
     double made_s = 0.0;              ///< when its devices were given to a loop first
     bool hasThermometer = false, hasRobot = false, hasSource = false; ///< has answered, ever
+    bool isRetreatRefused = false;         ///< by STOP, or by a robot that does not move
+    std::optional<SensorChannels> sensors; ///< with those that are distrusted
+    bool wasSourceHeated = false;
 };
 
 /// One experiment on one rig. Owner calls tick() every sampling period of the clock. Verbs answer a refusal
@@ -93,7 +110,7 @@ public:
     /// Newest plausible value of the sensor, believed or not; NaN: it tells none.
     double toldReading_K(std::size_t object) const { return m_sensors.told_K(object, m_clock.now_s()); }
     const std::optional<Zeroing>& zeroing() const { return m_sensors.zeroing(); }
-    RigKnowledge knowledge() const { return {m_faults, m_made_s, m_hasThermometer, m_hasRobot, m_hasSource}; }
+    RigKnowledge knowledge() const;
     /// Instead of the fault of the start: the loop before had the very same devices.
     void use(const RigKnowledge& known);
     /// Of the same sensors, found before.
@@ -212,6 +229,7 @@ private:
     void retreat();
     void endRetreat();
     bool isCold() const;
+    bool isSourceDark() const; ///< it does not heat the objects
     void noteSettling();
     void noteCompromise(const ControlOutput& output);
     static constexpr double kVelocityPeriods = 1.5; ///< a commanded velocity expires after so many
@@ -266,10 +284,9 @@ private:
     double m_sourceSeen_s = -1e300; ///< when it was last seen
     PoseReading m_sourceReading;
     std::optional<Vector6d> m_goal; ///< of moveTo
+    Approach m_approach;            ///< to it, or of the retreat
     bool m_heldBySafety = false;
     bool m_retreatRaised = false;        ///< the retreat's way up is done
-    double m_retreatNearer_s = 0.0;      ///< when the retreating robot came nearer to its goal last
-    double m_retreatLeft = 0.0;          ///< m or rad, then
     std::optional<double> m_retreatAt_s; ///< by itself, out of a fault
     bool m_isRetreatRefused = false;     ///< that one, by STOP
     double m_withinBandSince_s = 0.0;
@@ -279,6 +296,7 @@ private:
     double m_sourceStrength = 1.0;
     bool m_isHoming = false; ///< as asked for, also in a fault: it is then not halted
     double m_homingSince_s = 0.0;
+    bool m_isHomingSeen = false; ///< it has begun
     std::optional<double> m_handHeat_K; ///< set point by hand
     double m_jogEnds_s = -1e300;
     Vector6d m_coordinates = Vector6d::Zero();

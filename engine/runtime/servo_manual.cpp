@@ -25,6 +25,8 @@ bool ServoLoop::isByHand() const {
 Result<void> ServoLoop::moveTo(const Vector6d& goal) {
     if (!isByHand())
         return refusal("Move");
+    if (m_isHoming)
+        return Error(MessageCode::CommandNotNow, {}, {"Move", "Homing"});
     Vector6d reachable = goal;
     for (std::size_t k = 0; k < 6; ++k)
         if (!m_experiment.robot.free[k])
@@ -32,12 +34,15 @@ Result<void> ServoLoop::moveTo(const Vector6d& goal) {
     if (!reachable.allFinite() || !m_geometry->allowed(reachable))
         return Error(MessageCode::MoveOutside, {});
     m_goal = reachable;
+    m_approach.begin(m_clock.now_s());
     return {};
 }
 
 Result<void> ServoLoop::jog(const Vector6d& twist) {
     if (!isByHand())
         return refusal("Jog");
+    if (m_isHoming)
+        return Error(MessageCode::CommandNotNow, {}, {"Jog", "Homing"});
     if (!twist.allFinite())
         return Error(MessageCode::MoveOutside, {});
     if (m_goal)
@@ -122,6 +127,7 @@ Result<void> ServoLoop::home() {
     if (const auto asked = m_devices.robot.home(); !asked)
         return asked;
     m_isHoming = true;
+    m_isHomingSeen = false;
     m_homingSince_s = m_clock.now_s();
     return {};
 }
@@ -153,6 +159,8 @@ Result<void> ServoLoop::setHeat(std::optional<double> setPoint_K) {
     for (std::size_t i = 0; i < m_sensors.size(); ++i) // or nobody sees how hot the objects become
         if (const auto fresh = requireFreshSensor(i); !fresh)
             return fresh;
+    if (const SafetyFinding* lost = m_safety.lostSensor())
+        return Error(lost->message.code, {}, lost->message.args);
     if (!(*setPoint_K > m_experiment.environment_K && *setPoint_K <= mostHeat_K()))
         return Error(MessageCode::ValueOutOfRange, {},
                      {formatNumber(celsiusFromKelvin(*setPoint_K)),
@@ -180,8 +188,12 @@ void ServoLoop::goOn() {
     const Vector6d left = (*m_goal - m_coordinates).cwiseAbs();
     const bool arrived = left.head<3>().maxCoeff() <= kThere_m && left.tail<3>().maxCoeff() <= kThere_rad;
     const Vector6d rates = velocityTowards(*m_geometry, m_coordinates, *m_goal, period_s, m_rates).rates;
+    m_approach.add(m_clock.now_s(), left.maxCoeff(), period_s);
     if (arrived || rates.cwiseAbs().maxCoeff() < 1e-9)
         endMove();
+    else if (m_approach.isStill())
+        fault({MessageCode::RobotDoesNotMove,
+               {formatNumber(std::round(left.head<3>().norm() * 1e3) * 0.1, 3)}});
     else
         move(rates);
 }

@@ -24,13 +24,33 @@ double farthest(const Vector6d& a, const Vector6d& b) {
     return (a - b).cwiseAbs().maxCoeff();
 }
 
+// Off the source a robot can go that has lost its place; one that is in an alarm or held cannot.
+bool isOfPlaceAlone(const Message& alarm) {
+    return alarm.code == MessageCode::RobotPlaceUnsure || alarm.code == MessageCode::RobotRestarted ||
+           alarm.code == MessageCode::RobotElsewhere;
+}
+
 } // namespace
+
+void Approach::begin(double now_s) {
+    m_nearer_s = now_s;
+    m_left = std::numeric_limits<double>::infinity();
+    m_isStill = false;
+}
+
+void Approach::add(double now_s, double left, double period_s) {
+    if (left < m_left - kNearer) {
+        m_left = left;
+        m_nearer_s = now_s;
+    }
+    m_isStill = now_s - m_nearer_s >= std::max(kStill_s, kStillPeriods * period_s);
+}
 
 Message ServoLoop::keepsFromRetreat() const {
     for (const SafetyFinding& finding : m_safety.active())
         if (finding.condition == SafetyCondition::RobotLost ||
-            finding.condition == SafetyCondition::RobotAlarm ||
-            finding.condition == SafetyCondition::RobotSlow)
+            finding.condition == SafetyCondition::RobotSlow ||
+            (finding.condition == SafetyCondition::RobotAlarm && !isOfPlaceAlone(finding.message)))
             return finding.message;
     if (!m_hasRobot)
         return {MessageCode::CommandNotNow, {"Retreat", "Connecting"}};
@@ -58,8 +78,8 @@ void ServoLoop::beginRetreat() {
     m_goal.reset();
     m_retreatAt_s.reset();
     m_retreatRaised = false;
-    m_retreatNearer_s = m_clock.now_s();
-    m_retreatLeft = std::numeric_limits<double>::infinity();
+    m_approach.begin(m_clock.now_s());
+    m_devices.robot.setRetreating(true);
     switchHeatOff();
     retreat(); // at once: the last velocity must not go on sideways
 }
@@ -120,23 +140,19 @@ void ServoLoop::retreat() {
     const RobotLimits& limits = m_experiment.robot;
     const double now_s = m_clock.now_s();
     const double period_s = m_experiment.sampling.period_s;
-    bool isStill = false;
+    if (m_isHoming) // it takes no velocity until then
+        return m_approach.begin(now_s);
     // A robot whose limits let it come no nearer is there as well.
     const auto isThere = [&](const Vector6d& goal) {
         const double left = farthest(goal, m_coordinates);
-        if (left < m_retreatLeft - kNearer) {
-            m_retreatLeft = left;
-            m_retreatNearer_s = now_s;
-        }
-        isStill = now_s - m_retreatNearer_s >= std::max(kStill_s, kStillPeriods * period_s);
-        return left <= kThere || (isStill && (left <= kNear || m_rates.isZero(1e-9)));
+        m_approach.add(now_s, left, period_s);
+        return left <= kThere || (m_approach.isStill() && (left <= kNear || m_rates.isZero(1e-9)));
     };
     Vector6d goal = poseOffSource(*m_geometry, m_coordinates);
     bool isOver = false;
     if (!m_retreatRaised && isThere(goal)) {
         m_retreatRaised = true;
-        m_retreatNearer_s = now_s;
-        m_retreatLeft = std::numeric_limits<double>::infinity();
+        m_approach.begin(now_s);
     }
     if (m_retreatRaised) {
         goal = m_coordinates;
@@ -147,7 +163,7 @@ void ServoLoop::retreat() {
     }
     if (isOver)
         return endRetreat();
-    if (isStill) {
+    if (m_approach.isStill()) {
         m_isRetreatRefused = true; // by the robot: another one by itself would not move either
         const double left_m = (goal - m_coordinates).head<3>().norm();
         return fault({MessageCode::RobotDoesNotMove, {formatNumber(std::round(left_m * 1e3) * 0.1, 3)}});

@@ -120,7 +120,9 @@ void ServoLoop::readRobotAndSource() {
     m_robotProblem = problemOf(robot, m_hasRobot);
     if (robot) {
         m_robot = *robot;
-        m_isHoming = m_isHoming && (robot->moving || m_clock.now_s() - m_homingSince_s < kHomingStarts_s);
+        m_isHomingSeen = m_isHomingSeen || robot->moving;
+        const bool mayBegin = !m_isHomingSeen && m_clock.now_s() - m_homingSince_s < kHomingStarts_s;
+        m_isHoming = m_isHoming && (robot->moving || mayBegin);
         m_coordinates = robot->coordinates;
         m_latest.coordinates = m_coordinates;
         readViewFactors();
@@ -154,7 +156,6 @@ void ServoLoop::readViewFactors() {
 }
 
 SafetyObservation ServoLoop::observe() const {
-    constexpr double kDark_K = 10.0; // over the room
     SafetyObservation seen;
     seen.now_s = m_clock.now_s();
     seen.sinceTick_s = m_tick_s ? seen.now_s - *m_tick_s : 0.0;
@@ -170,6 +171,8 @@ SafetyObservation ServoLoop::observe() const {
         if (m_latest.objects[i].valid)
             object.measured_K = m_latest.objects[i].measured_K;
         object.viewFactor = m_latest.objects[i].viewFactor;
+        if (const HeatBounds* bounds = m_sensors.bounds(i))
+            object.most_K = bounds->max_K();
         seen.objects.push_back(object);
     }
     const auto wrong = [](const Message& problem) { // not that there is none
@@ -194,8 +197,7 @@ SafetyObservation ServoLoop::observe() const {
     seen.isHeatUnwanted = m_state == RunState::Stopping || m_state == RunState::Fault;
     seen.heatOffProblem = wrong(m_heatOffProblem);
     seen.guardProblem = m_devices.source.guardProblem();
-    seen.isSourceDark = !m_asked_K && (!m_devices.isReal ||
-                                       (m_source_K && *m_source_K < m_experiment.environment_K + kDark_K));
+    seen.isSourceDark = isSourceDark();
     seen.isSourcePoseLost = !sourceSeen() && m_sourceSeen_s >= 0.0;
     seen.diskFree_MB = m_diskFree_MB;
     return seen;
@@ -357,11 +359,18 @@ void ServoLoop::noteCompromise(const ControlOutput& output) {
     }
 }
 
+bool ServoLoop::isSourceDark() const {
+    constexpr double kDark_K = 10.0; // over the room
+    const bool isCool = m_source_K && *m_source_K < m_experiment.environment_K + kDark_K;
+    return !m_asked_K && (!m_devices.isReal || isCool);
+}
+
 bool ServoLoop::isCold() const {
     constexpr double kCold_K = 313.15;
     constexpr double kOverRoom_K = 5.0;
     const bool isHeatOff = !m_asked_K && (m_devices.source.isByHand() || heatState() == HeatState::Off);
-    return isHeatOff && std::ranges::all_of(m_latest.objects, [&](const ObjectSample& object) {
+    const bool areApart = isSourceDark() || isAway(); // before a hot source they go on warming
+    return isHeatOff && areApart && std::ranges::all_of(m_latest.objects, [&](const ObjectSample& object) {
                return object.estimated_K < std::max(kCold_K, environment_K() + kOverRoom_K);
            });
 }

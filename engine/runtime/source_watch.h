@@ -26,12 +26,15 @@ public:
     /// or is too slow to tell yet.
     std::optional<double> notCoolingFor_s(double above_K) const;
 
+    /// Ever: one that cools slowly may pass the room's number, too.
+    bool wasHeated() const { return m_wasHeated; }
+    void use(bool wasHeated) { m_wasHeated = wasHeated; }
     /// As it tells and keeps it, degC, where a source that was not heated stands at the number that the room
     /// has in degrees Fahrenheit; empty: it does not.
     std::optional<double> roomInFahrenheit_degC() const;
 
 private:
-    static constexpr double kAtRest_s = 30.0;    ///< so long it has kept its temperature
+    static constexpr double kAtRest_s = 120.0;   ///< so long it has kept its temperature
     static constexpr double kAtRest_K = 0.5;     ///< a source that cools does not
     static constexpr double kCoolingTimes = 3.0; ///< as slow as heating may be: nothing drives it
     static constexpr double kOffTime_s = 1.5;    ///< until the order is taken, and seen in the readings

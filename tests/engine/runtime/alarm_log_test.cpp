@@ -45,6 +45,21 @@ TEST(AlarmLog, AnAlarmStaysUntilItIsOverAndSeen) {
     EXPECT_FALSE(log.acknowledgeAll());
 }
 
+// Catches a grave condition that hides behind a cause that was seen long before.
+TEST(AlarmLog, WhatFollowsLateFromACauseThatWasSeenIsNew) {
+    AlarmLog log;
+    const AlarmCondition cause = open("a");
+    AlarmCondition soon = open("b"), late = open("c"), note = warm("d");
+    soon.cause = late.cause = note.cause = cause.key;
+    log.update(1.0, {cause});
+    log.acknowledgeAll();
+    log.update(5.0, {cause, soon});
+    EXPECT_TRUE(std::ranges::all_of(log.alarms(), &Alarm::isAcknowledged)) << "of one fault";
+    log.update(100.0, {cause, soon, late, note});
+    for (const Alarm& alarm : log.alarms())
+        EXPECT_EQ(alarm.isAcknowledged, alarm.key != late.key) << alarm.key;
+}
+
 // Catches a chattering contact that floods the list, and one that is not told anew after it was seen.
 TEST(AlarmLog, RepeatsAreCountedAndAnAcknowledgedAlarmThatComesAgainIsNew) {
     AlarmLog log;

@@ -85,6 +85,28 @@ TEST(HeatByHand, EndsWhenASensorIsLostForLong) {
     EXPECT_EQ(refused.error().code(), MessageCode::ReasonSensorInvalid);
 }
 
+// Catches heat that goes on over a sensor that gives the same value for ever.
+TEST(HeatByHand, EndsWhenASensorIsFrozen) {
+    Experiment experiment = quickDisks();
+    experiment.start[kZ] = 0.03;
+    experiment.source.temperature_K = kelvinFromCelsius(300.0);
+    LoopOnRig rig(experiment);
+    rig.periods(40);
+    ASSERT_TRUE(rig.loop.zeroSensors());
+    ASSERT_TRUE(rig.loop.setHeat(experiment.source.temperature_K));
+    rig.periods(20);
+    setFault(rig.rig, SimulatedFault::SensorFrozen, 0, true);
+    for (int i = 0; i < 3000 && !isAlarm(rig.loop, MessageCode::SafetySensorFrozen); ++i)
+        rig.periods(1);
+    ASSERT_TRUE(isAlarm(rig.loop, MessageCode::SafetySensorFrozen));
+    const auto refused = rig.loop.setHeat(experiment.source.temperature_K);
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().code(), MessageCode::SafetySensorFrozen);
+    rig.periods(200);
+    EXPECT_FALSE(rig.rig.heatSource().heating());
+    EXPECT_EQ(rig.loop.state(), RunState::Fault);
+}
+
 // Catches an Off that is swallowed by a state.
 TEST(HeatByHand, OffIsOffInEveryState) {
     LoopOnRig rig(quickDisks());

@@ -17,15 +17,21 @@ Experiment nearSource() {
 /// Takes orders, and does not move where its drives are off.
 struct WeakRobot final : Robot {
     explicit WeakRobot(Robot& from) : inner(from) {}
-    Result<RobotState> state() override { return inner.state(); }
+    Result<RobotState> state() override {
+        auto state = inner.state();
+        if (state)
+            state->moving = state->moving || isHoming;
+        return state;
+    }
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override {
         return isOff ? Result<void>() : inner.setTwist(twist, validFor_s);
     }
     Result<void> halt() override { return inner.halt(); }
     Result<void> home() override { return inner.home(); }
+    void setRetreating(bool isRetreating) override { isRetreat = isRetreating; }
     Result<void> clearAlarm() override { return inner.clearAlarm(); }
     Robot& inner;
-    bool isOff = false;
+    bool isOff = false, isHoming = false, isRetreat = false;
 };
 
 struct Bench {
@@ -162,6 +168,8 @@ TEST(Retreat, StopRefusesTheOneThatIsAnnouncedAndTheOneThatGoes) {
         rig.loop.emergencyStop();
         const Vector6d at = rig.rig.simulatedRobot().coordinates();
         rig.periods(200);
+        rig.loop.emergencyStop(); // once more changes nothing
+        rig.periods(200);
         EXPECT_TRUE(rig.isHot());
         EXPECT_FALSE(rig.loop.pending());
         EXPECT_EQ(rig.rig.simulatedRobot().coordinates(), at);
@@ -170,6 +178,56 @@ TEST(Retreat, StopRefusesTheOneThatIsAnnouncedAndTheOneThatGoes) {
         ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0));
         EXPECT_TRUE(rig.isAway());
     }
+}
+
+// Catches a retreat that is called off because nobody sees the object any more.
+TEST(Retreat, AnObjectIsHotUntilItIsSeenNotToBe) {
+    Bench rig;
+    rig.run(2.0);
+    rig.loop.emergencyStop();
+    setFault(rig.rig, SimulatedFault::ObjectHot, 1, true);
+    ASSERT_TRUE(rig.until([&] { return rig.loop.pending().has_value(); }, 80.0));
+    setFault(rig.rig, SimulatedFault::SensorOpen, 1, true);
+    rig.periods(50);
+    EXPECT_TRUE(rig.isHot());
+    EXPECT_TRUE(rig.loop.pending());
+    ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Stopping; }, 10.0));
+    ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0));
+    EXPECT_TRUE(rig.isAway());
+    EXPECT_TRUE(rig.robot.isRetreat == false);
+}
+
+// Catches a retreat that begins while the robot homes, waits for it in vain and breaks the homing off.
+TEST(Retreat, WaitsForHoming) {
+    Bench rig;
+    ASSERT_TRUE(rig.loop.home());
+    rig.robot.isHoming = rig.robot.isOff = true;
+    rig.periods(2);
+    for (const auto& refused : {rig.loop.arm(), rig.loop.moveTo(rig.experiment.start),
+                                rig.loop.jog((Vector6d() << 0.01, 0, 0, 0, 0, 0).finished())}) {
+        ASSERT_FALSE(refused);
+        EXPECT_EQ(refused.error().code(), MessageCode::CommandNotNow);
+    }
+    setFault(rig.rig, SimulatedFault::ObjectHot, 1, true);
+    ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Stopping; }, 80.0));
+    rig.periods(200); // longer than a robot may stand
+    EXPECT_EQ(rig.loop.state(), RunState::Stopping);
+    EXPECT_FALSE(rig.isAlarm(MessageCode::RobotDoesNotMove));
+    rig.robot.isHoming = rig.robot.isOff = false;
+    ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0));
+    EXPECT_TRUE(rig.isAway());
+}
+
+// Catches a move by hand that never gets anywhere, and is on for ever without a word.
+TEST(Retreat, AMoveThatDoesNotBeginIsAnAlarm) {
+    Bench rig;
+    rig.robot.isOff = true;
+    Vector6d goal = rig.experiment.start;
+    goal[kZ] += 0.02;
+    ASSERT_TRUE(rig.loop.moveTo(goal));
+    ASSERT_TRUE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 20.0));
+    EXPECT_TRUE(rig.isAlarm(MessageCode::RobotDoesNotMove));
+    EXPECT_FALSE(rig.loop.isMoving());
 }
 
 // Catches a robot that nobody can trust, sent through the rig by itself.

@@ -590,6 +590,33 @@ TEST(Safety, TheRecordGoesOnThroughAFaultUntilEverythingIsCold) {
     }
 }
 
+// Catches a record that ends while objects that are still cool stand before a hot source.
+TEST(Safety, TheRecordGoesOnWhileObjectsCanStillWarm) {
+    Experiment experiment = twoDisks(60.0);
+    experiment.sampling = {1.0, 5, 2};
+    SimulatedRig rig(simulatedRigConfig(experiment));
+    ServoLoop loop(experiment, {rig.robot(), rig.thermometer(), rig.heatSource(), {}, nullptr, true},
+                   rig.clock());
+    const auto periods = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            rig.advance(1.0);
+            loop.tick();
+        }
+    };
+    periods(10);
+    ASSERT_TRUE(loop.reset());
+    periods(10);
+    ASSERT_TRUE(loop.arm());
+    ASSERT_TRUE(loop.start(true));
+    periods(5);
+    loop.emergencyStop();
+    periods(20);
+    EXPECT_TRUE(loop.isCooling());
+    ASSERT_TRUE(loop.retreatNow());
+    periods(120);
+    EXPECT_FALSE(loop.isCooling()) << "off the source they stay as they are";
+}
+
 // Catches a disk that fills up unnoticed.
 TEST(Safety, AFullDiskIsToldOnceAndIsOverWhenThereIsRoom) {
     Rig rig;

@@ -107,7 +107,7 @@ TEST(SafetyMonitor, ASourceInTheOtherUnitIsNotHeated) {
     Monitor cold;
     cold.seen.isSourceSwitched = true;
     cold.seen.source_K = kelvinFromCelsius(room_degF + 2.0);
-    for (int i = 0; i < 35; ++i)
+    for (int i = 0; i < 125; ++i)
         cold.after(1.0);
     EXPECT_TRUE(cold.isActive(SafetyCondition::SourceUnit));
 
