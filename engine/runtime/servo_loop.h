@@ -296,7 +296,7 @@ private:
     double m_sourceStrength = 1.0;
     bool m_isHoming = false; ///< as asked for, also in a fault: it is then not halted
     double m_homingSince_s = 0.0;
-    bool m_isHomingSeen = false; ///< it has begun
+    bool m_isHomingSeen = false;        ///< it has begun
     std::optional<double> m_handHeat_K; ///< set point by hand
     double m_jogEnds_s = -1e300;
     Vector6d m_coordinates = Vector6d::Zero();
