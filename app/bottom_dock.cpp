@@ -59,12 +59,28 @@ void BottomDock::fit() {
     const bool isRecipe = m_tabs->currentWidget() == m_recipe;
     const auto policy = isRecipe ? QSizePolicy::Preferred : QSizePolicy::Ignored;
     m_recipe->setSizePolicy(policy, policy);
+    for (QWidget* part = m_recipe->parentWidget(); part != this; part = part->parentWidget())
+        part->updateGeometry(); // now: the height is asked for before the layouts are told
     if (isRecipe) {
         m_lowHeight = height();
+        m_toLower = 0;
         emit heightWanted(std::max(height(), std::min(kRecipeHeight, window()->height() / 3)));
     } else if (m_lowHeight > 0) {
-        emit heightWanted(std::min(height(), std::exchange(m_lowHeight, 0)));
+        m_toLower = std::min(height(), std::exchange(m_lowHeight, 0));
+        emit heightWanted(m_toLower);
     }
+}
+
+/// A busy window's layouts may follow later: it is as low as wanted when the last of them has.
+bool BottomDock::event(QEvent* event) {
+    const bool isTaken = QDockWidget::event(event);
+    if (event->type() == QEvent::LayoutRequest && m_toLower > 0) {
+        if (height() <= m_toLower)
+            m_toLower = 0;
+        else if (minimumSizeHint().height() < height())
+            emit heightWanted(m_toLower);
+    }
+    return isTaken;
 }
 
 void BottomDock::showRecipe() {

@@ -42,6 +42,7 @@ signals:
     void heightWanted(int height);
 
 protected:
+    bool event(QEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
@@ -67,6 +68,7 @@ private:
     bool m_isReviewing = false;
     int m_height = 0;              ///< before it was hidden
     int m_lowHeight = 0;           ///< before the recipe was in front; 0: it is not
+    int m_toLower = 0;             ///< wanted, and not had yet; 0: nothing
     bool m_isBackToEvents = false; ///< after the review
 };
 
