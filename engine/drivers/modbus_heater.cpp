@@ -103,9 +103,9 @@ void ModbusHeater::take(const ModbusReply& reply) {
             --m_tries;
     } else if (reply) {
         takeRead(*reply);
-    } else if (!m_wanted_K && isOn() && !isWorn()) {
-        m_isOffDue = true; // again, though nothing can be read back
     }
+    if (!reply && !m_wanted_K && (isOn() || m_mayBeOn) && !isWorn())
+        m_isOffDue = true; // again, though nothing can be read back
 }
 
 void ModbusHeater::takeRead(const std::vector<std::uint16_t>& values) {
@@ -154,6 +154,8 @@ void ModbusHeater::takeCycle() {
     m_cycle_s = m_clock.now_s();
     if (m_wanted_K)
         compare();
+    if (!m_wanted_K && !isOn())
+        m_mayBeOn = false;
     if (!correction())
         m_tries = 0;
 }
@@ -207,6 +209,7 @@ void ModbusHeater::sendNext() {
 void ModbusHeater::write(const ModbusRequest& request) {
     m_tries = isSame(m_written, request) ? m_tries + 1 : 1;
     m_written = request;
+    m_mayBeOn = m_mayBeOn || m_wanted_K;
     m_again_s = m_clock.now_s() + kAgain_s;
     m_isWriting = true;
     m_isFresh = false;
@@ -388,7 +391,7 @@ Result<void> ModbusHeater::taken() const {
 }
 
 bool ModbusHeater::heating() const {
-    return m_wanted_K || m_isOffDue || (!m_identity.isOther() && (isOn() || isDriven()));
+    return m_wanted_K || m_isOffDue || (!m_identity.isOther() && (m_mayBeOn || isOn() || isDriven()));
 }
 
 /// Of a device that was away the registers are those of before, until they were all read again.

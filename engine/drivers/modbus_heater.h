@@ -93,6 +93,7 @@ private:
     bool m_isSetTaken = false, m_isRunTaken = false; ///< read back as they are to be
     Message m_refusal;                               ///< why it was switched off; until heatOff()
     bool m_isOffDue = false;                         ///< at once, before anything else
+    bool m_mayBeOn = false;                          ///< written on, and not read off in whole since
     bool m_isKnown = false;                          ///< every register has been read once
     double m_cycle_s = -1e300;                       ///< when they were all read last
     Message m_unitProblem;                           ///< in which unit it counts is not known
