@@ -1,11 +1,18 @@
 // Which answers the guard takes for "off".
 
 #include "engine/drivers/off_program.h"
+#include "engine/guard/guard_log.h"
 #include "engine/guard/off_run.h"
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+#include <cstdlib>
+#include <poll.h>
 #include <string_view>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace bask::guard {
 namespace {
@@ -36,6 +43,31 @@ TEST(OffRun, BytesAreFoundAnywhere) {
     EXPECT_FALSE(fitsText(step, answer.substr(0, 6)));
     EXPECT_FALSE(fitsText(step, ""));
     EXPECT_FALSE(fitsText(offWhenBytes("?", "", 300), "anything")) << "no answer confirms nothing";
+}
+
+// Catches a log that reads a file on the guard's thread before the heat is off: here the zone's file is a
+// pipe without a writer, which is a disk that hangs.
+TEST(GuardLog, ItWaitsForNoFile) {
+    char folder[] = "/tmp/bask-guard-log-XXXXXX";
+    ASSERT_NE(::mkdtemp(folder), nullptr);
+    const std::string zone = std::string(folder) + "/zone";
+    ASSERT_EQ(::mkfifo(zone.c_str(), 0600), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        ::setenv("TZ", (":" + zone).c_str(), 1);
+        GuardLog log("", "port");
+        log.say("takes over");
+        ::_exit(0);
+    }
+    int ended = 0;
+    for (int i = 0; i < 200 && ended == 0; ++i) {
+        ended = ::waitpid(child, nullptr, WNOHANG);
+        ::poll(nullptr, 0, 10);
+    }
+    EXPECT_EQ(ended, child);
+    ::kill(child, SIGKILL);
+    ::unlink(zone.c_str());
+    ::rmdir(folder);
 }
 
 // Catches a step that is cut, so that half a frame is sent.
