@@ -151,8 +151,8 @@ void HeaterGuard::receive() {
         const ssize_t count = ::recv(m_socket, packet.data(), packet.size(), MSG_DONTWAIT);
         if (count > 0)
             take(static_cast<Told>(packet[0]), {packet.data() + 1, static_cast<std::size_t>(count) - 1});
-        else if (count < 0 && errno == EINTR)
-            continue;
+        else if (count < 0 && (errno == EINTR || errno == ECONNRESET))
+            continue; // the second is told once, before its last words
         else if (count < 0 && errno == EAGAIN)
             return;
         else

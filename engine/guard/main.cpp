@@ -107,8 +107,8 @@ private:
             const ssize_t count = ::recv(kSocket, m_packet, sizeof m_packet, MSG_DONTWAIT);
             if (count > 0)
                 obey(static_cast<Order>(m_packet[0]), m_packet + 1, static_cast<std::size_t>(count) - 1);
-            else if (count < 0 && errno == EINTR)
-                continue;
+            else if (count < 0 && (errno == EINTR || errno == ECONNRESET))
+                continue; // the second is told once, before what still waits: its end is a 0
             else
                 return count < 0 && errno == EAGAIN;
         }

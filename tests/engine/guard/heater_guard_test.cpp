@@ -275,6 +275,26 @@ TEST_F(GuardTest, AGoodbyeWithTheHeatOffWritesNothing) {
     EXPECT_EQ(logText(), "");
 }
 
+// Catches an end that is heard before the last orders: here a word of the guard's is left unread, too.
+TEST_F(GuardTest, AGoodbyeBehindUnreadWordsIsHeard) {
+    makeNamur();
+    heatUp();
+    ASSERT_TRUE(heater->heatOff().ok());
+    ASSERT_TRUE(until([&] { return !isOn(); }));
+    guard->work();
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    guard->work(); // a beat, whose answer is not read
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const int process = guard->processId();
+    ASSERT_EQ(::kill(process, SIGSTOP), 0);
+    guard->disarm();
+    heater.reset();
+    guard.reset();
+    ASSERT_EQ(::kill(process, SIGCONT), 0);
+    EXPECT_TRUE(untilWithoutBeat([&] { return isGone(process); }, 2000));
+    EXPECT_EQ(logText(), "");
+}
+
 // Catches a heater that nobody guards any more and that goes on heating.
 TEST_F(GuardTest, AGuardThatIsKilledIsNoticedAndTheEngineSwitchesOff) {
     for (const int number : {SIGKILL, SIGSTOP}) {
