@@ -246,6 +246,10 @@ std::string RtuLink::name() const {
     return m_line->bytes->name();
 }
 
+std::string RtuLink::portId() const {
+    return m_line->bytes->portId();
+}
+
 int RtuLink::discarded() const {
     return m_line->discarded;
 }

@@ -7,7 +7,7 @@
 
 namespace bask::guard {
 
-inline constexpr int kVersion = 1;
+inline constexpr int kVersion = 2;
 inline constexpr int kSocket = 3;          ///< the guard's descriptor of it
 inline constexpr double kSilence_s = 2.0;  ///< of the engine: then the guard takes over
 inline constexpr double kBeat_s = 0.1;     ///< between two of the engine's beats
@@ -27,12 +27,13 @@ enum class Order : char {
 
 /// From the guard.
 enum class Told : char {
-    Hello = 'V', ///< its version, one byte
-    Beat = 'b',  ///< one for each
-    Opened = 'O',
-    Failed = 'F', ///< an int: errno of the opening
-    Lost = 'L',   ///< it was unplugged
-    Stuck = 'S',  ///< it takes no more bytes
+    Hello = 'V',     ///< its version, one byte
+    Beat = 'b',      ///< one for each
+    Opened = 'O',    ///< the port's own name, or nothing
+    Failed = 'F',    ///< an int: errno of the opening
+    Exchanged = 'X', ///< not opened: it is another port; its own name, or nothing
+    Lost = 'L',      ///< it was unplugged
+    Stuck = 'S',     ///< it takes no more bytes
     Bytes = 'r',
     TookOver = 'T', ///< why, in English
     Off = 'K'       ///< confirmed; the guard ends

@@ -104,7 +104,9 @@ bool OffRun::isOpen() {
         return true;
     const int problem = m_port.open();
     if (problem != 0 && isLogged())
-        m_log.say("the port cannot be opened: %s", std::strerror(problem));
+        m_log.say("the port cannot be opened: %s", problem == GuardedPort::kExchanged
+                                                       ? "another one is at its place"
+                                                       : std::strerror(problem));
     return problem == 0;
 }
 

@@ -370,6 +370,41 @@ TEST_F(GuardTest, AnUnpluggedPortIsToldAsWithoutAGuard) {
     EXPECT_TRUE(until([&] { return namurLink->isOpen(); }));
 }
 
+// Catches a port that is another one's by now, and is written to: by its own name, as the system links it.
+TEST_F(GuardTest, AnotherPortAtItsPlaceIsNotOpened) {
+    const QString ids = folder.filePath("by-id");
+    ASSERT_TRUE(QDir().mkpath(ids));
+    const auto be = [&](const QString& name) {
+        QFile::remove(ids + "/usb-one");
+        QFile::remove(ids + "/usb-two");
+        ASSERT_TRUE(QFile::link(QString::fromStdString(port), ids + '/' + name));
+    };
+    be("usb-one");
+    guard.emplace(port, SerialSettings{9600, 8, 'N', 1}, log, clock, std::string(), ids.toStdString());
+    makeNamur();
+    ASSERT_TRUE(until([&] { return namurLink->isOpen(); }));
+    EXPECT_EQ(namurLink->portId(), "usb-one") << "the first one counts";
+    heatUp();
+    end.unplug();
+    be("usb-two");
+    end.plug();
+    EXPECT_TRUE(until([&] { return namurLink->problem().code == MessageCode::DeviceExchanged; }));
+    EXPECT_EQ(namurLink->problem().args, (std::vector<std::string>{port, "usb-one", "usb-two"}));
+    end.with([&] { plate.receive("START_1 \r\n", 0.0); });
+    heater.reset();
+    guard.reset(); // which takes over, and does not write there either
+    EXPECT_TRUE(untilWithoutBeat(
+        [&] { return logText().find("another one is at its place") != std::string::npos; }, 3000));
+    EXPECT_EQ(logText().find("sent"), std::string::npos) << logText();
+    be("usb-one");
+    EXPECT_TRUE(untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 6000));
+    EXPECT_FALSE(isOn());
+    guard.emplace(port, SerialSettings{9600, 8, 'N', 1}, log, clock, "usb-two", ids.toStdString());
+    makeNamur();
+    EXPECT_TRUE(until([&] { return namurLink->problem().code == MessageCode::DeviceExchanged; }))
+        << "as remembered";
+}
+
 // Catches two programs on one port.
 TEST_F(GuardTest, APortHasOneGuard) {
     makeNamur();
