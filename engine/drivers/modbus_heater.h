@@ -9,6 +9,7 @@
 #include "engine/guard/guard_messages.h"
 #include "engine/protocols/modbus_profile.h"
 #include "engine/protocols/register_ranges.h"
+#include "engine/protocols/serial_settings.h"
 
 #include <memory>
 
@@ -50,8 +51,9 @@ public:
     std::optional<double> setPoint_K() const override;
     bool hasWatchdog() const override { return m_settings.profile.watchdog.has_value(); }
 
-    /// What switches it off, for its guard: the frames that write off, and read it back.
-    guard::OffProgram offProgram() const;
+    /// What switches it off, for its guard: the frames that write off, and read it back, with the time that
+    /// they take on that line.
+    guard::OffProgram offProgram(const SerialSettings& line) const;
 
 private:
     ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings);
@@ -64,6 +66,7 @@ private:
     void write(const ModbusRequest& request);
     std::optional<ModbusRequest> correction() const;
     ModbusRequest offRequest() const;
+    guard::OffStep offReadBack(int reply_ms) const;
     ModbusRequest setPointRequest(double setPoint_K) const;
     const RegisterSpec& writtenSetPoint() const;
     double quantity(const RegisterSpec& spec) const;

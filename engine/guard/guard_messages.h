@@ -44,9 +44,11 @@ struct OffStep {
     static constexpr std::size_t kMostBytes = 64;
     enum class Reply : std::uint8_t {
         None,
-        Bytes, ///< these, anywhere in what comes
-        Number ///< a line "NUMBER TAIL" of a number up to `most`; TAIL are the bytes
+        Bytes,    ///< these, anywhere in what comes
+        Number,   ///< a line "NUMBER TAIL" of a number up to `most`; TAIL are the bytes
+        Register, ///< a Modbus frame that begins with the bytes, of a number from `least` to `most`
     };
+    enum class Type : std::uint8_t { Int16, Uint16, Int32, Uint32, Float32 };
     std::uint16_t timeout_ms = 0; ///< for what is to come back
     std::uint16_t pause_ms = 0;   ///< after it
     std::uint8_t sends = 0, expects = 0;
@@ -54,13 +56,16 @@ struct OffStep {
     bool mustFit = false; ///< or heat is not known to be off
     unsigned char send[kMostBytes] = {};
     unsigned char expect[kMostBytes] = {};
-    double most = 0.0;
+    double least = 0.0, most = 0.0;
+    Type type = Type::Int16; ///< of the number in registers
+    bool isLowWordFirst = false;
 };
 
 /// Heat is off when all of its steps that must fit did so in one pass.
 struct OffProgram {
     static constexpr std::size_t kMostSteps = 8;
     std::uint8_t count = 0;
+    std::uint16_t quiet_ms = 60; ///< before the first step: what was half said is over, and late answers
     OffStep steps[kMostSteps] = {};
 };
 static_assert(sizeof(OffProgram) <= kMost);

@@ -215,7 +215,7 @@ struct RealRig::Parts {
             auto made = ModbusHeater::create(modbus(spec), clock, settings);
             const ModbusHeater* heater = made ? made->get() : nullptr;
             put(DeviceRole::HeatSource, spec, std::move(made), source);
-            return guardSource([heater] { return heater->offProgram(); });
+            return guardSource([heater, line = spec.serial] { return heater->offProgram(line); });
         }
     }
     void guardSource(std::function<guard::OffProgram()> off) {
