@@ -165,7 +165,7 @@ def qt_in_engine(path):
 OPENCV_FOLDERS = {("engine", "shape"), ("engine", "calibration"), ("engine", "devices")}
 VTK_FOLDERS = {("widgets", "scene"), ("engine", "exchange")}
 QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
-SYSTEM_HEADER = re.compile(r"(unistd|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
+SYSTEM_HEADER = re.compile(r"(unistd|dirent|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
 QT_NAME = re.compile(r"\bQ(?:t(?=::)|[A-Z]\w*)")

@@ -54,6 +54,10 @@ Message GuardedLink::problem() const {
     return m_way == Way::Direct ? m_direct->problem() : m_guard.portProblem();
 }
 
+std::string GuardedLink::portId() const {
+    return m_way == Way::Direct ? m_direct->portId() : m_guard.portId();
+}
+
 /// The driver need not know: what it asks meanwhile is lost, and asked again.
 void GuardedLink::goOverToGuard() {
     if (m_way == Way::Direct) {

@@ -24,6 +24,7 @@ public:
     std::string read() override;
     void write(std::string_view bytes) override;
     std::string name() const override { return m_guard.port(); }
+    std::string portId() const override;
 
 private:
     enum class Way { Guard, Direct, ToGuard };

@@ -2,7 +2,6 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/result.h"
-#include "engine/drivers/serial_port.h"
 
 #include <array>
 #include <cerrno>
@@ -75,8 +74,9 @@ const std::string& guardProgram() {
 }
 
 HeaterGuard::HeaterGuard(std::string port, const SerialSettings& settings, std::string logFile,
-                         const Clock& clock)
-    : m_port(std::move(port)), m_settings(settings), m_logFile(std::move(logFile)), m_clock(clock) {}
+                         const Clock& clock, std::string portId, std::string idFolder)
+    : m_port(std::move(port)), m_settings(settings), m_logFile(std::move(logFile)),
+      m_portId(std::move(portId)), m_idFolder(std::move(idFolder)), m_clock(clock) {}
 
 HeaterGuard::~HeaterGuard() {
     dismiss();
@@ -112,7 +112,7 @@ void HeaterGuard::start(const std::string& program) {
         startProcess(program, ends[1],
                      {"bask-guard", std::filesystem::absolute(m_port), std::to_string(m_settings.baud),
                       std::to_string(m_settings.dataBits), std::string(1, m_settings.parity),
-                      std::to_string(m_settings.stopBits), m_logFile},
+                      std::to_string(m_settings.stopBits), m_logFile, m_portId, m_idFolder},
                      m_process);
     ::close(ends[1]);
     if (problem != 0) {
@@ -151,8 +151,8 @@ void HeaterGuard::receive() {
         const ssize_t count = ::recv(m_socket, packet.data(), packet.size(), MSG_DONTWAIT);
         if (count > 0)
             take(static_cast<Told>(packet[0]), {packet.data() + 1, static_cast<std::size_t>(count) - 1});
-        else if (count < 0 && errno == EINTR)
-            continue;
+        else if (count < 0 && (errno == EINTR || errno == ECONNRESET))
+            continue; // the second is told once, before its last words
         else if (count < 0 && errno == EAGAIN)
             return;
         else
@@ -175,7 +175,12 @@ void HeaterGuard::take(Told kind, std::string_view bytes) {
         m_isPortOpen = true;
         m_isPortOpening = false;
         m_portProblem = {};
+        if (m_portId.empty())
+            m_portId = bytes;
         return;
+    case Told::Exchanged:
+        return losePort(
+            {MessageCode::DeviceExchanged, {m_port, m_portId, bytes.empty() ? "?" : std::string(bytes)}});
     case Told::Failed: {
         int problem = 0;
         std::memcpy(&problem, bytes.data(), std::min(bytes.size(), sizeof problem));

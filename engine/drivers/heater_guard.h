@@ -5,6 +5,7 @@
 #include "engine/base/clock.h"
 #include "engine/base/message.h"
 #include "engine/base/message_code.h"
+#include "engine/drivers/serial_port.h"
 #include "engine/guard/guard_messages.h"
 #include "engine/protocols/serial_settings.h"
 
@@ -27,7 +28,10 @@ public:
     static constexpr double kSilent_s = 0.7; ///< without an answer to its beats it is taken for dead
 
     /// `logFile`: the guard appends to it what it does; empty: to none. `clock` outlives it.
-    HeaterGuard(std::string port, const SerialSettings& settings, std::string logFile, const Clock& clock);
+    /// `portId`: the port's own name; empty: it has none, or is not known, and the first one counts. It is a
+    /// link to the port in `idFolder`.
+    HeaterGuard(std::string port, const SerialSettings& settings, std::string logFile, const Clock& clock,
+                std::string portId = {}, std::string idFolder = kPortIds);
     /// One that is armed takes over.
     ~HeaterGuard();
     HeaterGuard(const HeaterGuard&) = delete;
@@ -58,6 +62,8 @@ public:
     std::string read();
     void write(std::string_view bytes);
     const std::string& port() const { return m_port; }
+    /// Its own name, as expected or as it was first; another one is not opened.
+    const std::string& portId() const { return m_portId; }
 
     int processId() const { return m_process; }
 
@@ -71,7 +77,7 @@ private:
 
     std::string m_port;
     SerialSettings m_settings;
-    std::string m_logFile;
+    std::string m_logFile, m_portId, m_idFolder;
     const Clock& m_clock;
     State m_state = State::None;
     Message m_problem, m_portProblem;

@@ -34,6 +34,11 @@ bool isSame(const ModbusRequest& a, const ModbusRequest& b) {
     return a.function == b.function && a.address == b.address && a.values == b.values;
 }
 
+/// As near a set point reads back, rounded.
+double within_K(const RegisterSpec& spec) {
+    return 0.51 * resolution_K(spec) + 0.01;
+}
+
 } // namespace
 
 Result<std::unique_ptr<ModbusHeater>> ModbusHeater::create(ModbusLink& link, const Clock& clock,
@@ -103,9 +108,9 @@ void ModbusHeater::take(const ModbusReply& reply) {
             --m_tries;
     } else if (reply) {
         takeRead(*reply);
-    } else if (!m_wanted_K && isOn() && !isWorn()) {
-        m_isOffDue = true; // again, though nothing can be read back
     }
+    if (!reply && !m_wanted_K && (isOn() || m_mayBeOn) && !isWorn())
+        m_isOffDue = true; // again, though nothing can be read back
 }
 
 void ModbusHeater::takeRead(const std::vector<std::uint16_t>& values) {
@@ -154,6 +159,8 @@ void ModbusHeater::takeCycle() {
     m_cycle_s = m_clock.now_s();
     if (m_wanted_K)
         compare();
+    if (!m_wanted_K && !isOn())
+        m_mayBeOn = false;
     if (!correction())
         m_tries = 0;
 }
@@ -207,6 +214,7 @@ void ModbusHeater::sendNext() {
 void ModbusHeater::write(const ModbusRequest& request) {
     m_tries = isSame(m_written, request) ? m_tries + 1 : 1;
     m_written = request;
+    m_mayBeOn = m_mayBeOn || m_wanted_K;
     m_again_s = m_clock.now_s() + kAgain_s;
     m_isWriting = true;
     m_isFresh = false;
@@ -244,17 +252,37 @@ ModbusRequest ModbusHeater::offRequest() const {
     return setPointRequest(kelvinFromCelsius(p.setPointOff_degC));
 }
 
-guard::OffProgram ModbusHeater::offProgram() const {
-    constexpr int kReply_ms = 300, kGap_ms = 20;
-    const int unit = m_settings.unit;
+guard::OffProgram ModbusHeater::offProgram(const SerialSettings& line) const {
+    constexpr double kReply_s = 0.3, kGap_s = 0.02;
+    const auto ms = [&](double s, double bytes) {
+        return static_cast<int>(std::lround(1e3 * (s + onTheLine_s(line, bytes))));
+    };
+    const ModbusRequest off = offRequest();
+    const ModbusQuery write{m_settings.unit, off.function, off.address, off.count, off.values};
+    const std::string bytes = modbusRequest(write), echo = modbusWriteReply(write);
+    const auto size = static_cast<double>(bytes.size()), frames = size + static_cast<double>(echo.size());
+    guard::OffProgram program;
+    program.quiet_ms = static_cast<std::uint16_t>(ms(1e-3 * program.quiet_ms, size + kModbusGapBytes));
+    add(program, offWrite(bytes, echo, ms(kReply_s, frames), ms(kGap_s, kModbusGapBytes)));
+    add(program, offReadBack(ms(kReply_s, frames)));
+    return program;
+}
+
+/// By the same measure as isOn(): a controller may round what is written, or limit it.
+guard::OffStep ModbusHeater::offReadBack(int reply_ms) const {
+    constexpr double kFarthest_K = 200.0; // below off: it is no set point but the mark of a fault
     const ModbusRequest off = offRequest();
     const RegisterSpec& spec = m_settings.profile.run ? *m_settings.profile.run : writtenSetPoint();
-    guard::OffProgram program;
-    add(program, offWrite(modbusRequest({unit, off.function, off.address, off.count, off.values}), kReply_ms,
-                          kGap_ms));
-    add(program, offWhenBytes(modbusRequest({unit, spec.function, spec.address, off.count, {}}),
-                              modbusReadReply(unit, spec.function, off.values), kReply_ms));
-    return program;
+    const ModbusQuery question{m_settings.unit, spec.function, spec.address, off.count, {}};
+    const bool isScaled = spec.unit == RegisterUnit::Celsius || spec.unit == RegisterUnit::Fahrenheit ||
+                          spec.unit == RegisterUnit::Kelvin;
+    if (m_settings.profile.run || !isScaled)
+        return offWhenBytes(modbusRequest(question),
+                            modbusReadReply(m_settings.unit, spec.function, off.values), reply_ms);
+    const double perKelvin = (spec.unit == RegisterUnit::Fahrenheit ? 1.8 : 1.0) / spec.scale;
+    const double written = (quantityFromRegisters(spec, off.values) - spec.offset) / spec.scale;
+    const double a = written + within_K(spec) * perKelvin, b = written - kFarthest_K * perKelvin;
+    return offWhenRegister(question, spec, std::min(a, b), std::max(a, b), reply_ms);
 }
 
 const RegisterSpec& ModbusHeater::writtenSetPoint() const {
@@ -287,7 +315,7 @@ bool ModbusHeater::isSetTo(double setPoint_K) const {
     const RegisterSpec& spec = writtenSetPoint();
     const auto written = setPointRequest(setPoint_K).values;
     const double expected_K = temperatureFromRegisters(m_settings.profile, spec, written).value_K;
-    return std::abs(readBack_K(spec) - expected_K) <= 0.51 * resolution_K(spec) + 0.01;
+    return std::abs(readBack_K(spec) - expected_K) <= within_K(spec);
 }
 
 /// Whether the device is to be set to what is wanted now: it differs much, or for long.
@@ -388,7 +416,7 @@ Result<void> ModbusHeater::taken() const {
 }
 
 bool ModbusHeater::heating() const {
-    return m_wanted_K || m_isOffDue || (!m_identity.isOther() && (isOn() || isDriven()));
+    return m_wanted_K || m_isOffDue || (!m_identity.isOther() && (m_mayBeOn || isOn() || isDriven()));
 }
 
 /// Of a device that was away the registers are those of before, until they were all read again.

@@ -9,6 +9,7 @@
 #include "engine/guard/guard_messages.h"
 #include "engine/protocols/modbus_profile.h"
 #include "engine/protocols/register_ranges.h"
+#include "engine/protocols/serial_settings.h"
 
 #include <memory>
 
@@ -50,8 +51,9 @@ public:
     std::optional<double> setPoint_K() const override;
     bool hasWatchdog() const override { return m_settings.profile.watchdog.has_value(); }
 
-    /// What switches it off, for its guard: the frames that write off, and read it back.
-    guard::OffProgram offProgram() const;
+    /// What switches it off, for its guard: the frames that write off, and read it back, with the time that
+    /// they take on that line.
+    guard::OffProgram offProgram(const SerialSettings& line) const;
 
 private:
     ModbusHeater(ModbusLink& link, const Clock& clock, const ModbusHeaterSettings& settings);
@@ -64,6 +66,7 @@ private:
     void write(const ModbusRequest& request);
     std::optional<ModbusRequest> correction() const;
     ModbusRequest offRequest() const;
+    guard::OffStep offReadBack(int reply_ms) const;
     ModbusRequest setPointRequest(double setPoint_K) const;
     const RegisterSpec& writtenSetPoint() const;
     double quantity(const RegisterSpec& spec) const;
@@ -93,6 +96,7 @@ private:
     bool m_isSetTaken = false, m_isRunTaken = false; ///< read back as they are to be
     Message m_refusal;                               ///< why it was switched off; until heatOff()
     bool m_isOffDue = false;                         ///< at once, before anything else
+    bool m_mayBeOn = false;                          ///< written on, and not read off in whole since
     bool m_isKnown = false;                          ///< every register has been read once
     double m_cycle_s = -1e300;                       ///< when they were all read last
     Message m_unitProblem;                           ///< in which unit it counts is not known

@@ -358,8 +358,8 @@ guard::OffProgram NamurHeater::offProgram() {
     constexpr int kDeadline_ms = 500;
     guard::OffProgram program;
     for (int i = 0; i < 2; ++i) // the first may follow half a line, and not be heard
-        add(program, offWrite(namurLine(namur::kStop), 0, kGap_ms));
-    add(program, offWrite(namurLine(namurSetPoint(kOff_degC)), 0, kGap_ms));
+        add(program, offWrite(namurLine(namur::kStop), {}, 0, kGap_ms));
+    add(program, offWrite(namurLine(namurSetPoint(kOff_degC)), {}, 0, kGap_ms));
     add(program,
         offWhenNumber(namurLine(namur::kSetPoint), kOff_degC + kSetPointWithin_K, "1", kDeadline_ms));
     return program;

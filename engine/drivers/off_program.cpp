@@ -23,8 +23,11 @@ OffStep made(std::string_view send, std::string_view expect, int reply_ms, int p
 
 } // namespace
 
-OffStep offWrite(std::string_view bytes, int reply_ms, int pause_ms) {
-    return made(bytes, {}, reply_ms, pause_ms);
+OffStep offWrite(std::string_view bytes, std::string_view echo, int reply_ms, int pause_ms) {
+    OffStep step = made(bytes, echo, reply_ms, pause_ms);
+    if (!echo.empty())
+        step.reply = OffStep::Reply::Bytes;
+    return step;
 }
 
 OffStep offWhenBytes(std::string_view question, std::string_view answer, int reply_ms) {
@@ -39,6 +42,22 @@ OffStep offWhenNumber(std::string_view question, double most, std::string_view t
     step.reply = OffStep::Reply::Number;
     step.mustFit = true;
     step.most = most;
+    return step;
+}
+
+OffStep offWhenRegister(const ModbusQuery& question, const RegisterSpec& spec, double least, double most,
+                        int reply_ms) {
+    static_assert(static_cast<int>(RegisterType::Uint16) == static_cast<int>(OffStep::Type::Uint16) &&
+                  static_cast<int>(RegisterType::Float32) == static_cast<int>(OffStep::Type::Float32));
+    const std::string head{static_cast<char>(question.unit), static_cast<char>(question.function),
+                           static_cast<char>(2 * question.count)};
+    OffStep step = made(modbusRequest(question), head, reply_ms, 0);
+    step.reply = OffStep::Reply::Register;
+    step.mustFit = true;
+    step.least = least;
+    step.most = most;
+    step.type = static_cast<OffStep::Type>(spec.type);
+    step.isLowWordFirst = spec.isLowWordFirst;
     return step;
 }
 

@@ -12,7 +12,6 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kExceptionBytes = 5, kWriteReplyBytes = 8;
-constexpr double kGapBytes = 3.5;       // of silence between two frames
 constexpr double kLeastGap_s = 0.00175; // from 19200 baud on
 
 std::string frameOf(const ModbusRequest& request) {
@@ -79,7 +78,6 @@ struct RtuLink::Line {
     void giveUp();
     void forget();
     void keepSilent() { quietUntil_s = clock.now_s() + replyTime_s; }
-    double onTheLine_s(double count) const { return count * (settings.dataBits + 3) / settings.baud; }
     Error wrong(const char* words);
     Error silence() const;
 
@@ -172,7 +170,7 @@ void RtuLink::Line::take() {
     const auto frame = takeFrame(heard, asked->request);
     if (!frame)
         return;
-    quietUntil_s = clock.now_s() + std::max(kLeastGap_s, onTheLine_s(kGapBytes));
+    quietUntil_s = clock.now_s() + std::max(kLeastGap_s, onTheLine_s(settings, kModbusGapBytes));
     deliver(judged(*frame));
     asked.reset();
     heard.clear();
@@ -225,7 +223,8 @@ int RtuLink::send(const ModbusRequest& request) {
     Line& line = *m_line;
     const std::string frame = frameOf(request);
     const double reply = request.reads() ? 5.0 + 2.0 * request.count : static_cast<double>(kWriteReplyBytes);
-    const double time_s = line.replyTime_s + line.onTheLine_s(static_cast<double>(frame.size()) + reply);
+    const double time_s =
+        line.replyTime_s + onTheLine_s(line.settings, static_cast<double>(frame.size()) + reply);
     line.heard.clear();
     line.asked = Line::Asked{++line.lastNumber, request, line.clock.now_s() + time_s};
     line.bytes->write(frame);
@@ -244,6 +243,10 @@ std::optional<ModbusReply> RtuLink::takeReply(int number) {
 
 std::string RtuLink::name() const {
     return m_line->bytes->name();
+}
+
+std::string RtuLink::portId() const {
+    return m_line->bytes->portId();
 }
 
 int RtuLink::discarded() const {

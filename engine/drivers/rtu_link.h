@@ -30,6 +30,7 @@ public:
     int send(const ModbusRequest& request) override;
     std::optional<ModbusReply> takeReply(int number) override;
     std::string name() const override;
+    std::string portId() const override;
     /// Replies that came and were not used.
     int discarded() const;
 

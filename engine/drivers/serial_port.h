@@ -22,9 +22,10 @@ SerialSettings settableOf(const std::string& path, SerialSettings wanted);
 /// Keeps other programs out that ask, as the guard and Bask do; the system's own lock does not hold for root.
 /// False: one has it.
 bool lockPort(int descriptor);
+inline constexpr const char* kPortIds = "/dev/serial/by-id";
 /// The port's own name, as its adapter has it ("usb-FTDI_FT232R_USB_UART_A1-if00-port0"), whatever number the
 /// system gave it; empty: it has none.
-std::string portIdOf(const std::string& path, const std::string& folder = "/dev/serial/by-id");
+std::string portIdOf(const std::string& path, const std::string& folder = kPortIds);
 
 /// Keeps a link to the port that it had first, or was told: the same path may be another one's later.
 class PortCheck {

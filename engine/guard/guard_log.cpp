@@ -1,5 +1,6 @@
 #include "engine/guard/guard_log.h"
 
+#include <chrono>
 #include <cstdarg>
 #include <cstdio>
 #include <cstring>
@@ -19,14 +20,19 @@ struct Line {
     char text[kLongest];
 };
 
-/// "2026-11-23T19:20:01.123Z"
+/// "2026-11-23T19:20:01.123Z". The library's gmtime_r opens /etc/localtime when it is first called.
 void writeTime(char* out, std::size_t size) {
+    namespace time = std::chrono;
     timespec now{};
-    tm utc{};
     ::clock_gettime(CLOCK_REALTIME, &now);
-    ::gmtime_r(&now.tv_sec, &utc);
-    std::snprintf(out, size, "%04d-%02d-%02dT%02d:%02d:%02d.%03dZ", utc.tm_year + 1900, utc.tm_mon + 1,
-                  utc.tm_mday, utc.tm_hour, utc.tm_min, utc.tm_sec, static_cast<int>(now.tv_nsec / 1000000));
+    const time::sys_seconds second{time::seconds(now.tv_sec)};
+    const auto day = time::floor<time::days>(second);
+    const time::year_month_day date(day);
+    const time::hh_mm_ss clock(second - day);
+    std::snprintf(out, size, "%04d-%02u-%02uT%02d:%02d:%02d.%03dZ", static_cast<int>(date.year()),
+                  static_cast<unsigned>(date.month()), static_cast<unsigned>(date.day()),
+                  static_cast<int>(clock.hours().count()), static_cast<int>(clock.minutes().count()),
+                  static_cast<int>(clock.seconds().count()), static_cast<int>(now.tv_nsec / 1000000));
 }
 
 } // namespace

@@ -3,10 +3,12 @@
 #include <asm/termbits.h> // any speed; <termios.h> has only some, and declares the same names
 #include <cerrno>
 #include <cstring>
+#include <dirent.h>
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/file.h>
 #include <sys/ioctl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace bask::guard {
@@ -39,8 +41,42 @@ bool makeRaw(int descriptor, const PortSettings& settings) {
 
 } // namespace
 
+GuardedPort::GuardedPort(const PortSettings& settings) : m_settings(settings) {
+    std::strncpy(m_expected, settings.id, kLongestId - 1);
+}
+
+/// The expected one of its names, or the first. By the kernel's own call: the library's allocates.
+void GuardedPort::findId(unsigned long long device) {
+    m_id[0] = '\0';
+    const int folder = ::open(m_settings.idFolder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    alignas(dirent64) char entries[4096];
+    while (folder >= 0) {
+        const ssize_t count = ::getdents64(folder, entries, sizeof entries);
+        if (count <= 0)
+            break;
+        for (ssize_t at = 0; at < count;) {
+            const auto& entry = *reinterpret_cast<const dirent64*>(entries + at);
+            at += entry.d_reclen;
+            struct stat there {};
+            if (::fstatat(folder, entry.d_name, &there, 0) == 0 && S_ISCHR(there.st_mode) &&
+                there.st_rdev == device && (m_id[0] == '\0' || std::strcmp(entry.d_name, m_expected) == 0))
+                std::strncpy(m_id, entry.d_name, kLongestId - 1);
+        }
+    }
+    if (folder >= 0)
+        ::close(folder);
+}
+
 int GuardedPort::open() {
     close();
+    struct stat there {};
+    if (::stat(m_settings.path, &there) != 0)
+        return errno;
+    findId(there.st_rdev);
+    if (m_expected[0] == '\0')
+        std::strncpy(m_expected, m_id, kLongestId - 1);
+    if (std::strcmp(m_id, m_expected) != 0)
+        return kExchanged;
     const int opened = ::open(m_settings.path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
     if (opened < 0)
         return errno;

@@ -11,15 +11,22 @@ struct PortSettings {
     int dataBits = 8;
     char parity = 'N';
     int stopBits = 1;
+    const char* id = "";       ///< its own name; empty: it has none, or is not known
+    const char* idFolder = ""; ///< where the system has links by that to the ports
 };
 
 /// Nothing is allocated. Times are of the caller's poll.
 class GuardedPort {
 public:
-    explicit GuardedPort(const PortSettings& settings) : m_settings(settings) {}
+    static constexpr int kExchanged = -1;
 
-    /// 0, or errno: EBUSY where another program has it. What was unread before is forgotten.
+    explicit GuardedPort(const PortSettings& settings);
+
+    /// 0; errno: EBUSY where another program has it; or kExchanged where it is not the one it was first, or
+    /// is to be. What was unread before is forgotten.
     int open();
+    /// The port's own name when it was opened, or was to be; empty: it has none.
+    const char* id() const { return m_id; }
     /// Gives the last bytes a moment.
     void close();
     bool isOpen() const { return m_descriptor >= 0; }
@@ -39,8 +46,12 @@ public:
 
 private:
     void drain();
+    void findId(unsigned long long device);
+
+    static constexpr std::size_t kLongestId = 256;
 
     PortSettings m_settings;
+    char m_expected[kLongestId] = {}, m_id[kLongestId] = {};
     int m_descriptor = -1;
     std::size_t m_queued = 0;
     char m_queue[4096] = {};

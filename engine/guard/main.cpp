@@ -107,8 +107,8 @@ private:
             const ssize_t count = ::recv(kSocket, m_packet, sizeof m_packet, MSG_DONTWAIT);
             if (count > 0)
                 obey(static_cast<Order>(m_packet[0]), m_packet + 1, static_cast<std::size_t>(count) - 1);
-            else if (count < 0 && errno == EINTR)
-                continue;
+            else if (count < 0 && (errno == EINTR || errno == ECONNRESET))
+                continue; // the second is told once, before what still waits: its end is a 0
             else
                 return count < 0 && errno == EAGAIN;
         }
@@ -145,10 +145,10 @@ private:
 
     void open() {
         const int problem = m_port.open();
-        if (problem != 0)
-            tell(Told::Failed, &problem, sizeof problem);
+        if (problem == 0 || problem == GuardedPort::kExchanged)
+            tell(problem == 0 ? Told::Opened : Told::Exchanged, m_port.id(), std::strlen(m_port.id()));
         else
-            tell(Told::Opened);
+            tell(Told::Failed, &problem, sizeof problem);
     }
 
     void lose(Told how) {
@@ -188,8 +188,9 @@ private:
 };
 
 int run(char** words) {
-    const PortSettings settings{words[1], std::atoi(words[2]), std::atoi(words[3]), words[4][0],
-                                std::atoi(words[5])};
+    const PortSettings settings{words[1],    std::atoi(words[2]), std::atoi(words[3]),
+                                words[4][0], std::atoi(words[5]), words[7],
+                                words[8]};
     outlive();
     static GuardLog log(words[6], settings.path);
     ::mlockall(MCL_CURRENT | MCL_FUTURE);
@@ -205,7 +206,7 @@ int main(int argc, char** argv) {
     socklen_t size = sizeof kind;
     const bool isSocket =
         ::getsockopt(bask::guard::kSocket, SOL_SOCKET, SO_TYPE, &kind, &size) == 0 && kind == SOCK_SEQPACKET;
-    if (argc == 7 && isSocket)
+    if (argc == 9 && isSocket)
         return bask::guard::run(argv);
     std::fprintf(stderr, "bask-guard is started by Bask: it switches a heater off when Bask cannot.\n");
     return 2;

@@ -1,5 +1,7 @@
 #include "engine/guard/off_run.h"
 
+#include <bit>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -9,9 +11,8 @@
 namespace bask::guard {
 namespace {
 
-constexpr int kQuiet_ms = 60;    // before the first word: what was half said is over, and late answers
 constexpr int kQuickPasses = 10; // then it is tried less often: memories of set points wear
-constexpr int kSoon_ms = 300, kLater_ms = 5000;
+constexpr int kAtOnce_ms = 10, kSoon_ms = 300, kLater_ms = 5000;
 constexpr int kLoggedOften = 10, kLoggedSeldom = 100; // passes
 
 double now_s() {
@@ -68,6 +69,54 @@ bool hasNumber(const OffStep& step, const unsigned char* bytes, std::size_t coun
     return false;
 }
 
+/// As engine/protocols has it, which is not linked here.
+unsigned modbusCrc(const unsigned char* bytes, std::size_t count) {
+    unsigned crc = 0xffff;
+    for (std::size_t i = 0; i < count; ++i) {
+        crc ^= bytes[i];
+        for (int bit = 0; bit < 8; ++bit)
+            crc = (crc & 1U) != 0 ? crc >> 1U ^ 0xa001U : crc >> 1U;
+    }
+    return crc;
+}
+
+double registerNumber(const OffStep& step, const unsigned char* data) {
+    const auto word = [&](int i) { return static_cast<std::uint32_t>(data[2 * i] << 8 | data[2 * i + 1]); };
+    const bool isShort = step.type == OffStep::Type::Int16 || step.type == OffStep::Type::Uint16;
+    const std::uint32_t bits = isShort               ? word(0)
+                               : step.isLowWordFirst ? word(1) << 16U | word(0)
+                                                     : word(0) << 16U | word(1);
+    switch (step.type) {
+    case OffStep::Type::Int16:
+        return static_cast<std::int16_t>(bits);
+    case OffStep::Type::Int32:
+        return static_cast<std::int32_t>(bits);
+    case OffStep::Type::Float32:
+        return static_cast<double>(std::bit_cast<float>(bits));
+    case OffStep::Type::Uint16:
+    case OffStep::Type::Uint32:
+        break;
+    }
+    return bits;
+}
+
+bool hasRegister(const OffStep& step, const unsigned char* bytes, std::size_t count) {
+    const std::size_t head = step.expects; // unit, function, bytes of data
+    if (head != 3)
+        return false;
+    const std::size_t data = step.expect[2], whole = head + data + 2;
+    for (std::size_t at = 0; at + whole <= count; ++at) {
+        const unsigned char* frame = bytes + at;
+        const unsigned crc = frame[whole - 2] | static_cast<unsigned>(frame[whole - 1]) << 8U;
+        if (std::memcmp(frame, step.expect, head) != 0 || modbusCrc(frame, whole - 2) != crc)
+            continue;
+        const double number = registerNumber(step, frame + head);
+        if (number >= step.least && number <= step.most)
+            return true;
+    }
+    return false;
+}
+
 } // namespace
 
 bool fits(const OffStep& step, const unsigned char* bytes, std::size_t count) {
@@ -78,6 +127,8 @@ bool fits(const OffStep& step, const unsigned char* bytes, std::size_t count) {
         return step.expects > 0 && ::memmem(bytes, count, step.expect, step.expects) != nullptr;
     case OffStep::Reply::Number:
         return hasNumber(step, bytes, count);
+    case OffStep::Reply::Register:
+        return hasRegister(step, bytes, count);
     }
     return false;
 }
@@ -91,11 +142,12 @@ void OffRun::untilConfirmed() {
         m_port.forget();
     for (;;) {
         ++m_passes;
-        if (isOpen() && hear(nullptr, kQuiet_ms) && pass()) {
+        if (isOpen() && hear(nullptr, m_program.quiet_ms) && pass()) {
             m_log.say("the heat is confirmed off, at the %d. try", m_passes);
             return;
         }
-        ::poll(nullptr, 0, m_passes < kQuickPasses ? kSoon_ms : kLater_ms);
+        // One frame that was lost is no reason to wait.
+        ::poll(nullptr, 0, m_passes == 1 ? kAtOnce_ms : m_passes < kQuickPasses ? kSoon_ms : kLater_ms);
     }
 }
 
@@ -104,7 +156,9 @@ bool OffRun::isOpen() {
         return true;
     const int problem = m_port.open();
     if (problem != 0 && isLogged())
-        m_log.say("the port cannot be opened: %s", std::strerror(problem));
+        m_log.say("the port cannot be opened: %s", problem == GuardedPort::kExchanged
+                                                       ? "another one is at its place"
+                                                       : std::strerror(problem));
     return problem == 0;
 }
 

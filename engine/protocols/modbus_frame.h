@@ -19,6 +19,9 @@ struct ModbusQuery {
     bool isKnown = true;               ///< false: another function, or counts that contradict each other
 };
 
+/// Of silence between two frames, in the time of bytes.
+inline constexpr double kModbusGapBytes = 3.5;
+
 /// CRC-16 of the Modbus serial line specification; sent low byte first.
 std::uint16_t modbusCrc(std::string_view bytes);
 

@@ -11,4 +11,9 @@ struct SerialSettings {
     bool operator==(const SerialSettings&) const = default;
 };
 
+/// What bytes take on the line, s.
+inline double onTheLine_s(const SerialSettings& line, double bytes) {
+    return bytes * (line.dataBits + 3) / line.baud;
+}
+
 } // namespace bask

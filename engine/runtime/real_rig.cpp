@@ -106,9 +106,10 @@ struct RealRig::Parts {
     bool isGuarded(const std::string& port) const { return heaterGuard && heaterGuard->port() == port; }
     std::unique_ptr<ByteLink> guarded(const SerialSettings& settings) {
         const std::string port = heaterGuard->port();
-        const auto direct = [=] {
-            return std::make_unique<ByteLinkOnThread>(
-                port, [=] { return std::make_unique<SerialLink>(port, settings); });
+        const auto direct = [=, this] {
+            return std::make_unique<ByteLinkOnThread>(port, [=, portId = heaterGuard->portId()] {
+                return std::make_unique<SerialLink>(port, settings, PortCheck(portId));
+            });
         };
         return std::make_unique<GuardedLink>(*heaterGuard, direct, clock);
     }
@@ -214,7 +215,7 @@ struct RealRig::Parts {
             auto made = ModbusHeater::create(modbus(spec), clock, settings);
             const ModbusHeater* heater = made ? made->get() : nullptr;
             put(DeviceRole::HeatSource, spec, std::move(made), source);
-            return guardSource([heater] { return heater->offProgram(); });
+            return guardSource([heater, line = spec.serial] { return heater->offProgram(line); });
         }
     }
     void guardSource(std::function<guard::OffProgram()> off) {
@@ -261,7 +262,8 @@ struct RealRig::Parts {
         if (isSourceOther)
             heaterGuard.reset();
         if (isSourceOther && guardLog && rig.source && rig.source->driver != HeatSourceDriver::ByHand)
-            heaterGuard.emplace(rig.source->port, rig.source->serial, *guardLog, clock);
+            heaterGuard.emplace(rig.source->port, rig.source->serial, *guardLog, clock,
+                                known(memoryKey(*rig.source)).portId);
         if (rig.robot && !robot)
             addRobot(*rig.robot, plan.fixed);
         if (rig.thermometer && !thermometer)

@@ -30,6 +30,8 @@ protected:
         }
     }
 
+    bool heats() const { return sim.isOn(5) && sim.setPoint_K(5) > kWarm_K - 1.0; }
+
     Result<void> m_newest;
 };
 
@@ -525,6 +527,32 @@ TEST_F(ModbusHeaterTest, AnOnThatWasLostIsNotRepeatedAfterOff) {
     EXPECT_EQ(link.sent.back().function, 3);
     for (std::size_t i = link.sent.size() - 10; i < link.sent.size(); ++i)
         EXPECT_EQ(link.sent[i].function, 3) << "nothing more to write";
+}
+
+// Catches an "off" that nobody has answered and that is taken for done, since on was never read back.
+TEST_F(ModbusHeaterTest, AnOffWithoutAnAnswerIsSaidAgainAndIsNotOff) {
+    for (const char* profile : {"pixsys-drr245", "eurotherm-2400"}) {
+        SCOPED_TRACE(profile);
+        const auto heater = made(profile);
+        run(*heater, 1.0);
+        for (double t = 0.0; t < 2.0 && !heats(); t += 0.005) {
+            (void)heater->keepHeating(kWarm_K, 0.5);
+            run(*heater, 0.005);
+        }
+        ASSERT_TRUE(heats());
+        ASSERT_TRUE(sim.setFault("silent").ok()); // before it is read back
+        (void)heater->heatOff();
+        for (double t = 0.0; t < 10.0; t += 0.1) {
+            run(*heater, 0.1);
+            ASSERT_TRUE(heater->heating()) << t;
+            ASSERT_NE(heater->heatState(), HeatState::Off) << t;
+        }
+        ASSERT_TRUE(sim.setFault("none").ok());
+        run(*heater, 3.0);
+        EXPECT_FALSE(heats());
+        EXPECT_FALSE(heater->heating());
+        sim = ModbusSimulator();
+    }
 }
 
 // Catches wishes and settings that no register can hold.

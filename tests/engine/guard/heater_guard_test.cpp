@@ -171,7 +171,11 @@ protected:
         const ModbusHeater& of = *made;
         device = made.get();
         heater = std::make_unique<GuardedHeater>(
-            std::move(made), *guard, guardProgram(), [&of] { return of.offProgram(); }, clock);
+            std::move(made), *guard, guardProgram(),
+            [&of] {
+                return of.offProgram({9600, 8, 'N', 1});
+            },
+            clock);
     }
     void work() {
         guard->work();
@@ -275,6 +279,26 @@ TEST_F(GuardTest, AGoodbyeWithTheHeatOffWritesNothing) {
     EXPECT_EQ(logText(), "");
 }
 
+// Catches an end that is heard before the last orders: here a word of the guard's is left unread, too.
+TEST_F(GuardTest, AGoodbyeBehindUnreadWordsIsHeard) {
+    makeNamur();
+    heatUp();
+    ASSERT_TRUE(heater->heatOff().ok());
+    ASSERT_TRUE(until([&] { return !isOn(); }));
+    guard->work();
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    guard->work(); // a beat, whose answer is not read
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    const int process = guard->processId();
+    ASSERT_EQ(::kill(process, SIGSTOP), 0);
+    guard->disarm();
+    heater.reset();
+    guard.reset();
+    ASSERT_EQ(::kill(process, SIGCONT), 0);
+    EXPECT_TRUE(untilWithoutBeat([&] { return isGone(process); }, 2000));
+    EXPECT_EQ(logText(), "");
+}
+
 // Catches a heater that nobody guards any more and that goes on heating.
 TEST_F(GuardTest, AGuardThatIsKilledIsNoticedAndTheEngineSwitchesOff) {
     for (const int number : {SIGKILL, SIGSTOP}) {
@@ -348,6 +372,41 @@ TEST_F(GuardTest, AnUnpluggedPortIsToldAsWithoutAGuard) {
     EXPECT_EQ(namurLink->problem().args.at(1), "there is no such port");
     end.plug();
     EXPECT_TRUE(until([&] { return namurLink->isOpen(); }));
+}
+
+// Catches a port that is another one's by now, and is written to: by its own name, as the system links it.
+TEST_F(GuardTest, AnotherPortAtItsPlaceIsNotOpened) {
+    const QString ids = folder.filePath("by-id");
+    ASSERT_TRUE(QDir().mkpath(ids));
+    const auto be = [&](const QString& name) {
+        QFile::remove(ids + "/usb-one");
+        QFile::remove(ids + "/usb-two");
+        ASSERT_TRUE(QFile::link(QString::fromStdString(port), ids + '/' + name));
+    };
+    be("usb-one");
+    guard.emplace(port, SerialSettings{9600, 8, 'N', 1}, log, clock, std::string(), ids.toStdString());
+    makeNamur();
+    ASSERT_TRUE(until([&] { return namurLink->isOpen(); }));
+    EXPECT_EQ(namurLink->portId(), "usb-one") << "the first one counts";
+    heatUp();
+    end.unplug();
+    be("usb-two");
+    end.plug();
+    EXPECT_TRUE(until([&] { return namurLink->problem().code == MessageCode::DeviceExchanged; }));
+    EXPECT_EQ(namurLink->problem().args, (std::vector<std::string>{port, "usb-one", "usb-two"}));
+    end.with([&] { plate.receive("START_1 \r\n", 0.0); });
+    heater.reset();
+    guard.reset(); // which takes over, and does not write there either
+    EXPECT_TRUE(untilWithoutBeat(
+        [&] { return logText().find("another one is at its place") != std::string::npos; }, 3000));
+    EXPECT_EQ(logText().find("sent"), std::string::npos) << logText();
+    be("usb-one");
+    EXPECT_TRUE(untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 6000));
+    EXPECT_FALSE(isOn());
+    guard.emplace(port, SerialSettings{9600, 8, 'N', 1}, log, clock, "usb-two", ids.toStdString());
+    makeNamur();
+    EXPECT_TRUE(until([&] { return namurLink->problem().code == MessageCode::DeviceExchanged; }))
+        << "as remembered";
 }
 
 // Catches two programs on one port.
@@ -431,43 +490,98 @@ TEST(GuardDelay, BytesGoThroughWithinTwoMilliseconds) {
     EXPECT_LE(quantile_ms(1, 0.99) - quantile_ms(0, 0.99), 2.0);
 }
 
+/// A line that loses some of its answers.
+class LossyDevice final : public ByteDevice {
+public:
+    explicit LossyDevice(ByteDevice& device) : m_device(device) {}
+
+    void receive(std::string_view bytes, double now_s) override { m_device.receive(bytes, now_s); }
+    std::string transmit(double now_s) override {
+        const std::string bytes = m_device.transmit(now_s);
+        return !bytes.empty() && toLose-- > 0 ? std::string() : bytes;
+    }
+    std::vector<std::string> faults() const override { return m_device.faults(); }
+    Result<void> setFault(const std::string& name) override { return m_device.setFault(name); }
+
+    int toLose = 0;
+
+private:
+    ByteDevice& m_device;
+};
+
+/// A controller with its guard on a line of its own.
+struct GuardedController {
+    explicit GuardedController(const char* name) {
+        sim.addController(4, shipped(name));
+        end.emplace(lossy, port);
+        auto made = ModbusHeater::create(link, clock, {4, shipped(name)}).value();
+        device = made.get();
+        heater.emplace(
+            std::move(made), guard, guardProgram(),
+            [this] {
+                return device->offProgram({9600, 8, 'N', 1});
+            },
+            clock);
+    }
+    ~GuardedController() { test::endGuardsOf(folder.path()); }
+
+    bool heats() {
+        return end->with([&] { return sim.isOn(4) && sim.setPoint_K(4) > kelvinFromCelsius(79.0); });
+    }
+    bool heatUp() {
+        return test::waitFor(
+            [&] {
+                guard.work();
+                device->work();
+                heater->work();
+                return heater->keepHeating(kelvinFromCelsius(80.0), 1.0).ok() && heats();
+            },
+            5000);
+    }
+    std::string logText() const {
+        std::ifstream file(log);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    bool isConfirmed() {
+        return test::waitFor([&] { return logText().find("confirmed off") != std::string::npos; }, 3000);
+    }
+
+    QTemporaryDir folder;
+    std::string port = folder.filePath("heater").toStdString(),
+                log = folder.filePath("guard.log").toStdString();
+    ModbusSimulator sim;
+    LossyDevice lossy{sim};
+    std::optional<FarEnd> end;
+    SteadyClock clock;
+    HeaterGuard guard{port, SerialSettings{9600, 8, 'N', 1}, log, clock};
+    RtuLink link{std::make_unique<GuardedLink>(guard, nullptr, clock), {9600, 8, 'N', 1}, clock};
+    ModbusHeater* device = nullptr;
+    std::optional<GuardedHeater> heater;
+};
+
+// Catches an off that is confirmed late: a wait beyond the answer, and a pause after one lost frame.
+TEST(ModbusGuard, OffIsConfirmedWithoutIdleTime) {
+    for (const auto& [lost, most_s] : {std::pair(0, 0.3), std::pair(2, 1.1)}) {
+        SCOPED_TRACE(lost);
+        GuardedController rig("pixsys-drr245");
+        ASSERT_TRUE(rig.heatUp());
+        rig.end->with([&, count = lost] { rig.lossy.toLose = count; });
+        const double begun_s = rig.clock.now_s();
+        ASSERT_TRUE(rig.guard.handOver(1.0));
+        ASSERT_TRUE(rig.isConfirmed()) << rig.logText();
+        EXPECT_LT(rig.clock.now_s() - begun_s, most_s) << rig.logText();
+    }
+}
+
 // Catches a program of frames that does not switch such a controller off; each is read back.
 TEST(ModbusGuard, EveryControllerIsSwitchedOffByItsFrames) {
     for (const char* name : {"eurotherm-2400", "watlow-ez-zone", "pixsys-drr245"}) {
         SCOPED_TRACE(name);
-        QTemporaryDir folder;
-        const std::string port = folder.filePath("heater").toStdString(),
-                          log = folder.filePath("guard.log").toStdString();
-        ModbusSimulator sim;
-        sim.addController(4, shipped(name));
-        FarEnd end(sim, port);
-        const SteadyClock clock;
-        std::optional<HeaterGuard> guard(std::in_place, port, SerialSettings{9600, 8, 'N', 1}, log, clock);
-        RtuLink link(std::make_unique<GuardedLink>(*guard, nullptr, clock), {9600, 8, 'N', 1}, clock);
-        auto made = ModbusHeater::create(link, clock, {4, shipped(name)}).value();
-        ModbusHeater& device = *made;
-        GuardedHeater heater(
-            std::move(made), *guard, guardProgram(), [&] { return device.offProgram(); }, clock);
-        const auto heats = [&] {
-            return end.with([&] { return sim.isOn(4) && sim.setPoint_K(4) > kelvinFromCelsius(79.0); });
-        };
-        ASSERT_TRUE(test::waitFor(
-            [&] {
-                guard->work();
-                device.work();
-                heater.work();
-                return heater.keepHeating(kelvinFromCelsius(80.0), 1.0).ok() && heats();
-            },
-            5000));
-        ASSERT_TRUE(guard->handOver(1.0)) << "and the engine's bytes are blocked";
-        const auto text = [&] {
-            std::ifstream file(log);
-            return std::string(std::istreambuf_iterator<char>(file), {});
-        };
-        EXPECT_TRUE(test::waitFor([&] { return text().find("confirmed off") != std::string::npos; }, 3000))
-            << text();
-        EXPECT_FALSE(heats());
-        test::endGuardsOf(folder.path());
+        GuardedController rig(name);
+        ASSERT_TRUE(rig.heatUp());
+        ASSERT_TRUE(rig.guard.handOver(1.0)) << "and the engine's bytes are blocked";
+        EXPECT_TRUE(rig.isConfirmed()) << rig.logText();
+        EXPECT_FALSE(rig.heats());
     }
 }
 
