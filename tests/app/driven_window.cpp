@@ -1,5 +1,5 @@
-// The window as a process of its own that runs the experiment which it is given, as a person would: reset,
-// arm, start. It goes on until it is ended.
+// The window as a process of its own that runs the experiment which it is given, as a person would: confirm
+// the robot's place, reset, arm, start. It goes on until it is ended.
 
 #include "app/main_window.h"
 #include "widgets/common/theme.h"
@@ -32,7 +32,9 @@ int main(int argc, char** argv) {
                              said.restart();
                              window.engine().send(command);
                          };
-                         if (snapshot.state == bask::RunState::Fault && snapshot.runId == 0)
+                         if (!snapshot.isPlaceSure)
+                             say(bask::ClearRobotAlarm{});
+                         else if (snapshot.state == bask::RunState::Fault && snapshot.runId == 0)
                              say(bask::Reset{});
                          else if (snapshot.state == bask::RunState::Ready)
                              say(bask::Arm{{}});

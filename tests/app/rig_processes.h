@@ -81,7 +81,9 @@ protected:
     }
     void startEngine(const QStringList& arguments = {}) {
         engine.setProcessChannelMode(QProcess::MergedChannels);
-        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        QProcessEnvironment environment = engine.processEnvironment(); // as a test may have set it
+        if (environment.isEmpty())
+            environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("BASK_SETTINGS_DIR"), m_folder.path());
         engine.setProcessEnvironment(environment);
         engine.start(QStringLiteral(BASK_PROGRAM),
