@@ -1,13 +1,16 @@
-// The window as a process of its own that runs the experiment which it is given, as a person would: confirm
-// the robot's place, reset, arm, start. It goes on until it is ended.
+// The window as a process of its own that runs the experiment which it is given, as a person would: take its
+// limits, confirm the robot's place, reset, arm, start. It goes on until it is ended.
 
 #include "app/main_window.h"
 #include "widgets/common/theme.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QDir>
 #include <QElapsedTimer>
 #include <QLocale>
+#include <QMessageBox>
+#include <QTimer>
 
 namespace {
 
@@ -41,6 +44,14 @@ int main(int argc, char** argv) {
                          else if (snapshot.state == bask::RunState::Armed)
                              say(bask::Start{true});
                      });
+    QTimer answering; // the file allows the rig more than Bask does by itself
+    QObject::connect(&answering, &QTimer::timeout, &window, [&] {
+        for (auto* box : window.findChildren<QMessageBox*>(QStringLiteral("limitsOfFile")))
+            for (QAbstractButton* button : box->buttons())
+                if (box->isVisible() && box->buttonRole(button) == QMessageBox::AcceptRole)
+                    button->click();
+    });
+    answering.start(kBetween_ms);
     window.show();
     window.begin(QString::fromLocal8Bit(argv[1]));
     return QApplication::exec();
