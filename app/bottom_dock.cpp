@@ -1,6 +1,7 @@
 #include "app/bottom_dock.h"
 
 #include "app/error_text.h"
+#include "engine/base/notice.h"
 #include "widgets/common/alarm_list.h"
 #include "widgets/common/event_list.h"
 #include "widgets/common/theme.h"
@@ -16,7 +17,6 @@
 namespace bask {
 namespace {
 
-constexpr int kLeastUrgentInFront = 2;
 constexpr int kRecipeHeight = 230;
 
 } // namespace
@@ -97,7 +97,7 @@ void BottomDock::apply(const Snapshot& snapshot) {
 
 void BottomDock::takeAlarms(const std::vector<Alarm>& alarms) {
     const bool isUrgent = std::ranges::any_of(alarms, [this](const Alarm& alarm) {
-        return !alarm.isAcknowledged && alarm.priority <= kLeastUrgentInFront &&
+        return !alarm.isAcknowledged && !isNotice(alarm.message.code) &&
                std::ranges::none_of(m_alarms, [&](const Alarm& known) {
                    return known.id == alarm.id && known.count == alarm.count;
                });

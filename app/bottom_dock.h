@@ -15,7 +15,7 @@ class AlarmList;
 class EventList;
 class RecipePanel;
 
-/// Object names: "eventDock", its tabs "dockTabs". A new alarm of priority 1 or 2 brings its tab to the
+/// Object names: "eventDock", its tabs "dockTabs". A new alarm that is no notice brings its tab to the
 /// front; the keyboard stays where it is.
 class BottomDock : public QDockWidget {
     Q_OBJECT

@@ -1,5 +1,6 @@
 #include "app/horn.h"
 
+#include "engine/base/notice.h"
 #include "widgets/common/alarm_groups.h"
 
 #include <QApplication>
@@ -9,15 +10,10 @@
 namespace bask {
 namespace {
 
-constexpr int kLeastUrgentHeard = 2;
+constexpr int kHeardOnce = 3; ///< priority
 
-/// 0: none.
-int callingPriority(const std::vector<Alarm>& alarms) {
-    int gravest = 0;
-    for (const AlarmGroup& group : groupAlarms(alarms).present)
-        if (group.isActive() && !group.alarm.isAcknowledged && group.alarm.priority <= kLeastUrgentHeard)
-            gravest = gravest == 0 ? group.alarm.priority : std::min(gravest, group.alarm.priority);
-    return gravest;
+bool calls(const AlarmGroup& group) {
+    return group.isActive() && !group.alarm.isAcknowledged && !isNotice(group.alarm.message.code);
 }
 
 } // namespace
@@ -33,8 +29,19 @@ void Horn::setMode(HornMode mode) {
 
 void Horn::apply(const Snapshot& snapshot) {
     m_isSimulated = snapshot.simulated;
-    m_priority = callingPriority(snapshot.alarms);
-    update();
+    m_priority = 0;
+    std::set<std::pair<std::uint64_t, int>> once;
+    for (const AlarmGroup& group : groupAlarms(snapshot.alarms).present) {
+        if (!calls(group))
+            continue;
+        const Alarm& alarm = group.alarm;
+        m_priority = m_priority == 0 ? alarm.priority : std::min(m_priority, alarm.priority);
+        if (alarm.priority == kHeardOnce)
+            once.emplace(alarm.id, alarm.count);
+    }
+    const bool isNew = !std::ranges::includes(m_once, once);
+    m_once = std::move(once);
+    update(isNew);
 }
 
 void Horn::setAnswering(bool answering) {
@@ -43,11 +50,15 @@ void Horn::setAnswering(bool answering) {
     update();
 }
 
-void Horn::update() {
+void Horn::update(bool once) {
     const bool isOn = m_mode == HornMode::Always || (m_mode == HornMode::RealRig && !m_isSimulated);
     const int priority = m_isAnswering ? m_priority : 1;
-    if (!isOn || priority == 0)
-        return m_again.stop();
+    if (!isOn || priority == 0 || priority == kHeardOnce) {
+        m_again.stop();
+        if (isOn && once)
+            m_sound();
+        return;
+    }
     const int every_ms = priority == 1 ? kGrave_ms : kLesser_ms;
     if (m_again.isActive() && m_again.interval() == every_ms)
         return;

@@ -6,15 +6,18 @@
 #include <QObject>
 #include <QTimer>
 
+#include <cstdint>
 #include <functional>
+#include <set>
+#include <utility>
 
 namespace bask {
 
 /// When the horn sounds.
 enum class HornMode { Off, RealRig, Always };
 
-/// Priority 1 every kGrave_ms, priority 2 every kLesser_ms, priority 3 never. An engine that does not answer
-/// sounds like priority 1, kUnanswered times: there is nothing to acknowledge.
+/// Priority 1 every kGrave_ms, priority 2 every kLesser_ms, priority 3 once, a notice never. An engine that
+/// does not answer sounds like priority 1, kUnanswered times: there is nothing to acknowledge.
 class Horn : public QObject {
     Q_OBJECT
 
@@ -35,13 +38,14 @@ public:
     bool isSounding() const { return m_again.isActive(); }
 
 private:
-    void update();
+    void update(bool once = false);
     void sound();
 
     HornMode m_mode = HornMode::RealRig;
     bool m_isSimulated = true;
     bool m_isAnswering = true;
-    int m_priority = 0; ///< of the gravest that calls; 0: none
+    int m_priority = 0;                             ///< of the gravest that calls; 0: none
+    std::set<std::pair<std::uint64_t, int>> m_once; ///< those of priority 3 that called, by id and count
     int m_unanswered = 0;
     std::function<void()> m_sound;
     QTimer m_again;

@@ -1,6 +1,7 @@
 #include "engine/base/message.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/notice.h"
 #include "engine/base/result.h"
 
 #include <algorithm>
@@ -353,17 +354,12 @@ MessageCode messageCodeFromName(const std::string& name) {
     return it == std::end(kMessages) ? MessageCode::None : it->code;
 }
 
+// By what happens if nobody does anything, and how soon: EEMUA 191.
 int alarmPriority(MessageCode code) {
     switch (code) {
-    case MessageCode::ReasonSensorStale:
-    case MessageCode::ReasonSensorInvalid:
-    case MessageCode::ReasonSourcePoseLost:
     case MessageCode::ReasonRobotLost:
     case MessageCode::ReasonSourceLost:
-    case MessageCode::ReasonRecorderFailed:
     case MessageCode::ReasonInternalFault:
-    case MessageCode::ReasonEmergencyStop:
-    case MessageCode::EventEmergencyStop:
     case MessageCode::LinkNotOpened:
     case MessageCode::LinkLost:
     case MessageCode::LinkStuck:
@@ -372,6 +368,17 @@ int alarmPriority(MessageCode code) {
     case MessageCode::DeviceExchanged:
     case MessageCode::DeviceException:
     case MessageCode::RobotOpening:
+    case MessageCode::RobotDoesNotMove:
+    case MessageCode::SafetyObjectHot:
+    case MessageCode::SafetySourceHot:
+    case MessageCode::SafetySourceHeatsUnasked:
+    case MessageCode::SafetySourceNotCooling:
+    case MessageCode::SafetyHeatNotOff:
+    case MessageCode::SafetyHeatByHand:
+        return 1;
+    case MessageCode::ReasonEmergencyStop:
+    case MessageCode::EventEmergencyStop:
+    case MessageCode::DeviceAnswersWrong:
     case MessageCode::RobotAlarm:
     case MessageCode::RobotRefused:
     case MessageCode::RobotRestarted:
@@ -381,36 +388,39 @@ int alarmPriority(MessageCode code) {
     case MessageCode::RobotStepOutside:
     case MessageCode::RobotElsewhere:
     case MessageCode::RobotSlow:
-    case MessageCode::RobotDoesNotMove:
+    case MessageCode::HeaterGuardMissing:
+    case MessageCode::HeaterGuardTookOver:
+    case MessageCode::HeaterGuardLost:
+    case MessageCode::SafetyObjectWarm:
+    case MessageCode::SafetySourceSilent:
+    case MessageCode::SafetySourceCold:
+    case MessageCode::SafetySourceUnit:
+    case MessageCode::SafetySuspended:
+    case MessageCode::SafetyDiskLow:
+        return 2;
+    case MessageCode::ReasonSensorStale:
+    case MessageCode::ReasonSensorInvalid:
+    case MessageCode::ReasonSourcePoseLost:
+    case MessageCode::ReasonRecorderFailed:
     case MessageCode::SafetyStartUp:
-    case MessageCode::SafetyObjectHot:
-    case MessageCode::SafetySourceHot:
     case MessageCode::SafetySensorOpen:
     case MessageCode::SafetySensorShort:
     case MessageCode::SafetySensorFrozen:
     case MessageCode::SafetySensorJump:
     case MessageCode::SafetyNotWarming:
     case MessageCode::SafetySourceNotHeating:
-    case MessageCode::SafetySourceHeatsUnasked:
     case MessageCode::SafetySetPointOther:
-    case MessageCode::SafetySourceSilent:
-    case MessageCode::SafetyHeatNotOff:
-    case MessageCode::SafetyHeatByHand:
-    case MessageCode::SafetySourceNotCooling:
     case MessageCode::SafetySourceStopped:
-    case MessageCode::HeaterGuardMissing:
-    case MessageCode::HeaterGuardTookOver:
-    case MessageCode::HeaterGuardLost:
-    case MessageCode::SafetySourceCold:
-    case MessageCode::SafetySourceUnit:
-    case MessageCode::SafetySuspended:
-        return 1;
-    case MessageCode::SafetyObjectWarm:
+        return 3;
+    default:
+        return isNotice(code) ? 3 : 0;
+    }
+}
+
+bool isNotice(MessageCode code) {
+    switch (code) {
     case MessageCode::SafetySensorsApart:
-    case MessageCode::SafetyDiskLow:
     case MessageCode::SafetyNoWatchdog:
-    case MessageCode::DeviceAnswersWrong:
-        return 2;
     case MessageCode::SafetyLoopLate:
     case MessageCode::SafetySensorQuiet:
     case MessageCode::EventCompromise:
@@ -423,9 +433,9 @@ int alarmPriority(MessageCode code) {
     case MessageCode::TargetsTooClose:
     case MessageCode::TargetsSurfacesApart:
     case MessageCode::TargetsNoPose:
-        return 3;
+        return true;
     default:
-        return 0;
+        return false;
     }
 }
 

@@ -1,6 +1,7 @@
 #include "engine/recipe/recipe_runner.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/notice.h"
 
 #include <algorithm>
 #include <array>
@@ -13,7 +14,6 @@ constexpr double kReadyWithin_s = 60.0;
 constexpr int kFillingWindows = 4; ///< of the rate estimator: readings drop out
 constexpr double kArmed_s = 1.0;   ///< the readings are fresh again after the session file was made
 constexpr double kStoppedWithin_s = 600.0;
-constexpr int kLeastUrgent = 2; ///< priority of alarms that end a recipe
 
 bool isAtRest(RunState state) {
     return state == RunState::Idle || state == RunState::NotReady || state == RunState::Ready ||
@@ -320,12 +320,10 @@ bool RecipeRunner::isReached(const TraceSample& sample, double time_s) {
 /// Also one that is over again: the load of the next experiment takes an alarm's cause out of sight.
 const Alarm* RecipeRunner::newAlarm(const Snapshot& snapshot) const {
     const auto isAllowed = [this](MessageCode code) {
-        return code == MessageCode::SafetyNoWatchdog || // the rig's "unattended_heat" says so
-               (m_phase == Phase::Load && isNotThereYet(code));
+        return isNotice(code) || (m_phase == Phase::Load && isNotThereYet(code));
     };
     const auto it = std::ranges::find_if(snapshot.alarms, [&](const Alarm& alarm) {
-        return alarm.priority <= kLeastUrgent && !m_knownAlarms.contains({alarm.id, alarm.count}) &&
-               !isAllowed(alarm.message.code);
+        return !m_knownAlarms.contains({alarm.id, alarm.count}) && !isAllowed(alarm.message.code);
     });
     return it == snapshot.alarms.end() ? nullptr : &*it;
 }

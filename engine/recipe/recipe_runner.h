@@ -37,7 +37,7 @@ enum class RecipeEnd {
     StepFailed, ///< some step was not reached or failed, all others are done or not begun
     Stopped,    ///< as asked for by stopNow or stopAfterStep
     TakenOver,  ///< a person held or stopped the run, or loaded something else
-    Alarm,      ///< of priority 1 or 2
+    Alarm,      ///< that is no notice
     Fault,
 };
 

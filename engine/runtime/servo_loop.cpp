@@ -598,7 +598,10 @@ std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
         out.push_back({std::move(key), message, priority, cause ? alarmKey(*cause, m_experiment) : ""});
     };
     for (const Latched& fault : m_faults)
-        add(fault.key, newest(fault), std::max(1, alarmPriority(fault.message.code)), fault.finding);
+        add(fault.key, newest(fault),
+            fault.finding ? safetyRow(fault.finding->condition).priority
+                          : std::max(1, alarmPriority(fault.message.code)),
+            fault.finding);
     for (const SafetyFinding& finding : m_safety.active())
         add(alarmKey(finding, m_experiment), finding.message, safetyRow(finding.condition).priority, finding);
     if (!m_compromise.empty() && running())

@@ -1,5 +1,6 @@
 #include "app/horn.h"
 #include "app/settings_store.h"
+#include "engine/base/message_code.h"
 #include "tests/support/wait_for.h"
 
 #include <gtest/gtest.h>
@@ -56,12 +57,27 @@ TEST(Horn, IsSilentForWhatDoesNotCall) {
     cause.isAcknowledged = true;
     follows.key = "b";
     follows.cause = "a";
-    for (const std::vector<Alarm>& alarms : {std::vector{over}, {shelved}, {calling(3)}, {cause, follows}}) {
+    Alarm notice = calling(3);
+    notice.message.code = MessageCode::SafetyLoopLate;
+    for (const std::vector<Alarm>& alarms : {std::vector{over}, {shelved}, {notice}, {cause, follows}}) {
         Heard heard;
         heard.tell(alarms);
         EXPECT_EQ(heard.times, 0);
         EXPECT_FALSE(heard.horn.isSounding());
     }
+}
+
+// Catches: a run that ended beside a person who looked elsewhere, or a bell without an end for what has time.
+TEST(Horn, OfPriorityThreeSoundsOnce) {
+    Heard heard;
+    for (int i = 0; i < 5; ++i)
+        heard.tell({calling(3)});
+    EXPECT_EQ(heard.times, 1);
+    EXPECT_FALSE(heard.horn.isSounding());
+    Alarm again = calling(3);
+    again.count = 2;
+    heard.tell({again});
+    EXPECT_EQ(heard.times, 2);
 }
 
 // Catches: a horn that people switch off because it sounds at every trial on the simulated rig.

@@ -105,7 +105,7 @@ TEST_F(RunReport, HasEverySectionAndTellsTheNumbers) {
     EXPECT_TRUE(text.contains("SIMULATED"));
     EXPECT_TRUE(text.contains("All objects settled."));
     EXPECT_TRUE(text.contains("The sensor of \"right\"")) << text.toStdString();
-    EXPECT_TRUE(text.contains("alarm, priority 1"));
+    EXPECT_TRUE(text.contains("alarm, priority 3"));
     for (const char* command : {"Arm: surroundings 24.82 °C; offsets of the sensors +0.07 K, "
                                 "\u22120.13 K; zeroed 2026-11-23 09:27:14 UTC",
                                 "\nStart\n", "Targets: 40.00 °C, 47.50 °C",

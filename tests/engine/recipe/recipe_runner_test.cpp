@@ -305,7 +305,7 @@ TEST_F(Runner, aNewAlarmStopsTheRunAndEndsIt) {
     raise(1); // from before: a person has let it be
     begin({first, run("b")});
     start();
-    raise(3); // a notice
+    raise(3, MessageCode::SafetyLoopLate); // a notice
     EXPECT_EQ(sample(1.0, 0.0), "");
     raise(2);
     EXPECT_EQ(sample(2.0, 0.0), "stop");
@@ -318,7 +318,7 @@ TEST_F(Runner, aNewAlarmStopsTheRunAndEndsIt) {
     start();
     sample(100.0, 0.0);
     take(RunState::Stopped);
-    raise(1);
+    raise(3, MessageCode::SafetySensorOpen);
     EXPECT_EQ(take(RunState::Stopped, 100.0), "");
     EXPECT_EQ(runner->end(), RecipeEnd::Alarm);
 }
@@ -399,7 +399,7 @@ TEST_F(Runner, anAlarmWhileTheNextIsLoadedEndsIt) {
     begin({run("a"), run("b")});
     load();
     raise(1, MessageCode::LinkLost); // not there yet
-    raise(2, MessageCode::SafetyNoWatchdog);
+    raise(3, MessageCode::SafetyNoWatchdog);
     EXPECT_EQ(take(RunState::NotReady), "");
     EXPECT_EQ(take(RunState::Ready), "arm");
     take(RunState::Armed);
