@@ -18,7 +18,10 @@ namespace {
 constexpr double kReadyWithin_s = 60.0;
 constexpr double kStoppedWithin_s = 120.0; ///< of a retreat that does not move any more
 constexpr double kBetweenResets_s = 1.0;
-constexpr double kArmed_s = 1.0; // the readings are fresh again after the session file was made
+constexpr double kArmed_s = 1.0;     // the readings are fresh again after the session file was made
+constexpr double kCooled_K = 2.0;    // by this a source is seen to be off
+constexpr double kHandWarm_K = 30.0; // over the room: it need not be seen to cool
+constexpr double kSilent_s = 10.0;   // nothing more is learnt from a source that tells nothing
 constexpr int kLook_ms = 20;
 
 /// One step of the way for each snapshot.
@@ -53,7 +56,7 @@ public:
     }
 
 private:
-    enum class Wish { Arm, Start, Run, End };
+    enum class Wish { Arm, Start, Run, End, Watch };
 
     /// With what it tells last.
     void endEngine() {
@@ -99,8 +102,8 @@ private:
             return;
         case RunState::Stopped: // also by the engine itself
             if (m_wish == Wish::End || (m_wish == Wish::Run && m_hasBegun))
-                over();
-            return;
+                m_wish = Wish::Watch;
+            return watch(snapshot);
         default:
             return;
         }
@@ -117,7 +120,8 @@ private:
     void faulted(const Snapshot& snapshot) {
         if (m_wish != Wish::Arm) {
             m_outcome.fault = true;
-            return over();
+            m_wish = Wish::Watch;
+            return watch(snapshot);
         }
         if (const auto order = m_place.next(snapshot))
             return post(*order);
@@ -134,6 +138,23 @@ private:
         }
     }
 
+    /// A register that says "off" is no proof: after a run the source is watched until it is seen to cool,
+    /// and a retreat that is announced until it is over. One that does not cool is the engine's alarm.
+    void watch(const Snapshot& snapshot) {
+        if (m_wish != Wish::Watch || snapshot.pending)
+            return;
+        const bool isTold = snapshot.source_K && snapshot.sourceAge_s < kSilent_s && !snapshot.isSourceByHand;
+        const bool heats = std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
+            return alarm.isActive && (alarm.message.code == MessageCode::SafetySourceHeatsUnasked ||
+                                      alarm.message.code == MessageCode::SafetySourceNotCooling);
+        });
+        if (isTold)
+            m_hottest_K = std::max(m_hottest_K, *snapshot.source_K);
+        if (!isTold || heats || *snapshot.source_K <= m_hottest_K - kCooled_K ||
+            *snapshot.source_K <= m_experiment.environment_K + kHandWarm_K)
+            over();
+    }
+
     void go(Wish wish, const Command& command) {
         m_wish = wish;
         post(command);
@@ -145,6 +166,10 @@ private:
 
     void obey(int count) {
         const bool isBefore = m_wish == Wish::Arm || m_wish == Wish::Start;
+        if (m_wish == Wish::Watch && count > m_stops) // a person looks after it
+            return over();
+        if (m_wish != Wish::Watch)
+            m_stops = count;
         if (count >= 1 && isBefore) { // the end makes the rig safe
             m_outcome.fault = true;
             over();
@@ -212,6 +237,8 @@ private:
     Vector6d m_retreatFrom = Vector6d::Zero();
     double m_began_s = SteadyClock().now_s();
     double m_reset_s = -HUGE_VAL, m_stopped_s = 0.0;
+    double m_hottest_K = 0.0; ///< of the source, since the run is over
+    int m_stops = 0;          ///< signals until then
     std::optional<double> m_armed_s;
     std::vector<double> m_withinSince_s; ///< infinite: outside of the band
     TraceSample m_sample;

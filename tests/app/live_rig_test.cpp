@@ -62,4 +62,16 @@ TEST_F(LiveRigTest, anInterruptStopsAndRetreats) {
     EXPECT_EQ(record->outcome, "stopped");
 }
 
+// Catches a program that is gone when the plate, which says that it is off, heats on.
+TEST_F(LiveRigTest, aPlateThatSaysOffAndHeatsIsToldBeforeTheEnd) {
+    startBench();
+    startEngine();
+    ASSERT_NO_FATAL_FAILURE(waitUntilHeating());
+    sendSignal(engine, SIGINT);
+    ASSERT_TRUE(waitFor([&] { return state().place_m.z() > kAway_m; }, 60000));
+    ASSERT_NO_FATAL_FAILURE(tell("heater stuck-on"));
+    EXPECT_EQ(ended(60000), 1);
+    EXPECT_TRUE(engine.readAll().contains("though its heat is off"));
+}
+
 } // namespace bask::test
