@@ -1197,6 +1197,10 @@
         <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s, sans son bruit habituel : il s’est peut-être arrêté. Voyez s’il suit, ou confirmez-le.</translation>
     </message>
     <message>
+        <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
+        <translation>Un autre Bask fonctionne avec les mêmes réglages. Les alarmes de celui-ci sont conservées dans %1.</translation>
+    </message>
+    <message>
         <source>The sensor of &quot;%1&quot; is confirmed at %2 °C</source>
         <translation>Le capteur de « %1 » est confirmé à %2 °C</translation>
     </message>

@@ -1197,6 +1197,10 @@
         <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值，没有平常的噪声：可能已停止工作。请观察它是否跟随变化，或确认它。</translation>
     </message>
     <message>
+        <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
+        <translation>另一个 Bask 正以相同的设置运行。本程序的报警保存在 %1 中。</translation>
+    </message>
+    <message>
         <source>The sensor of &quot;%1&quot; is confirmed at %2 °C</source>
         <translation>“%1”的传感器已确认为 %2 °C</translation>
     </message>

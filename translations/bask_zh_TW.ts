@@ -1197,6 +1197,10 @@
         <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值，沒有平常的雜訊：可能已停止工作。請觀察它是否跟隨變化，或確認它。</translation>
     </message>
     <message>
+        <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
+        <translation>另一個 Bask 正以相同的設定執行。本程式的警報儲存在 %1 中。</translation>
+    </message>
+    <message>
         <source>The sensor of &quot;%1&quot; is confirmed at %2 °C</source>
         <translation>「%1」的感測器已確認為 %2 °C</translation>
     </message>

@@ -661,10 +661,7 @@ void EngineWorker::hearBackground() {
         if (before->problem)
             tell(before->problem->message);
         if (!before->ownFile.empty())
-            tell({MessageCode::FileUnwritable,
-                  {"another Bask runs with the same settings and keeps its alarms there; those of this one "
-                   "are in " +
-                   before->ownFile}});
+            tell({MessageCode::AlarmsElsewhere, {before->ownFile}});
         m_keeper.keep(m_alarms.all());
     }
     if (const auto failure = m_keeper.takeFailure())
