@@ -48,11 +48,11 @@ Result<std::vector<Experiment>> alarmRigs(AlarmDraw draw) {
 void printFaults(const AlarmSummary& summary) {
     if (summary.faults.empty())
         return;
-    std::printf("%-20s %6s %6s %6s %9s %9s %9s %10s\n", "fault", "draws", "shown", "found", "rate %",
-                "median s", "worst s", "unseen K");
+    std::printf("%-20s %6s %6s %6s %6s %9s %9s %9s %10s\n", "fault", "draws", "shown", "found", "acted",
+                "rate %", "median s", "worst s", "unseen K");
     for (const FaultSummary& fault : summary.faults)
-        std::printf("%-20s %6d %6d %6d %9.1f %9.1f %9.1f %10.1f\n", simulatedFaultName(fault.fault),
-                    fault.draws, fault.shown, fault.found,
+        std::printf("%-20s %6d %6d %6d %6d %9.1f %9.1f %9.1f %10.1f\n", simulatedFaultName(fault.fault),
+                    fault.draws, fault.shown, fault.found, fault.acted,
                     fault.shown > 0 ? 100.0 * fault.found / fault.shown : 100.0, fault.median_s,
                     fault.worst_s, fault.unseen_K);
 }

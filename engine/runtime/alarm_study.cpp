@@ -58,7 +58,7 @@ private:
     // A false trip ends a healthy run. Of a fault that is found what follows within the window counts.
     bool isOver() const {
         return isHealthy() ? m_loop.state() == RunState::Fault
-                           : m_row.found_s && time_s() > m_drawn.fault.time_s + *m_row.found_s + kWindow_s;
+                           : m_row.acted_s && time_s() > m_drawn.fault.time_s + *m_row.acted_s + kWindow_s;
     }
 
     bool begin() {
@@ -126,7 +126,7 @@ private:
     }
 
     void lookAtFault(const std::vector<double>& true_K) {
-        if (!m_isFaulty || m_row.found_s)
+        if (!m_isFaulty || m_row.acted_s)
             return;
         const double now_s = time_s() - m_drawn.fault.time_s;
         const double of_K = true_K[m_drawn.fault.object];
@@ -156,14 +156,14 @@ private:
             m_row.alarms.push_back({time_s(), condition.priority, messageName(condition.message.code),
                                     describe(condition.message),
                                     isHealthy() && !isTrue(condition.message, true_K)});
-            if (m_isFaulty && !m_row.found_s && isOfFault(condition.message))
-                m_isTold = true;
+            if (m_isFaulty && !m_row.told_s && isOfFault(condition.message))
+                m_row.told_s = time_s() - m_drawn.fault.time_s;
         }
         m_present = std::move(present);
         // Told, and something is done about it: the run holds or ends, or it had ended.
-        if (m_isTold && !m_row.found_s && m_loop.state() != RunState::Running &&
+        if (m_row.told_s && !m_row.acted_s && m_loop.state() != RunState::Running &&
             m_loop.state() != RunState::Settled)
-            m_row.found_s = time_s() - m_drawn.fault.time_s;
+            m_row.acted_s = time_s() - m_drawn.fault.time_s;
     }
 
     void lookAtRun() {
@@ -207,7 +207,7 @@ private:
     std::size_t m_next = 0;
     std::vector<double> m_again; ///< targets of the run after a stopped one
     bool m_isHeldByPerson = false, m_isEndedByPerson = false;
-    bool m_isFaulty = false, m_isTold = false;
+    bool m_isFaulty = false;
     double m_frozen_K = 0.0;
     std::set<std::string> m_present; ///< alarms by key
 };
@@ -236,13 +236,15 @@ int mostInWindow(const std::vector<RaisedAlarm>& alarms) {
 void add(FaultSummary& summary, const AlarmRow& row, std::vector<double>& delays_s) {
     ++summary.draws;
     summary.overTrip_K = std::max(summary.overTrip_K, row.overTrip_K);
-    summary.shown += row.shown_s || row.found_s;
-    if (!row.found_s) {
+    const auto found_s = row.drawn.fault.fault == SimulatedFault::SensorFrozen ? row.told_s : row.acted_s;
+    summary.shown += row.shown_s || found_s;
+    summary.acted += row.acted_s.has_value();
+    if (!found_s) {
         summary.unseen_K = std::max(summary.unseen_K, row.unseen_K);
         return;
     }
     ++summary.found;
-    delays_s.push_back(row.shown_s ? std::max(0.0, *row.found_s - *row.shown_s) : 0.0);
+    delays_s.push_back(row.shown_s ? std::max(0.0, *found_s - *row.shown_s) : 0.0);
 }
 
 } // namespace
@@ -311,13 +313,15 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmRow>& rows)
         "# Bask alarm study: runs at random on the simulated rig, their alarms against what is true, seed " +
         std::to_string(study.seed) +
         ".\n"
-        "# Times since the first Start. shown_s, found_s: since the fault began; shown: its sensor is " +
+        "# Times since the first Start. shown_s, told_s, acted_s: since the fault began; shown: its sensor "
+        "is " +
         decimal(kAlarmShown_K) +
         " K from its object (frozen, off), the object over its warning limit, else at once;\n"
-        "# found: an alarm tells it and the run holds or has ended. over_trip_K: hottest true temperature "
+        "# told: an alarm is of it; acted: and the run holds or has ended. over_trip_K: hottest true "
+        "temperature "
         "over its object's trip limit. false: alarms that state what is not so.\n"
         "run,simulated_s,controller,objects,source_degC,source_model,noise_K,lag_s,convection_W_m2K,fault,"
-        "object,fault_s,shown_s,found_s,unseen_K,tripped,false,over_trip_K,over_target_K,alarms\n";
+        "object,fault_s,shown_s,told_s,acted_s,unseen_K,tripped,false,over_trip_K,over_target_K,alarms\n";
     for (std::size_t k = 0; k < rows.size(); ++k) {
         const AlarmRow& row = rows[k];
         const Experiment& e = row.drawn.experiment;
@@ -339,8 +343,9 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmRow>& rows)
             (isFaulty && isOfObject(row.drawn.fault.fault) ? inQuotes(e.objects[row.drawn.fault.object].name)
                                                            : std::string()) +
             ',' + (isFaulty ? decimal(row.drawn.fault.time_s) : std::string()) + ',' + optional(row.shown_s) +
-            ',' + optional(row.found_s) + ',' + decimal(row.unseen_K) + ',' + (row.isTripped ? '1' : '0') +
-            ',' + std::to_string(std::ranges::count_if(row.alarms, &RaisedAlarm::isFalse)) + ',' +
+            ',' + optional(row.told_s) + ',' + optional(row.acted_s) + ',' + decimal(row.unseen_K) + ',' +
+            (row.isTripped ? '1' : '0') + ',' +
+            std::to_string(std::ranges::count_if(row.alarms, &RaisedAlarm::isFalse)) + ',' +
             decimal(row.overTrip_K) + ',' + decimal(row.overTarget_K) + ',' + inQuotes(alarms) + '\n';
     }
     return text;

@@ -42,7 +42,8 @@ struct AlarmRow {
     double overTrip_K = -1e9;        ///< hottest true temperature over its object's trip limit
     double overTarget_K = -1e9;      ///< and over its target
     std::optional<double> shown_s{}; ///< when the fault showed itself, since its beginning
-    std::optional<double> found_s{}; ///< when an alarm told it and the run was held or ended
+    std::optional<double> told_s{};  ///< when the first alarm was of it, since then too
+    std::optional<double> acted_s{}; ///< when an alarm told it and the run was held or ended
     double unseen_K = 0.0;           ///< farthest that the faulty sensor was from its object until then
     std::string refusal;             ///< a run that could not be begun, in words
 };
@@ -58,7 +59,8 @@ struct FaultSummary {
     SimulatedFault fault = SimulatedFault::None;
     int draws = 0;
     int shown = 0; ///< those that showed themselves, or were found
-    int found = 0;
+    int found = 0; ///< told and acted on; of a frozen sensor told, since a rest gives no more to know
+    int acted = 0; ///< runs that were held or ended by it
     double median_s = 0.0, worst_s = 0.0; ///< of those found, since they showed themselves
     double unseen_K = 0.0;                ///< worst, of those that were not found
     double overTrip_K = -1e9;
