@@ -1197,6 +1197,10 @@
         <translation>Le capteur de « %1 » donne exactement la même valeur depuis %2 s, sans son bruit habituel : il s’est peut-être arrêté. Voyez s’il suit, ou confirmez-le.</translation>
     </message>
     <message>
+        <source>The temperature of &quot;%1&quot; has changed by %2 K in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
+        <translation>La température de « %1 » a changé de %2 K en %3 s, ce qu’aucune chaleur ni perte n’explique : son capteur est peut-être décollé, ou quelque chose touche l’objet. Le chauffage est coupé. Vérifier, puis réinitialiser.</translation>
+    </message>
+    <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
         <translation>Un autre Bask fonctionne avec les mêmes réglages. Les alarmes de celui-ci sont conservées dans %1.</translation>
     </message>

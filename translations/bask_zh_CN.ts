@@ -1197,6 +1197,10 @@
         <translation>“%1”的传感器在 %2 s 内一直给出完全相同的值，没有平常的噪声：可能已停止工作。请观察它是否跟随变化，或确认它。</translation>
     </message>
     <message>
+        <source>The temperature of &quot;%1&quot; has changed by %2 K in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
+        <translation>“%1”的温度在 %3 s 内变化了 %2 K，任何加热或散热都无法解释：其传感器可能已脱落，或有东西接触物体。加热已关闭。请检查，然后复位。</translation>
+    </message>
+    <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
         <translation>另一个 Bask 正以相同的设置运行。本程序的报警保存在 %1 中。</translation>
     </message>

@@ -1197,6 +1197,10 @@
         <translation>「%1」的感測器在 %2 s 內一直給出完全相同的值，沒有平常的雜訊：可能已停止工作。請觀察它是否跟隨變化，或確認它。</translation>
     </message>
     <message>
+        <source>The temperature of &quot;%1&quot; has changed by %2 K in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.</source>
+        <translation>「%1」的溫度在 %3 s 內變化了 %2 K，任何加熱或散熱都無法解釋：其感測器可能已脫落，或有東西接觸物體。加熱已關閉。請檢查，然後復歸。</translation>
+    </message>
+    <message>
         <source>Another Bask runs with the same settings. The alarms of this one are kept in %1.</source>
         <translation>另一個 Bask 正以相同的設定執行。本程式的警報儲存在 %1 中。</translation>
     </message>

@@ -309,6 +309,7 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(HeaterGuardLost, QT_TRANSLATE_NOOP("Message", "The heater's guard process has ended; Bask has taken the port back and switches the heat off. Reset starts a new guard.")),
     Entry BASK_MESSAGE(ReasonSensorDistrusted, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" reads %2 °C, but by the heat since it was right its object has %3 to %4 °C. Look whether it is on its object, then confirm it.")),
     Entry BASK_MESSAGE(SafetySensorQuiet, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" has given the very same value for %2 s, without its usual noise: it may have stopped. Watch whether it follows, or confirm it.")),
+    Entry BASK_MESSAGE(SafetyBeyondHeat, QT_TRANSLATE_NOOP("Message", "The temperature of \"%1\" has changed by %2 K in %3 s, which no heat or loss explains: its sensor may be off, or something touches the object. The heat is off. Check, then reset.")),
     Entry BASK_MESSAGE(AlarmsElsewhere, QT_TRANSLATE_NOOP("Message", "Another Bask runs with the same settings. The alarms of this one are kept in %1.")),
     Entry BASK_MESSAGE(EventSensorConfirmed, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" is confirmed at %2 °C")),
     Entry BASK_MESSAGE(SafetySourceCold, QT_TRANSLATE_NOOP("Message", "The heat source tells %1 °C, more than %3 K below the room's %2 °C: it may count in another unit (°C, °F) than its profile says, or its sensor is wrong. It is not heated. Set both alike, then reset.")),
@@ -409,6 +410,7 @@ int alarmPriority(MessageCode code) {
     case MessageCode::SafetySensorFrozen:
     case MessageCode::SafetySensorJump:
     case MessageCode::SafetyNotWarming:
+    case MessageCode::SafetyBeyondHeat:
     case MessageCode::SafetySourceNotHeating:
     case MessageCode::SafetySetPointOther:
     case MessageCode::SafetySourceStopped:

@@ -303,6 +303,7 @@ enum class MessageCode : int {
     HeaterGuardLost,          ///< no args
     ReasonSensorDistrusted,   ///< %1 object, %2 degC, %3 degC least, %4 degC most
     SafetySensorQuiet,        ///< %1 object, %2 s
+    SafetyBeyondHeat,         ///< %1 object, %2 K, %3 s
     AlarmsElsewhere,          ///< %1 file of the second Bask
     EventSensorConfirmed,     ///< %1 object, %2 degC
     SafetySourceCold,         ///< %1 degC, %2 degC, %3 K

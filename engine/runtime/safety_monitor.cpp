@@ -266,16 +266,19 @@ void SafetyMonitor::addWarming(std::size_t i, const SafetyObservation& seen) {
     if (watch.frozenAt_K || !isHeated)
         return;
     const double same_s = watch.warming.sameFor_s();
-    if (same_s >= m_experiment.safety.frozen_s && watch.warming.unfollowedWhileSame(kWhileSame_K)) {
+    if (same_s >= m_experiment.safety.frozen_s &&
+        watch.warming.unfollowedWhileSame(kWhileSame_K, watch.quiet.quietFor_s() > 0.0)) {
         watch.frozenAt_K = object.measured_K;
         watch.frozenSince_s = seen.now_s - same_s;
         add(Condition::SensorFrozen, {MessageCode::SafetySensorFrozen, {name(i), formatNumber(same_s, 3)}},
             i);
-    } else if (const auto& found = watch.warming.unfollowed())
+    } else if (const auto& found = watch.warming.unfollowed()) {
+        const auto words =
+            found->isImpossible ? MessageCode::SafetyBeyondHeat : MessageCode::SafetyNotWarming;
+        const double change_K = found->isImpossible ? found->gained_K : found->expected_K;
         add(Condition::NotWarming,
-            {MessageCode::SafetyNotWarming,
-             {name(i), formatNumber(found->expected_K, 2), formatNumber(found->time_s, 3)}},
-            i);
+            {words, {name(i), formatNumber(change_K, 2), formatNumber(found->time_s, 3)}}, i);
+    }
 }
 
 void SafetyMonitor::addRobot(const SafetyObservation& seen) {

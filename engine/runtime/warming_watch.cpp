@@ -29,12 +29,12 @@ double fourth(double x) {
 WarmingWatch::WarmingWatch(LossRange losses, double environment_K, double least_K)
     : m_losses(losses), m_environment_K(environment_K), m_least_K(least_K),
       m_bin_s(std::clamp(kBinsOfLoss / losses.min_1_s, kLeastBin_s, kBin_s)),
-      m_fits(kLags_s.size() - 1, HeatFit(losses)) {}
+      m_anything(kFits, HeatFit(losses)), m_fits(m_anything) {}
 
 void WarmingWatch::reset() {
     m_bins.clear();
     m_unfollowed.reset();
-    m_fits.assign(kLags_s.size() - 1, HeatFit(m_losses));
+    m_fits = m_anything;
     m_now = {};
     m_learnt = 0;
 }
@@ -97,17 +97,22 @@ void WarmingWatch::add(double time_s, std::optional<double> temperature_K, doubl
         approach(bin.energy_K[k], m_now.energy_K[k]);
 }
 
-HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t lag, double wrong) const {
+HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t fit, double wrong) const {
+    const std::size_t lag = fit / kLaws, law = fit % kLaws;
     const double faster_K = to.energy_K[lag] - from.energy_K[lag];
     const double slower_K = to.energy_K[lag + 1] - from.energy_K[lag + 1];
     const double linear_K_s = to.linear_K_s - from.linear_K_s;
     const double radiated_K_s = to.radiated_K_s - from.radiated_K_s;
+    const auto losses_K_s = [&](std::size_t of) {
+        return linear_K_s + (radiated_K_s - linear_K_s) * static_cast<double>(of) / kLaws;
+    };
     const double room_K =
         m_zeroed_s ? std::min(kRoomUnknown_K, kRoomZeroed_K + kRoomDrift_K_s * (to.time_s - *m_zeroed_s))
                    : kRoomUnknown_K;
     const double room_K_s = room_K * (to.time_s - from.time_s);
     HeatSpan span{std::min(faster_K, slower_K), std::max(faster_K, slower_K),
-                  std::min(linear_K_s, radiated_K_s), std::max(linear_K_s, radiated_K_s)};
+                  std::min(losses_K_s(law), losses_K_s(law + 1)),
+                  std::max(losses_K_s(law), losses_K_s(law + 1))};
     span.minEnergy_K -= wrong * std::abs(span.minEnergy_K);
     span.maxEnergy_K += wrong * std::abs(span.maxEnergy_K);
     span.minLoss_K_s -= wrong * std::abs(span.minLoss_K_s) + room_K_s;
@@ -122,12 +127,12 @@ void WarmingWatch::learn(Fits& fits, std::size_t end) const {
         const Mark &from = m_bins[end - bins], &to = m_bins[end];
         const double readings = std::min(from.count, to.count);
         const double tolerance_K = kTolerance_K + kToleranceTimes * m_noise_K * std::sqrt(2.0 / readings);
-        for (std::size_t lag = 0; lag < fits.size(); ++lag)
-            fits[lag].learn(span(from, to, lag, kWrongThen), to.temperature_K - from.temperature_K,
+        for (std::size_t fit = 0; fit < fits.size(); ++fit)
+            fits[fit].learn(span(from, to, fit, kWrongThen), to.temperature_K - from.temperature_K,
                             tolerance_K);
     }
     if (std::ranges::all_of(fits, &HeatFit::isEmpty)) // the model has failed: anew
-        fits.assign(kLags_s.size() - 1, HeatFit(m_losses));
+        fits = m_anything;
 }
 
 // A bin is full: the newest are judged, and what has become old enough is learnt from.
@@ -136,9 +141,10 @@ void WarmingWatch::judge() {
     if (m_bins.empty())
         return;
     for (const Mark& from : m_bins)
-        if (const auto found = worst(m_fits, from, m_least_K);
-            found && (!m_unfollowed || std::abs(found->expected_K) > std::abs(m_unfollowed->expected_K)))
-            m_unfollowed = found;
+        for (const auto& found : {worst(m_fits, from, m_least_K, kWrongNow), impossible(from)})
+            if (found &&
+                (!m_unfollowed || std::abs(found->missing_K()) > std::abs(m_unfollowed->missing_K())))
+                m_unfollowed = found;
     const bool isResting = sameFor_s() > kResting_s;
     for (; m_learnt < m_bins.size() && m_bins[m_learnt].time_s < m_now.time_s - kJudged_s; ++m_learnt)
         if (!m_unfollowed && !(isResting && m_bins[m_learnt].time_s > m_same.time_s))
@@ -153,12 +159,18 @@ double WarmingWatch::sameFor_s() const {
     return m_now.count > 0 ? m_now.time_s - m_same.time_s : 0.0;
 }
 
-std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from, double least_K) const {
+HeatFit::Change WarmingWatch::expected(const Fits& fits, const Mark& from, double wrong) const {
     HeatFit::Change change{1e300, -1e300};
-    for (std::size_t lag = 0; lag < fits.size(); ++lag) {
-        const HeatFit::Change byOne = fits[lag].expected(span(from, m_now, lag, kWrongNow));
+    for (std::size_t fit = 0; fit < fits.size(); ++fit) {
+        const HeatFit::Change byOne = fits[fit].expected(span(from, m_now, fit, wrong));
         change = {std::min(change.min_K, byOne.min_K), std::max(change.max_K, byOne.max_K)};
     }
+    return change;
+}
+
+std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from, double least_K,
+                                              double wrong) const {
+    const HeatFit::Change change = expected(fits, from, wrong);
     const double expected_K = change.min_K > 0.0 ? change.min_K : change.max_K < 0.0 ? change.max_K : 0.0;
     const double gained_K = m_now.temperature_K - from.temperature_K;
     const bool follows = gained_K * expected_K >= kLeastShare * expected_K * expected_K;
@@ -167,15 +179,26 @@ std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from
     return Unfollowed{expected_K, gained_K, m_now.time_s - from.time_s};
 }
 
+/// It fell by more than any rates explain: also by little, as a sensor that comes off and cools slowly. What
+/// rises so has its limits.
+std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
+    const HeatFit::Change change = expected(m_anything, from, kWrongNow);
+    const double gained_K = m_now.temperature_K - from.temperature_K;
+    if (gained_K > change.min_K - m_least_K - kNoiseTimes * m_noise_K)
+        return std::nullopt;
+    return Unfollowed{change.min_K, gained_K, m_now.time_s - from.time_s, true};
+}
+
 // Up to the first of the same readings all were good: they are learnt from.
-std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K) const {
+std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K, bool isQuiet) const {
+    const double wrong = isQuiet ? 0.0 : kWrongNow;
     Fits fits = m_fits;
     for (std::size_t i = m_learnt; i < m_bins.size() && m_bins[i].time_s <= m_same.time_s; ++i)
         learn(fits, i);
-    std::optional<Unfollowed> found = worst(fits, m_same, least_K);
+    std::optional<Unfollowed> found = worst(fits, m_same, least_K, wrong);
     for (const Mark& from : m_bins)
         if (from.time_s > m_same.time_s)
-            if (const auto since = worst(fits, from, least_K);
+            if (const auto since = worst(fits, from, least_K, wrong);
                 since && (!found || std::abs(since->expected_K) > std::abs(found->expected_K)))
                 found = since;
     return found;

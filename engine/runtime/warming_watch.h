@@ -14,7 +14,9 @@ namespace bask {
 struct Unfollowed {
     double expected_K = 0.0; ///< at least, with its sign
     double gained_K = 0.0;
-    double time_s = 0.0; ///< since when
+    double time_s = 0.0;       ///< since when
+    bool isImpossible = false; ///< no rates explain what came
+    double missing_K() const { return expected_K - gained_K; }
 };
 
 /// Learns from an object's readings by how much the estimate of its heating is wrong and how it loses heat,
@@ -42,12 +44,16 @@ public:
     /// How long the readings have been the very same, s.
     double sameFor_s() const;
     /// The worst of at least least_K since the readings became the same.
-    std::optional<Unfollowed> unfollowedWhileSame(double least_K) const;
+    /// `isQuiet`: the sensor's noise is gone too, and energy and losses are taken as estimated.
+    std::optional<Unfollowed> unfollowedWhileSame(double least_K, bool isQuiet) const;
 
 private:
     static constexpr std::array<double, 7> kLags_s{0.0, 1.0, 2.0, 3.5, 5.0, 8.0, 15.0}; ///< of sensors
-    /// One for each two neighbouring lags, between which that of the sensor may be.
+    /// Of the losses, which lie between the linear law and the fourth power, always as far from the one.
+    static constexpr std::size_t kLaws = 3;
+    /// One for each two neighbouring lags, between which that of the sensor may be, and each law.
     using Fits = std::vector<HeatFit>;
+    static constexpr std::size_t kFits = (kLags_s.size() - 1) * kLaws;
     /// Integrals from the beginning up to a time; of a bin the means over its readings.
     struct Mark {
         double time_s = 0.0;
@@ -58,9 +64,11 @@ private:
     };
     void integrate(double dt_s, double power_K_s);
     /// `wrong`: share by which energy and losses may be others.
-    HeatSpan span(const Mark& from, const Mark& to, std::size_t lag, double wrong) const;
+    HeatSpan span(const Mark& from, const Mark& to, std::size_t fit, double wrong) const;
     void learn(Fits& fits, std::size_t end) const;
-    std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double least_K) const;
+    HeatFit::Change expected(const Fits& fits, const Mark& from, double wrong) const;
+    std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double least_K, double wrong) const;
+    std::optional<Unfollowed> impossible(const Mark& from) const;
     void judge();
 
     LossRange m_losses;
@@ -68,6 +76,7 @@ private:
     std::optional<double> m_zeroed_s{}; ///< when the room's temperature was measured
     double m_least_K;
     double m_bin_s;
+    Fits m_anything; ///< that knows the bounds only
     Fits m_fits;
     std::optional<Unfollowed> m_unfollowed{};
     std::deque<Mark> m_bins; ///< oldest first; the last one is being filled

@@ -44,7 +44,8 @@ struct Object {
             watch.add(t, reading ? reading(t, value) : value, belief * power_K_s(t));
             if (!watch.unfollowed())
                 followed_s = t;
-            if (t - followed_s >= 30.0 || (watch.sameFor_s() >= 30.0 && watch.unfollowedWhileSame(0.5)))
+            if (t - followed_s >= 30.0 ||
+                (watch.sameFor_s() >= 30.0 && watch.unfollowedWhileSame(0.5, false)))
                 return t;
         }
         return std::numeric_limits<double>::infinity();
@@ -110,11 +111,51 @@ TEST(WarmingWatch, FindsASensorThatFreezesOnTheWay) {
         if (t < kFrozen_s)
             kept_K = std::round(T / 0.02) * 0.02;
         watch.add(t, kept_K, power_K_s);
-        if (watch.sameFor_s() >= 5.0 && watch.unfollowedWhileSame(0.5))
+        if (watch.sameFor_s() >= 5.0 && watch.unfollowedWhileSame(0.5, false))
             found_s = t;
     }
     EXPECT_GT(found_s, kFrozen_s + 4.9);
     EXPECT_LT(found_s, kFrozen_s + 14.0);
+}
+
+// Heated three times as fast as believed, it warms at a steady rate, when its sensor stops. Catches rates
+// that would explain the rest at that temperature and were never those of the way there.
+TEST(WarmingWatch, FindsANoisySensorThatStopsWhileItsObjectWarms) {
+    constexpr double kStops_s = 130.0;
+    WarmingWatch watch(LossRange{0.00012, 0.032}, 298.0, SafetySpec().warming_K);
+    watch.restAt(0.0, 298.0);
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> noise(0.0, 0.05);
+    double T = 298.0, kept_K = T, t = 0.0;
+    do {
+        t += 1.0;
+        T += 0.0455 - (T - 298.0) / 4300.0;
+        if (t < kStops_s)
+            kept_K = std::round((T + noise(random)) / 0.01) * 0.01;
+        watch.add(t, kept_K, 0.017);
+    } while (t < 600.0 && !(watch.sameFor_s() >= 30.0 && watch.unfollowedWhileSame(0.5, true)));
+    EXPECT_GT(t, kStops_s + 29.0);
+    EXPECT_LT(t, kStops_s + 200.0);
+}
+
+// Catches a sensor that comes off a slow object which is hardly warm: too slowly for a jump, and no change of
+// more than 2 K was to come.
+TEST(WarmingWatch, FindsASensorThatComesOffAnObjectHardlyWarm) {
+    WarmingWatch watch(LossRange{0.00007, 0.02}, 298.0, SafetySpec().warming_K);
+    watch.restAt(0.0, 298.0);
+    std::mt19937_64 random(3);
+    std::normal_distribution<double> noise(0.0, 0.06);
+    double T = 298.0, felt_K = T;
+    for (double t = 1.0; t < 760.0; t += 1.0) {
+        T += 0.012 - (T - 298.0) / 4100.0;
+        felt_K += ((t < 740.0 ? T : 298.0) - felt_K) * -std::expm1(-1.0 / 1.5);
+        watch.add(t, felt_K + noise(random), 0.003);
+        if (t < 740.0) {
+            ASSERT_FALSE(watch.unfollowed()) << t;
+        }
+    }
+    ASSERT_TRUE(watch.unfollowed());
+    EXPECT_TRUE(watch.unfollowed()->isImpossible);
 }
 
 // Catches a source that is told not to heat while it does, and one that heats unasked unnoticed.
