@@ -640,7 +640,13 @@ struct GuardedController {
     std::optional<FarEnd> end;
     SteadyClock clock;
     HeaterGuard guard{port, SerialSettings{9600, 8, 'N', 1}, log, clock};
-    RtuLink link{std::make_unique<GuardedLink>(guard, nullptr, clock), {9600, 8, 'N', 1}, clock};
+    RtuLink link{
+        std::make_unique<GuardedLink>(
+            guard,
+            [this]() -> std::unique_ptr<ByteLink> { throw std::runtime_error(describe(guard.problem())); },
+            clock),
+        {9600, 8, 'N', 1},
+        clock};
     ModbusHeater* device = nullptr;
     std::optional<GuardedHeater> heater;
 };
