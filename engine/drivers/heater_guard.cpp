@@ -8,12 +8,15 @@
 #include <csignal>
 #include <cstring>
 #include <filesystem>
+#include <mutex>
 #include <poll.h>
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <utility>
+#include <vector>
 
 namespace bask {
 namespace {
@@ -23,7 +26,7 @@ using guard::Told;
 
 constexpr double kHeldUp_s = 0.3; // since the last work(): the engine was silent, not the guard
 constexpr double kStarting_s = 3.0;
-constexpr double kEnding_s = 0.5;
+constexpr double kEnding_s = 0.5; // then its port is tried all the same
 constexpr std::size_t kMostUnread = 65536;
 
 std::string_view bytesOf(const guard::OffProgram& program) {
@@ -59,6 +62,45 @@ int startProcess(const std::string& program, int socket, const std::vector<std::
 
 } // namespace
 
+/// The process, and the thread that starts it and waits for its end, which may outlive the guard.
+struct HeaterGuard::Process {
+    /// There. `socket` is its own, and closed.
+    void live(const std::string& program, int socket, const std::vector<std::string>& arguments) {
+        pid_t started = -1;
+        const int failed = startProcess(program, socket, arguments, started);
+        set(failed == 0 ? started : -1, failed);
+        ::close(socket); // what went wrong is known before this is heard
+        siginfo_t how{};
+        while (failed == 0 && ::waitid(P_PID, static_cast<id_t>(started), &how, WEXITED | WNOWAIT) != 0 &&
+               errno == EINTR) {
+        }
+        const std::lock_guard lock(mutex);
+        if (failed == 0)
+            (void)::waitpid(started, nullptr, WNOHANG); // from here on its id may be another's
+        id = -1;
+        isOver = true;
+    }
+    void set(pid_t started, int failed) {
+        const std::lock_guard lock(mutex);
+        id = started;
+        problem = failed;
+    }
+    template <class Value> Value get(Value Process::*value) {
+        const std::lock_guard lock(mutex);
+        return this->*value;
+    }
+    void kill() {
+        const std::lock_guard lock(mutex);
+        if (id > 0)
+            ::kill(id, SIGKILL);
+    }
+
+    std::mutex mutex; ///< of all below
+    pid_t id = -1;
+    int problem = 0; ///< errno of its start
+    bool isOver = false;
+};
+
 const std::string& guardProgram() {
     static const std::string found = [] {
         namespace fs = std::filesystem;
@@ -78,18 +120,15 @@ HeaterGuard::HeaterGuard(std::string port, const SerialSettings& settings, std::
     : m_port(std::move(port)), m_settings(settings), m_logFile(std::move(logFile)),
       m_portId(std::move(portId)), m_idFolder(std::move(idFolder)), m_clock(clock) {}
 
+/// By the end of the socket: an armed one takes over, another one ends. Nobody waits for that.
 HeaterGuard::~HeaterGuard() {
-    dismiss();
+    if (m_socket >= 0)
+        ::close(m_socket);
 }
 
-/// By the end of the socket: an armed one takes over, another one ends, and its port is free then.
-void HeaterGuard::dismiss() {
-    if (m_socket >= 0)
-        ::close(std::exchange(m_socket, -1));
-    const pid_t process = std::exchange(m_process, -1);
-    const double until_s = SteadyClock().now_s() + (std::exchange(m_isArmed, false) ? 0.0 : kEnding_s);
-    while (process > 0 && ::waitpid(process, nullptr, WNOHANG) == 0 && SteadyClock().now_s() < until_s)
-        ::poll(nullptr, 0, 1);
+std::optional<int> HeaterGuard::processId() const {
+    const pid_t id = m_process ? m_process->get(&Process::id) : -1;
+    return id > 0 ? std::optional<int>(id) : std::nullopt; // signals to -1 would go to every process
 }
 
 void HeaterGuard::start(const std::string& program) {
@@ -108,18 +147,16 @@ void HeaterGuard::start(const std::string& program) {
     std::array<int, 2> ends{};
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends.data()) != 0)
         return fail(std::strerror(errno));
-    const int problem =
-        startProcess(program, ends[1],
-                     {"bask-guard", std::filesystem::absolute(m_port), std::to_string(m_settings.baud),
-                      std::to_string(m_settings.dataBits), std::string(1, m_settings.parity),
-                      std::to_string(m_settings.stopBits), m_logFile, m_portId, m_idFolder},
-                     m_process);
-    ::close(ends[1]);
-    if (problem != 0) {
-        ::close(ends[0]);
-        m_process = -1;
-        return fail(program + ": " + std::strerror(problem));
-    }
+    m_process = std::make_shared<Process>();
+    std::thread([process = m_process, program, socket = ends[1], port = m_port, settings = m_settings,
+                 logFile = m_logFile, portId = m_portId, idFolder = m_idFolder] {
+        std::error_code code;
+        process->live(program, socket,
+                      {"bask-guard", std::filesystem::absolute(port, code).string(),
+                       std::to_string(settings.baud), std::to_string(settings.dataBits),
+                       std::string(1, settings.parity), std::to_string(settings.stopBits), logFile, portId,
+                       idFolder});
+    }).detach();
     m_socket = ends[0];
     m_state = State::Starting;
     m_problem = {};
@@ -132,17 +169,25 @@ void HeaterGuard::work() {
     if (now_s - m_worked_s > kHeldUp_s)
         m_answered_s = now_s;
     m_worked_s = now_s;
+    if (m_process && m_socket < 0 && (m_process->get(&Process::isOver) || now_s - m_hungUp_s > kEnding_s))
+        return end();
     if (m_socket < 0 || m_state == State::TookOver)
         return;
     const double most_s = m_state == State::Starting ? kStarting_s : kSilent_s;
     if (now_s - m_answered_s > most_s) {
-        ::kill(m_process, SIGKILL); // stopped, or stuck: the port must become free
-        return end();
+        m_process->kill(); // stopped, or stuck: the port must become free
+        return hangUp();
     }
     if (now_s - m_beat_s >= guard::kBeat_s) {
         m_beat_s = now_s;
         tell(Order::Beat);
     }
+}
+
+/// Nothing more is heard; work() sees when its port is free.
+void HeaterGuard::hangUp() {
+    ::close(std::exchange(m_socket, -1));
+    m_hungUp_s = m_clock.now_s();
 }
 
 void HeaterGuard::receive() {
@@ -156,7 +201,7 @@ void HeaterGuard::receive() {
         else if (count < 0 && errno == EAGAIN)
             return;
         else
-            end();
+            hangUp();
     }
 }
 
@@ -215,14 +260,20 @@ void HeaterGuard::losePort(Message problem) {
 }
 
 void HeaterGuard::end() {
-    if (m_state == State::Starting)
-        m_problem = {MessageCode::HeaterGuardMissing, {"bask-guard has ended at once"}};
-    else if (m_state == State::Guarding)
+    if (m_state == State::Starting) {
+        const int problem = m_process->get(&Process::problem);
+        const bool isOver = m_process->get(&Process::isOver);
+        m_problem = {MessageCode::HeaterGuardMissing,
+                     {problem != 0 ? "bask-guard: " + std::string(std::strerror(problem))
+                      : isOver     ? "bask-guard has ended at once"
+                                   : "bask-guard does not start"}};
+    } else if (m_state == State::Guarding) {
         m_problem = {MessageCode::HeaterGuardLost, {}};
+    }
     m_state = m_state == State::Starting ? State::None : State::Ended;
     losePort(m_problem);
     m_isArmed = false;
-    dismiss();
+    m_process.reset();
 }
 
 void HeaterGuard::arm(const guard::OffProgram& off) {
@@ -243,7 +294,7 @@ bool HeaterGuard::handOver(double within_s) {
     if (m_isArmed)
         tell(Order::TakeOver);
     const double until_s = SteadyClock().now_s() + within_s;
-    while (m_isArmed && m_state == State::Guarding && SteadyClock().now_s() < until_s) {
+    while (m_isArmed && m_socket >= 0 && m_state == State::Guarding && SteadyClock().now_s() < until_s) {
         pollfd state{m_socket, POLLIN, 0};
         ::poll(&state, 1, 10);
         receive();

@@ -9,9 +9,10 @@
 #include "engine/guard/guard_messages.h"
 #include "engine/protocols/serial_settings.h"
 
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
-#include <sys/types.h>
 
 namespace bask {
 
@@ -37,7 +38,8 @@ public:
     HeaterGuard(const HeaterGuard&) = delete;
     HeaterGuard& operator=(const HeaterGuard&) = delete;
 
-    /// A new one, by that program; only without one. problem() tells why it could not be.
+    /// A new one, by that program; only without one. It is started elsewhere, since a disk may hang;
+    /// problem() tells later why it could not be.
     void start(const std::string& program);
     /// Takes what it says, and beats.
     void work();
@@ -65,15 +67,17 @@ public:
     /// Its own name, as expected or as it was first; another one is not opened.
     const std::string& portId() const { return m_portId; }
 
-    int processId() const { return m_process; }
+    std::optional<int> processId() const; ///< empty: none, or not yet
 
 private:
+    struct Process;
+
     void receive();
     void take(guard::Told kind, std::string_view bytes);
     bool tell(guard::Order order, std::string_view bytes = {}); ///< false: it does not take it
     void losePort(Message problem);
+    void hangUp();
     void end(); ///< of the process: its port is free
-    void dismiss();
 
     std::string m_port;
     SerialSettings m_settings;
@@ -82,8 +86,9 @@ private:
     State m_state = State::None;
     Message m_problem, m_portProblem;
     int m_socket = -1;
-    pid_t m_process = -1;
-    std::string m_off; ///< as it was told last
+    std::shared_ptr<Process> m_process;
+    double m_hungUp_s = 0.0; ///< its end is waited for since
+    std::string m_off;       ///< as it was told last
     bool m_isArmed = false, m_isPortOpen = false, m_isPortOpening = false;
     std::string m_unread;
     double m_beat_s = -1e300, m_answered_s = 0.0, m_worked_s = -1e300;

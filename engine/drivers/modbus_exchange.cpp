@@ -71,6 +71,12 @@ void ModbusExchange::send(ModbusRequest request) {
     m_asked = m_link.send(request);
 }
 
+void ModbusExchange::overtake(ModbusRequest request) {
+    request.unit = m_unit;
+    m_sent_s = m_clock.now_s();
+    m_asked = m_link.overtake(request);
+}
+
 bool ModbusExchange::isLive() const {
     return m_link.isOpen() && m_clock.now_s() - m_answered_s <= m_silentAfter_s;
 }

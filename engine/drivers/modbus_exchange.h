@@ -24,6 +24,9 @@ public:
     bool canSend() const;
     /// Only then. The unit is put in.
     void send(ModbusRequest request);
+    /// Before all others of the line, this unit's own included; see ModbusLink.
+    bool mayOvertake() const { return m_link.mayOvertake(); }
+    void overtake(ModbusRequest request);
 
     DeviceStatus status() const;
     bool isLive() const;

@@ -95,6 +95,10 @@ void ModbusHeater::work() {
         m_identity.forget();
     if (m_wanted_K && m_clock.now_s() >= m_until_s)
         switchOff(); // nobody said on again
+    if (m_overtakes && m_isOffDue && m_identity.isKnown() && m_exchange.mayOvertake()) {
+        m_isOffDue = false;
+        return write(offRequest(), true);
+    }
     if (m_exchange.canSend())
         sendNext();
 }
@@ -185,7 +189,7 @@ void ModbusHeater::compare() {
 
 void ModbusHeater::switchOff() {
     m_wanted_K.reset();
-    m_isOffDue = true;
+    m_isOffDue = m_overtakes = true;
     m_tries = 0;
     m_off_s = m_clock.now_s();
 }
@@ -211,7 +215,8 @@ void ModbusHeater::sendNext() {
 }
 
 /// And everything is read back at once.
-void ModbusHeater::write(const ModbusRequest& request) {
+void ModbusHeater::write(const ModbusRequest& request, bool overtakes) {
+    m_overtakes = false;
     m_tries = isSame(m_written, request) ? m_tries + 1 : 1;
     m_written = request;
     m_mayBeOn = m_mayBeOn || m_wanted_K;
@@ -220,7 +225,10 @@ void ModbusHeater::write(const ModbusRequest& request) {
     m_isFresh = false;
     m_next = 0;
     m_due_s = m_clock.now_s() + (m_tries > 1 ? m_settings.period_s : 0.0);
-    m_exchange.send(request);
+    if (overtakes)
+        m_exchange.overtake(request);
+    else
+        m_exchange.send(request);
 }
 
 /// Tried in vain so often that it is not to be tried now; off is, later.

@@ -63,7 +63,7 @@ private:
     void takeRead(const std::vector<std::uint16_t>& values);
     void takeCycle();
     void sendNext();
-    void write(const ModbusRequest& request);
+    void write(const ModbusRequest& request, bool overtakes = false);
     std::optional<ModbusRequest> correction() const;
     ModbusRequest offRequest() const;
     guard::OffStep offReadBack(int reply_ms) const;
@@ -96,6 +96,7 @@ private:
     bool m_isSetTaken = false, m_isRunTaken = false; ///< read back as they are to be
     Message m_refusal;                               ///< why it was switched off; until heatOff()
     bool m_isOffDue = false;                         ///< at once, before anything else
+    bool m_overtakes = false;                        ///< the first off, what is under way
     bool m_mayBeOn = false;                          ///< written on, and not read off in whole since
     bool m_isKnown = false;                          ///< every register has been read once
     double m_cycle_s = -1e300;                       ///< when they were all read last

@@ -37,6 +37,11 @@ public:
     virtual bool isFree() const = 0;
     /// Only when free. Answers the request's number.
     virtual int send(const ModbusRequest& request) = 0;
+    /// Whether a request may go before what is under way now: that is given up, since an off is not to wait
+    /// for an answer that may not come. False while it, or its answer, is on the line.
+    virtual bool mayOvertake() const { return isFree(); }
+    /// Only then. As send(); who asked before is told that there was no answer.
+    virtual int overtake(const ModbusRequest& request) { return send(request); }
     /// Of that request, once; empty until it is there. Each request gets one, in time.
     virtual std::optional<ModbusReply> takeReply(int number) = 0;
     virtual std::string name() const = 0;

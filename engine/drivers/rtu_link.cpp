@@ -68,7 +68,7 @@ struct RtuLink::Line {
     struct Asked {
         int number;
         ModbusRequest request;
-        double until_s;
+        double until_s, overtakenFrom_s;
     };
 
     void look();
@@ -76,7 +76,10 @@ struct RtuLink::Line {
     ModbusReply judged(const std::string& frame);
     void deliver(ModbusReply reply);
     void giveUp();
+    void leave();
+    int ask(const ModbusRequest& request);
     void forget();
+    double gap_s() const { return std::max(kLeastGap_s, onTheLine_s(settings, kModbusGapBytes)); }
     void keepSilent() { quietUntil_s = clock.now_s() + replyTime_s; }
     Error wrong(const char* words);
     Error silence() const;
@@ -91,6 +94,7 @@ struct RtuLink::Line {
     std::map<int, std::vector<ModbusRequest>> unanswered{}; ///< by unit: answers to them may still come
     Message problem{}; ///< nobody has answered for long; None: that of the bytes counts
     double quietUntil_s = -1e300;
+    double gapUntil_s = -1e300; ///< after the last bytes that came
     int lastNumber = 0, silent = 0, discarded = 0;
 };
 
@@ -124,7 +128,7 @@ void RtuLink::Line::forget() {
     asked.reset();
     unanswered.clear();
     heard.clear();
-    quietUntil_s = -1e300;
+    quietUntil_s = gapUntil_s = -1e300;
     silent = 0;
 }
 
@@ -158,6 +162,7 @@ void RtuLink::Line::look() {
     const std::string come = bytes->read();
     if (come.empty())
         return;
+    gapUntil_s = clock.now_s() + gap_s();
     if (!asked) {
         keepSilent(); // nobody asked for that, or not now
         return;
@@ -170,7 +175,7 @@ void RtuLink::Line::take() {
     const auto frame = takeFrame(heard, asked->request);
     if (!frame)
         return;
-    quietUntil_s = clock.now_s() + std::max(kLeastGap_s, onTheLine_s(settings, kModbusGapBytes));
+    quietUntil_s = gapUntil_s;
     deliver(judged(*frame));
     asked.reset();
     heard.clear();
@@ -181,9 +186,15 @@ ModbusReply RtuLink::Line::judged(const std::string& frame) {
     silent = 0;
     if (const auto late = unanswered.find(request.unit); late != unanswered.end()) {
         keepSilent();
-        const bool isSameQuestion = std::ranges::all_of(
-            late->second, [&](const ModbusRequest& earlier) { return frameOf(earlier) == frameOf(request); });
-        unanswered.erase(late);
+        bool isSameQuestion = true;
+        for (const ModbusRequest& earlier : late->second)
+            isSameQuestion = isSameQuestion &&
+                             (earlier.function != request.function || frameOf(earlier) == frameOf(request));
+        // Of another function this is not the answer, which may still come.
+        std::erase_if(late->second,
+                      [&](const ModbusRequest& earlier) { return earlier.function == request.function; });
+        if (late->second.empty())
+            unanswered.erase(late);
         if (!isSameQuestion)
             return wrong("it may be late, to an earlier question");
     }
@@ -202,33 +213,58 @@ void RtuLink::Line::deliver(ModbusReply reply) {
         replies.erase(replies.begin());
 }
 
-void RtuLink::Line::giveUp() {
+/// Its answer may still come.
+void RtuLink::Line::leave() {
     deliver(silence());
-    keepSilent();
     std::vector<ModbusRequest>& earlier = unanswered[asked->request.unit];
     const std::string frame = frameOf(asked->request);
     if (std::ranges::none_of(earlier, [&](const ModbusRequest& each) { return frameOf(each) == frame; }))
         earlier.push_back(asked->request);
     asked.reset();
     heard.clear();
+}
+
+void RtuLink::Line::giveUp() {
+    leave();
+    keepSilent();
     if (++silent < kMostSilent)
         return;
     problem = {MessageCode::DeviceSilent, {bytes->name(), formatNumber(silent * 2.0 * replyTime_s, 2)}};
     bytes->close();
 }
 
+int RtuLink::Line::ask(const ModbusRequest& request) {
+    const std::string frame = frameOf(request);
+    const double reply = request.reads() ? 5.0 + 2.0 * request.count : static_cast<double>(kWriteReplyBytes);
+    const double bytes_s = onTheLine_s(settings, static_cast<double>(frame.size()) + reply);
+    const double now_s = clock.now_s();
+    heard.clear();
+    asked =
+        Asked{++lastNumber, request, now_s + replyTime_s + bytes_s, now_s + kOvertake_s + bytes_s + gap_s()};
+    bytes->write(frame);
+    return lastNumber;
+}
+
 int RtuLink::send(const ModbusRequest& request) {
     if (!isFree())
         throw std::logic_error("RtuLink: sends only when it is free");
-    Line& line = *m_line;
-    const std::string frame = frameOf(request);
-    const double reply = request.reads() ? 5.0 + 2.0 * request.count : static_cast<double>(kWriteReplyBytes);
-    const double time_s =
-        line.replyTime_s + onTheLine_s(line.settings, static_cast<double>(frame.size()) + reply);
-    line.heard.clear();
-    line.asked = Line::Asked{++line.lastNumber, request, line.clock.now_s() + time_s};
-    line.bytes->write(frame);
-    return line.lastNumber;
+    return m_line->ask(request);
+}
+
+bool RtuLink::mayOvertake() const {
+    m_line->look();
+    const double now_s = m_line->clock.now_s();
+    return isOpen() && now_s >= m_line->gapUntil_s &&
+           (!m_line->asked || now_s >= m_line->asked->overtakenFrom_s);
+}
+
+int RtuLink::overtake(const ModbusRequest& request) {
+    if (!mayOvertake())
+        throw std::logic_error("RtuLink: overtakes only when it may");
+    if (m_line->asked)
+        m_line->leave();
+    m_line->quietUntil_s = -1e300;
+    return m_line->ask(request);
 }
 
 std::optional<ModbusReply> RtuLink::takeReply(int number) {

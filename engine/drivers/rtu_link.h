@@ -28,9 +28,14 @@ public:
     bool isFree() const override;
     /// Throws std::logic_error unless it is free.
     int send(const ModbusRequest& request) override;
+    /// Once what is under way has had kOvertake_s beyond its bytes' time on the line.
+    bool mayOvertake() const override;
+    /// Throws std::logic_error unless it may.
+    int overtake(const ModbusRequest& request) override;
     std::optional<ModbusReply> takeReply(int number) override;
     std::string name() const override;
     std::string portId() const override;
+    static constexpr double kOvertake_s = 0.1; ///< most devices have begun to answer by then
     /// Replies that came and were not used.
     int discarded() const;
 

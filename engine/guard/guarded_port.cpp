@@ -9,6 +9,7 @@
 #include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/stat.h>
+#include <sys/sysmacros.h>
 #include <unistd.h>
 
 namespace bask::guard {
@@ -37,6 +38,12 @@ bool makeRaw(int descriptor, const PortSettings& settings) {
     line.c_cc[VMIN] = 0;
     line.c_cc[VTIME] = 0;
     return ::ioctl(descriptor, TCSETS2, &line) == 0;
+}
+
+/// It stays exclusive when whoever made it so is killed, until its other end is closed, too; a line does not.
+bool isPseudoTerminal(unsigned long long device) {
+    constexpr unsigned kFirstMajor = 136, kLastMajor = 143; // Linux' numbers for /dev/pts
+    return major(device) >= kFirstMajor && major(device) <= kLastMajor;
 }
 
 } // namespace
@@ -82,7 +89,7 @@ int GuardedPort::open() {
         return errno;
     int problem = 0;
     // The second keeps out a program of root's too, which the first does not.
-    if (::ioctl(opened, TIOCEXCL) != 0)
+    if (!isPseudoTerminal(there.st_rdev) && ::ioctl(opened, TIOCEXCL) != 0)
         problem = errno;
     else if (::flock(opened, LOCK_EX | LOCK_NB) != 0)
         problem = EBUSY;

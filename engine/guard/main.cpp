@@ -2,6 +2,7 @@
 // Nothing is allocated after the start, and nothing waited for but the port.
 
 #include "engine/guard/off_run.h"
+#include "engine/guard/port_opener.h"
 
 #include <cerrno>
 #include <csignal>
@@ -72,8 +73,14 @@ public:
         tell(Told::Hello, &version, 1);
         m_beat_s = now_s();
         for (;;) {
-            pollfd ends[] = {{kSocket, POLLIN, 0}, {m_port.descriptor(), m_port.events(), 0}};
-            ::poll(ends, m_port.isOpen() ? 2 : 1, kLook_ms);
+            pollfd ends[] = {{kSocket, POLLIN, 0}, {-1, POLLIN, 0}};
+            if (m_opener.isBusy())
+                ends[1].fd = m_opener.descriptor();
+            else if (m_port.isOpen())
+                ends[1] = {m_port.descriptor(), m_port.events(), 0};
+            ::poll(ends, 2, kLook_ms);
+            if (m_opener.isBusy() && ends[1].revents != 0)
+                takeOpened();
             const bool isThere = hear(); // all of it, before its silence is judged
             if (m_isArmed) {
                 if (!isThere)
@@ -87,7 +94,7 @@ public:
             } else if (!isThere) {
                 return 0;
             }
-            if (m_port.isOpen())
+            if (isOpen())
                 pump();
         }
     }
@@ -120,11 +127,17 @@ private:
             m_beat_s = now_s();
             return tell(Told::Beat);
         case Order::Open:
-            return open();
+            m_isUnwanted = false;
+            if (!m_opener.isBusy())
+                m_opener.begin();
+            return;
         case Order::Close:
-            return m_port.close();
+            m_isUnwanted = m_opener.isBusy();
+            if (!m_isUnwanted)
+                m_port.close();
+            return;
         case Order::Write:
-            if (m_port.isOpen() && !m_port.write(bytes, count))
+            if (isOpen() && !m_port.write(bytes, count))
                 lose(Told::Stuck);
             return;
         case Order::Program:
@@ -143,8 +156,12 @@ private:
         }
     }
 
-    void open() {
-        const int problem = m_port.open();
+    bool isOpen() const { return !m_opener.isBusy() && m_port.isOpen(); }
+
+    void takeOpened() {
+        const int problem = m_opener.take();
+        if (m_isUnwanted)
+            return m_port.close();
         if (problem == 0 || problem == GuardedPort::kExchanged)
             tell(problem == 0 ? Told::Opened : Told::Exchanged, m_port.id(), std::strlen(m_port.id()));
         else
@@ -172,6 +189,10 @@ private:
     int takeOver(const char* why) {
         tell(Told::TookOver, why, std::strlen(why));
         m_log.say("takes over: %s", why);
+        if (m_opener.isBusy()) {
+            m_log.say("the port is still being opened");
+            m_opener.take();
+        }
         OffRun(m_port, m_program, m_log).untilConfirmed();
         m_port.close();
         tell(Told::Off);
@@ -180,9 +201,11 @@ private:
     }
 
     GuardedPort m_port;
+    PortOpener m_opener{m_port};
     GuardLog& m_log;
     OffProgram m_program;
     bool m_isArmed = false, m_mustTakeOver = false;
+    bool m_isUnwanted = false; ///< the port that is being opened
     double m_beat_s = 0.0;
     char m_packet[1 + kMost] = {};
 };

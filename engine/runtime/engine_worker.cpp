@@ -152,13 +152,27 @@ struct EngineWorker::RealCamera {
     VisionThread vision;
 };
 
+/// It may be closed after the engine has ended.
+struct EngineWorker::Trial {
+    Trial(const RigSpec& spec, const DeviceMemory& memory) : rig(spec, clock, memory) {}
+    SteadyClock clock;
+    RealRig rig;
+};
+
 EngineWorker::EngineWorker(std::string alarmFile, std::string deviceFile, std::unique_ptr<Clock> awake)
     : m_awakeClock(std::move(awake)), m_suspend(m_steady, *m_awakeClock),
       m_guardLog(alarmFile.empty()
                      ? std::string()
                      : (std::filesystem::absolute(alarmFile).parent_path() / "guard.log").string()),
       m_keeper(std::move(alarmFile)), m_deviceFile(std::move(deviceFile)) {
-    (void)guardProgram(); // is looked for here, not on the engine's thread
+    // Here and not on the engine's thread: no disk is to hold that up.
+    (void)guardProgram();
+    if (!m_deviceFile.empty()) {
+        if (auto met = readDeviceMemory(m_deviceFile))
+            m_devices = std::move(*met);
+        else
+            m_deviceProblem = met.error().message;
+    }
     qRegisterMetaType<bask::Command>();
     qRegisterMetaType<bask::Snapshot>();
     qRegisterMetaType<std::shared_ptr<const bask::VisionView>>();
@@ -172,12 +186,8 @@ void EngineWorker::start() {
     connect(m_timer, &QTimer::timeout, this, &EngineWorker::onTimer);
     m_wall.start();
     m_timer->start(kTimer_ms);
-    if (!m_deviceFile.empty()) {
-        if (auto met = readDeviceMemory(m_deviceFile))
-            m_devices = std::move(*met);
-        else
-            tell(met.error().message); // written anew with the next device
-    }
+    if (m_deviceProblem != Message{})
+        tell(m_deviceProblem);
     publish();
 }
 
@@ -409,9 +419,15 @@ Result<void> EngineWorker::choose(const std::string& camera) {
     return {};
 }
 
+/// A port that hangs holds up whoever closes it: not this thread while there is heat or motion. Otherwise it
+/// is free at once for who opens it next.
 void EngineWorker::endTrial() {
-    if (m_tried)
-        letGo(m_tried->takeCamera());
+    if (!m_tried)
+        return;
+    letGo(m_tried->rig.takeCamera());
+    const bool isLive = m_session && (m_session->loop.heatOn() || m_session->loop.isMoving() || isInUse());
+    if (isLive && m_tried->rig.mayEndElsewhere())
+        letGo(std::move(m_tried));
     m_tried.reset();
 }
 
@@ -426,7 +442,7 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty())
-        m_tried = std::make_unique<RealRig>(rig, m_steady, m_devices);
+        m_tried = std::make_unique<Trial>(rig, m_devices);
     return {};
 }
 
@@ -719,7 +735,7 @@ void EngineWorker::onTimer() {
     const double wall_s = std::min(kLongestGap_s, static_cast<double>(m_wall.nsecsElapsed()) * 1e-9);
     m_wall.restart();
     if (m_tried)
-        m_tried->work();
+        m_tried->rig.work();
     hearBackground();
     carryOutWaiting();
     if (m_session) {
@@ -902,7 +918,7 @@ void EngineWorker::publish() {
         snapshot.reasons.push_back({MessageCode::ReasonNoExperiment, {}});
     }
     if (m_tried)
-        snapshot.tried = triedState(*m_tried);
+        snapshot.tried = triedState(m_tried->rig);
     if (const SessionRecorder* writer = m_writer           ? m_writer.get()
                                         : m_ending.empty() ? nullptr
                                                            : m_ending.back().get()) {

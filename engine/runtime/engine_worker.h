@@ -140,7 +140,8 @@ private:
     AlarmKeeper m_keeper;
     AlarmLog m_alarms;
     std::string m_deviceFile;
-    DeviceMemory m_devices; ///< met on this computer
+    DeviceMemory m_devices;  ///< met on this computer
+    Message m_deviceProblem; ///< the file could not be read: it is written anew with the next device
     double m_sinceDisk_s = 0.0;
     std::future<std::optional<double>> m_diskFree_MB;
     std::future<std::vector<SerialPort>> m_ports;
@@ -153,12 +154,13 @@ private:
     struct RealCamera;
     std::unique_ptr<RealCamera> m_camera;
     /// A picture that is looked at, and a driver that hangs, take their time: elsewhere.
-    template <class Closed> void letGo(std::unique_ptr<Closed> camera) {
-        if (camera)
-            m_closer.post([last = std::shared_ptr<Closed>(std::move(camera))]() mutable { last.reset(); });
+    template <class Closed> void letGo(std::unique_ptr<Closed> closed) {
+        if (closed)
+            m_closer.post([last = std::shared_ptr<Closed>(std::move(closed))]() mutable { last.reset(); });
     }
     std::shared_ptr<const VisionView> m_view; ///< handed on last
-    std::unique_ptr<RealRig> m_tried;         ///< one device alone
+    struct Trial;
+    std::unique_ptr<Trial> m_tried; ///< one device alone
     bool m_isClosing = false, m_isEnding = false;
     std::deque<Command> m_waiting; ///< that came while isBusy()
     double m_speed = 1.0;
@@ -176,7 +178,7 @@ private:
     Underway m_snapshots, m_views;
     std::uint64_t m_sequence = 0;
     BackgroundThread m_system; ///< room on the disk, list of ports
-    BackgroundThread m_closer; ///< of cameras
+    BackgroundThread m_closer; ///< of cameras, and of ports that were tried
     BackgroundThread m_judge;
 };
 

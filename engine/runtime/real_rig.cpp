@@ -392,6 +392,10 @@ std::unique_ptr<Camera> RealRig::takeCamera() {
     return std::move(m_parts->camera);
 }
 
+bool RealRig::mayEndElsewhere() const {
+    return m_parts->arm == nullptr && !m_parts->heaterGuard;
+}
+
 void RealRig::setGuard(StepGuard guard) {
     m_parts->guard = std::move(guard);
 }

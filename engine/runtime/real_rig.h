@@ -58,6 +58,8 @@ public:
     Camera* camera(); ///< null: none
     /// Hands it over to be closed elsewhere, which takes half a second where its driver hangs.
     std::unique_ptr<Camera> takeCamera();
+    /// Whether another thread may destroy it: a network link belongs to this one, and closes at once.
+    bool mayEndElsewhere() const;
     void setGuard(StepGuard guard);
     /// The quickest that the robot may move, also where it does not do as it is told.
     void limitSpeed(const RobotLimits& limits);

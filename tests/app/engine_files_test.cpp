@@ -84,4 +84,31 @@ TEST_F(EngineFiles, areNone) {
     expectNone("at the end");
 }
 
+// Catches a file that the engine's thread reads when it begins: here the devices that were met.
+TEST(EngineStart, readsNoFile) {
+    QTemporaryDir folder;
+    const std::string devices = folder.filePath(QStringLiteral("devices.json")).toStdString();
+    ASSERT_TRUE(writeDeviceMemory({{"robot grbl /dev/ttyUSB0", {"usb-one", ""}}}, devices));
+    EngineWorker worker(folder.filePath(QStringLiteral("alarms.json")).toStdString(), devices);
+    FileCallWatch watch;
+    std::string problem;
+    QThread thread;
+    worker.moveToThread(&thread);
+    thread.start();
+    QMetaObject::invokeMethod(
+        &worker,
+        [&] {
+            problem = watch.watchThisThread();
+            worker.start();
+        },
+        Qt::BlockingQueuedConnection);
+    const std::vector<std::string> calls = watch.take();
+    QMetaObject::invokeMethod(&worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
+    thread.quit();
+    thread.wait();
+    if (!problem.empty())
+        GTEST_SKIP() << "no calls can be watched here: " << problem;
+    EXPECT_EQ(calls, std::vector<std::string>());
+}
+
 } // namespace bask::test

@@ -86,9 +86,21 @@ protected:
         arrivals_ms.push_back(1e3 * (*off - since_s));
     }
     /// The time from which on the next order to switch off counts.
-    static double begun_s(HungDisk& program = hungDisk()) {
-        program.watchFor("STOP_1");
+    double begun_s(HungDisk& program = hungDisk()) const {
+        program.watchFor(m_off);
         return now_s();
+    }
+    /// Instead of the hotplate: a controller with registers. Before the bench is started.
+    void makeHeaterModbus() {
+        QFile file(experiment());
+        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+        QByteArray text = file.readAll();
+        file.close();
+        text.replace("\"driver\": \"namur\"",
+                     "\"driver\": \"modbus\", \"unit\": 2, \"profile\": \"pixsys-drr245\"");
+        text.replace("\"data_bits\": 7", "\"data_bits\": 8").replace("\"even\"", "\"none\"");
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        m_off = "\x02\x06\x03\xf8"; // unit 2 writes register 1016, which holds "on" by then
     }
     void measure(const Command& verb) {
         const double from_s = begun_s();
@@ -132,6 +144,7 @@ protected:
     std::vector<double> delays_ms, arrivals_ms, all_ms, allArrivals_ms;
 
 private:
+    std::string m_off = "STOP_1";
     HoldUpWatch m_machine;
 };
 
@@ -228,6 +241,40 @@ TEST_F(StopLatency, ofSignalsToTheProgram) {
         disk->release();
     }
     expectSoon("signals");
+}
+
+// Catches an off that a question under way holds up on a line of Modbus; it is to be at the device in time.
+TEST_F(StopLatency, ofAModbusHeater) {
+    ASSERT_NO_FATAL_FAILURE(makeHeaterModbus());
+    startBench();
+    load(read());
+    for (const Trouble& trouble : {kTroubles[0], kTroubles[5]})
+        for (int i = 0; i < 10; ++i) {
+            hungDisk().release();
+            ASSERT_NO_FATAL_FAILURE(heatByHand());
+            hang(trouble.calls);
+            ASSERT_NO_FATAL_FAILURE(measure(i % 2 == 0 ? Command(EmergencyStop{}) : Command(SetHeat{})));
+        }
+    hungDisk().release();
+    EXPECT_LE(*std::ranges::max_element(arrivals_ms), kMost_ms) << "at the far end";
+    expectSoon("a Modbus heater");
+}
+
+// Without its guard the port is Bask's own. Catches a heater that goes on after that was killed.
+TEST_F(StopLatency, ofAModbusHeaterWhoseGuardIsKilled) {
+    constexpr double kTakenBack_ms = 1500.0;
+    ASSERT_NO_FATAL_FAILURE(makeHeaterModbus());
+    startBench();
+    load(read());
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        const double from_s = begun_s();
+        endGuardsOf(QFileInfo(experiment()).path());
+        ASSERT_NO_FATAL_FAILURE(note(from_s));
+    }
+    std::printf("| guard killed: off at the far end after %.0f ms (most)\n",
+                *std::ranges::max_element(arrivals_ms));
+    EXPECT_LE(*std::ranges::max_element(arrivals_ms), kTakenBack_ms);
 }
 
 // Every verb with every trouble, a thousand times in all.

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/device_simulators/modbus_simulator.h"
 #include "engine/drivers/rtu_link.h"
+#include "engine/protocols/modbus_frame.h"
 #include "tests/engine/drivers/modbus_fixture.h"
 #include "tests/engine/drivers/test_links.h"
 
@@ -102,6 +103,38 @@ TEST_F(RtuLinkTest, ALateReplyIsNotTakenForTheNextOne) {
     fault("none");
     EXPECT_FALSE(ask({3, 4, 1, 1}).ok()) << "a reply, but to which question?";
     EXPECT_EQ(ask({3, 4, 1, 1}).value(), Registers{200});
+}
+
+// Catches an order to switch off that waits for an answer that does not come, or that goes out into a
+// question or an answer on the line; and what it went before taken for its answer.
+TEST_F(RtuLinkTest, AnOffOvertakesWhatIsUnderWay) {
+    const ModbusRequest off{4, 6, 1001, 1, {0}};
+    fault("silent");
+    ASSERT_TRUE(until([&] { return link->isFree(); }));
+    const int question = link->send({4, 3, 1001, 1});
+    EXPECT_FALSE(link->mayOvertake());
+    EXPECT_THROW(link->overtake(off), std::logic_error);
+    const double sent_s = clock.now_s();
+    ASSERT_TRUE(until([&] { return link->mayOvertake(); }));
+    EXPECT_GE(clock.now_s() - sent_s, RtuLink::kOvertake_s);
+    EXPECT_LE(clock.now_s() - sent_s, RtuLink::kOvertake_s + 0.02) << "16 bytes and a gap at 19200 baud";
+    fault("none");
+    const int number = link->overtake(off);
+    const auto given = link->takeReply(question);
+    ASSERT_TRUE(given.has_value());
+    EXPECT_EQ(given->error().code(), MessageCode::DeviceSilent);
+    line->inject(modbusReadReply(4, 3, {800})); // late
+    std::optional<ModbusReply> reply;
+    ASSERT_TRUE(until([&] { return (reply = link->takeReply(number)).has_value(); }));
+    EXPECT_TRUE(reply->ok()) << "the late answer is of another function";
+    EXPECT_EQ(sim.registerAt(4, 3, 1001), 0);
+    EXPECT_FALSE(ask({4, 3, 1000, 1}).ok()) << "it may be the late one";
+    EXPECT_TRUE(ask({4, 3, 1000, 1}).ok());
+
+    fault("silent");
+    EXPECT_EQ(refusal({3, 4, 1, 1}), MessageCode::DeviceSilent);
+    EXPECT_FALSE(link->isFree()) << "silence after it";
+    EXPECT_TRUE(link->mayOvertake()) << "which is not for an off";
 }
 
 // Catches a value that looks newer than it is: it waited in the line while the engine was held up.

@@ -15,6 +15,7 @@
 #include "engine/drivers/serial_link.h"
 #include "engine/protocols/modbus_frame.h"
 #include "tests/support/guard_processes.h"
+#include "tests/support/held_calls.h"
 #include "tests/support/wait_for.h"
 
 #include <QTemporaryDir>
@@ -27,6 +28,8 @@
 #include <fstream>
 #include <mutex>
 #include <poll.h>
+#include <sys/ioctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <termios.h>
 #include <thread>
@@ -197,7 +200,8 @@ protected:
     void heatUp(double setPoint_degC = 80.0) {
         ASSERT_TRUE(until([&] { return device->status().link == LinkState::Live && heater->read().ok(); }))
             << describe(device->status().problem);
-        ASSERT_TRUE(until([&] { return heats(setPoint_degC) && isOn(); }));
+        ASSERT_TRUE(until([&] { return heats(setPoint_degC) && isOn(); }))
+            << describe(heater->cannotHeat()) << " | " << describe(device->status().problem);
     }
     bool heats(double setPoint_degC) {
         return heater->keepHeating(kelvinFromCelsius(setPoint_degC), 1.0).ok();
@@ -209,7 +213,24 @@ protected:
         std::ifstream file(log);
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    bool isGone(int process) const { return ::waitpid(process, nullptr, WNOHANG) != 0; }
+    bool signalGuard(int number) const {
+        const auto process = guard->processId();
+        return process && ::kill(*process, number) == 0;
+    }
+    /// Bask's own thread waits for it.
+    bool isGone(int process) const { return ::kill(process, 0) != 0; }
+    /// On a thread of its own, whose calls of that kind may be held: of all that it starts, too.
+    template <class Body> void withHeld(test::HeldCalls::Which which, Body body) {
+        std::string problem;
+        std::thread([&] {
+            test::HeldCalls calls;
+            problem = calls.begin(which);
+            if (problem.empty())
+                body(calls);
+        }).join();
+        if (!problem.empty())
+            GTEST_SKIP() << "no calls can be held here: " << problem;
+    }
 
     QTemporaryDir folder;
     std::string port = folder.filePath("heater").toStdString(),
@@ -273,9 +294,9 @@ TEST_F(GuardTest, AGoodbyeWithTheHeatOffWritesNothing) {
     ASSERT_TRUE(heater->heatOff().ok());
     ASSERT_TRUE(until([&] { return !heater->heating(); }));
     EXPECT_FALSE(isOn());
-    const int process = guard->processId();
+    const int process = guard->processId().value();
     guard.reset();
-    EXPECT_TRUE(isGone(process));
+    EXPECT_TRUE(untilWithoutBeat([&] { return isGone(process); }, 2000));
     EXPECT_EQ(logText(), "");
 }
 
@@ -289,11 +310,13 @@ TEST_F(GuardTest, AGoodbyeBehindUnreadWordsIsHeard) {
     std::this_thread::sleep_for(std::chrono::milliseconds(150));
     guard->work(); // a beat, whose answer is not read
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    const int process = guard->processId();
+    const int process = guard->processId().value();
     ASSERT_EQ(::kill(process, SIGSTOP), 0);
     guard->disarm();
     heater.reset();
+    const double dismissed_s = clock.now_s();
     guard.reset();
+    EXPECT_LT(clock.now_s() - dismissed_s, 0.1) << "nobody waits for it";
     ASSERT_EQ(::kill(process, SIGCONT), 0);
     EXPECT_TRUE(untilWithoutBeat([&] { return isGone(process); }, 2000));
     EXPECT_EQ(logText(), "");
@@ -308,7 +331,7 @@ TEST_F(GuardTest, AGuardThatIsKilledIsNoticedAndTheEngineSwitchesOff) {
         heater->renewGuard();
         heatUp();
         const double killed_s = clock.now_s();
-        ASSERT_EQ(::kill(guard->processId(), number), 0);
+        ASSERT_TRUE(signalGuard(number));
         ASSERT_TRUE(until([&] { return heater->guardProblem().code == MessageCode::HeaterGuardLost; }, 1000));
         ASSERT_TRUE(until([&] { return !isOn(); }, 3000));
         EXPECT_LT(clock.now_s() - killed_s, 2.0);
@@ -316,11 +339,74 @@ TEST_F(GuardTest, AGuardThatIsKilledIsNoticedAndTheEngineSwitchesOff) {
     }
 }
 
+// Catches an engine that waits for the disk that has the guard's program, and a Bask without a guard that
+// cannot read its heater.
+TEST_F(GuardTest, AProgramThatStartsSlowlyHoldsNobodyUp) {
+    withHeld({SYS_execve}, [this](test::HeldCalls& starting) {
+        starting.hold();
+        const double begun_s = clock.now_s();
+        makeNamur();
+        EXPECT_LT(clock.now_s() - begun_s, 0.3);
+        EXPECT_TRUE(until([&] { return starting.held() > 0; }));
+        EXPECT_EQ(heater->cannotHeat().args, std::vector<std::string>{"it is being started"});
+        starting.release();
+        heatUp();
+        if (HasFatalFailure())
+            return;
+        EXPECT_TRUE(heater->heatOff().ok());
+        EXPECT_TRUE(until([&] { return !heater->heating(); }));
+
+        EXPECT_TRUE(signalGuard(SIGKILL));
+        EXPECT_TRUE(until([&] { return heater->guardProblem().code == MessageCode::HeaterGuardLost; }));
+        starting.hold();
+        const double renewed_s = clock.now_s();
+        heater->renewGuard(); // as Reset does
+        EXPECT_LT(clock.now_s() - renewed_s, 0.3);
+        EXPECT_EQ(heater->guardProblem().code, MessageCode::None);
+        EXPECT_TRUE(until([&] { return guard->state() == State::None; }));
+        EXPECT_EQ(heater->cannotHeat().args, std::vector<std::string>{"bask-guard does not start"});
+        EXPECT_TRUE(until([&] { return heater->read().ok(); })) << "by itself";
+        starting.release();
+        heater->renewGuard();
+        heatUp();
+    });
+}
+
+// Catches a guard that is killed because its port opens slowly: it must answer meanwhile.
+TEST_F(GuardTest, APortThatOpensSlowlyIsNoGuardThatStandsStill) {
+    constexpr std::uint32_t kFlags = O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC; // the guard's
+    withHeld({SYS_openat, 2, kFlags}, [this](test::HeldCalls& opening) {
+        opening.hold();
+        makeNamur();
+        EXPECT_TRUE(until([&] { return opening.held() > 0; }));
+        EXPECT_FALSE(
+            until([&] { return guard->state() == State::None || guard->state() == State::Ended; }, 2000));
+        EXPECT_EQ(guard->state(), State::Guarding);
+        EXPECT_FALSE(namurLink->isOpen());
+        EXPECT_FALSE(heater->read().ok());
+        opening.release();
+        heatUp();
+    });
+}
+
+// Catches a port that nobody can open any more, a pseudo-terminal's, after its guard was killed: the system
+// keeps it exclusive until its other end is closed.
+TEST_F(GuardTest, APseudoTerminalIsNotLeftExclusive) {
+    makeNamur();
+    ASSERT_TRUE(until([&] { return namurLink->isOpen(); }));
+    const int other = ::open(port.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+    ASSERT_GE(other, 0);
+    int isExclusive = -1;
+    EXPECT_EQ(::ioctl(other, TIOCGEXCL, &isExclusive), 0);
+    EXPECT_EQ(isExclusive, 0);
+    ::close(other);
+}
+
 // Catches a guard that what ends Bask ends too.
 TEST_F(GuardTest, SignalsDoNotEndItAndATermSwitchesOffFirst) {
     makeNamur();
     heatUp();
-    const int process = guard->processId();
+    const int process = guard->processId().value();
     for (const int number : {SIGINT, SIGHUP, SIGQUIT, SIGPIPE})
         ASSERT_EQ(::kill(process, number), 0);
     until([] { return false; }, 300);
@@ -554,7 +640,13 @@ struct GuardedController {
     std::optional<FarEnd> end;
     SteadyClock clock;
     HeaterGuard guard{port, SerialSettings{9600, 8, 'N', 1}, log, clock};
-    RtuLink link{std::make_unique<GuardedLink>(guard, nullptr, clock), {9600, 8, 'N', 1}, clock};
+    RtuLink link{
+        std::make_unique<GuardedLink>(
+            guard,
+            [this]() -> std::unique_ptr<ByteLink> { throw std::runtime_error(describe(guard.problem())); },
+            clock),
+        {9600, 8, 'N', 1},
+        clock};
     ModbusHeater* device = nullptr;
     std::optional<GuardedHeater> heater;
 };
@@ -584,5 +676,75 @@ TEST(ModbusGuard, EveryControllerIsSwitchedOffByItsFrames) {
         EXPECT_FALSE(rig.heats());
     }
 }
+
+/// A controller on a line with a device that does not answer.
+class ModbusOff : public testing::TestWithParam<bool> {
+protected:
+    static constexpr int kTimes = 10;
+
+    ModbusOff() {
+        sim.addController(4, shipped("pixsys-drr245"));
+        if (GetParam())
+            guard.start(guardProgram());
+    }
+    ~ModbusOff() override { test::endGuardsOf(folder.path()); }
+
+    void work() {
+        guard.work();
+        heater->work();
+    }
+    template <class Condition> bool until(Condition condition, int limit_ms = 5000) {
+        return test::waitFor(
+            [&] {
+                work();
+                return condition();
+            },
+            limit_ms);
+    }
+    bool isOn() {
+        return end.with([&] { return sim.isOn(4); });
+    }
+
+    QTemporaryDir folder;
+    std::string port = folder.filePath("heater").toStdString();
+    ModbusSimulator sim;
+    FarEnd end{sim, port};
+    SteadyClock clock;
+    HeaterGuard guard{port, SerialSettings{9600, 8, 'N', 1}, {}, clock};
+    RtuLink link{std::make_unique<GuardedLink>(
+                     guard,
+                     [this] {
+                         return std::make_unique<ByteLinkOnThread>(
+                             port, [this] { return std::make_unique<SerialLink>(port, SerialSettings{}); });
+                     },
+                     clock),
+                 {9600, 8, 'N', 1},
+                 clock};
+    std::unique_ptr<ModbusHeater> heater =
+        ModbusHeater::create(link, clock, {4, shipped("pixsys-drr245")}).value();
+};
+
+// From the word to the device, at the worst moment: a question has just gone out to a device of the line that
+// does not answer. Catches an off that waits for that answer, and for the silence after it (0.6 s).
+TEST_P(ModbusOff, IsAtTheDeviceWhateverIsUnderWay) {
+    std::vector<double> took_ms;
+    for (int i = 0; i < kTimes; ++i) {
+        ASSERT_TRUE(until([&] { return heater->keepHeating(kelvinFromCelsius(80.0), 1.0).ok() && isOn(); }));
+        ASSERT_TRUE(until([&] { return link.isFree(); }));
+        (void)link.send({9, 4, 0, 2}); // nobody
+        const double begun_s = clock.now_s();
+        (void)heater->heatOff();
+        ASSERT_TRUE(until([&] { return !isOn(); }));
+        took_ms.push_back(1e3 * (clock.now_s() - begun_s));
+        ASSERT_TRUE(until([&] { return !heater->heating() && heater->heatState() == HeatState::Off; }));
+    }
+    std::ranges::sort(took_ms);
+    std::printf("| off at a Modbus device behind a silent one, %s: %.0f ms (median), %.0f ms (most of %d)\n",
+                GetParam() ? "guarded" : "direct", took_ms[kTimes / 2], took_ms.back(), kTimes);
+    EXPECT_LE(took_ms[kTimes / 2], 250.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Ways, ModbusOff, testing::Bool(),
+                         [](const auto& way) { return way.param ? "Guarded" : "Direct"; });
 
 } // namespace bask

@@ -47,6 +47,10 @@ public:
     void send(const Command& command) {
         QMetaObject::invokeMethod(&m_worker, [this, command] { m_worker.post(command); });
     }
+    /// On the engine's thread; waits for it.
+    template <class Work> void ask(Work work) {
+        QMetaObject::invokeMethod(&m_worker, std::move(work), Qt::BlockingQueuedConnection);
+    }
     template <class Condition> bool waitFor(Condition condition, int limit_ms = 60000) {
         QElapsedTimer timer;
         timer.start();

@@ -128,4 +128,17 @@ TEST_F(ExchangedDeviceTest, APortOfAnotherNameIsNotOpened) {
     ASSERT_TRUE(sees([&] { return isLive(DeviceRole::Robot); }));
 }
 
+// The same of the heater's port, which its guard opens. Catches a guard that is not told which port it is.
+TEST_F(ExchangedDeviceTest, AHeatersPortOfAnotherNameIsNotOpenedByItsGuard) {
+    const std::string name = "usb-FTDI_FT232R_USB_UART_A2-if00-port0";
+    ASSERT_TRUE(writeDeviceMemory({{memoryKey(*experiment.rig->source), {name, ""}}}, deviceFile));
+    start();
+    load();
+    ASSERT_TRUE(sees([&] { return problemOf(DeviceRole::HeatSource) == MessageCode::DeviceExchanged; }));
+    ASSERT_NO_FATAL_FAILURE(waitForSamples(1.0));
+    EXPECT_EQ(opened()[2], 0);
+    engine->send(AcceptDevice{DeviceRole::HeatSource});
+    ASSERT_TRUE(sees([&] { return isLive(DeviceRole::HeatSource); }));
+}
+
 } // namespace bask

@@ -2,6 +2,10 @@
 
 #include "engine/base/units.h"
 #include "tests/engine/runtime/rig_on_ports.h"
+#include "tests/support/held_calls.h"
+
+#include <sys/ioctl.h>
+#include <sys/syscall.h>
 
 namespace bask {
 namespace {
@@ -66,6 +70,36 @@ TEST_F(KeptRigTest, HeatByHandEndsWithAnEdit) {
     EXPECT_TRUE(sees([&] { return !plate.isOn() && !engine->last.heatOn; }));
     EXPECT_FALSE(engine->last.heatSetPoint_K);
     EXPECT_EQ(opened(), (std::array{1, 1, 1}));
+}
+
+// Catches heat that cannot be switched off while a port that was tried hangs at its closing: here by what a
+// port is asked last, how much of it is unsent.
+TEST_F(KeptRigTest, ATriedPortThatHangsHoldsNothingUp) {
+    test::HeldCalls closing;
+    std::string problem;
+    engine->ask([&] { problem = closing.begin({SYS_ioctl, 1, TIOCOUTQ}); });
+    if (!problem.empty())
+        GTEST_SKIP() << "no calls can be held here: " << problem;
+    StreamSimulator other{{}};
+    RigSpec alone;
+    alone.thermometer = experiment.rig->thermometer;
+    alone.thermometer->port = folder.filePath("tried").toStdString();
+    const auto server = PtyServer::create(other, alone.thermometer->port).value();
+    ASSERT_NO_FATAL_FAILURE(beginWell());
+    engine->send(TryDevice{alone});
+    ASSERT_TRUE(sees([&] {
+        server->work(clock.now_s());
+        return engine->last.tried && engine->last.tried->state.status.link == LinkState::Live;
+    }));
+    engine->send(SetHeat{kelvinFromCelsius(60.0)});
+    ASSERT_TRUE(sees([&] { return plate.isOn(); })) << describe(engine->refusal);
+    closing.hold();
+    engine->send(TryDevice{});
+    ASSERT_TRUE(sees([&] { return closing.held() > 0; }));
+    engine->send(SetHeat{});
+    EXPECT_TRUE(sees([&] { return !plate.isOn(); }, 1000)) << "before its guard does it";
+    EXPECT_TRUE(sees([&] { return !engine->last.tried; }, 1000));
+    closing.release();
 }
 
 } // namespace bask
