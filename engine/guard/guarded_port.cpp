@@ -1,145 +1,118 @@
 #include "engine/guard/guarded_port.h"
 
-#include <asm/termbits.h> // any speed; <termios.h> has only some, and declares the same names
+#include <asm/termbits.h>
 #include <cerrno>
 #include <cstring>
-#include <dirent.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/file.h>
+#include <pthread.h>
+#include <sched.h>
 #include <sys/ioctl.h>
-#include <sys/stat.h>
-#include <sys/sysmacros.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 namespace bask::guard {
 namespace {
 
-constexpr int kDrain_ms = 100; // for the last bytes before it is closed, which may be a stop
-
-unsigned bitsFlag(int bits) {
-    return bits == 5 ? CS5 : bits == 6 ? CS6 : bits == 7 ? CS7 : CS8;
-}
-
-/// Raw: no echo, no line editing, no flow control.
-bool makeRaw(int descriptor, const PortSettings& settings) {
-    termios2 line{};
-    if (::ioctl(descriptor, TCGETS2, &line) != 0)
-        return false;
-    line.c_iflag = IGNBRK;
-    line.c_oflag = 0;
-    line.c_lflag = 0;
-    line.c_cflag = CREAD | CLOCAL | BOTHER | bitsFlag(settings.dataBits);
-    if (settings.parity != 'N')
-        line.c_cflag |= PARENB | (settings.parity == 'O' ? PARODD : 0U);
-    if (settings.stopBits == 2)
-        line.c_cflag |= CSTOPB;
-    line.c_ispeed = line.c_ospeed = static_cast<speed_t>(settings.baud);
-    line.c_cc[VMIN] = 0;
-    line.c_cc[VTIME] = 0;
-    return ::ioctl(descriptor, TCSETS2, &line) == 0;
-}
-
-/// It stays exclusive when whoever made it so is killed, until its other end is closed, too; a line does not.
-bool isPseudoTerminal(unsigned long long device) {
-    constexpr unsigned kFirstMajor = 136, kLastMajor = 143; // Linux' numbers for /dev/pts
-    return major(device) >= kFirstMajor && major(device) <= kLastMajor;
-}
+constexpr std::size_t kStack = 128 * 1024; // all of it is locked in memory
+constexpr int kLast_ms = 100;              // for the last bytes before it is closed, which may be a stop
 
 } // namespace
 
-GuardedPort::GuardedPort(const PortSettings& settings) : m_settings(settings) {
-    std::strncpy(m_expected, settings.id, kLongestId - 1);
+GuardedPort::GuardedPort(const PortSettings& settings) : m_line(settings) {
+    if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, m_commands) != 0 ||
+        ::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, m_events) != 0)
+        return;
+    pthread_attr_t attributes;
+    ::pthread_attr_init(&attributes);
+    ::pthread_attr_setstacksize(&attributes, kStack);
+    m_isWorking = ::pthread_create(&m_thread, &attributes, run, this) == 0;
+    ::pthread_attr_destroy(&attributes);
 }
 
-/// The expected one of its names, or the first. By the kernel's own call: the library's allocates.
-void GuardedPort::findId(unsigned long long device) {
-    m_id[0] = '\0';
-    const int folder = ::open(m_settings.idFolder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    alignas(dirent64) char entries[4096];
-    while (folder >= 0) {
-        const ssize_t count = ::getdents64(folder, entries, sizeof entries);
-        if (count <= 0)
-            break;
-        for (ssize_t at = 0; at < count;) {
-            const auto& entry = *reinterpret_cast<const dirent64*>(entries + at);
-            at += entry.d_reclen;
-            struct stat there {};
-            if (::fstatat(folder, entry.d_name, &there, 0) == 0 && S_ISCHR(there.st_mode) &&
-                there.st_rdev == device && (m_id[0] == '\0' || std::strcmp(entry.d_name, m_expected) == 0))
-                std::strncpy(m_id, entry.d_name, kLongestId - 1);
+void* GuardedPort::run(void* port) {
+    const sched_param first{1};
+    ::sched_setscheduler(0, SCHED_RR, &first); // where that is allowed
+    static_cast<GuardedPort*>(port)->serve();
+    return nullptr;
+}
+
+void GuardedPort::serve() {
+    Command command{};
+    bool isLost = true;
+    for (;;) {
+        pollfd ends[] = {{m_commands[1], POLLIN, 0}, {isLost ? -1 : m_line.descriptor(), POLLIN, 0}};
+        if (::poll(ends, 2, -1) < 0)
+            continue;
+        m_told.number = command.number;
+        if (ends[0].revents != 0) {
+            if (::recv(m_commands[1], &command, sizeof command, 0) != sizeof command)
+                return;
+            m_line.close();
+            isLost = true;
+            if (!command.isOpen)
+                continue;
+            m_told.number = command.number;
+            m_told.problem = m_line.open();
+            isLost = m_told.problem != 0;
+            if (!tell(isLost ? Event::Failed : Event::Opened))
+                return;
+        } else if (ends[1].revents != 0) {
+            const long count = m_line.read(m_told.bytes, sizeof m_told.bytes);
+            isLost = count < 0;
+            if (count != 0 &&
+                !tell(isLost ? Event::Lost : Event::Bytes, isLost ? 0 : static_cast<std::size_t>(count)))
+                return;
         }
     }
-    if (folder >= 0)
-        ::close(folder);
 }
 
-int GuardedPort::open() {
-    close();
-    struct stat there {};
-    if (::stat(m_settings.path, &there) != 0)
-        return errno;
-    findId(there.st_rdev);
-    if (m_expected[0] == '\0')
-        std::strncpy(m_expected, m_id, kLongestId - 1);
-    if (std::strcmp(m_id, m_expected) != 0)
-        return kExchanged;
-    const int opened = ::open(m_settings.path, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-    if (opened < 0)
-        return errno;
-    int problem = 0;
-    // The second keeps out a program of root's too, which the first does not.
-    if (!isPseudoTerminal(there.st_rdev) && ::ioctl(opened, TIOCEXCL) != 0)
-        problem = errno;
-    else if (::flock(opened, LOCK_EX | LOCK_NB) != 0)
-        problem = EBUSY;
-    else if (!makeRaw(opened, m_settings))
-        problem = errno;
-    if (problem != 0) {
-        ::close(opened);
-        return problem;
-    }
-    m_descriptor = opened;
-    forget();
-    return 0;
+bool GuardedPort::tell(Event event, std::size_t count) {
+    m_told.event = event;
+    const std::size_t size = offsetof(Packet, bytes) + count;
+    while (::send(m_events[1], &m_told, size, MSG_NOSIGNAL) < 0)
+        if (errno != EINTR)
+            return false;
+    return true;
 }
 
-void GuardedPort::close() {
-    if (m_descriptor < 0)
-        return;
-    drain();
-    ::ioctl(m_descriptor, TCFLSH, TCIOFLUSH); // or the system waits for up to half a minute
-    ::ioctl(m_descriptor, TIOCNXCL);
-    ::close(m_descriptor);
-    m_descriptor = -1;
+void GuardedPort::order(bool isOpen) {
+    const Command command{++m_number, isOpen};
+    m_isOpening = ::send(m_commands[0], &command, sizeof command, MSG_NOSIGNAL) == sizeof command && isOpen;
+    m_isOpen = false;
     m_queued = 0;
 }
 
-void GuardedPort::drain() {
-    int unsent = 0;
-    for (int i = 0; i < kDrain_ms; ++i) {
-        if (!flush() || ::ioctl(m_descriptor, TIOCOUTQ, &unsent) != 0 || (unsent == 0 && m_queued == 0))
-            return;
+void GuardedPort::open() {
+    order(true);
+}
+
+void GuardedPort::close() {
+    if (!m_isOpen && !m_isOpening)
+        return;
+    for (int i = 0; m_isOpen && !isFlushed() && i < kLast_ms && flush(); ++i)
         ::poll(nullptr, 0, 1);
+    order(false);
+}
+
+GuardedPort::Event GuardedPort::take(void* bytes, std::size_t& count) {
+    for (;;) {
+        const ssize_t size = ::recv(m_events[0], &m_taken, sizeof m_taken, MSG_DONTWAIT);
+        if (size < 0 && errno == EINTR)
+            continue;
+        if (size < static_cast<ssize_t>(offsetof(Packet, bytes)))
+            return Event::None;
+        if (m_taken.number != m_number) // of one that was closed since
+            continue;
+        if (m_taken.event == Event::Opened || m_taken.event == Event::Failed) {
+            m_isOpening = false;
+            m_isOpen = m_taken.event == Event::Opened;
+            m_problem = m_taken.problem;
+        }
+        count = static_cast<std::size_t>(size) - offsetof(Packet, bytes);
+        std::memcpy(bytes, m_taken.bytes, count);
+        return m_taken.event;
     }
-}
-
-short GuardedPort::events() const {
-    return static_cast<short>(m_queued > 0 ? POLLIN | POLLOUT : POLLIN);
-}
-
-long GuardedPort::read(void* bytes, std::size_t most) {
-    const ssize_t count = ::read(m_descriptor, bytes, most);
-    if (count > 0)
-        return count;
-    if (count < 0 && (errno == EAGAIN || errno == EINTR))
-        return 0;
-    if (count < 0)
-        return -1;
-    // With VMIN 0 a read of nothing is nothing there, unless the line is hung up.
-    pollfd state{m_descriptor, POLLIN, 0};
-    ::poll(&state, 1, 0);
-    return (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0 ? -1 : 0;
 }
 
 bool GuardedPort::write(const void* bytes, std::size_t count) {
@@ -152,7 +125,7 @@ bool GuardedPort::write(const void* bytes, std::size_t count) {
 
 bool GuardedPort::flush() {
     while (m_queued > 0) {
-        const ssize_t count = ::write(m_descriptor, m_queue, m_queued);
+        const ssize_t count = ::write(m_line.descriptor(), m_queue, m_queued);
         if (count < 0)
             return errno == EAGAIN || errno == EINTR;
         if (count == 0)
@@ -165,7 +138,8 @@ bool GuardedPort::flush() {
 
 void GuardedPort::forget() {
     m_queued = 0;
-    ::ioctl(m_descriptor, TCFLSH, TCIOFLUSH);
+    if (m_isOpen)
+        ::ioctl(m_line.descriptor(), TCFLSH, TCIOFLUSH);
 }
 
 } // namespace bask::guard

@@ -1,58 +1,71 @@
 #pragma once
-// The heater's serial port as the guard has it: alone, raw, and never waited for.
+// The heater's serial port as the guard has it: never waited for. A look whether a terminal has bytes waits
+// for the system's own work on them, half a second on a busy computer, and so may its opening: both are done
+// by a thread, whose events are read. Bytes are written at once.
 
-#include <cstddef>
+#include "engine/guard/serial_line.h"
+
+#include <cstdint>
 
 namespace bask::guard {
 
-struct PortSettings {
-    const char* path = "";
-    int baud = 9600;
-    int dataBits = 8;
-    char parity = 'N';
-    int stopBits = 1;
-    const char* id = "";       ///< its own name; empty: it has none, or is not known
-    const char* idFolder = ""; ///< where the system has links by that to the ports
-};
-
-/// Nothing is allocated. Times are of the caller's poll.
+/// Nothing is allocated after the start.
 class GuardedPort {
 public:
-    static constexpr int kExchanged = -1;
+    enum class Event { None, Opened, Failed, Bytes, Lost };
 
     explicit GuardedPort(const PortSettings& settings);
 
-    /// 0; errno: EBUSY where another program has it; or kExchanged where it is not the one it was first, or
-    /// is to be. What was unread before is forgotten.
-    int open();
-    /// The port's own name when it was opened, or was to be; empty: it has none.
-    const char* id() const { return m_id; }
-    /// Gives the last bytes a moment.
+    /// Its thread could be started; else nothing works.
+    bool isWorking() const { return m_isWorking; }
+    /// Opened or Failed is told later.
+    void open();
+    bool isOpening() const { return m_isOpening; }
+    /// After Opened, until close().
+    bool isOpen() const { return m_isOpen; }
     void close();
-    bool isOpen() const { return m_descriptor >= 0; }
-    int descriptor() const { return m_descriptor; }
-    /// What the caller's poll is to wait for.
-    short events() const;
 
-    /// -1: it is gone; 0: nothing there.
-    long read(void* bytes, std::size_t most);
+    /// To be polled for reading; always the same.
+    int descriptor() const { return m_events[0]; }
+    /// The next event, if there is one; of Bytes up to kMostBytes.
+    Event take(void* bytes, std::size_t& count);
+    static constexpr std::size_t kMostBytes = 1024;
+    int problem() const { return m_problem; }      ///< of Failed: errno, or SerialLine::kExchanged
+    const char* id() const { return m_line.id(); } ///< after Opened or Failed
+
     /// Queues; false: so much is queued that the device does not read.
     bool write(const void* bytes, std::size_t count);
     /// Gives what is queued as far as the port takes it; false: it is gone.
     bool flush();
     bool isFlushed() const { return m_queued == 0; }
+    static constexpr int kFlush_ms = 2; ///< until the next flush() where one was not enough
     /// Forgets what is queued, and what the system holds of it and of what came.
     void forget();
 
 private:
-    void drain();
-    void findId(unsigned long long device);
+    struct Command {
+        std::uint32_t number; ///< of the opening
+        bool isOpen;
+    };
+    struct Packet {
+        std::uint32_t number;
+        Event event;
+        int problem;
+        char bytes[kMostBytes];
+    };
+    static void* run(void* port);
+    void serve();
+    void order(bool isOpen);
+    bool tell(Event event, std::size_t count = 0);
 
-    static constexpr std::size_t kLongestId = 256;
-
-    PortSettings m_settings;
-    char m_expected[kLongestId] = {}, m_id[kLongestId] = {};
-    int m_descriptor = -1;
+    SerialLine m_line; ///< the thread's, but for its descriptor between Opened and close()
+    Packet m_told{};   ///< the thread's
+    Packet m_taken{};
+    int m_commands[2] = {-1, -1}, m_events[2] = {-1, -1};
+    unsigned long m_thread = 0;
+    bool m_isWorking = false, m_isOpening = false, m_isOpen = false;
+    std::uint32_t m_number = 0;
+    int m_problem = 0;
     std::size_t m_queued = 0;
     char m_queue[4096] = {};
 };

@@ -2,7 +2,6 @@
 // Nothing is allocated after the start, and nothing waited for but the port.
 
 #include "engine/guard/off_run.h"
-#include "engine/guard/port_opener.h"
 
 #include <cerrno>
 #include <csignal>
@@ -69,18 +68,14 @@ public:
     Guard(const PortSettings& settings, GuardLog& log) : m_port(settings), m_log(log) {}
 
     int run() {
+        if (!m_port.isWorking())
+            return 1;
         const char version = kVersion;
         tell(Told::Hello, &version, 1);
         m_beat_s = now_s();
         for (;;) {
-            pollfd ends[] = {{kSocket, POLLIN, 0}, {-1, POLLIN, 0}};
-            if (m_opener.isBusy())
-                ends[1].fd = m_opener.descriptor();
-            else if (m_port.isOpen())
-                ends[1] = {m_port.descriptor(), m_port.events(), 0};
-            ::poll(ends, 2, kLook_ms);
-            if (m_opener.isBusy() && ends[1].revents != 0)
-                takeOpened();
+            pollfd ends[] = {{kSocket, POLLIN, 0}, {m_port.descriptor(), POLLIN, 0}};
+            ::poll(ends, 2, m_port.isFlushed() ? kLook_ms : GuardedPort::kFlush_ms);
             const bool isThere = hear(); // all of it, before its silence is judged
             if (m_isArmed) {
                 if (!isThere)
@@ -94,8 +89,7 @@ public:
             } else if (!isThere) {
                 return 0;
             }
-            if (isOpen())
-                pump();
+            pump();
         }
     }
 
@@ -127,17 +121,11 @@ private:
             m_beat_s = now_s();
             return tell(Told::Beat);
         case Order::Open:
-            m_isUnwanted = false;
-            if (!m_opener.isBusy())
-                m_opener.begin();
-            return;
+            return m_port.open();
         case Order::Close:
-            m_isUnwanted = m_opener.isBusy();
-            if (!m_isUnwanted)
-                m_port.close();
-            return;
+            return m_port.close();
         case Order::Write:
-            if (isOpen() && !m_port.write(bytes, count))
+            if (m_port.isOpen() && !m_port.write(bytes, count))
                 lose(Told::Stuck);
             return;
         case Order::Program:
@@ -156,43 +144,46 @@ private:
         }
     }
 
-    bool isOpen() const { return !m_opener.isBusy() && m_port.isOpen(); }
-
-    void takeOpened() {
-        const int problem = m_opener.take();
-        if (m_isUnwanted)
-            return m_port.close();
-        if (problem == 0 || problem == GuardedPort::kExchanged)
-            tell(problem == 0 ? Told::Opened : Told::Exchanged, m_port.id(), std::strlen(m_port.id()));
-        else
-            tell(Told::Failed, &problem, sizeof problem);
-    }
-
     void lose(Told how) {
         m_port.close();
         tell(how);
     }
 
     void pump() {
-        char bytes[1024];
-        for (long count = 1; count > 0;) {
-            count = m_port.read(bytes, sizeof bytes);
-            if (count < 0)
+        if (m_port.isOpen() && !m_port.flush())
+            return lose(Told::Lost);
+        char bytes[GuardedPort::kMostBytes];
+        std::size_t count = 0;
+        for (;;) {
+            switch (m_port.take(bytes, count)) {
+            case GuardedPort::Event::None:
+                return;
+            case GuardedPort::Event::Opened:
+                tell(Told::Opened, m_port.id(), std::strlen(m_port.id()));
+                break;
+            case GuardedPort::Event::Failed:
+                tellFailed();
+                break;
+            case GuardedPort::Event::Bytes:
+                tell(Told::Bytes, bytes, count);
+                break;
+            case GuardedPort::Event::Lost:
                 return lose(Told::Lost);
-            if (count > 0)
-                tell(Told::Bytes, bytes, static_cast<std::size_t>(count));
+            }
         }
-        if (!m_port.flush())
-            lose(Told::Lost);
+    }
+
+    void tellFailed() {
+        const int problem = m_port.problem();
+        if (problem == SerialLine::kExchanged)
+            tell(Told::Exchanged, m_port.id(), std::strlen(m_port.id()));
+        else
+            tell(Told::Failed, &problem, sizeof problem);
     }
 
     int takeOver(const char* why) {
         tell(Told::TookOver, why, std::strlen(why));
         m_log.say("takes over: %s", why);
-        if (m_opener.isBusy()) {
-            m_log.say("the port is still being opened");
-            m_opener.take();
-        }
         OffRun(m_port, m_program, m_log).untilConfirmed();
         m_port.close();
         tell(Told::Off);
@@ -201,11 +192,9 @@ private:
     }
 
     GuardedPort m_port;
-    PortOpener m_opener{m_port};
     GuardLog& m_log;
     OffProgram m_program;
     bool m_isArmed = false, m_mustTakeOver = false;
-    bool m_isUnwanted = false; ///< the port that is being opened
     double m_beat_s = 0.0;
     char m_packet[1 + kMost] = {};
 };

@@ -154,12 +154,20 @@ void OffRun::untilConfirmed() {
 bool OffRun::isOpen() {
     if (m_port.isOpen())
         return true;
-    const int problem = m_port.open();
-    if (problem != 0 && isLogged())
-        m_log.say("the port cannot be opened: %s", problem == GuardedPort::kExchanged
+    if (m_port.isOpening())
+        m_log.say("the port is still being opened");
+    else
+        m_port.open();
+    std::size_t count = 0;
+    while (m_port.isOpening() && m_port.take(m_bytes, count) == GuardedPort::Event::None) {
+        pollfd state{m_port.descriptor(), POLLIN, 0};
+        ::poll(&state, 1, -1);
+    }
+    if (!m_port.isOpen() && isLogged())
+        m_log.say("the port cannot be opened: %s", m_port.problem() == SerialLine::kExchanged
                                                        ? "another one is at its place"
-                                                       : std::strerror(problem));
-    return problem == 0;
+                                                       : std::strerror(m_port.problem()));
+    return m_port.isOpen();
 }
 
 bool OffRun::pass() {
@@ -171,7 +179,7 @@ bool OffRun::pass() {
 
 bool OffRun::take(const OffStep& step) {
     m_heard = 0;
-    if (!m_port.write(step.send, step.sends))
+    if (!m_port.write(step.send, step.sends) || !m_port.flush())
         m_port.forget();
     const bool hasCome = hear(&step, step.timeout_ms);
     if (isLogged()) {
@@ -185,6 +193,18 @@ bool OffRun::take(const OffStep& step) {
     return hasCome || !step.mustFit;
 }
 
+/// The newest: what is wanted comes last.
+void OffRun::keep(const unsigned char* bytes, std::size_t count) {
+    if (count > sizeof m_bytes) {
+        bytes += count - sizeof m_bytes;
+        count = sizeof m_bytes;
+    }
+    if (m_heard + count > sizeof m_bytes)
+        m_heard = 0;
+    std::memcpy(m_bytes + m_heard, bytes, count);
+    m_heard += count;
+}
+
 bool OffRun::hear(const OffStep* step, int ms) {
     const double until_s = now_s() + 1e-3 * ms;
     for (;;) {
@@ -195,17 +215,19 @@ bool OffRun::hear(const OffStep* step, int ms) {
             return step == nullptr || step->reply == OffStep::Reply::None;
         if (left_ms <= -1000.0)
             return false; // it takes nothing
-        pollfd state{m_port.descriptor(), m_port.events(), 0};
-        ::poll(&state, 1, left_ms > 1.0 ? static_cast<int>(left_ms) : 1);
-        if (m_heard == sizeof m_bytes)
-            m_heard = 0;
-        const long count = m_port.read(m_bytes + m_heard, sizeof m_bytes - m_heard);
-        if (count < 0 || !m_port.flush()) {
+        const int wait_ms = m_port.isFlushed() ? static_cast<int>(left_ms) : GuardedPort::kFlush_ms;
+        pollfd state{m_port.descriptor(), POLLIN, 0};
+        ::poll(&state, 1, wait_ms > 1 ? wait_ms : 1);
+        unsigned char bytes[GuardedPort::kMostBytes];
+        std::size_t count = 0;
+        const GuardedPort::Event event = m_port.take(bytes, count);
+        if (event == GuardedPort::Event::Lost || !m_port.flush()) {
             m_log.say("the port was unplugged");
             m_port.close();
             return false;
         }
-        m_heard = step == nullptr ? 0 : m_heard + static_cast<std::size_t>(count);
+        if (step != nullptr && event == GuardedPort::Event::Bytes)
+            keep(bytes, count);
     }
 }
 

@@ -25,6 +25,7 @@ private:
     bool take(const OffStep& step);
     /// Reads on for so long; empty `step`: whatever comes is dropped.
     bool hear(const OffStep* step, int ms);
+    void keep(const unsigned char* bytes, std::size_t count);
     bool isLogged() const;
 
     GuardedPort& m_port;
@@ -32,7 +33,7 @@ private:
     GuardLog& m_log;
     int m_passes = 0;
     std::size_t m_heard = 0;
-    unsigned char m_bytes[512] = {}; ///< since the step was sent
+    unsigned char m_bytes[GuardedPort::kMostBytes] = {}; ///< since the step was sent
 };
 
 } // namespace bask::guard

@@ -59,7 +59,12 @@ protected:
         })) << peer.readAllStandardError().toStdString();
         return {};
     }
-    void signal(int what) const { ::kill(static_cast<pid_t>(peer.processId()), what); }
+    void signal(int what) const { // of one that has ended the id is 0, which means all of this test's group
+        if (peer.processId() > 0)
+            ::kill(static_cast<pid_t>(peer.processId()), what);
+        else
+            ADD_FAILURE() << "the peer has ended";
+    }
 };
 
 // Catches a reading of the protocol that is ours alone.
