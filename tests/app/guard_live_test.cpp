@@ -148,17 +148,23 @@ TEST_F(GuardLive, theWindowAtAnyMoment) {
     killed(1);
     hung(1);
 }
+/// Of each kind, spread over several processes where BASK_MOMENTS says so.
+int moments() {
+    const int asked = qEnvironmentVariableIntValue("BASK_MOMENTS");
+    return asked > 0 ? asked : 100;
+}
+
 TEST_F(GuardLive, hundredMoments) {
-    killed(100);
-    stopped(100);
-    hung(100);
+    killed(moments());
+    stopped(moments());
+    hung(moments());
 }
 TEST_F(GuardLive, hundredMomentsOfTheWindow) {
     if (!openDisplay())
         GTEST_SKIP() << "Xvfb is not installed";
-    killed(100);
-    stopped(100);
-    hung(100);
+    killed(moments());
+    stopped(moments());
+    hung(moments());
 }
 
 } // namespace bask::test

@@ -44,6 +44,8 @@ void CountdownBar::setPending(const std::optional<PendingAction>& pending) {
     if (pending && (!m_pending || pending->action != m_pending->action ||
                     pending->cause != m_pending->cause || pending->in_s > m_pending->in_s + kSecondAgain_s))
         m_from_s = pending->in_s;
+    if (pending && (!m_pending || pending->cause.code != m_pending->cause.code))
+        m_mark->clear(); // it has the cause's priority
     m_pending = pending;
     refresh();
     setVisible(pending.has_value());
@@ -67,7 +69,7 @@ void CountdownBar::refresh() {
         m_cause->setText(cause);
     setAccessibleName(cause);
     if (m_mark->pixmap().isNull())
-        m_mark->setPixmap(alarmPixmap(1, isDark(this), kCountdownMark, devicePixelRatioF()));
+        m_mark->setPixmap(alarmPixmap(priority(), isDark(this), kCountdownMark, devicePixelRatioF()));
     update();
 }
 
@@ -79,12 +81,16 @@ void CountdownBar::changeEvent(QEvent* event) {
         refresh();
 }
 
+int CountdownBar::priority() const {
+    return m_pending ? std::max(1, alarmPriority(m_pending->cause.code)) : 1;
+}
+
 /// The line at its foot shortens as the time goes.
 void CountdownBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const bool dark = isDark(this);
-    const QColor tone = alarmColor(1, dark), ground = palette().color(QPalette::Window);
+    const QColor tone = alarmColor(priority(), dark), ground = palette().color(QPalette::Window);
     painter.setPen(mixed(tone, ground, 0.6));
     painter.setBrush(mixed(tone, ground, dark ? 0.18 : 0.10));
     painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 4.0, 4.0);

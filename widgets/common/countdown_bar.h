@@ -28,6 +28,7 @@ protected:
 
 private:
     void refresh();
+    int priority() const; ///< of the cause, as an alarm
 
     std::optional<PendingAction> m_pending;
     double m_from_s = 0.0; ///< when it was first pending
