@@ -9,8 +9,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -152,7 +154,13 @@ private:
             m_hottest_K = std::max(m_hottest_K, *snapshot.source_K);
         if (!isTold || heats || *snapshot.source_K <= m_hottest_K - kCooled_K ||
             *snapshot.source_K <= m_experiment.environment_K + kHandWarm_K)
-            over();
+            return over();
+        if (std::exchange(m_isWatchTold, true))
+            return;
+        for (const Message& reason : snapshot.reasons)
+            std::fprintf(stderr, "bask run: %s\n", describe(reason).c_str());
+        std::fputs("bask run: the run is over; waiting until the source is seen to cool. Ctrl+C ends that.\n",
+                   stderr);
     }
 
     void go(Wish wish, const Command& command) {
@@ -238,7 +246,8 @@ private:
     double m_began_s = SteadyClock().now_s();
     double m_reset_s = -HUGE_VAL, m_stopped_s = 0.0;
     double m_hottest_K = 0.0; ///< of the source, since the run is over
-    int m_stops = 0;          ///< signals until then
+    bool m_isWatchTold = false;
+    int m_stops = 0; ///< signals until then
     std::optional<double> m_armed_s;
     std::vector<double> m_withinSince_s; ///< infinite: outside of the band
     TraceSample m_sample;

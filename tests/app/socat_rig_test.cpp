@@ -170,7 +170,7 @@ TEST_F(SocatRigTest, aRobotUnpluggedEndsTheHeat) {
     unplugged.start();
     ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 5000));
     EXPECT_LT(unplugged.elapsed(), 1000);
-    EXPECT_EQ(ended(20000), 1);
+    EXPECT_EQ(ended(90000), 1) << "the plate cools slowly";
     const std::string said = engine.readAll().toStdString();
     EXPECT_NE(said.find("the link to"), std::string::npos) << said;
     EXPECT_EQ(said.find("qt.modbus"), std::string::npos) << said;
