@@ -350,8 +350,8 @@ void Actions::retranslateView() {
     m_horns[1]->setText(tr("On a real rig"));
     m_horns[2]->setText(tr("Always"));
     for (QAction* action : m_horns)
-        action->setToolTip(
-            tr("The desktop's bell, until alarms of priority 1 and 2 are acknowledged or over"));
+        action->setToolTip(tr("The desktop's bell, until alarms of priority 1 and 2 are acknowledged or "
+                              "over; once for priority 3"));
     m_languageMenu->setTitle(tr("&Language"));
     m_toolsMenu->setTitle(tr("&Tools"));
     retranslateFaults();

@@ -1698,8 +1698,8 @@
         <translation>Toujours</translation>
     </message>
     <message>
-        <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over</source>
-        <translation>Le signal sonore du bureau, jusqu’à ce que les alarmes de priorité 1 et 2 soient acquittées ou passées</translation>
+        <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over; once for priority 3</source>
+        <translation>Le signal sonore du bureau, jusqu’à ce que les alarmes de priorité 1 et 2 soient acquittées ou passées ; une fois pour la priorité 3</translation>
     </message>
 </context>
 <context>

@@ -1698,8 +1698,8 @@
         <translation>始终</translation>
     </message>
     <message>
-        <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over</source>
-        <translation>桌面的提示音，直到优先级 1 和 2 的报警被确认或结束</translation>
+        <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over; once for priority 3</source>
+        <translation>桌面的提示音，直到优先级 1 和 2 的报警被确认或结束；优先级 3 只响一次</translation>
     </message>
 </context>
 <context>

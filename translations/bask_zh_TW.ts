@@ -1698,8 +1698,8 @@
         <translation>始終</translation>
     </message>
     <message>
-        <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over</source>
-        <translation>桌面的提示音，直到優先級 1 和 2 的警報被確認或結束</translation>
+        <source>The desktop&apos;s bell, until alarms of priority 1 and 2 are acknowledged or over; once for priority 3</source>
+        <translation>桌面的提示音，直到優先級 1 和 2 的警報被確認或結束；優先順序 3 只響一次</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "app/commands/live_run.h"
 
+#include "app/commands/cooling_watch.h"
 #include "app/commands/engine_thread.h"
 #include "engine/base/message_code.h"
 #include "engine/recipe/recipe_runner.h"
@@ -20,10 +21,7 @@ namespace {
 constexpr double kReadyWithin_s = 60.0;
 constexpr double kStoppedWithin_s = 120.0; ///< of a retreat that does not move any more
 constexpr double kBetweenResets_s = 1.0;
-constexpr double kArmed_s = 1.0;     // the readings are fresh again after the session file was made
-constexpr double kCooled_K = 2.0;    // by this a source is seen to be off
-constexpr double kHandWarm_K = 30.0; // over the room: it need not be seen to cool
-constexpr double kSilent_s = 10.0;   // nothing more is learnt from a source that tells nothing
+constexpr double kArmed_s = 1.0; // the readings are fresh again after the session file was made
 constexpr int kLook_ms = 20;
 
 /// One step of the way for each snapshot.
@@ -140,20 +138,11 @@ private:
         }
     }
 
-    /// A register that says "off" is no proof: after a run the source is watched until it is seen to cool,
-    /// and a retreat that is announced until it is over. One that does not cool is the engine's alarm.
+    /// After a run.
     void watch(const Snapshot& snapshot) {
-        if (m_wish != Wish::Watch || snapshot.pending)
+        if (m_wish != Wish::Watch)
             return;
-        const bool isTold = snapshot.source_K && snapshot.sourceAge_s < kSilent_s && !snapshot.isSourceByHand;
-        const bool heats = std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
-            return alarm.isActive && (alarm.message.code == MessageCode::SafetySourceHeatsUnasked ||
-                                      alarm.message.code == MessageCode::SafetySourceNotCooling);
-        });
-        if (isTold)
-            m_hottest_K = std::max(m_hottest_K, *snapshot.source_K);
-        if (!isTold || heats || *snapshot.source_K <= m_hottest_K - kCooled_K ||
-            *snapshot.source_K <= m_experiment.environment_K + kHandWarm_K)
+        if (m_cooling.isOver(snapshot))
             return over();
         if (std::exchange(m_isWatchTold, true))
             return;
@@ -245,7 +234,7 @@ private:
     Vector6d m_retreatFrom = Vector6d::Zero();
     double m_began_s = SteadyClock().now_s();
     double m_reset_s = -HUGE_VAL, m_stopped_s = 0.0;
-    double m_hottest_K = 0.0; ///< of the source, since the run is over
+    CoolingWatch m_cooling{m_experiment.environment_K};
     bool m_isWatchTold = false;
     int m_stops = 0; ///< signals until then
     std::optional<double> m_armed_s;

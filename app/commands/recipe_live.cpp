@@ -1,5 +1,6 @@
 #include "app/commands/recipe_live.h"
 
+#include "app/commands/cooling_watch.h"
 #include "app/commands/engine_thread.h"
 #include "engine/base/clock.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr int kLook_ms = 20;
 constexpr double kBetweenResets_s = 1.0;
+constexpr double kRoom_K = 295.0; // roughly; a recipe has several experiments
 
 } // namespace
 
@@ -27,6 +29,7 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch, LivePlace place) {
             engine.post(command);
     };
     SteadyClock clock;
+    CoolingWatch cooling(kRoom_K);
     double reset_s = clock.now_s();
     QObject::connect(&engine.worker, &EngineWorker::published, &here, [&](const Snapshot& snapshot) {
         if (const auto order = placeOrders.next(snapshot))
@@ -41,7 +44,7 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch, LivePlace place) {
             engine.post(Reset{});
         }
         watch(runner, snapshot);
-        if (runner.isOver())
+        if (runner.isOver() && cooling.isOver(snapshot))
             QCoreApplication::exit();
     });
     int seen = 0;
@@ -50,13 +53,14 @@ void runLive(RecipeRunner& runner, const RecipeWatch& watch, LivePlace place) {
         const int before = std::exchange(seen, signalCount.now());
         if (seen == before)
             return;
+        const bool wasOver = runner.isOver();
         if (seen == 1) {
             post(runner.stopNow());
         } else {
             runner.takeOver(); // by what the engine told before, it would go on
             engine.post(EmergencyStop{});
         }
-        if (runner.isOver())
+        if (runner.isOver() && (wasOver || seen > 1)) // a person looks after the source
             QCoreApplication::exit();
     });
     look.start(kLook_ms);

@@ -377,6 +377,9 @@ int alarmPriority(MessageCode code) {
     case MessageCode::SafetySourceNotCooling:
     case MessageCode::SafetyHeatNotOff:
     case MessageCode::SafetyHeatByHand:
+    case MessageCode::HeaterGuardMissing:
+    case MessageCode::HeaterGuardTookOver:
+    case MessageCode::HeaterGuardLost:
         return 1;
     case MessageCode::ReasonEmergencyStop:
     case MessageCode::EventEmergencyStop:
@@ -390,9 +393,6 @@ int alarmPriority(MessageCode code) {
     case MessageCode::RobotStepOutside:
     case MessageCode::RobotElsewhere:
     case MessageCode::RobotSlow:
-    case MessageCode::HeaterGuardMissing:
-    case MessageCode::HeaterGuardTookOver:
-    case MessageCode::HeaterGuardLost:
     case MessageCode::SafetyObjectWarm:
     case MessageCode::SafetySourceSilent:
     case MessageCode::SafetySourceCold:

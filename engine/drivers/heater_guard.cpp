@@ -13,6 +13,7 @@
 #include <spawn.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
+#include <system_error>
 #include <thread>
 #include <unistd.h>
 #include <utility>
@@ -148,15 +149,22 @@ void HeaterGuard::start(const std::string& program) {
     if (::socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC | SOCK_NONBLOCK, 0, ends.data()) != 0)
         return fail(std::strerror(errno));
     m_process = std::make_shared<Process>();
-    std::thread([process = m_process, program, socket = ends[1], port = m_port, settings = m_settings,
-                 logFile = m_logFile, portId = m_portId, idFolder = m_idFolder] {
-        std::error_code code;
-        process->live(program, socket,
-                      {"bask-guard", std::filesystem::absolute(port, code).string(),
-                       std::to_string(settings.baud), std::to_string(settings.dataBits),
-                       std::string(1, settings.parity), std::to_string(settings.stopBits), logFile, portId,
-                       idFolder});
-    }).detach();
+    try {
+        std::thread([process = m_process, program, socket = ends[1], port = m_port, settings = m_settings,
+                     logFile = m_logFile, portId = m_portId, idFolder = m_idFolder] {
+            std::error_code code;
+            process->live(program, socket,
+                          {"bask-guard", std::filesystem::absolute(port, code).string(),
+                           std::to_string(settings.baud), std::to_string(settings.dataBits),
+                           std::string(1, settings.parity), std::to_string(settings.stopBits), logFile,
+                           portId, idFolder});
+        }).detach();
+    } catch (const std::system_error& problem) {
+        ::close(ends[0]);
+        ::close(ends[1]);
+        m_process.reset();
+        return fail(problem.what());
+    }
     m_socket = ends[0];
     m_state = State::Starting;
     m_problem = {};

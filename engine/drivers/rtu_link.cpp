@@ -12,6 +12,7 @@ namespace bask {
 namespace {
 
 constexpr std::size_t kExceptionBytes = 5, kWriteReplyBytes = 8;
+constexpr double kLongestFrame = 256.0; // bytes
 constexpr double kLeastGap_s = 0.00175; // from 19200 baud on
 
 std::string frameOf(const ModbusRequest& request) {
@@ -80,6 +81,7 @@ struct RtuLink::Line {
     int ask(const ModbusRequest& request);
     void forget();
     double gap_s() const { return std::max(kLeastGap_s, onTheLine_s(settings, kModbusGapBytes)); }
+    double longest_s() const { return kOvertake_s + onTheLine_s(settings, kLongestFrame); }
     void keepSilent() { quietUntil_s = clock.now_s() + replyTime_s; }
     Error wrong(const char* words);
     Error silence() const;
@@ -95,6 +97,7 @@ struct RtuLink::Line {
     Message problem{}; ///< nobody has answered for long; None: that of the bytes counts
     double quietUntil_s = -1e300;
     double gapUntil_s = -1e300; ///< after the last bytes that came
+    double babbles_s = -1e300;  ///< bytes have come without a gap since
     int lastNumber = 0, silent = 0, discarded = 0;
 };
 
@@ -162,6 +165,8 @@ void RtuLink::Line::look() {
     const std::string come = bytes->read();
     if (come.empty())
         return;
+    if (clock.now_s() >= gapUntil_s)
+        babbles_s = clock.now_s();
     gapUntil_s = clock.now_s() + gap_s();
     if (!asked) {
         keepSilent(); // nobody asked for that, or not now
@@ -254,8 +259,10 @@ int RtuLink::send(const ModbusRequest& request) {
 bool RtuLink::mayOvertake() const {
     m_line->look();
     const double now_s = m_line->clock.now_s();
-    return isOpen() && now_s >= m_line->gapUntil_s &&
-           (!m_line->asked || now_s >= m_line->asked->overtakenFrom_s);
+    const bool isGap = now_s >= m_line->gapUntil_s;
+    if (!isOpen() || (!isGap && now_s - m_line->babbles_s < m_line->longest_s()))
+        return false; // who talks for longer than any answer has no end
+    return !m_line->asked || now_s >= m_line->asked->overtakenFrom_s;
 }
 
 int RtuLink::overtake(const ModbusRequest& request) {

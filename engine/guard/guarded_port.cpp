@@ -16,6 +16,8 @@ namespace {
 
 constexpr std::size_t kStack = 128 * 1024; // all of it is locked in memory
 constexpr int kLast_ms = 100;              // for the last bytes before it is closed, which may be a stop
+constexpr int kAgain_ms = 10;
+constexpr int kMostDropped = 64; // reads; a line that has no end is babbling
 
 } // namespace
 
@@ -37,54 +39,66 @@ void* GuardedPort::run(void* port) {
     return nullptr;
 }
 
+// Never ends: a guard that beats and has no port would be worse than none.
 void GuardedPort::serve() {
-    Command command{};
-    bool isLost = true;
     for (;;) {
-        pollfd ends[] = {{m_commands[1], POLLIN, 0}, {isLost ? -1 : m_line.descriptor(), POLLIN, 0}};
-        if (::poll(ends, 2, -1) < 0)
+        const bool isRead = m_line.descriptor() >= 0 && !m_isLost;
+        pollfd ends[] = {{m_commands[1], POLLIN, 0}, {isRead ? m_line.descriptor() : -1, POLLIN, 0}};
+        if (::poll(ends, 2, -1) < 0) {
+            ::poll(nullptr, 0, kAgain_ms);
             continue;
-        m_told.number = command.number;
+        }
+        Command command{};
         if (ends[0].revents != 0) {
-            if (::recv(m_commands[1], &command, sizeof command, 0) != sizeof command)
-                return;
-            m_line.close();
-            isLost = true;
-            if (!command.isOpen)
-                continue;
-            m_told.number = command.number;
-            m_told.problem = m_line.open();
-            isLost = m_told.problem != 0;
-            if (!tell(isLost ? Event::Failed : Event::Opened))
-                return;
+            if (::recv(m_commands[1], &command, sizeof command, MSG_DONTWAIT) == sizeof command)
+                obey(command);
         } else if (ends[1].revents != 0) {
             const long count = m_line.read(m_told.bytes, sizeof m_told.bytes);
-            isLost = count < 0;
-            if (count != 0 &&
-                !tell(isLost ? Event::Lost : Event::Bytes, isLost ? 0 : static_cast<std::size_t>(count)))
-                return;
+            m_isLost = count < 0;
+            if (m_isLost)
+                tell(Event::Lost);
+            else if (count > 0)
+                tell(Event::Bytes, static_cast<std::size_t>(count));
         }
     }
 }
 
-bool GuardedPort::tell(Event event, std::size_t count) {
-    m_told.event = event;
-    const std::size_t size = offsetof(Packet, bytes) + count;
-    while (::send(m_events[1], &m_told, size, MSG_NOSIGNAL) < 0)
-        if (errno != EINTR)
-            return false;
-    return true;
+void GuardedPort::obey(const Command& command) {
+    m_told.number = command.number;
+    switch (command.kind) {
+    case Command::Kind::Close:
+        return m_line.close();
+    case Command::Kind::Open:
+        m_line.close();
+        m_told.problem = m_line.open();
+        m_isLost = false;
+        return tell(m_told.problem == 0 ? Event::Opened : Event::Failed);
+    case Command::Kind::Drop:
+        long count = m_isLost ? -1 : 1;
+        for (int i = 0; i < kMostDropped && count > 0; ++i)
+            count = m_line.read(m_told.bytes, sizeof m_told.bytes);
+        m_isLost = count < 0;
+        return tell(m_isLost ? Event::Lost : Event::Dropped);
+    }
 }
 
-void GuardedPort::order(bool isOpen) {
-    const Command command{++m_number, isOpen};
-    m_isOpening = ::send(m_commands[0], &command, sizeof command, MSG_NOSIGNAL) == sizeof command && isOpen;
-    m_isOpen = false;
-    m_queued = 0;
+void GuardedPort::tell(Event event, std::size_t count) {
+    m_told.event = event;
+    const std::size_t size = offsetof(Packet, bytes) + count;
+    while (::send(m_events[1], &m_told, size, MSG_NOSIGNAL) < 0) // for want of memory
+        ::poll(nullptr, 0, kAgain_ms);
+}
+
+/// False: it is not taken; what is told from here on is void all the same.
+bool GuardedPort::order(Command::Kind kind) {
+    const Command command{++m_number, kind};
+    return ::send(m_commands[0], &command, sizeof command, MSG_DONTWAIT | MSG_NOSIGNAL) == sizeof command;
 }
 
 void GuardedPort::open() {
-    order(true);
+    m_isOpen = false;
+    m_queued = 0;
+    m_isOpening = order(Command::Kind::Open);
 }
 
 void GuardedPort::close() {
@@ -92,7 +106,9 @@ void GuardedPort::close() {
         return;
     for (int i = 0; m_isOpen && !isFlushed() && i < kLast_ms && flush(); ++i)
         ::poll(nullptr, 0, 1);
-    order(false);
+    m_isOpen = m_isOpening = false;
+    m_queued = 0;
+    (void)order(Command::Kind::Close);
 }
 
 GuardedPort::Event GuardedPort::take(void* bytes, std::size_t& count) {
@@ -140,6 +156,12 @@ void GuardedPort::forget() {
     m_queued = 0;
     if (m_isOpen)
         ::ioctl(m_line.descriptor(), TCFLSH, TCIOFLUSH);
+    drop();
+}
+
+void GuardedPort::drop() {
+    if (m_isOpen)
+        (void)order(Command::Kind::Drop);
 }
 
 } // namespace bask::guard

@@ -12,7 +12,7 @@ namespace bask::guard {
 /// Nothing is allocated after the start.
 class GuardedPort {
 public:
-    enum class Event { None, Opened, Failed, Bytes, Lost };
+    enum class Event { None, Opened, Failed, Bytes, Dropped, Lost };
 
     explicit GuardedPort(const PortSettings& settings);
 
@@ -39,13 +39,16 @@ public:
     bool flush();
     bool isFlushed() const { return m_queued == 0; }
     static constexpr int kFlush_ms = 2; ///< until the next flush() where one was not enough
-    /// Forgets what is queued, and what the system holds of it and of what came.
+    /// Forgets what is queued, and what the system holds of it; and drop().
     void forget();
+    /// Forgets what has come, wherever it is on its way. What comes after Dropped is new.
+    void drop();
 
 private:
     struct Command {
-        std::uint32_t number; ///< of the opening
-        bool isOpen;
+        enum class Kind { Open, Close, Drop };
+        std::uint32_t number; ///< of what is told from here on
+        Kind kind;
     };
     struct Packet {
         std::uint32_t number;
@@ -55,11 +58,13 @@ private:
     };
     static void* run(void* port);
     void serve();
-    void order(bool isOpen);
-    bool tell(Event event, std::size_t count = 0);
+    void obey(const Command& command);
+    bool order(Command::Kind kind);
+    void tell(Event event, std::size_t count = 0);
 
-    SerialLine m_line; ///< the thread's, but for its descriptor between Opened and close()
-    Packet m_told{};   ///< the thread's
+    SerialLine m_line;     ///< the thread's, but for its descriptor between Opened and close()
+    Packet m_told{};       ///< the thread's
+    bool m_isLost = false; ///< the thread's
     Packet m_taken{};
     int m_commands[2] = {-1, -1}, m_events[2] = {-1, -1};
     unsigned long m_thread = 0;

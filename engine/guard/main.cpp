@@ -158,6 +158,8 @@ private:
             switch (m_port.take(bytes, count)) {
             case GuardedPort::Event::None:
                 return;
+            case GuardedPort::Event::Dropped:
+                break;
             case GuardedPort::Event::Opened:
                 tell(Told::Opened, m_port.id(), std::strlen(m_port.id()));
                 break;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr int kQuickPasses = 10; // then it is tried less often: memories of set points wear
 constexpr int kAtOnce_ms = 10, kSoon_ms = 300, kLater_ms = 5000;
+constexpr int kLook_ms = 1000, kSlowLooks = 5;
+constexpr int kDrop_ms = 500;                         // a busy computer's own work on what has come
 constexpr int kLoggedOften = 10, kLoggedSeldom = 100; // passes
 
 double now_s() {
@@ -159,9 +161,12 @@ bool OffRun::isOpen() {
     else
         m_port.open();
     std::size_t count = 0;
-    while (m_port.isOpening() && m_port.take(m_bytes, count) == GuardedPort::Event::None) {
+    for (int looks = 0; m_port.isOpening() && m_port.take(m_bytes, count) == GuardedPort::Event::None;
+         ++looks) {
+        if (looks == kSlowLooks)
+            m_log.say("the port takes long to open");
         pollfd state{m_port.descriptor(), POLLIN, 0};
-        ::poll(&state, 1, -1);
+        ::poll(&state, 1, kLook_ms);
     }
     if (!m_port.isOpen() && isLogged())
         m_log.say("the port cannot be opened: %s", m_port.problem() == SerialLine::kExchanged
@@ -178,6 +183,10 @@ bool OffRun::pass() {
 }
 
 bool OffRun::take(const OffStep& step) {
+    if (step.mustFit)
+        dropOld();
+    if (!m_port.isOpen())
+        return false;
     m_heard = 0;
     if (!m_port.write(step.send, step.sends) || !m_port.flush())
         m_port.forget();
@@ -191,6 +200,27 @@ bool OffRun::take(const OffStep& step) {
     }
     (void)hear(nullptr, step.pause_ms);
     return hasCome || !step.mustFit;
+}
+
+void OffRun::lose() {
+    m_log.say("the port was unplugged");
+    m_port.close();
+}
+
+/// An answer to somebody's earlier question is no answer to this one.
+void OffRun::dropOld() {
+    m_port.drop();
+    const double until_s = now_s() + 1e-3 * kDrop_ms;
+    std::size_t count = 0;
+    while (now_s() < until_s) {
+        const GuardedPort::Event event = m_port.take(m_bytes, count);
+        if (event == GuardedPort::Event::Lost)
+            lose();
+        if (event == GuardedPort::Event::Dropped || event == GuardedPort::Event::Lost)
+            return;
+        pollfd state{m_port.descriptor(), POLLIN, 0};
+        ::poll(&state, 1, 10);
+    }
 }
 
 /// The newest: what is wanted comes last.
@@ -222,8 +252,7 @@ bool OffRun::hear(const OffStep* step, int ms) {
         std::size_t count = 0;
         const GuardedPort::Event event = m_port.take(bytes, count);
         if (event == GuardedPort::Event::Lost || !m_port.flush()) {
-            m_log.say("the port was unplugged");
-            m_port.close();
+            lose();
             return false;
         }
         if (step != nullptr && event == GuardedPort::Event::Bytes)

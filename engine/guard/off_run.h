@@ -25,6 +25,8 @@ private:
     bool take(const OffStep& step);
     /// Reads on for so long; empty `step`: whatever comes is dropped.
     bool hear(const OffStep* step, int ms);
+    void dropOld();
+    void lose();
     void keep(const unsigned char* bytes, std::size_t count);
     bool isLogged() const;
 

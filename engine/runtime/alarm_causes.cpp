@@ -89,8 +89,9 @@ std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment)
     case Condition::SensorQuiet:
     case Condition::ObjectHot:
     case Condition::ObjectWarm:
-    case Condition::NotWarming:
         return ofObject(name);
+    case Condition::NotWarming: // in whatever words
+        return ofObject(messageName(MessageCode::SafetyNotWarming));
     default:
         return name;
     }

@@ -41,7 +41,7 @@ constexpr std::array kLadder{
     SafetyRow{Condition::SourceNotHeating,   3, Reaction::Stop,    false, 0.0, 0.0},
     SafetyRow{Condition::SourceHeatsUnasked, 1, Reaction::Stop,    false, 0.5, 0.0},
     SafetyRow{Condition::SourceNotCooling,   1, Reaction::Stop,    false, 0.0, 0.0},
-    SafetyRow{Condition::HeaterGuardGone,    2, Reaction::Stop,    false, 0.0, 0.0},
+    SafetyRow{Condition::HeaterGuardGone,    1, Reaction::Stop,    false, 0.0, 0.0},
     SafetyRow{Condition::SourceCold,         2, Reaction::Stop,    false, 0.5, 0.0},
     SafetyRow{Condition::SourceUnit,         2, Reaction::Stop,    false, 0.5, 0.0},
     SafetyRow{Condition::SetPointOther,      3, Reaction::Stop,    false, 10.0, 0.0},

@@ -577,6 +577,12 @@ std::vector<Message> ServoLoop::reasons() const {
     return out;
 }
 
+/// Of its words, which may be about less than its condition is at worst.
+int ServoLoop::priorityOf(const Latched& fault) {
+    const int ofWords = alarmPriority(fault.message.code);
+    return ofWords > 0 ? ofWords : fault.finding ? safetyRow(fault.finding->condition).priority : 1;
+}
+
 namespace {
 
 // Seen over a link that works: what was lost before and is latched is not its cause.
@@ -598,10 +604,7 @@ std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
         out.push_back({std::move(key), message, priority, cause ? alarmKey(*cause, m_experiment) : ""});
     };
     for (const Latched& fault : m_faults)
-        add(fault.key, newest(fault),
-            fault.finding ? safetyRow(fault.finding->condition).priority
-                          : std::max(1, alarmPriority(fault.message.code)),
-            fault.finding);
+        add(fault.key, newest(fault), priorityOf(fault), fault.finding);
     for (const SafetyFinding& finding : m_safety.active())
         add(alarmKey(finding, m_experiment), finding.message, safetyRow(finding.condition).priority, finding);
     if (!m_compromise.empty() && running())

@@ -209,6 +209,7 @@ private:
     static Latched latched(Message reason);
     /// By its message as it is now, where that still holds.
     Message newest(const Latched& fault) const;
+    static int priorityOf(const Latched& fault);
     std::vector<SafetyFinding> foundOrLatched() const;
     void addFault(Latched fault);
     void holdFor(const SafetyFinding& finding); ///< a run, or a move of the operator's

@@ -15,8 +15,9 @@ constexpr double kNoiseShare = 0.05;
 constexpr double kNoiseTimes = 8.0;     // so many deviations more are asked for
 constexpr double kToleranceTimes = 5.0; // deviations of a change that is learnt from: there are hundreds
 constexpr double kTolerance_K = 0.1;    // and besides: steps of a sensor
-constexpr double kWrongThen = 0.06;     // share of energy and losses, as pose and air change while it learns
-constexpr double kWrongNow = 0.05;      // and from then to now
+constexpr double kMostLaw = 2.4; // where free convection of a bare metal is, by ΔT to the 1.25th up to 50 K
+constexpr double kWrongThen = 0.06; // share of energy and losses, as pose and air change while it learns
+constexpr double kWrongNow = 0.05;  // and from then to now
 constexpr double kRoomUnknown_K = 5.0, kRoomZeroed_K = 0.2;
 constexpr double kRoomDrift_K_s = 2.0 / 3600.0;
 
@@ -104,7 +105,7 @@ HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t fit, d
     const double linear_K_s = to.linear_K_s - from.linear_K_s;
     const double radiated_K_s = to.radiated_K_s - from.radiated_K_s;
     const auto losses_K_s = [&](std::size_t of) {
-        return linear_K_s + (radiated_K_s - linear_K_s) * static_cast<double>(of) / kLaws;
+        return linear_K_s + (radiated_K_s - linear_K_s) * kMostLaw * static_cast<double>(of) / kLaws;
     };
     const double room_K =
         m_zeroed_s ? std::min(kRoomUnknown_K, kRoomZeroed_K + kRoomDrift_K_s * (to.time_s - *m_zeroed_s))
@@ -184,7 +185,7 @@ std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from
 std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
     const HeatFit::Change change = expected(m_anything, from, kWrongNow);
     const double gained_K = m_now.temperature_K - from.temperature_K;
-    if (gained_K > change.min_K - m_least_K - kNoiseTimes * m_noise_K)
+    if (gained_K > std::min(change.min_K, 0.0) - m_least_K - kNoiseTimes * m_noise_K)
         return std::nullopt;
     return Unfollowed{change.min_K, gained_K, m_now.time_s - from.time_s, true};
 }

@@ -49,8 +49,9 @@ public:
 
 private:
     static constexpr std::array<double, 7> kLags_s{0.0, 1.0, 2.0, 3.5, 5.0, 8.0, 15.0}; ///< of sensors
-    /// Of the losses, which lie between the linear law and the fourth power, always as far from the one.
-    static constexpr std::size_t kLaws = 3;
+    /// Of the losses: from the linear law (0) through the fourth power (1) to free convection, always the
+    /// same.
+    static constexpr std::size_t kLaws = 6;
     /// One for each two neighbouring lags, between which that of the sensor may be, and each law.
     using Fits = std::vector<HeatFit>;
     static constexpr std::size_t kFits = (kLags_s.size() - 1) * kLaws;

@@ -26,6 +26,7 @@ struct Object {
     double loss_1_s = 1.0 / 450.0;
     double belief = 1.0; ///< of the power, over the true one
     double lag_s = 0.0;  ///< of its sensor
+    bool isFree = false; ///< its losses grow with the 1.25th power, as much at 50 K
 
     /// When an alarm was given, s: a contradiction for 30 s, or the same value for so long. Infinite: never.
     double alarm_s(const std::function<double(double)>& power_K_s,
@@ -36,7 +37,9 @@ struct Object {
         std::normal_distribution<double> noise(0.0, noise_K);
         double T = 298.0, felt = 298.0, followed_s = 0.0;
         for (double t = 1.0; t < 1500.0; t += 1.0) {
-            T += power_K_s(t) - loss_1_s * (T - 298.0);
+            const double over_K = T - 298.0;
+            T += power_K_s(t) -
+                 loss_1_s * over_K * (isFree ? std::pow(std::max(over_K, 0.0) / 50.0, 0.25) : 1.0);
             felt += (T - felt) * (lag_s > 0.0 ? -std::expm1(-1.0 / lag_s) : 1.0);
             double value = felt + noise(random);
             if (resolution_K > 0.0)
@@ -71,6 +74,25 @@ TEST(WarmingWatch, GivesNoAlarmForAnObjectThatFollows) {
                             << loss_1_s << ' ' << belief << ' ' << resolution_K << ' ' << noise_K << ' '
                             << lag_s;
                     }
+}
+
+// Catches losses that are taken for linear, or for the fourth power, and are of air that rises by itself.
+TEST(WarmingWatch, GivesNoAlarmInFreeConvection) {
+    const auto hot = [](double t) { return 6.0 * approach(t); }; // to 100 K over the room
+    for (const double loss_1_s : {1.0 / 900.0, 1.0 / 450.0, 1.0 / 90.0})
+        for (const double belief : {0.4, 1.0, 2.5})
+            for (const bool isHot : {false, true}) {
+                Object object{0.02, 0.01, loss_1_s, belief};
+                object.isFree = true;
+                EXPECT_GT(isHot ? object.alarm_s(hot) : object.alarm_s(approach), 1500.0)
+                    << loss_1_s << ' ' << belief << ' ' << isHot;
+            }
+}
+
+// Catches an object that is far thicker than declared, and warms, taken for one whose sensor fell off.
+TEST(WarmingWatch, GivesNoAlarmForAnObjectThatTakesHardlyAnything) {
+    const Object object{0.02, 0.1, 1.0 / 4500.0, 8.0};
+    EXPECT_GT(object.alarm_s([](double t) { return 0.1 * approach(t); }), 1500.0);
 }
 
 // Catches a sensor that is off its object and shows the room.

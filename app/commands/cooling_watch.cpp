@@ -1,0 +1,39 @@
+#include "app/commands/cooling_watch.h"
+
+#include "engine/base/message_code.h"
+
+#include <algorithm>
+
+namespace bask {
+namespace {
+
+constexpr double kCooled_K = 2.0; // for kCooled_s: no scatter, nor a controller's swing
+constexpr double kCooled_s = 3.0;
+constexpr double kHandWarm_K = 30.0; // over the room: it need not be seen to cool
+constexpr double kSilent_s = 10.0;   // nothing more is learnt from a source that tells nothing
+
+bool isAlarmed(const Snapshot& snapshot) {
+    return std::ranges::any_of(snapshot.alarms, [](const Alarm& alarm) {
+        return alarm.isActive && (alarm.message.code == MessageCode::SafetySourceHeatsUnasked ||
+                                  alarm.message.code == MessageCode::SafetySourceNotCooling);
+    });
+}
+
+} // namespace
+
+bool CoolingWatch::isOver(const Snapshot& snapshot) {
+    if (snapshot.pending || snapshot.state == RunState::Stopping)
+        return false;
+    if (snapshot.isSourceByHand || isAlarmed(snapshot))
+        return true;
+    if (!snapshot.source_K)
+        return !(snapshot.sourceAge_s < kSilent_s);
+    m_hottest_K = std::max(m_hottest_K, *snapshot.source_K);
+    if (*snapshot.source_K <= m_room_K + kHandWarm_K)
+        return true;
+    if (m_warm_s < 0.0 || *snapshot.source_K > m_hottest_K - kCooled_K)
+        m_warm_s = snapshot.clock_s;
+    return snapshot.clock_s - m_warm_s >= kCooled_s;
+}
+
+} // namespace bask
