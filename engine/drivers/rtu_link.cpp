@@ -250,8 +250,9 @@ int RtuLink::Line::ask(const ModbusRequest& request) {
     return lastNumber;
 }
 
+// The caller has asked isFree(), or mayOvertake(): what has come since then must not throw.
 int RtuLink::send(const ModbusRequest& request) {
-    if (!isFree())
+    if (m_line->asked)
         throw std::logic_error("RtuLink: sends only when it is free");
     return m_line->ask(request);
 }
@@ -266,7 +267,7 @@ bool RtuLink::mayOvertake() const {
 }
 
 int RtuLink::overtake(const ModbusRequest& request) {
-    if (!mayOvertake())
+    if (m_line->asked && m_line->clock.now_s() < m_line->asked->overtakenFrom_s)
         throw std::logic_error("RtuLink: overtakes only when it may");
     if (m_line->asked)
         m_line->leave();

@@ -137,6 +137,21 @@ TEST_F(RtuLinkTest, AnOffOvertakesWhatIsUnderWay) {
     EXPECT_TRUE(link->mayOvertake()) << "which is not for an off";
 }
 
+// Catches an off, or a question, that is lost in an exception since a byte came after the line was asked
+// whether it is free.
+TEST_F(RtuLinkTest, AByteThatComesInBetweenThrowsNothing) {
+    const ModbusRequest off{4, 6, 1001, 1, {0}};
+    ASSERT_TRUE(until([&] { return link->isFree(); }));
+    line->inject("x");
+    EXPECT_NO_THROW(link->send({4, 3, 1001, 1}));
+    clock.advance(0.05);
+    ASSERT_TRUE(until([&] { return link->isFree(); }));
+    ASSERT_TRUE(link->mayOvertake());
+    line->inject("x");
+    EXPECT_NO_THROW(link->overtake(off));
+    ASSERT_TRUE(until([&] { return sim.registerAt(4, 3, 1001) == 0; }));
+}
+
 // Catches a value that looks newer than it is: it waited in the line while the engine was held up.
 TEST_F(RtuLinkTest, WhatWaitedThroughAHoldUpIsNotUsed) {
     ASSERT_TRUE(until([&] { return link->isFree(); }));
