@@ -27,6 +27,7 @@ fail() { echo "check-build: FAILED: $*" >&2; exit 1; }
 inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"; }
 
 if [ ! -e "$roots/$suite/etc/debian_version" ]; then
+    command -v debootstrap >/dev/null || sh packaging/install-deps.sh package || fail "install-deps.sh package"
     step "making a clean $suite in $roots"
     mkdir -p "$roots"
     debootstrap "$suite" "$roots/$suite" >"$roots/$suite.log" 2>&1 || fail "debootstrap: see $roots/$suite.log"
