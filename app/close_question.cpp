@@ -46,4 +46,17 @@ Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn) {
     return box.clickedButton() == now ? Closing::Now : Closing::Keep;
 }
 
+void tellHeatLeft(QWidget* window) {
+    QMessageBox box(
+        QMessageBox::Critical, ClosingText::tr("The heat is not known to be off"),
+        ClosingText::tr("The heat source was told to switch off and has not said that it is off. Look "
+                        "at the plate, and switch it off at its mains."),
+        QMessageBox::Close, window);
+    box.setInformativeText(
+        ClosingText::tr("A guard process goes on switching off a heater on a serial port after Bask has "
+                        "closed. The alarm is there again at the next start."));
+    box.setObjectName(QStringLiteral("heatLeft"));
+    box.exec();
+}
+
 } // namespace bask

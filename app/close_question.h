@@ -15,4 +15,7 @@ enum class Closing {
 /// "closeStop" and "closeNow". `isRunOn`: also in its retreat; else a recipe waits between its runs.
 Closing askToClose(QWidget* window, bool isRunOn, bool isRecipeOn);
 
+/// The engine has ended, and a real source was not seen to go off. Object name: "heatLeft".
+void tellHeatLeft(QWidget* window);
+
 } // namespace bask

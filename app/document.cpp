@@ -33,7 +33,7 @@ void Document::openUnsaved(const Experiment& experiment, const QString& path) {
 
 void Document::reset(const Experiment& experiment, const QString& path, bool saved) {
     m_shared = std::make_shared<const Experiment>(experiment);
-    m_experiment = *m_shared;
+    take();
     m_path = path;
     m_history.clear(saved);
     emit opened();
@@ -63,9 +63,15 @@ Result<void> Document::edit(const Experiment& experiment, std::optional<Page> pa
     return {};
 }
 
+void Document::take() {
+    m_experiment = *m_shared;
+    if (m_experiment.rig)
+        m_realRobot = m_experiment.robot;
+}
+
 void Document::become(const std::shared_ptr<const Experiment>& experiment, EditScope scope) {
     m_shared = experiment;
-    m_experiment = *m_shared;
+    take();
     switch (scope) {
     case EditScope::Targets:
         emit targetsChanged();

@@ -22,6 +22,8 @@ public:
     explicit Document(QObject* parent = nullptr);
 
     const Experiment& experiment() const { return m_experiment; }
+    /// Of the newest experiment that was for a real rig; empty: there was none.
+    const std::optional<RobotLimits>& realRobot() const { return m_realRobot; }
     QString path() const { return m_path; }
     /// Not as it was opened or saved last; true again or not after an undo, as it happens.
     bool modified() const { return !m_history.isSaved(); }
@@ -67,7 +69,10 @@ private:
     void reset(const Experiment& experiment, const QString& path, bool saved);
     void become(const std::shared_ptr<const Experiment>& experiment, EditScope scope);
 
+    void take();
+
     Experiment m_experiment;
+    std::optional<RobotLimits> m_realRobot{};
     std::shared_ptr<const Experiment> m_shared; ///< the same, as the history has it
     QString m_path;
     EditHistory m_history;

@@ -4,6 +4,7 @@
 
 #include <QThread>
 
+#include <atomic>
 #include <mutex>
 
 namespace bask {
@@ -66,15 +67,18 @@ bool EngineClient::shutDown(std::chrono::milliseconds bound) {
     m_ending->set(nullptr);
     disconnect(m_worker, nullptr, this, nullptr);
     QThread* thread = std::exchange(m_thread, nullptr);
+    const auto isHeatLeft = std::make_shared<std::atomic<bool>>(false); // the thread may outlive this
     QMetaObject::invokeMethod(
         m_worker,
-        [worker = m_worker, thread] {
+        [worker = m_worker, thread, isHeatLeft] {
             worker->shutdown();
+            *isHeatLeft = worker->isHeatLeft();
             thread->quit();
         },
         Qt::QueuedConnection);
     m_worker = nullptr;
     const bool ended = thread->wait(QDeadlineTimer(bound));
+    m_isHeatLeft = *isHeatLeft;
     if (ended)
         delete thread;
     return ended;

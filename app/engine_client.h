@@ -43,6 +43,9 @@ public:
     /// Begins the same from any thread, also when this one hangs. What it gives may outlive this.
     std::function<void()> ender() const;
 
+    /// After shutDown: a real source was not seen to go off. Its guard goes on without Bask.
+    bool isHeatLeft() const { return m_isHeatLeft; }
+
     bool answering() const { return m_answering; }
 
 signals:
@@ -62,6 +65,7 @@ private:
     std::shared_ptr<Ending> m_ending;
     QTimer m_silence;
     bool m_answering = true;
+    bool m_isHeatLeft = false;
 };
 
 } // namespace bask

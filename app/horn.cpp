@@ -28,7 +28,7 @@ void Horn::setMode(HornMode mode) {
 }
 
 void Horn::apply(const Snapshot& snapshot) {
-    m_isSimulated = snapshot.simulated;
+    m_isSimulated = snapshot.simulated && std::ranges::none_of(snapshot.alarms, &Alarm::isLive);
     m_priority = 0;
     std::set<std::pair<std::uint64_t, int>> once;
     for (const AlarmGroup& group : groupAlarms(snapshot.alarms).present) {

@@ -11,6 +11,7 @@
 #include "app/recipe_control.h"
 #include "app/recovery_offer.h"
 #include "app/resources.h"
+#include "app/silent_engine.h"
 #include "app/state_bar.h"
 #include "app/status_line.h"
 #include "app/undo_actions.h"
@@ -40,6 +41,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <utility>
 
 namespace bask {
 namespace {
@@ -86,7 +89,7 @@ MainWindow::MainWindow()
 }
 
 MainWindow::~MainWindow() {
-    m_engine.shutDown(EngineClient::kEnd); // before anything is written
+    endEngine(); // before anything is written
 }
 
 void MainWindow::begin(const QString& path) {
@@ -108,6 +111,7 @@ void MainWindow::begin(const QString& path) {
 
 void MainWindow::apply(const Snapshot& snapshot) {
     m_last = snapshot;
+    m_sinceAnswer.start();
     const QWidget* const focused = focusWidget();
     const bool isVerb = m_stateBar->isAncestorOf(focused);
     m_actions.apply(snapshot);
@@ -129,6 +133,10 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
     closeAtRest();
+}
+
+void MainWindow::showSilence() {
+    m_pages->apply(withoutAnswer(m_last, 1e-3 * static_cast<double>(m_sinceAnswer.elapsed())));
 }
 
 void MainWindow::perform(Verb verb) {
@@ -422,8 +430,10 @@ void MainWindow::closeAtRest() {
     if (!m_closesAtRest || runIsOn() || m_recipe->isOn())
         return;
     m_closesAtRest = false;
-    if (m_last.state != RunState::Fault) // which a person should see
+    if (m_last.state != RunState::Fault)
         QMetaObject::invokeMethod(this, &QWidget::close, Qt::QueuedConnection);
+    else
+        m_pages->showNote(tr("Bask stays open: the run ended by a fault. Look at the alarms."));
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -431,13 +441,22 @@ void MainWindow::closeEvent(QCloseEvent* event) {
         event->ignore();
         return;
     }
-    const bool hasEnded =
-        m_engine.shutDown(EngineClient::kEnd); // first: the disk may hang in all that follows
+    const bool hasEnded = endEngine(); // first: the disk may hang in all that follows
+    if (m_isHeatLeft)
+        tellHeatLeft(this);
     m_settings.setWindow(saveGeometry(), saveState());
     m_autosave.end();
     if (hasEnded)
         m_cutOff->end();
     event->accept();
+}
+
+bool MainWindow::endEngine() {
+    const bool hasEnded = m_engine.shutDown(EngineClient::kEnd);
+    const bool isUnheard = !hasEnded && !m_last.simulated && m_last.heat != HeatState::Off;
+    if ((m_engine.isHeatLeft() || isUnheard) && !std::exchange(m_isHeatLeft, true))
+        std::fputs("bask: the heat of the real rig is not known to be off: look at the plate\n", stderr);
+    return hasEnded;
 }
 
 /// Any file: what cannot be opened is refused in words.

@@ -13,6 +13,7 @@
 #include "app/settings_store.h"
 #include "widgets/common/language.h"
 
+#include <QElapsedTimer>
 #include <QMainWindow>
 
 class QToolBar;
@@ -95,6 +96,8 @@ private:
     bool mayClose();
     void endRun();
     void closeAtRest();
+    bool endEngine(); ///< false: it did not answer
+    void showSilence();
 
     SettingsStore m_settings;
     const int m_textSize_percent = m_settings.textSize_percent(); ///< as it was at the start
@@ -122,6 +125,9 @@ private:
     std::optional<Verb> m_refused; ///< the message bar says why it cannot be done
     std::function<Closing()> m_closeQuestion;
     bool m_closesAtRest = false; ///< a person has said so
+    bool m_isHeatLeft = false;   ///< of a real source, at the engine's end
+    QElapsedTimer m_sinceAnswer;
+    QTimer m_silence; ///< ages go on while the engine does not answer
 };
 
 } // namespace bask

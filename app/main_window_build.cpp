@@ -133,6 +133,13 @@ void MainWindow::connectParts() {
     connect(&m_engine, &EngineClient::answeringChanged, m_statusLine, &StatusLine::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, &m_horn, &Horn::setAnswering);
     connect(&m_engine, &EngineClient::answeringChanged, m_dock, &BottomDock::setAnswering);
+    connect(&m_silence, &QTimer::timeout, this, &MainWindow::showSilence);
+    connect(&m_engine, &EngineClient::answeringChanged, this, [this](bool answering) {
+        if (answering)
+            return m_silence.stop();
+        m_silence.start(std::chrono::seconds(1));
+        showSilence();
+    });
     connect(m_pages, &PageHost::commandIssued, this, [this](const Command& command) {
         if (isManual(command))
             m_recipe->takeOverAtRest();

@@ -213,7 +213,8 @@ void RecipeControl::ask(RecipeExperiments experiments) {
         lines << tr("and %n more", nullptr, static_cast<int>(m_recipe.steps.size() - kMostShown));
     QStringList limits; // of all its steps, each told once
     for (const auto& experiment : experiments)
-        for (const Message& limit : widenedOnRealRig(m_document.experiment(), *experiment))
+        for (const Message& limit :
+             widenedOnRealRig(m_document.experiment(), *experiment, m_document.realRobot()))
             if (const QString words = sentence(limit); !limits.contains(words))
                 limits << words;
     if (!limits.isEmpty())

@@ -180,7 +180,7 @@ void SessionActions::adopt(const Result<Experiment>& read, const QString& path, 
     }
     if (refusedByRun() || refusedByEdits(since, name)) // which may have begun while the file was read
         return;
-    if (widenedOnRealRig(m_document.experiment(), *read).empty())
+    if (widenedOnRealRig(m_document.experiment(), *read, m_document.realRobot()).empty())
         put(*read, path);
     else
         askAboutLimits(*read, path, since);
@@ -189,7 +189,7 @@ void SessionActions::adopt(const Result<Experiment>& read, const QString& path, 
 /// Like an edit that raises a limit: a file brings in nothing that nobody was asked about.
 void SessionActions::askAboutLimits(const Experiment& experiment, const QString& path, int since) {
     QStringList lines;
-    for (const Message& limit : widenedOnRealRig(m_document.experiment(), experiment))
+    for (const Message& limit : widenedOnRealRig(m_document.experiment(), experiment, m_document.realRobot()))
         lines << sentence(limit);
     askOnTheWayUp(m_window, QStringLiteral("limitsOfFile"), tr("Limits of the real rig"),
                   tr("\"%1\" allows the real rig more than now:").arg(QFileInfo(path).fileName()) +

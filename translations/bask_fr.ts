@@ -58,6 +58,18 @@
         <source>Stay</source>
         <translation>Rester</translation>
     </message>
+    <message>
+        <source>The heat is not known to be off</source>
+        <translation>Le chauffage n’est pas connu comme éteint</translation>
+    </message>
+    <message>
+        <source>The heat source was told to switch off and has not said that it is off. Look at the plate, and switch it off at its mains.</source>
+        <translation>La source de chaleur a reçu l’ordre de s’éteindre et n’a pas dit qu’elle est éteinte. Regardez la plaque et coupez-la au secteur.</translation>
+    </message>
+    <message>
+        <source>A guard process goes on switching off a heater on a serial port after Bask has closed. The alarm is there again at the next start.</source>
+        <translation>Un processus de garde continue d’éteindre une source sur un port série après la fermeture de Bask. L’alarme est de nouveau là au prochain démarrage.</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPreset</name>
@@ -1359,6 +1371,18 @@
     <message>
         <source>Another device than before answers at %1: it was &quot;%2&quot; and is &quot;%3&quot;. Nothing is written to it. Put the plugs right, or say on the Rig page that this is the one.</source>
         <translation>Un autre appareil que d’habitude répond sur %1 : c’était « %2 », c’est « %3 ». Rien ne lui est écrit. Remettez les prises en ordre, ou dites sur la page Banc que c’est le bon.</translation>
+    </message>
+    <message>
+        <source>The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.</source>
+        <translation>Le chauffage du banc réel (%1) n’est pas connu comme éteint, et Bask ne le surveille plus. Regardez la plaque ; coupez-la au secteur.</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2 °C and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
+        <translation>Le capteur de « %1 » indique %2 °C et n’a pas suivi la chaleur de son objet. Vérifiez qu’il est sur son objet, puis confirmez-le.</translation>
+    </message>
+    <message>
+        <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
+        <translation>L’enregistrement du défaut est terminé, car l’expérience a été modifiée ou une autre a été ouverte.</translation>
     </message>
 </context>
 <context>
@@ -4121,8 +4145,8 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Après y avoir remédié : le robot est là où il le dit. Rien ne bouge.</translation>
     </message>
     <message>
-        <source>Place UNKNOWN: the robot does not answer. What stands below is %1.</source>
-        <translation>Position INCONNUE : le robot ne répond pas. Ce qui suit date : %1.</translation>
+        <source>Place UNKNOWN. What stands below is %1.</source>
+        <translation>Position INCONNUE. Ce qui suit date : %1.</translation>
     </message>
     <message>
         <source>Place UNKNOWN: the robot has not told it yet.</source>
@@ -4349,6 +4373,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>source %1 below</source>
         <comment>a temperature; under the objects</comment>
         <translation>source %1 dessous</translation>
+    </message>
+    <message>
+        <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
+        <translation>Bask reste ouvert : l’essai s’est terminé par un défaut. Regardez les alarmes.</translation>
     </message>
 </context>
 <context>

@@ -58,6 +58,18 @@
         <source>Stay</source>
         <translation>留下</translation>
     </message>
+    <message>
+        <source>The heat is not known to be off</source>
+        <translation>加热不能确定已关闭</translation>
+    </message>
+    <message>
+        <source>The heat source was told to switch off and has not said that it is off. Look at the plate, and switch it off at its mains.</source>
+        <translation>已命令热源关闭，但它没有回报已关闭。请查看热板，并切断其电源。</translation>
+    </message>
+    <message>
+        <source>A guard process goes on switching off a heater on a serial port after Bask has closed. The alarm is there again at the next start.</source>
+        <translation>Bask 关闭后，守护进程会继续关闭串口上的热源。下次启动时该报警会再次出现。</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPreset</name>
@@ -1359,6 +1371,18 @@
     <message>
         <source>Another device than before answers at %1: it was &quot;%2&quot; and is &quot;%3&quot;. Nothing is written to it. Put the plugs right, or say on the Rig page that this is the one.</source>
         <translation>在 %1 应答的设备与以前不同：原为“%2”，现为“%3”。不会向它写入任何内容。请把插头接对，或在“装置”页上说明就是这台。</translation>
+    </message>
+    <message>
+        <source>The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.</source>
+        <translation>实际装置（%1）的加热不能确定已关闭，Bask 也不再监视它。请查看热板，并切断其电源。</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2 °C and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
+        <translation>“%1”的传感器读数为 %2 °C，且没有跟随其物体的受热。请查看它是否在物体上，然后确认。</translation>
+    </message>
+    <message>
+        <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
+        <translation>故障的记录已结束，因为实验被修改或打开了另一个实验。</translation>
     </message>
 </context>
 <context>
@@ -4116,8 +4140,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>请在处理之后使用：确认机器人就在它所报的位置。没有运动。</translation>
     </message>
     <message>
-        <source>Place UNKNOWN: the robot does not answer. What stands below is %1.</source>
-        <translation>位置未知：机器人没有应答。以下数值：%1。</translation>
+        <source>Place UNKNOWN. What stands below is %1.</source>
+        <translation>位置未知。以下数值：%1。</translation>
     </message>
     <message>
         <source>Place UNKNOWN: the robot has not told it yet.</source>
@@ -4344,6 +4368,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>source %1 below</source>
         <comment>a temperature; under the objects</comment>
         <translation>下方热源 %1</translation>
+    </message>
+    <message>
+        <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
+        <translation>Bask 保持打开：运行因故障结束。请查看报警。</translation>
     </message>
 </context>
 <context>

@@ -58,6 +58,18 @@
         <source>Stay</source>
         <translation>留下</translation>
     </message>
+    <message>
+        <source>The heat is not known to be off</source>
+        <translation>加熱不能確定已關閉</translation>
+    </message>
+    <message>
+        <source>The heat source was told to switch off and has not said that it is off. Look at the plate, and switch it off at its mains.</source>
+        <translation>已命令熱源關閉，但它沒有回報已關閉。請查看熱板，並切斷其電源。</translation>
+    </message>
+    <message>
+        <source>A guard process goes on switching off a heater on a serial port after Bask has closed. The alarm is there again at the next start.</source>
+        <translation>Bask 關閉後，守護行程會繼續關閉串列埠上的熱源。下次啟動時該警報會再次出現。</translation>
+    </message>
 </context>
 <context>
     <name>MaterialPreset</name>
@@ -1359,6 +1371,18 @@
     <message>
         <source>Another device than before answers at %1: it was &quot;%2&quot; and is &quot;%3&quot;. Nothing is written to it. Put the plugs right, or say on the Rig page that this is the one.</source>
         <translation>在 %1 回應的裝置與以前不同：原為「%2」，現為「%3」。不會向它寫入任何內容。請把插頭接對，或在「實驗台」頁上說明就是這台。</translation>
+    </message>
+    <message>
+        <source>The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.</source>
+        <translation>實際實驗台（%1）的加熱不能確定已關閉，Bask 也不再監視它。請查看熱板，並切斷其電源。</translation>
+    </message>
+    <message>
+        <source>The sensor of &quot;%1&quot; reads %2 °C and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
+        <translation>「%1」的感測器讀數為 %2 °C，且沒有跟隨其物體的受熱。請查看它是否在物體上，然後確認。</translation>
+    </message>
+    <message>
+        <source>The recording of the fault has ended, since the experiment was changed or another one was opened.</source>
+        <translation>故障的記錄已結束，因為實驗被修改或開啟了另一個實驗。</translation>
     </message>
 </context>
 <context>
@@ -4116,8 +4140,8 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>請在處理之後使用：確認機器人就在它所報的位置。沒有運動。</translation>
     </message>
     <message>
-        <source>Place UNKNOWN: the robot does not answer. What stands below is %1.</source>
-        <translation>位置未知：機器人沒有回應。以下數值：%1。</translation>
+        <source>Place UNKNOWN. What stands below is %1.</source>
+        <translation>位置未知。以下數值：%1。</translation>
     </message>
     <message>
         <source>Place UNKNOWN: the robot has not told it yet.</source>
@@ -4344,6 +4368,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>source %1 below</source>
         <comment>a temperature; under the objects</comment>
         <translation>下方熱源 %1</translation>
+    </message>
+    <message>
+        <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
+        <translation>Bask 保持開啟：運轉因故障結束。請查看警報。</translation>
     </message>
 </context>
 <context>

@@ -71,6 +71,10 @@ void printSummary(const AlarmStudy& study, const std::vector<AlarmRow>& rows) {
     for (std::size_t p = 0; p < summary.alarms.size(); ++p)
         std::printf("alarms of priority %zu: %d (%.0f %%), %.3f per 10 minutes\n", p + 1, summary.alarms[p],
                     all > 0 ? 100.0 * summary.alarms[p] / all : 0.0, summary.per10min[p]);
+    if (!summary.faults.empty())
+        std::printf("with each fault as often as in a laboratory (estimated, see docs/safety.md): "
+                    "priorities 1, 2, 3: %.0f, %.0f, %.0f %%\n",
+                    100.0 * summary.shares[0], 100.0 * summary.shares[1], 100.0 * summary.shares[2]);
     std::printf("most alarms of one run within 10 minutes: %d\n", summary.mostIn10min);
     std::printf("hottest true temperature over its trip limit: %.1f K\n", summary.overTrip_K);
     std::printf("simulated: %.1f h in %zu runs\n", summary.hours, rows.size());

@@ -66,7 +66,7 @@ private:
         m_outcome.fault =
             m_outcome.fault || std::any_of(m_outcome.events.begin() + before, m_outcome.events.end(),
                                            [](const TraceEvent& event) {
-                                               return event.message.code == MessageCode::SafetyHeatNotOff;
+                                               return event.message.code == MessageCode::HeatLeftUnknown;
                                            });
     }
 
@@ -142,14 +142,20 @@ private:
     void watch(const Snapshot& snapshot) {
         if (m_wish != Wish::Watch)
             return;
-        if (m_cooling.isOver(snapshot))
+        // The record of a fault goes on until all is cold.
+        m_over_s = m_over_s.value_or(m_clock.now_s());
+        const bool isRecording =
+            !snapshot.recordingPath.empty() && m_clock.now_s() - *m_over_s < kFaultRecord_s;
+        if (m_cooling.isOver(snapshot) && (!isRecording || m_cooling.isAlarmed(snapshot)))
             return over();
         if (std::exchange(m_isWatchTold, true))
             return;
         for (const Message& reason : snapshot.reasons)
             std::fprintf(stderr, "bask run: %s\n", describe(reason).c_str());
-        std::fputs("bask run: the run is over; waiting until the source is seen to cool. Ctrl+C ends that.\n",
-                   stderr);
+        std::fputs(
+            "bask run: the run is over; waiting until the source is seen to cool, and the objects of a "
+            "recorded fault. Ctrl+C ends that.\n",
+            stderr);
     }
 
     void go(Wish wish, const Command& command) {
@@ -237,7 +243,7 @@ private:
     CoolingWatch m_cooling{m_experiment.environment_K};
     bool m_isWatchTold = false;
     int m_stops = 0; ///< signals until then
-    std::optional<double> m_armed_s;
+    std::optional<double> m_armed_s, m_over_s;
     std::vector<double> m_withinSince_s; ///< infinite: outside of the band
     TraceSample m_sample;
     Snapshot m_last;

@@ -319,6 +319,9 @@ constexpr Entry kMessages[]{ // not std::array, which clang deduces of no more t
     Entry BASK_MESSAGE(EventMaySleep, QT_TRANSLATE_NOOP("Message", "This computer cannot be kept awake while heat is on (%1): switch off its standby, and keep its lid open")),
     Entry BASK_MESSAGE(EventDeviceAccepted, QT_TRANSLATE_NOOP("Message", "The device that answers at %1 is the right one from now on")),
     Entry BASK_MESSAGE(DeviceExchanged, QT_TRANSLATE_NOOP("Message", "Another device than before answers at %1: it was \"%2\" and is \"%3\". Nothing is written to it. Put the plugs right, or say on the Rig page that this is the one.")),
+    Entry BASK_MESSAGE(HeatLeftUnknown, QT_TRANSLATE_NOOP("Message", "The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.")),
+    Entry BASK_MESSAGE(ReasonSensorDoubted, QT_TRANSLATE_NOOP("Message", "The sensor of \"%1\" reads %2 °C and did not follow its object's heat. Look whether it is on its object, then confirm it.")),
+    Entry BASK_MESSAGE(EventRecordEnded, QT_TRANSLATE_NOOP("Message", "The recording of the fault has ended, since the experiment was changed or another one was opened.")),
 };
 // clang-format on
 
@@ -380,6 +383,7 @@ int alarmPriority(MessageCode code) {
     case MessageCode::HeaterGuardMissing:
     case MessageCode::HeaterGuardTookOver:
     case MessageCode::HeaterGuardLost:
+    case MessageCode::HeatLeftUnknown:
         return 1;
     case MessageCode::ReasonEmergencyStop:
     case MessageCode::EventEmergencyStop:

@@ -313,6 +313,9 @@ enum class MessageCode : int {
     EventMaySleep,            ///< %1 words
     EventDeviceAccepted,      ///< %1 port
     DeviceExchanged,          ///< %1 port, %2 device as remembered, %3 as it tells
+    HeatLeftUnknown,          ///< %1 port
+    ReasonSensorDoubted,      ///< %1 object, %2 degC
+    EventRecordEnded,         ///< no args
 };
 
 struct Message;

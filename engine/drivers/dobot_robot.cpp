@@ -568,6 +568,15 @@ Result<void> DobotRobot::home() {
     return Error(MessageCode::RobotCannotHome, m_feedback.link().name());
 }
 
+// What it refused, or was late with, keeps no object before the heat.
+void DobotRobot::setRetreating(bool isRetreating) {
+    m_isRetreating = isRetreating;
+    if (!isRetreating)
+        return;
+    m_refused.reset();
+    m_isSlow = m_isSlow && m_move_s;
+}
+
 Result<void> DobotRobot::clearAlarm() {
     if (m_linkState != LinkState::Live)
         return notLive();

@@ -440,6 +440,15 @@ Result<void> GrblRobot::home() {
     return {};
 }
 
+// What it refused, or was late with, keeps no object before the heat.
+void GrblRobot::setRetreating(bool isRetreating) {
+    m_isRetreating = isRetreating;
+    if (!isRetreating)
+        return;
+    m_refused.reset();
+    m_isSlow = m_isSlow && (m_line || m_fence_s);
+}
+
 Result<void> GrblRobot::clearAlarm() {
     if (m_linkState != LinkState::Live)
         return notLive();

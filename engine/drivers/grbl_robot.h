@@ -36,7 +36,7 @@ public:
     /// An Error, too, while something keeps it from moving. Throws std::invalid_argument for numbers that are
     /// not finite.
     Result<void> setTwist(const Vector6d& twist, double validFor_s) override;
-    void setRetreating(bool isRetreating) override { m_isRetreating = isRetreating; }
+    void setRetreating(bool isRetreating) override;
     Result<void> halt() override;
     Result<void> home() override;
     /// Clears what state() shows as its alarm, and nothing behind it: after a limit switch the controller

@@ -14,6 +14,7 @@ struct Consequence {
     Condition condition;
     Condition cause;         ///< the nearest first, where a condition has several
     bool isOfObject = false; ///< only if both are of the same object
+    bool isOfLine = false;   ///< only if thermometer and source are on one line
 };
 
 // No condition leads back to itself.
@@ -24,6 +25,7 @@ constexpr std::array kConsequences{
     Consequence{Condition::RobotPlaceUnsure, Condition::RobotAlarm},
     Consequence{Condition::RobotPlaceUnsure, Condition::RobotSlow},
     Consequence{Condition::RobotPlaceUnsure, Condition::RobotLost},
+    Consequence{Condition::SourceHot, Condition::SourceHeatsUnasked},
     Consequence{Condition::SourceLost, Condition::HeaterGuardGone},
     Consequence{Condition::SourceSilent, Condition::SourceLost},
     Consequence{Condition::HeatNotOff, Condition::SourceLost},
@@ -36,6 +38,8 @@ constexpr std::array kConsequences{
     Consequence{Condition::SourceHeatsUnasked, Condition::SourceLost},
     Consequence{Condition::SourceNotCooling, Condition::SourceHeatsUnasked},
     Consequence{Condition::SourceNotCooling, Condition::SourceLost},
+    Consequence{Condition::ThermometerLost, Condition::SourceLost, false, true},
+    Consequence{Condition::ThermometerLost, Condition::HeaterGuardGone, false, true},
     Consequence{Condition::SensorOpen, Condition::ThermometerLost},
     Consequence{Condition::SensorShort, Condition::ThermometerLost},
     Consequence{Condition::SensorInvalid, Condition::ThermometerLost},
@@ -49,9 +53,14 @@ constexpr std::array kConsequences{
     Consequence{Condition::ObjectWarm, Condition::ObjectHot, true},
 };
 
-const SafetyFinding* nearestCause(const SafetyFinding& finding, const std::vector<SafetyFinding>& present) {
+bool hasOneLine(const std::optional<RigSpec>& rig) {
+    return rig && rig->thermometer && rig->source && rig->thermometer->port == rig->source->port;
+}
+
+const SafetyFinding* nearestCause(const SafetyFinding& finding, const std::vector<SafetyFinding>& present,
+                                  const Experiment& experiment) {
     for (const Consequence& row : kConsequences) {
-        if (row.condition != finding.condition)
+        if (row.condition != finding.condition || (row.isOfLine && !hasOneLine(experiment.rig)))
             continue;
         const auto cause = std::ranges::find_if(present, [&](const SafetyFinding& other) {
             return other.condition == row.cause && (!row.isOfObject || other.object == finding.object);
@@ -97,9 +106,10 @@ std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment)
     }
 }
 
-const SafetyFinding* causeOf(const SafetyFinding& finding, const std::vector<SafetyFinding>& present) {
+const SafetyFinding* causeOf(const SafetyFinding& finding, const std::vector<SafetyFinding>& present,
+                             const Experiment& experiment) {
     const SafetyFinding* cause = nullptr;
-    for (const SafetyFinding* next = &finding; (next = nearestCause(*next, present)) != nullptr;)
+    for (const SafetyFinding* next = &finding; (next = nearestCause(*next, present, experiment)) != nullptr;)
         cause = next;
     return cause;
 }

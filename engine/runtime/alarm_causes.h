@@ -14,6 +14,7 @@ std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment)
 
 /// The one of `present` that a condition follows from in the end; null: it is a cause itself. The condition
 /// may be among them.
-const SafetyFinding* causeOf(const SafetyFinding& finding, const std::vector<SafetyFinding>& present);
+const SafetyFinding* causeOf(const SafetyFinding& finding, const std::vector<SafetyFinding>& present,
+                             const Experiment& experiment);
 
 } // namespace bask

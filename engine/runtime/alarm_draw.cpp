@@ -176,6 +176,9 @@ void addFault(StudyRandom& random, AlarmCase& drawn, int index) {
     case SimulatedFault::SourceKeepsHeat:
         drawn.actions.push_back({drawn.fault.time_s + 5.0, AlarmAction::Kind::Stop});
         break;
+    case SimulatedFault::SensorOff: // also one that is cold at once, as when its wire breaks to another's
+        drawn.offLag_s = isLikely(random, 0.25) ? 0.0 : logUniform(random, 1.0, kAlarmOffLag_s);
+        break;
     case SimulatedFault::SourceCovered:
     case SimulatedFault::CameraLost:
         drawn.experiment.source.tracked = true;
@@ -195,6 +198,43 @@ const std::vector<SimulatedFault>& alarmFaults() {
         return all;
     }();
     return faults;
+}
+
+double alarmFaultFrequency(SimulatedFault fault) {
+    switch (fault) {
+    case SimulatedFault::None:
+        return 0.0;
+    case SimulatedFault::SourceCovered:
+        return 20.0;
+    case SimulatedFault::SensorLost:
+    case SimulatedFault::SensorOpen:
+        return 10.0;
+    case SimulatedFault::SensorJumping:
+    case SimulatedFault::SensorOff:
+        return 8.0;
+    case SimulatedFault::RobotAlarm:
+        return 5.0;
+    case SimulatedFault::SensorShort:
+    case SimulatedFault::RobotSlow:
+    case SimulatedFault::SourceNotHeating:
+    case SimulatedFault::SourceLimited:
+    case SimulatedFault::CameraLost:
+        return 3.0;
+    case SimulatedFault::SensorFrozen:
+    case SimulatedFault::RobotLost:
+    case SimulatedFault::RobotRestarted:
+    case SimulatedFault::SourceLost:
+    case SimulatedFault::SourceSilent:
+        return 2.0;
+    case SimulatedFault::ObjectHot:
+        return 1.0;
+    case SimulatedFault::SourceOverheats:
+    case SimulatedFault::SourceKeepsHeat:
+        return 0.3;
+    case SimulatedFault::SourceHeatsAlone:
+        return 0.1;
+    }
+    throw std::logic_error("alarmFaultFrequency: no such fault");
 }
 
 AlarmCase drawAlarmCase(const std::vector<Experiment>& rigs, AlarmDraw draw, std::uint64_t seed, int index) {

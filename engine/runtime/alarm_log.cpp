@@ -12,13 +12,21 @@ namespace bask {
 /// What follows from a cause within this time was seen with it; a grave one that comes later was not.
 constexpr double kAtOnce_s = 30.0;
 
+namespace {
+
+bool outlastsItsRig(const Alarm& alarm) {
+    return alarm.isLive && alarm.message.code == MessageCode::HeatLeftUnknown;
+}
+
+} // namespace
+
 void AlarmLog::addFromBefore(std::vector<Alarm> before) {
     for (Alarm& alarm : before) {
-        auto& kept = alarm.isLive == m_isLive ? m_alarms : m_others;
+        auto& kept = alarm.isLive == m_isLive || outlastsItsRig(alarm) ? m_alarms : m_others;
         if (alarm.isAcknowledged || std::ranges::find(kept, alarm.key, &Alarm::key) != kept.end())
             continue;
         alarm.isFromBefore = alarm.isFromBefore || alarm.isActive;
-        alarm.isActive = false;
+        alarm.isActive = isKept(alarm);
         alarm.id = ++m_lastId;
         kept.push_back(std::move(alarm));
     }
@@ -38,9 +46,22 @@ void AlarmLog::leave() {
 void AlarmLog::use(bool isLive) {
     if (isLive == m_isLive)
         return;
+    std::vector<Alarm> along;
+    std::ranges::copy_if(m_alarms, std::back_inserter(along), outlastsItsRig);
+    std::erase_if(m_alarms, outlastsItsRig);
     leave();
     std::swap(m_alarms, m_others);
     m_isLive = isLive;
+    std::ranges::move(along, std::back_inserter(m_alarms));
+    if (m_isLive) // its own watches tell
+        leave();
+    forgetOver();
+    sort();
+}
+
+// Nobody watches that source any more.
+bool AlarmLog::isKept(const Alarm& alarm) const {
+    return !m_isLive && outlastsItsRig(alarm);
 }
 
 std::vector<Alarm> AlarmLog::all() const {
@@ -56,7 +77,7 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
     for (Alarm& alarm : m_alarms) {
         const bool holds = std::ranges::any_of(
             conditions, [&](const AlarmCondition& condition) { return condition.key == alarm.key; });
-        if (alarm.isActive && !holds) {
+        if (alarm.isActive && !holds && !isKept(alarm)) {
             alarm.isActive = false;
             alarm.cleared_s = utc_s;
             changed = true;
@@ -72,16 +93,16 @@ bool AlarmLog::update(double utc_s, const std::vector<AlarmCondition>& condition
         for (const AlarmCondition& condition : conditions) {
             if (condition.cause.empty() != isCause)
                 continue;
+            const std::string cause = find(condition.cause) != nullptr ? condition.cause : std::string();
             const Alarm* const known = find(condition.key);
             if (known == nullptr || !known->isActive) {
-                raise(condition, utc_s, isFirst && isCause);
+                raise(condition, cause, utc_s, isFirst && isCause);
                 isFirst = isFirst && !isCause;
                 changed = true;
-            } else if (known->message.code != condition.message.code ||
-                       (!isCause && known->cause != condition.cause)) {
+            } else if (known->message.code != condition.message.code || (!isCause && known->cause != cause)) {
                 Alarm& alarm = *find(condition.key);
                 alarm.message = condition.message;
-                alarm.cause = isCause ? alarm.cause : condition.cause;
+                alarm.cause = isCause ? alarm.cause : cause;
                 changed = true;
             }
         }
@@ -96,7 +117,8 @@ Alarm* AlarmLog::find(const std::string& key) {
     return found == m_alarms.end() ? nullptr : &*found;
 }
 
-void AlarmLog::raise(const AlarmCondition& condition, double utc_s, bool isFirst) {
+void AlarmLog::raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s,
+                     bool isFirst) {
     Alarm* alarm = find(condition.key);
     if (alarm == nullptr) {
         m_alarms.push_back({++m_lastId, condition.key, condition.message, condition.priority});
@@ -110,8 +132,8 @@ void AlarmLog::raise(const AlarmCondition& condition, double utc_s, bool isFirst
     }
     alarm->raised_s = utc_s;
     alarm->isFirst = isFirst;
-    alarm->cause = condition.cause;
-    const Alarm* const cause = find(condition.cause);
+    alarm->cause = causeKey;
+    const Alarm* const cause = find(causeKey);
     const bool isSeen = cause != nullptr && cause->isAcknowledged &&
                         (condition.priority > 1 || utc_s - cause->raised_s <= kAtOnce_s);
     alarm->isAcknowledged = alarm->shelvedUntil_s > 0.0 || isSeen;
@@ -119,8 +141,8 @@ void AlarmLog::raise(const AlarmCondition& condition, double utc_s, bool isFirst
 
 // What is over and seen goes; what followed from it stands for itself.
 bool AlarmLog::forgetOver() {
-    const auto erased = std::erase_if(m_alarms, [](const Alarm& alarm) {
-        return alarm.isAcknowledged && !alarm.isActive && alarm.shelvedUntil_s == 0.0;
+    const auto erased = std::erase_if(m_alarms, [this](const Alarm& alarm) {
+        return alarm.isAcknowledged && (!alarm.isActive || isKept(alarm)) && alarm.shelvedUntil_s == 0.0;
     });
     for (Alarm& alarm : m_alarms)
         if (!alarm.cause.empty() && find(alarm.cause) == nullptr)

@@ -14,7 +14,7 @@ struct AlarmCondition {
     std::string key;
     Message message;
     int priority = 1;
-    std::string cause{}; ///< key of the one that it follows from, which holds too; empty: none
+    std::string cause{}; ///< key of the one that it follows from, which holds or held; empty: none
 };
 
 /// Pure: conditions in, alarms out. An alarm stays until it is over and a person has acknowledged it.
@@ -25,7 +25,8 @@ public:
     void addFromBefore(std::vector<Alarm> before);
 
     /// From now on those of a real rig, or of the simulated one. What was active is from before when its rig
-    /// is there again; it starts with the simulated one.
+    /// is there again; it starts with the simulated one. Heat that was left without being known to be off
+    /// (MessageCode::HeatLeftUnknown) stays active over the simulated rig, until it is acknowledged there.
     void use(bool isLive);
     /// Also those of the other kind of rig.
     std::vector<Alarm> all() const;
@@ -49,10 +50,11 @@ public:
 
 private:
     Alarm* find(const std::string& key);
-    void raise(const AlarmCondition& condition, double utc_s, bool isFirst);
+    void raise(const AlarmCondition& condition, const std::string& causeKey, double utc_s, bool isFirst);
     void acknowledgeWithConsequences(Alarm& alarm);
     static void takeBack(Alarm& alarm); ///< from the shelf
     void leave();
+    bool isKept(const Alarm& alarm) const; ///< active over the simulated rig
     bool forgetOver();
     void sort();
 

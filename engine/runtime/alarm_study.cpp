@@ -32,6 +32,7 @@ public:
                  {m_rig.robot(), m_rig.thermometer(), m_rig.heatSource(), {}, &m_rig.sourceTracker()},
                  m_rig.clock()) {
         m_row.drawn = drawn;
+        m_rig.simulatedThermometer().setOffLag(drawn.offLag_s);
     }
 
     AlarmRow run() {
@@ -135,7 +136,8 @@ private:
             m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - m_frozen_K));
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::SensorOff) {
-            m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - m_experiment.environment_K));
+            if (const double told_K = m_loop.toldReading_K(m_drawn.fault.object); std::isfinite(told_K))
+                m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - told_K));
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::ObjectHot) {
             isShown = of_K > warningLimit_K(m_experiment, m_experiment.objects[m_drawn.fault.object]);
@@ -154,7 +156,7 @@ private:
             if (m_present.contains(condition.key))
                 continue;
             m_row.alarms.push_back({time_s(), condition.priority, messageName(condition.message.code),
-                                    describe(condition.message),
+                                    describe(condition.message), !condition.cause.empty(),
                                     isHealthy() && !isTrue(condition.message, true_K)});
             if (m_isFaulty && !m_row.told_s && isOfFault(condition.message))
                 m_row.told_s = time_s() - m_drawn.fault.time_s;
@@ -233,6 +235,28 @@ int mostInWindow(const std::vector<RaisedAlarm>& alarms) {
     return most;
 }
 
+void addTo(std::array<int, 3>& sums, const std::array<int, 3>& counts) {
+    for (std::size_t p = 0; p < sums.size(); ++p)
+        sums[p] += counts[p];
+}
+
+/// Of alarms with their faults as often as a laboratory meets them, not as often as they were drawn.
+std::array<double, 3> sharesOfPriorities(const std::vector<FaultSummary>& faults,
+                                         const std::vector<std::array<int, 3>>& alarms) {
+    std::array<double, 3> shares{};
+    double all = 0.0;
+    for (std::size_t k = 0; k < faults.size(); ++k)
+        for (std::size_t p = 0; p < shares.size() && faults[k].draws > 0; ++p) {
+            const double alarmsPerTime =
+                alarmFaultFrequency(faults[k].fault) * alarms[k][p] / faults[k].draws;
+            shares[p] += alarmsPerTime;
+            all += alarmsPerTime;
+        }
+    for (double& share : shares)
+        share /= all > 0.0 ? all : 1.0;
+    return shares;
+}
+
 void add(FaultSummary& summary, const AlarmRow& row, std::vector<double>& delays_s) {
     ++summary.draws;
     summary.overTrip_K = std::max(summary.overTrip_K, row.overTrip_K);
@@ -278,6 +302,7 @@ Result<std::vector<AlarmRow>> runAlarmStudy(const AlarmStudy& study, int threads
 AlarmSummary summarize(const std::vector<AlarmRow>& rows) {
     AlarmSummary summary;
     std::vector<std::vector<double>> delays_s(alarmFaults().size());
+    std::vector<std::array<int, 3>> ofFault(alarmFaults().size());
     for (const SimulatedFault fault : alarmFaults())
         summary.faults.push_back({fault});
     for (const AlarmRow& row : rows) {
@@ -288,11 +313,16 @@ AlarmSummary summarize(const std::vector<AlarmRow>& rows) {
         const auto falseWords = std::ranges::count_if(row.alarms, &RaisedAlarm::isFalse);
         summary.falseWords += static_cast<int>(falseWords);
         summary.falseTrips += row.isTripped && falseWords > 0;
+        std::array<int, 3> causes{};
         for (const RaisedAlarm& alarm : row.alarms)
-            ++summary.alarms[static_cast<std::size_t>(std::clamp(alarm.priority, 1, 3) - 1)];
+            causes[static_cast<std::size_t>(std::clamp(alarm.priority, 1, 3) - 1)] += !alarm.isConsequence;
+        addTo(summary.alarms, causes);
         const auto fault = std::ranges::find(summary.faults, row.drawn.fault.fault, &FaultSummary::fault);
-        if (fault != summary.faults.end())
-            add(*fault, row, delays_s[static_cast<std::size_t>(fault - summary.faults.begin())]);
+        if (fault == summary.faults.end())
+            continue;
+        const auto k = static_cast<std::size_t>(fault - summary.faults.begin());
+        add(*fault, row, delays_s[k]);
+        addTo(ofFault[k], causes);
     }
     for (std::size_t k = 0; k < delays_s.size(); ++k) {
         std::vector<double>& delays = delays_s[k];
@@ -302,6 +332,7 @@ AlarmSummary summarize(const std::vector<AlarmRow>& rows) {
         summary.faults[k].median_s = delays[delays.size() / 2];
         summary.faults[k].worst_s = delays.back();
     }
+    summary.shares = sharesOfPriorities(summary.faults, ofFault);
     std::erase_if(summary.faults, [](const FaultSummary& fault) { return fault.draws == 0; });
     for (std::size_t p = 0; p < summary.alarms.size(); ++p)
         summary.per10min[p] = summary.hours > 0.0 ? summary.alarms[p] / (6.0 * summary.hours) : 0.0;
@@ -319,7 +350,8 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmRow>& rows)
         " K from its object (frozen, off), the object over its warning limit, else at once;\n"
         "# told: an alarm is of it; acted: and the run holds or has ended. over_trip_K: hottest true "
         "temperature "
-        "over its object's trip limit. false: alarms that state what is not so.\n"
+        "over its object's trip limit. false: alarms that state what is not so. Each alarm: time, priority, "
+        "follows (from another).\n"
         "run,simulated_s,controller,objects,source_degC,source_model,noise_K,lag_s,convection_W_m2K,fault,"
         "object,fault_s,shown_s,told_s,acted_s,unseen_K,tripped,false,over_trip_K,over_target_K,alarms\n";
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -331,7 +363,8 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmRow>& rows)
         std::string alarms = row.refusal;
         for (const RaisedAlarm& alarm : row.alarms)
             alarms += (alarms.empty() ? "" : "; ") + decimal(alarm.time_s) + " s, " +
-                      std::to_string(alarm.priority) + (alarm.isFalse ? ", false: " : ": ") + alarm.sentence;
+                      std::to_string(alarm.priority) + (alarm.isConsequence ? ", follows" : "") +
+                      (alarm.isFalse ? ", false: " : ": ") + alarm.sentence;
         const bool isFaulty = row.drawn.fault.fault != SimulatedFault::None;
         text +=
             std::to_string(k + 1) + ',' + decimal(row.simulated_s) + ',' +

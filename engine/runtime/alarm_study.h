@@ -30,7 +30,8 @@ struct RaisedAlarm {
     int priority = 1;
     std::string name; ///< of its message
     std::string sentence;
-    bool isFalse = false; ///< it states what is not so; told of healthy draws only
+    bool isConsequence = false; ///< it follows from another, and is listed under that one
+    bool isFalse = false;       ///< it states what is not so; told of healthy draws only
 };
 
 /// One run's outcome.
@@ -69,9 +70,11 @@ struct FaultSummary {
 struct AlarmSummary {
     double hours = 0.0; ///< simulated
     int falseTrips = 0, falseWords = 0;
-    std::array<int, 3> alarms{}; ///< of priority 1, 2, 3
+    std::array<int, 3> alarms{}; ///< causes of priority 1, 2, 3
     std::array<double, 3> per10min{};
-    int mostIn10min = 0; ///< of all runs
+    std::array<double, 3>
+        shares{};        ///< of the priorities where each fault is as often as alarmFaultFrequency()
+    int mostIn10min = 0; ///< of all runs, consequences counted
     double overTrip_K = -1e9;
     int refused = 0;
     std::vector<FaultSummary> faults;

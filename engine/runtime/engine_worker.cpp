@@ -21,6 +21,7 @@ namespace {
 
 constexpr int kTimer_ms = 20;
 constexpr int kRealTimer_ms = 4; ///< real devices are listened to so often
+constexpr int kOverdue_ms = 50;  ///< of the timer
 constexpr double kPublish_s = 0.05;
 constexpr double kLongestGap_s =
     1.0; ///< of wall time that is made up for, after a suspended or stalled computer
@@ -258,7 +259,8 @@ void EngineWorker::tellHeatNotOff() {
     for (const RigDeviceState& device : m_session->real->devices())
         if (device.role == DeviceRole::HeatSource)
             port = device.port;
-    const Message message{MessageCode::SafetyHeatNotOff, {port}};
+    const Message message{MessageCode::HeatLeftUnknown, {port}};
+    m_isHeatLeft = m_isEnding;
     const TraceEvent event{m_session->loop.runTime_s(), message};
     m_pending.newEvents.push_back(event);
     if (m_writer) {
@@ -286,6 +288,10 @@ void EngineWorker::post(const bask::Command& command) {
     }
     carryOut(command);
     carryOutWaiting();
+    // Posted events go before the timer: commands that come faster than they are answered would keep it
+    // waiting.
+    if (m_timer && m_wall.elapsed() > kOverdue_ms)
+        onTimer();
 }
 
 /// Arm and Start that are not answered yet, and what waits behind them, are void.
@@ -321,8 +327,13 @@ void EngineWorker::carryOut(const Command& command) {
 }
 
 void EngineWorker::answer(const Result<void>& result) {
-    if (m_session && m_session->real && !m_isClosing)
-        m_session->real->work(); // what was asked for goes out now
+    if (m_session && m_session->real && !m_isClosing) {
+        try {
+            m_session->real->work(); // what was asked for goes out now
+        } catch (const std::exception& exception) {
+            m_session->loop.fault({MessageCode::ReasonInternalFault, {exception.what()}});
+        }
+    }
     m_pending.refusal = result ? Message{} : result.error().message;
     record();
     closeFinished();
@@ -341,6 +352,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     const bool isSameRig =
         m_session && m_session->real && experiment.rig && m_session->real->isFor(experiment);
     const auto known = isSameRig ? std::optional(m_session->loop.knowledge()) : std::nullopt;
+    const bool isRecordEnded = m_session && m_session->loop.isCooling() && m_writer;
     Kept kept = closeSession(isSameRig);
     if (m_isEnding)
         return {};
@@ -353,6 +365,8 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     m_session = std::make_unique<Session>(experiment, m_steady, std::move(kept));
     m_alarms.use(m_session->real != nullptr);
     ++m_loadId;
+    if (isRecordEnded)
+        tell({MessageCode::EventRecordEnded, {}});
     if (known)
         m_session->loop.use(*known);
     if (zeroing)
@@ -734,8 +748,13 @@ void EngineWorker::onTimer() {
         return;
     const double wall_s = std::min(kLongestGap_s, static_cast<double>(m_wall.nsecsElapsed()) * 1e-9);
     m_wall.restart();
-    if (m_tried)
-        m_tried->rig.work();
+    try {
+        if (m_tried)
+            m_tried->rig.work();
+    } catch (const std::exception& exception) {
+        tell({MessageCode::ReasonInternalFault, {exception.what()}});
+        endTrial();
+    }
     hearBackground();
     carryOutWaiting();
     if (m_session) {

@@ -47,6 +47,9 @@ public:
                           std::unique_ptr<Clock> awake = std::make_unique<AwakeClock>());
     ~EngineWorker() override;
 
+    /// After shutdown(), on the engine's thread: a real source was not seen to go off.
+    bool isHeatLeft() const { return m_isHeatLeft; }
+
 public slots:
     void start();
     void post(const bask::Command& command);
@@ -162,6 +165,7 @@ private:
     struct Trial;
     std::unique_ptr<Trial> m_tried; ///< one device alone
     bool m_isClosing = false, m_isEnding = false;
+    bool m_isHeatLeft = false;
     std::deque<Command> m_waiting; ///< that came while isBusy()
     double m_speed = 1.0;
     double m_untilTick_s = 0.0; ///< of a simulated rig

@@ -508,9 +508,7 @@ void SafetyMonitor::forgetLoss() {
 }
 
 void SafetyMonitor::restart() {
-    const bool wasHeated = m_source.wasHeated();
-    m_source = SourceWatch(m_experiment.safety, m_experiment.environment_K);
-    m_source.use(wasHeated);
+    m_source.restart();
     for (ObjectWatch& object : m_objects)
         object.warming.reset();
 }

@@ -150,6 +150,7 @@ void SensorChannels::add(const std::vector<Reading>& readings) {
 
 void SensorChannels::useDistrust(const SensorChannels& before) {
     for (std::size_t i = 0; i < std::min(size(), before.size()); ++i) {
+        m_channels[i].isDoubted = before.m_channels[i].isDoubted;
         if (!before.m_channels[i].isDistrusted)
             continue;
         RateEstimator estimator = std::move(m_channels[i].estimator);
@@ -178,7 +179,7 @@ bool SensorChannels::confirm(std::size_t i, double now_s) {
     channel.jump = {};
     channel.jumped_K.clear();
     channel.losses = 0;
-    channel.isDistrusted = channel.lastInvalid = false;
+    channel.isDistrusted = channel.isDoubted = channel.lastInvalid = false;
     believe(i, channel.told);
     return true;
 }

@@ -45,9 +45,13 @@ public:
     /// The objects have absorbed these powers, K/s, since the last call, which was so long ago.
     void advance(double dt_s, const std::vector<double>& powers_K_s);
     bool isDistrusted(std::size_t i) const { return m_channels[i].isDistrusted; }
+    /// It was seen not to follow its object's heat. Its readings are taken all the same, so that what is hot
+    /// is seen, until a person confirms it.
+    void doubt(std::size_t i) { m_channels[i].isDoubted = true; }
+    bool isDoubted(std::size_t i) const { return m_channels[i].isDoubted; }
     /// Where the object is by the heat balance.
     const HeatBounds* bounds(std::size_t i) const;
-    /// Those that were distrusted before are so still. Of the same sensors; not of more channels.
+    /// Those that were distrusted or doubted before are so still. Of the same sensors; not of more channels.
     void useDistrust(const SensorChannels& before);
     /// Newest plausible reading, believed or not; NaN: there is none, or it is older than some periods.
     double told_K(std::size_t i, double now_s) const;
@@ -88,6 +92,7 @@ private:
         Jump jump{};
         std::vector<double> jumped_K{}; ///< newest that were not believed
         bool isDistrusted = false;
+        bool isDoubted = false;
         bool isKnown = false;    ///< its window has been full: before, its first readings may be wrong
         double power_K_s = 0.0;  ///< most of the last seconds: a sensor lags behind its object
         int losses = 0;          ///< how often it was distrusted, not long apart

@@ -163,7 +163,9 @@ void ServoLoop::endRun(const std::string& outcome) {
         m_outcome = outcome;
     makeSafe();
     m_controller.reset();
-    m_isCooling = m_isCooling || (m_runOn && outcome != "settled" && outcome != "stopped");
+    const bool isHeatUnsure = m_devices.isReal && heatState() != HeatState::Off;
+    const bool isAsMeant = (outcome == "settled" || outcome == "stopped") && !isHeatUnsure;
+    m_isCooling = m_isCooling || (m_runOn && !isAsMeant);
     m_runOn = false;
 }
 
@@ -346,6 +348,8 @@ void ServoLoop::holdFor(const SafetyFinding& finding) {
 Result<void> ServoLoop::requireFreshSensor(std::size_t object) const {
     if (m_sensors.isDistrusted(object))
         return Error(distrust(object).code, {}, distrust(object).args);
+    if (m_sensors.isDoubted(object))
+        return Error(doubt(object).code, {}, doubt(object).args);
     if (!m_sensors.fresh(object, m_clock.now_s()))
         return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[object].name});
     return {};
@@ -538,6 +542,34 @@ Message ServoLoop::newest(const Latched& fault) const {
     return fault.message;
 }
 
+/// Its condition can be seen to be over, and is: the fault stays latched.
+bool ServoLoop::isSeenOver(const Latched& fault) const {
+    using Condition = SafetyCondition;
+    if (!fault.finding)
+        return false;
+    switch (fault.finding->condition) {
+    case Condition::RobotLost:
+    case Condition::RobotAlarm:
+    case Condition::RobotPlaceUnsure:
+    case Condition::RobotSlow:
+    case Condition::ObjectHot:
+    case Condition::SourceHot:
+    case Condition::SourceLost:
+    case Condition::SourceSilent:
+    case Condition::SensorOpen:
+    case Condition::SensorShort:
+    case Condition::SensorInvalid:
+    case Condition::SensorStale:
+    case Condition::SensorJump:
+    case Condition::SourcePoseLost:
+        return std::ranges::none_of(m_safety.active(), [&](const SafetyFinding& finding) {
+            return alarmKey(finding, m_experiment) == fault.key;
+        });
+    default: // what is only watched with the heat on, or until it has acted
+        return false;
+    }
+}
+
 std::vector<SafetyFinding> ServoLoop::foundOrLatched() const {
     std::vector<SafetyFinding> out = m_safety.active();
     for (const Latched& fault : m_faults)
@@ -549,19 +581,22 @@ std::vector<SafetyFinding> ServoLoop::foundOrLatched() const {
 std::vector<Message> ServoLoop::reasons() const {
     std::vector<Message> out;
     for (const Latched& fault : m_faults) // also those that a retreat will end in
-        if (!fault.finding || causeOf(*fault.finding, m_safety.active()) == nullptr)
+        if (!fault.finding || causeOf(*fault.finding, m_safety.active(), m_experiment) == nullptr)
             out.push_back(newest(fault));
     for (const SafetyFinding& finding : m_safety.active()) {
         const SafetyRow& row = safetyRow(finding.condition);
         const bool isSaid =
             std::ranges::find(m_faults, alarmKey(finding, m_experiment), &Latched::key) != m_faults.end();
         if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid &&
-            causeOf(finding, m_safety.active()) == nullptr)
+            causeOf(finding, m_safety.active(), m_experiment) == nullptr)
             out.push_back(finding.message);
     }
     if (m_state == RunState::Fault)
         return out;
     std::ranges::copy(missing(), std::back_inserter(out));
+    for (std::size_t i = 0; i < m_sensors.size(); ++i)
+        if (m_sensors.isDoubted(i))
+            out.push_back(doubt(i));
     if (!sourceSeen() && m_sourceSeen_s < 0.0) // not seen yet, which is no alarm
         out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !m_sensors.full())
@@ -600,11 +635,12 @@ std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
         if (std::ranges::find(out, key, &AlarmCondition::key) != out.end())
             return;
         const auto& causes = finding && heatsByItself(finding->condition) ? m_safety.active() : present;
-        const SafetyFinding* cause = finding ? causeOf(*finding, causes) : nullptr;
+        const SafetyFinding* cause = finding ? causeOf(*finding, causes, m_experiment) : nullptr;
         out.push_back({std::move(key), message, priority, cause ? alarmKey(*cause, m_experiment) : ""});
     };
     for (const Latched& fault : m_faults)
-        add(fault.key, newest(fault), priorityOf(fault), fault.finding);
+        if (!isSeenOver(fault))
+            add(fault.key, newest(fault), priorityOf(fault), fault.finding);
     for (const SafetyFinding& finding : m_safety.active())
         add(alarmKey(finding, m_experiment), finding.message, safetyRow(finding.condition).priority, finding);
     if (!m_compromise.empty() && running())

@@ -203,6 +203,7 @@ private:
     SafetyObservation observe() const;
     void watch(); ///< the failsafe ladder
     void react(const SafetyFinding& finding);
+    void noteRefusedRetreat(const Message& problem);
     void tellEnd(const SafetyFinding& finding);
     using Latched = LatchedFault;
     Latched latched(const SafetyFinding& finding) const;
@@ -210,6 +211,7 @@ private:
     /// By its message as it is now, where that still holds.
     Message newest(const Latched& fault) const;
     static int priorityOf(const Latched& fault);
+    bool isSeenOver(const Latched& fault) const;
     std::vector<SafetyFinding> foundOrLatched() const;
     void addFault(Latched fault);
     void holdFor(const SafetyFinding& finding); ///< a run, or a move of the operator's
@@ -259,7 +261,8 @@ private:
     void command(const std::string& name, const std::string& value = {});
     Error refusal(const char* verb) const;
     Message distrust(std::size_t object) const; ///< what its sensor tells, and where the object can be
-    std::string objectsOffTarget() const;       ///< "circle +1.2 K, hand -0.8 K"
+    Message doubt(std::size_t object) const;
+    std::string objectsOffTarget() const; ///< "circle +1.2 K, hand -0.8 K"
 
     Experiment m_experiment;
     RigDevices m_devices;

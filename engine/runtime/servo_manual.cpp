@@ -88,10 +88,20 @@ Result<void> ServoLoop::zeroSensors() {
     return {};
 }
 
+namespace {
+
+std::string degC(double t_K) {
+    return std::isfinite(t_K) ? formatNumber(std::round(10.0 * celsiusFromKelvin(t_K)) / 10.0, 6) : "?";
+}
+
+} // namespace
+
+Message ServoLoop::doubt(std::size_t object) const {
+    return {MessageCode::ReasonSensorDoubted,
+            {m_experiment.objects[object].name, degC(m_sensors.told_K(object, m_clock.now_s()))}};
+}
+
 Message ServoLoop::distrust(std::size_t object) const {
-    const auto degC = [](double t_K) {
-        return std::isfinite(t_K) ? formatNumber(std::round(10.0 * celsiusFromKelvin(t_K)) / 10.0, 6) : "?";
-    };
     const HeatBounds* const bounds = m_sensors.bounds(object);
     return {MessageCode::ReasonSensorDistrusted,
             {m_experiment.objects[object].name, degC(m_sensors.told_K(object, m_clock.now_s())),
@@ -99,7 +109,7 @@ Message ServoLoop::distrust(std::size_t object) const {
 }
 
 SensorTrust ServoLoop::sensorTrust(std::size_t object) const {
-    if (m_sensors.isDistrusted(object))
+    if (m_sensors.isDistrusted(object) || m_sensors.isDoubted(object))
         return SensorTrust::Distrusted;
     return !m_sensors.fresh(object, m_clock.now_s()) || m_safety.isSensorStill(object) ? SensorTrust::Stale
                                                                                        : SensorTrust::Trusted;

@@ -24,10 +24,12 @@ double farthest(const Vector6d& a, const Vector6d& b) {
     return (a - b).cwiseAbs().maxCoeff();
 }
 
-// Off the source a robot can go that has lost its place; one that is in an alarm or held cannot.
-bool isOfPlaceAlone(const Message& alarm) {
+// Off the source a robot can go that has lost its place, and one that refused a step, or was late with one,
+// may take another; one that is in an alarm or held cannot.
+bool mayRetreatAllTheSame(const Message& alarm) {
     return alarm.code == MessageCode::RobotPlaceUnsure || alarm.code == MessageCode::RobotRestarted ||
-           alarm.code == MessageCode::RobotElsewhere;
+           alarm.code == MessageCode::RobotElsewhere || alarm.code == MessageCode::RobotRefused ||
+           alarm.code == MessageCode::RobotSlow;
 }
 
 } // namespace
@@ -50,7 +52,7 @@ Message ServoLoop::keepsFromRetreat() const {
     for (const SafetyFinding& finding : m_safety.active())
         if (finding.condition == SafetyCondition::RobotLost ||
             finding.condition == SafetyCondition::RobotSlow ||
-            (finding.condition == SafetyCondition::RobotAlarm && !isOfPlaceAlone(finding.message)))
+            (finding.condition == SafetyCondition::RobotAlarm && !mayRetreatAllTheSame(finding.message)))
             return finding.message;
     if (!m_hasRobot)
         return {MessageCode::CommandNotNow, {"Retreat", "Connecting"}};

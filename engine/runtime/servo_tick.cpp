@@ -209,8 +209,11 @@ void ServoLoop::watch() {
     m_sensors.advance(seen.sinceTick_s, m_safety.powers_K_s(seen));
     for (const SafetyFinding& finding : changes.ended)
         tellEnd(finding);
-    for (const SafetyFinding& finding : changes.raised)
+    for (const SafetyFinding& finding : changes.raised) {
+        if (finding.condition == SafetyCondition::NotWarming)
+            m_sensors.doubt(finding.object);
         react(finding);
+    }
     watchHeatInFault();
     if (m_safety.isLost() && (m_state == RunState::Running || m_state == RunState::Settled)) {
         holdFor(*m_safety.lost());
@@ -242,8 +245,15 @@ void ServoLoop::react(const SafetyFinding& finding) {
     case SafetyReaction::Retreat:
         return retreatFor(finding);
     case SafetyReaction::Halt:
+        noteRefusedRetreat(message);
         return faultWith(latched(finding));
     }
+}
+
+/// Another retreat by itself would be refused, too.
+void ServoLoop::noteRefusedRetreat(const Message& problem) {
+    if (m_state == RunState::Stopping && problem.code == MessageCode::RobotRefused)
+        m_isRetreatRefused = true;
 }
 
 void ServoLoop::tellEnd(const SafetyFinding& finding) {
@@ -322,8 +332,10 @@ void ServoLoop::move(const Vector6d& rates, double validFor_s) {
     m_rates = rates;
     m_latest.twist.head<3>() = rates.head<3>();
     m_latest.twist.tail<3>() = rotationAxes(m_coordinates) * rates.tail<3>();
-    if (const auto result = m_devices.robot.setTwist(m_latest.twist, validFor_s); !result)
+    if (const auto result = m_devices.robot.setTwist(m_latest.twist, validFor_s); !result) {
+        noteRefusedRetreat(result.error().message);
         faultWith(latched(SafetyFinding{SafetyCondition::RobotAlarm, 0, result.error().message}));
+    }
 }
 
 void ServoLoop::standStill() {

@@ -84,6 +84,16 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     }
 
     outcome.fault = loop.state() == RunState::Fault;
+    // The record of a fault goes on until all is cold.
+    for (const double from_s = loop.runTime_s(); writer && loop.isCooling() &&
+                                                 !options.stop.stop_requested() &&
+                                                 loop.runTime_s() - from_s < kFaultRecord_s;) {
+        drive.period();
+        LoopRecord rows = loop.takeRecord();
+        if (const auto written = write(rows, *writer); !written)
+            return written.error();
+        std::ranges::move(rows.events, std::back_inserter(outcome.events));
+    }
     outcome.simulated_s = last.time_s;
     outcome.settled = loop.state() == RunState::Running || loop.state() == RunState::Settled;
     const double heldFor_s = std::min(kHeldFor_s, last.time_s);

@@ -39,8 +39,9 @@ struct RunOutcome {
     Lateness lateness;  ///< of the control steps, from Start to Stop; none on a simulated rig
 };
 
-inline constexpr double kSettledFor_s = 120.0; ///< ends a run without a duration
-inline constexpr double kHeldFor_s = 30.0;     ///< passing through the band at the end is not settled
+inline constexpr double kFaultRecord_s = 3600.0; ///< a recorded fault is followed until all is cold, at most
+inline constexpr double kSettledFor_s = 120.0;   ///< ends a run without a duration
+inline constexpr double kHeldFor_s = 30.0;       ///< passing through the band at the end is not settled
 
 /// Zeroes the sensors, fills the estimators, starts and runs to the end. Errors: an experiment that does not
 /// validate, a session that cannot be written.

@@ -6,6 +6,14 @@
 
 namespace bask {
 
+void SourceWatch::restart() {
+    SourceWatch anew(m_limits, m_room_K);
+    anew.m_wasHeated = m_wasHeated;
+    anew.m_restSince_s = m_restSince_s;
+    anew.m_restAt_K = m_restAt_K;
+    *this = anew;
+}
+
 void SourceWatch::add(double time_s, double temperature_K, std::optional<double> setPoint_K) {
     const bool isOn = setPoint_K.has_value();
     const bool isNearEnough = isOn && *setPoint_K - temperature_K <= m_limits.sourceBand_K;
@@ -24,7 +32,7 @@ void SourceWatch::add(double time_s, double temperature_K, std::optional<double>
         m_coolSince_s = time_s;
     }
     m_wasHeated = m_wasHeated || isOn;
-    if (isBegun || std::abs(temperature_K - m_restAt_K) > kAtRest_K) {
+    if (!m_restSince_s || isOn || std::abs(temperature_K - m_restAt_K) > kAtRest_K) {
         m_restSince_s = time_s;
         m_restAt_K = temperature_K;
     }
@@ -49,7 +57,7 @@ std::optional<double> SourceWatch::roomInFahrenheit_degC() const {
     constexpr double kWithin_K = 5.0; // about a room that may be 2.8 K another one
     const double told_degC = celsiusFromKelvin(m_temperature_K);
     const double room_degF = displayTemperature(m_room_K, TemperatureUnit::Fahrenheit);
-    const bool isAtRest = !m_wasHeated && m_time_s - m_restSince_s >= kAtRest_s;
+    const bool isAtRest = !m_wasHeated && m_restSince_s && m_time_s - *m_restSince_s >= kAtRest_s;
     return isAtRest && std::abs(told_degC - room_degF) <= kWithin_K ? std::optional(told_degC) : std::nullopt;
 }
 

@@ -29,6 +29,8 @@ public:
     /// Ever: one that cools slowly may pass the room's number, too.
     bool wasHeated() const { return m_wasHeated; }
     void use(bool wasHeated) { m_wasHeated = wasHeated; }
+    /// What its heat did before is over; where it rests is not.
+    void restart();
     /// As it tells and keeps it, degC, where a source that was not heated stands at the number that the room
     /// has in degrees Fahrenheit; empty: it does not.
     std::optional<double> roomInFahrenheit_degC() const;
@@ -46,7 +48,8 @@ private:
     double m_since_s = 0.0;                          ///< of the last progress; of the least with heat off
     double m_from_K = 0.0;                           ///< temperature then
     bool m_wasHeated = false;
-    double m_restSince_s = 0.0, m_restAt_K = 0.0;   ///< within kAtRest_K of this since then
+    std::optional<double> m_restSince_s{}; ///< within kAtRest_K of the next since then
+    double m_restAt_K = 0.0;
     double m_coolSince_s = 0.0, m_coolFrom_K = 0.0; ///< the last time it had become cooler
 };
 

@@ -155,10 +155,16 @@ std::vector<Message> widenedFromUsual(const Experiment& experiment) {
     return widenedLimits(usual, experiment);
 }
 
-std::vector<Message> widenedOnRealRig(const Experiment& now, const Experiment& next) {
+std::vector<Message> widenedOnRealRig(const Experiment& now, const Experiment& next,
+                                      const std::optional<RobotLimits>& real) {
     if (!next.rig)
         return {};
-    return now.rig ? widenedLimits(now, next) : widenedFromUsual(next);
+    if (now.rig)
+        return widenedLimits(now, next);
+    Widened widened{widenedFromUsual(next)};
+    if (real)
+        addWorkspace(widened, *real, next.robot);
+    return widened.out;
 }
 
 Message limitsLoosened(const std::vector<Message>& widened) {

@@ -3,6 +3,7 @@
 
 #include "engine/session/experiment.h"
 
+#include <optional>
 #include <vector>
 
 namespace bask {
@@ -16,8 +17,10 @@ std::vector<Message> widenedLimits(const Experiment& before, const Experiment& a
 std::vector<Message> widenedFromUsual(const Experiment& experiment);
 
 /// What `next` allows a real rig more than is set now; where that is the simulated rig, whose limits nobody
-/// was asked about, more than the usual. None where `next` is for the simulated rig.
-std::vector<Message> widenedOnRealRig(const Experiment& now, const Experiment& next);
+/// was asked about, more than the usual, and in workspace and free axes more than `real`, the robot of the
+/// real rig that was there before. None where `next` is for the simulated rig.
+std::vector<Message> widenedOnRealRig(const Experiment& now, const Experiment& next,
+                                      const std::optional<RobotLimits>& real = {});
 
 /// In one sentence, LimitsLoosened; None without any.
 Message limitsLoosened(const std::vector<Message>& widened);

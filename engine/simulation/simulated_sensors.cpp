@@ -52,8 +52,10 @@ Result<std::vector<Reading>> SimulatedThermometer::read() {
 
 void SimulatedThermometer::setTrouble(std::size_t channel, SensorTrouble trouble, double room_K) {
     Trouble& now = m_troubles.at(channel);
-    if (now.kind != trouble)
+    if (now.kind != trouble) {
         now.since_s = m_clock.now_s();
+        now.felt_K = m_history.empty() ? room_K : m_history.front().felt_K[channel];
+    }
     now.kind = trouble;
     now.room_K = room_K;
 }
@@ -77,9 +79,12 @@ Reading SimulatedThermometer::troubled(std::size_t channel, double value_K) {
         if (std::fmod(now_s - trouble.since_s, 2.0 * kJumping_s) < kJumping_s)
             value_K += kJump_K;
         break;
-    case SensorTrouble::Off:
-        value_K += trouble.room_K - m_history.front().felt_K[channel];
+    case SensorTrouble::Off: {
+        const double left = m_offLag_s > 0.0 ? std::exp(-(now_s - trouble.since_s) / m_offLag_s) : 0.0;
+        value_K +=
+            trouble.room_K + (trouble.felt_K - trouble.room_K) * left - m_history.front().felt_K[channel];
         break;
+    }
     case SensorTrouble::None:
         break;
     }

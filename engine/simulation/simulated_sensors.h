@@ -30,7 +30,7 @@ enum class SensorTrouble {
     Short,   ///< and says so
     Frozen,  ///< gives its last value
     Jumping, ///< reads kJump_K too much for every other kJumping_s
-    Off      ///< came off its object: reads the room
+    Off      ///< came off its object: goes to the room's temperature by itself, see setOffLag
 };
 
 /// Follows true temperatures that it is given by observe().
@@ -48,6 +48,8 @@ public:
     }
     /// `room_K`: what a sensor reads that came off.
     void setTrouble(std::size_t channel, SensorTrouble trouble, double room_K = 298.15);
+    /// Time constant in still air of sensors that come off, s; 0: they read the room at once.
+    void setOffLag(double lag_s) { m_offLag_s = lag_s; }
 
     static constexpr double kJump_K = 30.0;
     static constexpr double kJumping_s = 10.0;
@@ -61,6 +63,7 @@ private:
         SensorTrouble kind = SensorTrouble::None;
         double since_s = 0.0;
         double room_K = 0.0;
+        double felt_K = 0.0; ///< when it began
         double last_K = 0.0; ///< given last
     };
     Reading troubled(std::size_t channel, double value_K);
@@ -68,6 +71,7 @@ private:
     SimulatedThermometerConfig m_config;
     const Clock& m_clock;
     std::mt19937_64 m_random;
+    double m_offLag_s = 0.0;
     std::vector<double> m_offset_K;
     std::vector<Trouble> m_troubles;
     std::deque<Moment> m_history;

@@ -8,6 +8,7 @@
 #include "tests/app/window_fixture.h"
 #include "widgets/calibrate/live_picture.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/common/object_tile.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/run_state_chip.h"
 #include "widgets/objects/objects_page.h"
@@ -668,6 +669,18 @@ TEST_F(MainWindowTest, ReadyOverAHotSourceSaysSo) {
         object.viewFactor = 0.001; // away from it
     emit window->engine().snapshot(told);
     EXPECT_EQ(chip->caption(), QString());
+}
+
+// Catches: pages that call good what was told before the engine hung.
+TEST_F(MainWindowTest, PagesGreyWhatASilentEngineToldLast) {
+    openWindow();
+    ASSERT_TRUE(waitForState(RunState::Ready));
+    auto* tile = find<ObjectTile>("objectTile.0");
+    EXPECT_NE(tile->activity(), ObjectActivity::SensorStale);
+    emit window->engine().answeringChanged(false);
+    EXPECT_EQ(tile->activity(), ObjectActivity::SensorStale);
+    emit window->engine().answeringChanged(true);
+    EXPECT_TRUE(waitFor([&] { return tile->activity() != ObjectActivity::SensorStale; }));
 }
 
 // Catches: a change lost by closing.

@@ -179,7 +179,7 @@ void RigPage::useRig(const RigSpec& rig) {
     };
     dropQuestion(this, kQuestion);
     QStringList lines;
-    for (const Message& limit : widenedOnRealRig(m_experiment, changed))
+    for (const Message& limit : widenedOnRealRig(m_experiment, changed, m_keptRobot))
         lines << sentenceText(limit);
     if (lines.isEmpty())
         return use();
@@ -244,8 +244,10 @@ void RigPage::remove(DeviceRole role) {
 }
 
 void RigPage::setExperiment(const Experiment& experiment) {
-    if (m_experiment.rig && !experiment.rig)
+    if (m_experiment.rig && !experiment.rig) {
         m_kept = m_experiment.rig;
+        m_keptRobot = m_experiment.robot;
+    }
     if (m_experiment != experiment)
         dropQuestion(this, kQuestion); // it was about the old one
     const bool areLimitsNew = m_experiment.robot != experiment.robot;

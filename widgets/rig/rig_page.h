@@ -75,7 +75,8 @@ private:
     void retranslate();
 
     Experiment m_experiment;
-    std::optional<RigSpec> m_kept; ///< the real rig, while the simulated one is in use
+    std::optional<RigSpec> m_kept;            ///< the real rig, while the simulated one is in use
+    std::optional<RobotLimits> m_keptRobot{}; ///< of it
     RunState m_state = RunState::Idle;
     bool m_editable = true;
     QString m_refusal;       ///< of the newest edit; empty: it was taken

@@ -435,6 +435,11 @@ TEST_F(GrblRobotTest, ARefusedStepIsTold) {
     EXPECT_EQ(m_robot->state()->alarm.args, (std::vector<std::string>{"15", "jog beyond the travel"}));
     EXPECT_TRUE(m_robot->state()->isPlaceSure);
     EXPECT_LE(x_mm(), 5.0);
+    m_robot->setRetreating(true); // another way is free all the same
+    EXPECT_TRUE(drive(-m_right, 0.5));
+    m_robot->setRetreating(false);
+    EXPECT_FALSE(drive(m_right, 3.0));
+    EXPECT_EQ(alarm(), MessageCode::RobotRefused);
     clear();
     EXPECT_TRUE(drive(-m_right, 0.5));
 }

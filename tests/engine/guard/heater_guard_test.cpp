@@ -51,6 +51,8 @@ public:
         plug();
         m_thread = std::thread([this] {
             while (!m_isOver) {
+                if (isToBePlugged.exchange(false))
+                    plug();
                 with([this] {
                     if (m_server && !isStopped)
                         m_server->work(m_clock.now_s());
@@ -75,6 +77,7 @@ public:
         with([this] { m_server.reset(); });
     }
     std::atomic<bool> isStopped = false;
+    std::atomic<bool> isToBePlugged = false; ///< by its own thread, whose calls nobody holds
 
 private:
     ByteDevice& m_device;
@@ -389,6 +392,50 @@ TEST_F(GuardTest, APortThatOpensSlowlyIsNoGuardThatStandsStill) {
     });
 }
 
+// Catches a guard that takes over while its port is being opened, and gives up, or never comes to its off.
+TEST_F(GuardTest, ItTakesOverAPortThatOpensSlowly) {
+    constexpr std::uint32_t kFlags = O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC; // the guard's
+    withHeld({SYS_openat, 2, kFlags}, [this](test::HeldCalls& opening) {
+        makeNamur();
+        heatUp();
+        if (HasFatalFailure())
+            return;
+        end.unplug();
+        opening.hold();
+        end.isToBePlugged = true;
+        EXPECT_TRUE(until([&] { return opening.held() > 0; }));
+        EXPECT_EQ(guard->state(), State::Guarding);
+        heater.reset();
+        guard.reset();
+        EXPECT_TRUE(
+            untilWithoutBeat([&] { return logText().find("takes over") != std::string::npos; }, 3000));
+        EXPECT_FALSE(
+            untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 1000));
+        EXPECT_TRUE(isOn());
+        opening.release();
+        EXPECT_TRUE(
+            untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 3000))
+            << logText();
+        EXPECT_FALSE(isOn());
+    });
+}
+
+// Catches a port's thread that ends with the port, so that the next off never goes out.
+TEST_F(GuardTest, APortThatComesAndGoesIsSwitchedOffInTheEnd) {
+    makeNamur();
+    for (int i = 0; i < 3; ++i) {
+        ASSERT_TRUE(until([&] { return namurLink->isOpen(); }));
+        end.unplug();
+        ASSERT_TRUE(until([&] { return namurLink->problem().code == MessageCode::LinkNotOpened; }));
+        end.plug();
+    }
+    heatUp();
+    heater.reset();
+    guard.reset();
+    EXPECT_TRUE(untilWithoutBeat([&] { return logText().find("confirmed off") != std::string::npos; }, 3000));
+    EXPECT_FALSE(isOn());
+}
+
 // Catches a port that nobody can open any more, a pseudo-terminal's, after its guard was killed: the system
 // keeps it exclusive until its other end is closed.
 TEST_F(GuardTest, APseudoTerminalIsNotLeftExclusive) {
@@ -581,20 +628,26 @@ TEST(GuardDelay, BytesGoThroughWithinTwoMilliseconds) {
     EXPECT_LE(most_ms, 2.0);
 }
 
-/// A line that loses some of its answers.
+/// A line that loses some of its answers, and has bytes that nobody asked for.
 class LossyDevice final : public ByteDevice {
 public:
     explicit LossyDevice(ByteDevice& device) : m_device(device) {}
 
-    void receive(std::string_view bytes, double now_s) override { m_device.receive(bytes, now_s); }
+    void receive(std::string_view bytes, double now_s) override {
+        if (!isDeaf)
+            m_device.receive(bytes, now_s);
+    }
     std::string transmit(double now_s) override {
         const std::string bytes = m_device.transmit(now_s);
-        return !bytes.empty() && toLose-- > 0 ? std::string() : bytes;
+        const std::string besides = std::exchange(toSay, babbles ? "U" : "");
+        return besides + (!bytes.empty() && toLose-- > 0 ? std::string() : bytes);
     }
     std::vector<std::string> faults() const override { return m_device.faults(); }
     Result<void> setFault(const std::string& name) override { return m_device.setFault(name); }
 
     int toLose = 0;
+    bool isDeaf = false, babbles = false;
+    std::string toSay;
 
 private:
     ByteDevice& m_device;
@@ -682,6 +735,53 @@ TEST(ModbusGuard, EveryControllerIsSwitchedOffByItsFrames) {
     }
 }
 
+// Catches an answer from before the guard took over that is taken for one to its own question: here the
+// system hands it on late, as a busy one does.
+TEST(ModbusGuard, ALateAnswerConfirmsNothing) {
+    std::string problem;
+    std::thread([&] {
+        constexpr std::uint32_t kAtOnce = 1024; // bytes, as the guard reads its port
+        test::HeldCalls reading;
+        problem = reading.begin({SYS_read, 2, kAtOnce});
+        if (!problem.empty())
+            return;
+        GuardedController rig("eurotherm-2400");
+        ASSERT_TRUE(rig.heatUp());
+        rig.end->with([&] { rig.lossy.isDeaf = true; });
+        ASSERT_TRUE(rig.guard.handOver(1.0));
+        std::this_thread::sleep_for(std::chrono::milliseconds(150)); // it waits for an echo, for 0.3 s
+        reading.hold();
+        rig.end->with([&] { rig.lossy.toSay = modbusReadReply(4, 3, {0}); }); // of a set point of 0 degC
+        ASSERT_TRUE(test::waitFor([&] { return reading.held() > 0; }, 2000));
+        std::this_thread::sleep_for(std::chrono::milliseconds(500)); // it has gone on to its question
+        reading.release();
+        EXPECT_FALSE(
+            test::waitFor([&] { return rig.logText().find("confirmed off") != std::string::npos; }, 1500))
+            << rig.logText();
+        EXPECT_NE(rig.logText().find("which is not off"), std::string::npos) << rig.logText();
+        rig.end->with([&] { rig.lossy.isDeaf = false; });
+        EXPECT_TRUE(rig.isConfirmed()) << rig.logText();
+        EXPECT_FALSE(rig.heats());
+    }).join();
+    if (!problem.empty())
+        GTEST_SKIP() << "no calls can be held here: " << problem;
+}
+
+// Catches a guard that waits for a silence which never comes, or does not find the answer in the noise.
+TEST(ModbusGuard, OffIsConfirmedOnALineThatBabbles) {
+    for (const char* name : {"eurotherm-2400", "watlow-ez-zone", "pixsys-drr245"}) {
+        SCOPED_TRACE(name);
+        GuardedController rig(name);
+        ASSERT_TRUE(rig.heatUp());
+        rig.end->with([&] { rig.lossy.babbles = true; });
+        const double begun_s = rig.clock.now_s();
+        ASSERT_TRUE(rig.guard.handOver(1.0));
+        ASSERT_TRUE(rig.isConfirmed()) << rig.logText();
+        EXPECT_LT(rig.clock.now_s() - begun_s, 1.5) << rig.logText();
+        EXPECT_FALSE(rig.heats());
+    }
+}
+
 /// A controller on a line with a device that does not answer.
 class ModbusOff : public testing::TestWithParam<bool> {
 protected:
@@ -713,7 +813,8 @@ protected:
     QTemporaryDir folder;
     std::string port = folder.filePath("heater").toStdString();
     ModbusSimulator sim;
-    FarEnd end{sim, port};
+    LossyDevice line{sim};
+    FarEnd end{line, port};
     SteadyClock clock;
     HeaterGuard guard{port, SerialSettings{9600, 8, 'N', 1}, {}, clock};
     RtuLink link{std::make_unique<GuardedLink>(
@@ -746,7 +847,22 @@ TEST_P(ModbusOff, IsAtTheDeviceWhateverIsUnderWay) {
     std::ranges::sort(took_ms);
     std::printf("| off at a Modbus device behind a silent one, %s: %.0f ms (median), %.0f ms (most of %d)\n",
                 GetParam() ? "guarded" : "direct", took_ms[kTimes / 2], took_ms.back(), kTimes);
-    EXPECT_LE(took_ms[kTimes / 2], 250.0);
+    EXPECT_LE(took_ms.back(), 250.0);
+}
+
+// Catches an off that waits for a gap which never comes: who talks for longer than the longest frame of this
+// speed (0.29 s) and the wait for an answer (0.1 s) has no end.
+TEST_P(ModbusOff, IsAtTheDeviceThoughTheLineBabbles) {
+    ASSERT_TRUE(until([&] { return heater->keepHeating(kelvinFromCelsius(80.0), 1.0).ok() && isOn(); }));
+    end.with([this] { line.babbles = true; });
+    until([] { return false; }, 50);
+    const double begun_s = clock.now_s();
+    (void)heater->heatOff();
+    ASSERT_TRUE(until([&] { return !isOn(); }));
+    const double took_s = clock.now_s() - begun_s;
+    std::printf("| off at a Modbus device on a line that babbles, %s: %.0f ms\n",
+                GetParam() ? "guarded" : "direct", 1e3 * took_s);
+    EXPECT_LE(took_s, 1.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Ways, ModbusOff, testing::Bool(),

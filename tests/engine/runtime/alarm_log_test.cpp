@@ -195,6 +195,39 @@ TEST(AlarmLog, EachKindOfRigHasItsOwn) {
     }
 }
 
+// Catches heat that may still be on, and is seen no more since the simulated rig was chosen, or Bask was
+// started anew.
+TEST(AlarmLog, HeatThatWasLeftStaysOverTheSimulatedRig) {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("alarms.json").toStdString();
+    const Message left{MessageCode::HeatLeftUnknown, {"/dev/ttyUSB0"}};
+    const AlarmCondition condition{messageName(left.code), left, 1};
+    AlarmLog log;
+    log.use(true);
+    log.update(1.0, {condition, open("real")});
+    ASSERT_TRUE(writeAlarms(log.all(), path));
+    AlarmLog after;
+    after.addFromBefore(readAlarms(path).value());
+    log.use(false);
+    for (AlarmLog* one : {&log, &after}) {
+        one->update(2.0, {warm("simulated")});
+        ASSERT_EQ(one->alarms().size(), 2U);
+        const Alarm& first = one->alarms()[0];
+        EXPECT_EQ(first.message, left);
+        EXPECT_TRUE(first.isActive && first.isLive && !first.isAcknowledged);
+        ASSERT_TRUE(one->acknowledge(first.id));
+        ASSERT_EQ(one->alarms().size(), 1U);
+        EXPECT_EQ(one->alarms()[0].key, warm("simulated").key);
+    }
+    AlarmLog again;
+    again.addFromBefore(readAlarms(path).value());
+    again.use(true); // its rig is watched
+    again.update(3.0, {});
+    const auto alarm = std::ranges::find(again.alarms(), left, &Alarm::message);
+    ASSERT_NE(alarm, again.alarms().end());
+    EXPECT_FALSE(alarm->isActive);
+}
+
 // Catches a program that does not start, or believes nonsense, since its alarms are damaged.
 TEST(AlarmLog, ADamagedFileIsRefusedInWords) {
     const QTemporaryDir folder;

@@ -45,6 +45,30 @@ TEST_F(KeptRigTest, ADeviceThatIsChangedIsTheOnlyOneThatIsOpenedAnew) {
     EXPECT_NEAR(engine->last.latest.coordinates[kX], experiment.start[kX] + 0.01, 2e-4);
 }
 
+// Catches a plate that may be hot, forgotten with the rig that was left.
+TEST_F(KeptRigTest, HeatThatIsNotKnownToBeOffIsToldOverTheSimulatedRig) {
+    ASSERT_NO_FATAL_FAILURE(beginWell());
+    engine->send(SetHeat{kelvinFromCelsius(100.0)});
+    ASSERT_TRUE(sees([&] { return engine->last.heat == HeatState::On; })) << reasons();
+    servers[2].reset(); // its cable is off
+    ASSERT_TRUE(sees([&] { return engine->last.state == RunState::Fault; }));
+    experiment.rig.reset();
+    ASSERT_NO_FATAL_FAILURE(load());
+    ASSERT_TRUE(sees([&] { return engine->last.simulated && engine->last.state == RunState::Ready; }));
+    const auto left = std::ranges::find_if(engine->last.alarms, [](const Alarm& alarm) {
+        return alarm.message.code == MessageCode::HeatLeftUnknown;
+    });
+    ASSERT_NE(left, engine->last.alarms.end());
+    EXPECT_TRUE(left->isActive && left->isLive);
+    EXPECT_EQ(left->message.args, std::vector<std::string>{port(2)});
+    engine->send(AcknowledgeAlarm{left->id});
+    EXPECT_TRUE(sees([&] {
+        return std::ranges::none_of(engine->last.alarms, [](const Alarm& alarm) {
+            return alarm.message.code == MessageCode::HeatLeftUnknown;
+        });
+    }));
+}
+
 // Catches an edit that ends a latched STOP.
 TEST_F(KeptRigTest, WhatIsLatchedStaysSoOverAnEdit) {
     ASSERT_NO_FATAL_FAILURE(beginWell());

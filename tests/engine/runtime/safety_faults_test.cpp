@@ -253,6 +253,52 @@ TEST(Safety, ASensorThatCameOffIsDistrustedUntilItAgrees) {
     EXPECT_TRUE(rig.loop.resume());
 }
 
+// Catches a sensor that came off, went to the room's temperature by itself, so that no reading was a jump,
+// and is believed again after a Reset.
+TEST(Safety, ASensorThatSlidesOffItsObjectIsDistrusted) {
+    for (const double lag_s : {2.0, 15.0}) {
+        Rig rig;
+        rig.run(1.0);
+        ASSERT_LE(
+            rig.until([&] { return rig.loop.latest().objects[0].true_K > kelvinFromCelsius(38.0); }, 300.0),
+            300.0);
+        rig.rig.simulatedThermometer().setOffLag(lag_s);
+        setFault(rig.rig, SimulatedFault::SensorOff, 0, true);
+        EXPECT_LE(rig.until([&] { return rig.loop.sensorTrust(0) == SensorTrust::Distrusted; }, 180.0),
+                  180.0);
+        EXPECT_EQ(rig.loop.sensorTrust(1), SensorTrust::Trusted);
+        ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 120.0), 120.0) << lag_s;
+        rig.periods(600);
+        ASSERT_TRUE(rig.loop.reset());
+        rig.periods(100);
+        EXPECT_EQ(rig.loop.state(), RunState::NotReady);
+        EXPECT_TRUE(rig.reasonGiven(MessageCode::ReasonSensorDoubted) ||
+                    rig.reasonGiven(MessageCode::SafetySensorJump))
+            << lag_s;
+        EXPECT_FALSE(rig.loop.arm());
+        EXPECT_FALSE(rig.loop.setHeat(kelvinFromCelsius(100.0)));
+        ASSERT_TRUE(rig.loop.confirmSensor(0));
+        rig.periods(40);
+        EXPECT_EQ(rig.loop.sensorTrust(0), SensorTrust::Trusted);
+        EXPECT_EQ(rig.loop.state(), RunState::Ready);
+    }
+}
+
+// Catches a fault that states in bold red what is over.
+TEST(Safety, ALatchedFaultIsNoAlarmOnceItsConditionIsSeenToBeOver) {
+    Rig rig;
+    rig.run(10.0);
+    setFault(rig.rig, SimulatedFault::SourceLost, 0, true);
+    rig.periods(5);
+    EXPECT_TRUE(rig.isAlarm(MessageCode::ReasonSourceLost));
+    ASSERT_LE(rig.until([&] { return rig.loop.state() == RunState::Fault; }, 60.0), 60.0);
+    setFault(rig.rig, SimulatedFault::SourceLost, 0, false);
+    rig.periods(5);
+    EXPECT_FALSE(rig.isAlarm(MessageCode::ReasonSourceLost));
+    EXPECT_EQ(rig.loop.state(), RunState::Fault);
+    EXPECT_TRUE(rig.reasonGiven(MessageCode::ReasonSourceLost)) << "it is why there is a fault";
+}
+
 // Catches a distrust that no person can end, or that ends without a word in the record.
 TEST(Safety, APersonConfirmsADistrustedSensor) {
     Rig rig;
@@ -550,7 +596,7 @@ TEST(Safety, OneLostLinkIsOneCause) {
         (void)rig.until(look, 5.0);
         EXPECT_EQ(causes.size(), 1U) << simulatedFaultName(fault) << ": " << causes.back();
         const auto alarms = rig.loop.alarmConditions();
-        EXPECT_EQ(
+        EXPECT_LE(
             std::ranges::count_if(alarms, [](const AlarmCondition& alarm) { return alarm.cause.empty(); }),
             1);
     }

@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
+#include "engine/runtime/alarm_causes.h"
 #include "engine/runtime/safety_monitor.h"
 #include "tests/engine/runtime/loop_on_rig.h"
 
@@ -110,6 +111,10 @@ TEST(SafetyMonitor, ASourceInTheOtherUnitIsNotHeated) {
     for (int i = 0; i < 125; ++i)
         cold.after(1.0);
     EXPECT_TRUE(cold.isActive(SafetyCondition::SourceUnit));
+    cold.monitor.restart(); // a reset, while it still is so
+    cold.after(1.0);
+    cold.after(1.0);
+    EXPECT_TRUE(cold.isActive(SafetyCondition::SourceUnit));
 
     Monitor heated;
     heated.seen.isSourceSwitched = true;
@@ -121,6 +126,22 @@ TEST(SafetyMonitor, ASourceInTheOtherUnitIsNotHeated) {
     const SafetyChanges changes = heated.after(1.0);
     ASSERT_EQ(changes.raised.size(), 1U);
     EXPECT_EQ(changes.raised[0].message, (Message{MessageCode::SafetySourceUnit, {"392", "200"}}));
+}
+
+// Catches one line of two devices that is two alarms of priority 1.
+TEST(SafetyMonitor, ALineThatIsLostIsOneCause) {
+    const SafetyFinding thermometer{SafetyCondition::ThermometerLost, 0, {MessageCode::LinkLost, {"line"}}};
+    const std::vector<SafetyFinding> present{
+        {SafetyCondition::SourceLost, 0, {MessageCode::LinkLost, {"line"}}}, thermometer};
+    Experiment experiment = twoDisks(40.0);
+    experiment.rig.emplace();
+    experiment.rig->thermometer.emplace().port = "line";
+    experiment.rig->source.emplace().port = "another";
+    EXPECT_EQ(causeOf(thermometer, present, experiment), nullptr);
+    experiment.rig->source->port = "line";
+    const SafetyFinding* const cause = causeOf(thermometer, present, experiment);
+    ASSERT_NE(cause, nullptr);
+    EXPECT_EQ(cause->condition, SafetyCondition::SourceLost);
 }
 
 // Catches a limit that chatters about its value, and one that a single wrong reading of the source trips.

@@ -4,6 +4,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/runtime/simulated_run.h"
+#include "engine/session/recorded_session.h"
 
 #include <QTemporaryDir>
 
@@ -257,6 +258,26 @@ TEST(SimulatedRun, EndsWhenTheRunIsStoppedByALostSensor) {
     const RunOutcome outcome = run(experiment);
     EXPECT_FALSE(outcome.settled);
     EXPECT_LT(outcome.simulated_s, experiment.simulation.durationLimit_s);
+}
+
+// Catches the minutes after a fault, which are what people want to see, that a headless run does not record.
+TEST(SimulatedRun, RecordsAFaultUntilEverythingIsCold) {
+    const QTemporaryDir folder;
+    SimulatedRunOptions options;
+    options.sessionPath = folder.filePath("fault.bask").toStdString();
+    Experiment experiment = example("three-objects.json");
+    for (ObjectSpec& object : experiment.objects)
+        object.target_K += 20.0;
+    experiment.simulation.faults = {{120.0, SimulatedFault::RobotAlarm}};
+    const auto outcome = runSimulated(experiment, options);
+    ASSERT_TRUE(outcome) << describe(outcome.error());
+    EXPECT_TRUE(outcome->fault);
+    EXPECT_NEAR(outcome->simulated_s, 120.0, 2.0) << "the run's own time ends with it";
+    const auto session = RecordedSession::open(options.sessionPath);
+    ASSERT_TRUE(session) << describe(session.error());
+    const auto& events = (*session)->facts().events;
+    EXPECT_TRUE(std::ranges::any_of(
+        events, [](const TraceEvent& event) { return event.message.code == MessageCode::EventCold; }));
 }
 
 TEST(SimulatedRun, AnImpossibleStartLeavesAnOlderSessionAlone) {

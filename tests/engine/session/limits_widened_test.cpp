@@ -126,6 +126,23 @@ TEST(LimitsWidened, AreToldInWordsAndAgainstTheUsual) {
     EXPECT_EQ(widenedLimits(usual, renamed).size(), 1U);
 }
 
+// Catches a workspace that is widened on the simulated rig, where nobody asks, and then is the real robot's.
+TEST(LimitsWidened, AWorkspaceIsComparedWithTheRealRigThatWasThere) {
+    Experiment real;
+    real.objects.emplace_back().name = "hand";
+    real.rig.emplace();
+    Experiment simulated = real;
+    simulated.rig.reset();
+    simulated.robot.upper[0] += 0.1;
+    Experiment next = simulated;
+    next.rig = real.rig;
+    EXPECT_TRUE(widenedOnRealRig(simulated, next).empty());
+    const auto widened = widenedOnRealRig(simulated, next, real.robot);
+    ASSERT_EQ(widened.size(), 1U);
+    EXPECT_NE(describe(widened[0]).find("highest x"), std::string::npos) << describe(widened[0]);
+    EXPECT_TRUE(widenedOnRealRig(simulated, real, real.robot).empty());
+}
+
 // Does not compile with a new field: it needs its place in widensLimits() and above.
 TEST(LimitsWidened, KnowsEveryFieldOfSafety) {
     const auto [warning, trip, sourceTrip, stale, held, rate, jumps, frozen, warming, apart, heating, band,
