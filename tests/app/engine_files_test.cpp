@@ -2,6 +2,7 @@
 
 #include "tests/app/live_faults.h"
 #include "tests/support/file_call_watch.h"
+#include "tests/support/joined_line.h"
 
 #include <unistd.h>
 
@@ -16,14 +17,56 @@ protected:
         for (const std::string& call : m_watch.take())
             ADD_FAILURE() << when << ": " << call;
     }
+    ~EngineFiles() override { endProcess(m_spare); }
+
     /// False: the kernel has no such filter.
     bool watch() {
         live.ask([this] { m_problem = m_watch.watchThisThread(); });
         return m_problem.empty();
     }
+    /// A module that is not in use is tried, and let go.
+    void tryDevice() {
+        if (m_spare.state() == QProcess::NotRunning) {
+            m_spare.start(QStringLiteral(BASK_PROGRAM),
+                          {QStringLiteral("simulate-device"), QStringLiteral("thermometer"),
+                           QStringLiteral("--driver"), QStringLiteral("modbus"), QStringLiteral("--link"),
+                           portOf("spare")});
+            ASSERT_TRUE(waitFor([&] { return QFile::exists(portOf("spare")); }));
+        }
+        TryDevice trial;
+        ThermometerDeviceSpec& module = trial.rig.thermometer.emplace();
+        module.port = portOf("spare").toStdString();
+        module.serial = usualSerial(ThermometerDriver::Modbus);
+        module.profile = *std::ranges::find(shippedProfiles(), "modmux-pm6rtd", &ModbusProfile::name);
+        live.send(trial);
+        ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);
+        ASSERT_TRUE(waitFor([&] {
+            return live.last.tried && live.last.tried->state.status.link == LinkState::Live &&
+                   !live.last.tried->temperatures_K.empty();
+        }));
+        live.send(TryDevice{});
+        ASSERT_TRUE(waitFor([&] { return !live.last.tried; }));
+    }
+    void heat() {
+        ASSERT_TRUE(waitFor([&] {
+            if (!live.last.heatSetPoint_K)
+                live.send(SetHeat{kelvinFromCelsius(60.0)});
+            return state().isHeating;
+        })) << describe(live.refusal);
+    }
+    void jog() {
+        Jog up;
+        up.twist[kZ] = 0.01;
+        const Eigen::Vector3d from_m = state().place_m;
+        live.send(up);
+        ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);
+        ASSERT_TRUE(waitFor([&] { return (state().place_m - from_m).norm() > 1e-3; }));
+        ASSERT_TRUE(waitFor([&] { return !live.last.isMoving; }));
+    }
 
     FileCallWatch m_watch;
     std::string m_problem;
+    QProcess m_spare;
 };
 
 } // namespace
@@ -39,10 +82,13 @@ TEST_F(EngineFiles, areNone) {
     load(read());
     ASSERT_NO_FATAL_FAILURE(beReady());
     expectNone("loaded, faulted, reset");
+    ASSERT_NO_FATAL_FAILURE(tryDevice());
+    expectNone("a device tried");
+    ASSERT_NO_FATAL_FAILURE(home());
+    expectNone("homing");
     live.send(ListPorts{});
     ASSERT_TRUE(waitFor([&] { return !live.last.devices.empty(); }));
-    live.send(SetHeat{kelvinFromCelsius(60.0)});
-    ASSERT_TRUE(waitFor([&] { return state().isHeating; }));
+    ASSERT_NO_FATAL_FAILURE(heat());
     Vector6d goal = live.last.latest.coordinates;
     goal[kZ] += 0.01;
     live.send(MoveTo{goal});
@@ -51,9 +97,13 @@ TEST_F(EngineFiles, areNone) {
     live.send(ChooseCamera{"/nowhere"});
     live.send(ChooseCamera{});
     ASSERT_TRUE(waitFor([&] { return !live.last.isMoving; }));
+    ASSERT_NO_FATAL_FAILURE(jog());
+    expectNone("by hand");
+    ASSERT_NO_FATAL_FAILURE(tryDevice());
+    expectNone("a device tried while heat is on");
     live.send(SetHeat{});
     ASSERT_TRUE(waitFor([&] { return live.last.heat == HeatState::Off; }));
-    expectNone("by hand");
+    expectNone("heat off by hand");
     ASSERT_NO_FATAL_FAILURE(begin());
     live.send(AddNote{"hello"});
     expectNone("armed, running");
@@ -73,13 +123,92 @@ TEST_F(EngineFiles, areNone) {
     ASSERT_TRUE(reaches(RunState::Stopped, 40000)) << reasons();
     ASSERT_TRUE(waitFor([&] { return live.last.recordingPath.empty(); }));
     expectNone("settling, stopping, stopped");
-    live.send(SetHeat{kelvinFromCelsius(60.0)});
-    ASSERT_TRUE(waitFor([&] { return state().isHeating; }));
+    ASSERT_NO_FATAL_FAILURE(heat());
     tell("robot unplug");
     ASSERT_TRUE(waitFor([&] { return live.last.state == RunState::Fault; })) << reasons();
     tell("robot plug");
     ASSERT_TRUE(waitFor([&] { return live.last.devices.at(0).status.link == LinkState::Live; }));
     expectNone("a link lost and opened again");
+    live.shutDown();
+    expectNone("at the end");
+}
+
+constexpr double kRest_K = 273.15 + 60.0; ///< nearer to the plate than where a retreat ends
+
+// The same where objects rest, and of a retreat by its verb: by hand, and out of a fault.
+TEST_F(EngineFiles, areNoneAtRestAndInRetreats) {
+    startBench(2.0);
+    if (!watch())
+        GTEST_SKIP() << "no calls can be watched here: " << m_problem;
+    Experiment quick = read();
+    quick.controller.believedRateErrorFactor = 1.0;
+    quick.controller.levelServo.timeConstant_s = 4.0;
+    quick.controller.levelServo.integralTime_s = 20.0;
+    load(quick);
+    ASSERT_NO_FATAL_FAILURE(begin());
+    expectNone("running");
+    live.send(SetTargets{std::vector<double>(live.last.targets_K.size(), kRest_K)});
+    ASSERT_TRUE(waitFor(
+        [&] {
+            resumeIfWell();
+            return live.last.state == RunState::Settled || live.last.state == RunState::Fault;
+        },
+        90000));
+    ASSERT_EQ(live.last.state, RunState::Settled) << reasons();
+    std::printf("| settled %.0f s after its start\n", live.last.runTime_s);
+    const double from_s = live.last.runTime_s;
+    ASSERT_TRUE(waitFor([&] { return live.last.runTime_s > from_s + 1.0; }));
+    expectNone("settled");
+    live.send(EmergencyStop{});
+    ASSERT_TRUE(waitFor([&] { return live.last.state == RunState::Fault && live.last.canRetreat; }));
+    const double z_m = state().place_m.z();
+    live.send(Retreat{});
+    ASSERT_TRUE(reaches(RunState::Stopping)) << describe(live.refusal);
+    ASSERT_TRUE(reaches(RunState::Fault, 40000)) << reasons();
+    EXPECT_GT(state().place_m.z(), z_m);
+    ASSERT_TRUE(isClosed());
+    expectNone("a retreat out of a fault");
+    ASSERT_NO_FATAL_FAILURE(beReady());
+    ASSERT_NO_FATAL_FAILURE(heat());
+    live.send(Retreat{});
+    ASSERT_TRUE(waitFor([&] { return !state().isHeating; })) << describe(live.refusal);
+    ASSERT_TRUE(waitFor([&] { return live.last.state != RunState::Stopping; }, 40000));
+    expectNone("a retreat by hand");
+}
+
+// The same of a heater and a thermometer on one line, which go through the guard: also when that is killed.
+TEST_F(EngineFiles, areNoneOnASharedLine) {
+    makeHeater("pixsys-drr245");
+    startBench();
+    const JoinedLine line(portOf("line").toStdString(),
+                          {portOf("thermometer").toStdString(), portOf("heater").toStdString()});
+    ASSERT_TRUE(line.isThere());
+    if (!watch())
+        GTEST_SKIP() << "no calls can be watched here: " << m_problem;
+    Experiment shared = read();
+    shared.rig->thermometer->port = shared.rig->source->port = portOf("line").toStdString();
+    shared.rig->thermometer->serial = shared.rig->source->serial;
+    load(shared);
+    ASSERT_NO_FATAL_FAILURE(beReady());
+    ASSERT_NO_FATAL_FAILURE(heat());
+    expectNone("by hand");
+    live.send(SetHeat{});
+    ASSERT_TRUE(waitFor([&] { return live.last.heat == HeatState::Off; }));
+    live.send(Arm{recording()});
+    ASSERT_TRUE(reaches(RunState::Armed)) << describe(live.refusal);
+    ASSERT_TRUE(waitFor([&] { // its targets are judged first
+        if (live.last.state == RunState::Armed)
+            live.send(Start{});
+        return live.last.state == RunState::Running;
+    })) << describe(live.refusal);
+    ASSERT_TRUE(comesInRun([&] { return state().isHeating; }));
+    expectNone("running");
+    endGuardsOf(QFileInfo(experiment()).path());
+    ASSERT_TRUE(waitFor([&] { return live.alarm(MessageCode::HeaterGuardLost) != nullptr; }, 5000));
+    ASSERT_TRUE(waitFor([&] { return !state().isHeating; }, 5000)) << reasons();
+    ASSERT_TRUE(reaches(RunState::Fault, 40000)) << reasons();
+    ASSERT_NO_FATAL_FAILURE(beReady());
+    expectNone("a guard that is lost, and a new one");
     live.shutDown();
     expectNone("at the end");
 }

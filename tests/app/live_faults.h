@@ -51,6 +51,11 @@ public:
     void shutDown() {
         QMetaObject::invokeMethod(&m_worker, &EngineWorker::shutdown, Qt::BlockingQueuedConnection);
     }
+    /// `receiver`, which lives on a thread of its own, is told as well, and holds what it has not taken.
+    void tellToo(QObject& receiver) {
+        connect(&m_worker, &EngineWorker::published, &receiver,
+                [](const Snapshot&, const std::shared_ptr<const int>&) {});
+    }
     /// Waits until it is done; `refusal` is of this command then.
     void send(const Command& command) {
         QCoreApplication::processEvents();

@@ -3,6 +3,7 @@
 // its own.
 
 #include "engine/base/pose.h"
+#include "engine/protocols/modbus_profile.h"
 #include "tests/support/guard_processes.h"
 #include "tests/support/wait_for.h"
 
@@ -15,6 +16,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <optional>
 #include <vector>
@@ -36,9 +38,8 @@ protected:
     RigProcesses() {
         QFile source(QStringLiteral(BASK_TEST_DATA "/rig/three-thin-disks.json"));
         EXPECT_TRUE(source.open(QIODevice::ReadOnly));
-        const QByteArray text = source.readAll().replace("PORTS", m_folder.path().toUtf8());
-        QFile file(experiment());
-        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        m_rig = source.readAll().replace("PORTS", m_folder.path().toUtf8());
+        writeExperiment(m_rig);
     }
     ~RigProcesses() override {
         endProcess(engine);
@@ -58,6 +59,25 @@ protected:
     QString experiment() const { return m_folder.filePath(QStringLiteral("rig.json")); }
     QString portOf(const char* role) const { return m_folder.filePath(QLatin1String(role)); }
     QString session() const { return m_folder.filePath(QStringLiteral("run.bask")); }
+    void writeExperiment(const QByteArray& text) const {
+        QFile file(experiment());
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+    }
+    /// A controller with registers instead of the hotplate, by a shipped profile; empty: the hotplate. Before
+    /// the bench is started.
+    void makeHeater(const QByteArray& profile) const {
+        QByteArray text = m_rig;
+        if (!profile.isEmpty()) {
+            text.replace("\"driver\": \"namur\"",
+                         "\"driver\": \"modbus\", \"unit\": 2, \"profile\": \"" + profile + '"');
+            text.replace("\"data_bits\": 7", "\"data_bits\": 8").replace("\"even\"", "\"none\"");
+            const auto& all = shippedProfiles();
+            if (!std::ranges::find(all, profile.toStdString(), &ModbusProfile::name)->watchdog)
+                text.replace("\"watchdog_s\": 20", "\"unattended_heat\": true");
+        }
+        writeExperiment(text);
+        QFile::remove(portOf("devices.json")); // another device answers there from here on
+    }
 
     /// Only to one that runs: the id 0 of one that has ended means all of this test's group, ctest too.
     static void sendSignal(const QProcess& process, int number) {
@@ -73,10 +93,11 @@ protected:
         process.kill();
         process.waitForFinished();
     }
-    void startBench() {
+    void startBench(double heating_s = 10.0) {
         m_told.clear();
-        bench.start(QStringLiteral(BASK_PROGRAM), {QStringLiteral("simulate-rig"), experiment(),
-                                                   QStringLiteral("--heating-time"), QStringLiteral("10")});
+        bench.start(QStringLiteral(BASK_PROGRAM),
+                    {QStringLiteral("simulate-rig"), experiment(), QStringLiteral("--heating-time"),
+                     QString::number(heating_s)});
         ASSERT_TRUE(waitFor([&] { return told().contains("heater "); }));
     }
     void startEngine(const QStringList& arguments = {}) {
@@ -148,6 +169,7 @@ private:
         return m_told += bench.readAllStandardOutput();
     }
     QTemporaryDir m_folder;
+    QByteArray m_rig;
     QByteArray m_told;
 };
 

@@ -7,10 +7,14 @@
 #include "tests/support/hold_up_watch.h"
 #include "tests/support/hung_disk.h"
 
+#include <QDateTime>
 #include <QProcessEnvironment>
+#include <QRandomGenerator>
+#include <QTimer>
 
 #include <cmath>
 #include <fcntl.h>
+#include <semaphore>
 
 #include <sys/mman.h>
 #include <sys/stat.h>
@@ -25,8 +29,10 @@ constexpr double kAllowed_ms = 100.0, kMost_ms = 250.0; ///< 99.9 % of them, eac
 /// What is wrong meanwhile.
 struct Trouble {
     const char* name;
-    unsigned calls = 0; ///< of HungDisk
-    int hogs = 0;
+    unsigned calls = 0;  ///< of HungDisk
+    bool isBusy = false; ///< a thread for each processor takes what it gives
+    bool isWindowHung = false;
+    bool isCameraHung = false;
 };
 
 constexpr Trouble kTroubles[] = {
@@ -37,9 +43,48 @@ constexpr Trouble kTroubles[] = {
     {"open hangs", kOpen},
     {"dead network mount", kAll},
     {"disk full", kFull},
-    {"two busy threads", 0, 2},
-    {"dead mount, two busy threads", kAll, 2},
+    {"all processors busy", 0, true},
+    {"dead mount, all processors busy", kAll, true},
+    {"window hangs", 0, false, true},
+    {"camera never returns", 0, false, false, true},
+    {"all of that at once", kAll, true, true, true},
 };
+
+int hogsOf(const Trouble& trouble) {
+    return trouble.isBusy ? static_cast<int>(std::max(1U, std::thread::hardware_concurrency())) : 0;
+}
+
+/// A window whose thread takes nothing. The engine then tells it and everybody else only the answers to
+/// commands, so one is given now and then.
+class HungWindow {
+public:
+    explicit HungWindow(LiveEngine& live) {
+        m_receiver.moveToThread(&m_thread);
+        m_thread.start();
+        QMetaObject::invokeMethod(&m_receiver, [this] { m_goesOn.acquire(); });
+        live.tellToo(m_receiver);
+        QObject::connect(&m_asking, &QTimer::timeout, &live, [&live] { live.post(AcknowledgeAll{}); });
+        m_asking.start(100);
+        m_hung.start();
+    }
+    ~HungWindow() {
+        m_goesOn.release();
+        m_thread.quit();
+        m_thread.wait();
+    }
+    double hung_s() const { return 1e-3 * static_cast<double>(m_hung.elapsed()); }
+
+private:
+    QThread m_thread;
+    QObject m_receiver;
+    std::binary_semaphore m_goesOn{0};
+    QTimer m_asking;
+    QElapsedTimer m_hung;
+};
+
+/// What is wrong with the robot, as far as its bytes, or its port, say so at once. A door is only seen by the
+/// next question.
+constexpr const char* kRobotFaults[] = {"robot alarm", "robot restart", "robot unplug"};
 
 class StopLatency : public LiveFaults {
 protected:
@@ -65,10 +110,16 @@ protected:
             return reaches(RunState::Running) && comesInRun([&] { return state().isHeating; });
         })) << reasons();
     }
+    /// As often as a person does: it is set up anew meanwhile.
+    void clearRobot() {
+        if (live.last.robotAlarm.code == MessageCode::None && live.last.isPlaceSure)
+            return;
+        live.send(ClearRobotAlarm{});
+        (void)waitFor([] { return false; }, 200);
+    }
     void heatByHand() {
         ASSERT_TRUE(waitFor([&] {
-            if (!live.last.isPlaceSure)
-                live.send(ClearRobotAlarm{});
+            clearRobot();
             if (live.last.state == RunState::Fault)
                 live.send(Reset{});
             else if (!live.last.heatSetPoint_K)
@@ -90,17 +141,57 @@ protected:
         program.watchFor(m_off);
         return now_s();
     }
-    /// Instead of the hotplate: a controller with registers. Before the bench is started.
     void makeHeaterModbus() {
-        QFile file(experiment());
-        ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-        QByteArray text = file.readAll();
-        file.close();
-        text.replace("\"driver\": \"namur\"",
-                     "\"driver\": \"modbus\", \"unit\": 2, \"profile\": \"pixsys-drr245\"");
-        text.replace("\"data_bits\": 7", "\"data_bits\": 8").replace("\"even\"", "\"none\"");
-        ASSERT_TRUE(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        makeHeater("pixsys-drr245");
         m_off = "\x02\x06\x03\xf8"; // unit 2 writes register 1016, which holds "on" by then
+    }
+    /// What does not hang by calls, until it is given none.
+    void changeTo(const Trouble* trouble) {
+        const std::string fifo = files() + "/camera";
+        if (m_isCameraHung) {
+            live.send(ChooseCamera{});
+            const int end = ::open(fifo.c_str(), O_RDWR | O_NONBLOCK); // whoever waits for it goes on
+            ::close(end);
+        }
+        if (m_window)
+            std::printf("|   the window hung for %.0f s\n", m_window->hung_s());
+        m_window.reset();
+        m_isCameraHung = trouble != nullptr && trouble->isCameraHung;
+        if (m_isCameraHung) {
+            ASSERT_TRUE(::mkfifo(fifo.c_str(), 0600) == 0 || errno == EEXIST);
+            ASSERT_NO_FATAL_FAILURE(beReady());
+            live.send(WatchCamera{true, {}});
+            live.send(ChooseCamera{fifo});
+            ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);
+        }
+        if (trouble != nullptr && trouble->isWindowHung)
+            m_window.emplace(live);
+    }
+    /// From before the bench is told of it. The fault's bytes go out in its next turn, 2 ms later; the engine
+    /// judges what has come by then at its next sample, a period later at most.
+    void fail(const char* fault, const Trouble& trouble) {
+        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        const Hogs busy(hogsOf(trouble));
+        hang(trouble.calls);
+        QThread::usleep(QRandomGenerator::global()->bounded(100000U)); // anywhere in a sampling period
+        const double from_s = begun_s();
+        bench.write(QByteArray(fault) + '\n');
+        ASSERT_TRUE(bench.waitForBytesWritten(1000));
+        ASSERT_NO_FATAL_FAILURE(note(from_s)) << fault << ", " << trouble.name;
+        std::printf("|   %s, %s: off after %.1f ms, at the far end after %.1f ms\n", fault, trouble.name,
+                    delays_ms.back(), arrivals_ms.back());
+        ASSERT_TRUE(waitFor([&] { return live.last.state == RunState::Fault; }));
+        hungDisk().release();
+        ASSERT_NO_FATAL_FAILURE(
+            tell(std::string_view(fault) == "robot unplug" ? "robot plug" : "robot none"));
+        if (std::string_view(fault) == "robot restart") { // it counts from 0 now, which is in the plate
+            ASSERT_NO_FATAL_FAILURE(home());
+        }
+        ASSERT_TRUE(waitFor([&] {
+            clearRobot();
+            return live.last.robotAlarm.code == MessageCode::None && live.last.isPlaceSure;
+        })) << fault
+            << reasons();
     }
     void measure(const Command& verb) {
         const double from_s = begun_s();
@@ -109,7 +200,7 @@ protected:
     }
     void runAndEnd(const Trouble& trouble, const Command& verb) {
         ASSERT_NO_FATAL_FAILURE(beginRun());
-        const Hogs busy(trouble.hogs);
+        const Hogs busy(hogsOf(trouble));
         hang(trouble.calls);
         if ((trouble.calls & (kSync | kWrite | kFull)) != 0) {
             ASSERT_TRUE(waitFor([&] { return hungDisk().held > 0; })) << trouble.name << ": the test itself";
@@ -118,7 +209,7 @@ protected:
         hungDisk().release();
     }
     /// Tells them and judges them.
-    void expectSoon(const char* what) {
+    void expectSoon(const char* what, double allowed_ms = kAllowed_ms) {
         std::ranges::sort(delays_ms);
         const auto at = [&](double share) {
             const double n = static_cast<double>(delays_ms.size());
@@ -126,7 +217,10 @@ protected:
         };
         std::printf("| %s: off after %.1f ms (median), %.1f ms (99.9 %%), %.1f ms (most) of %zu\n", what,
                     at(0.5), at(0.999), delays_ms.back(), delays_ms.size());
-        std::printf("|   at the far end: after %.1f ms (most)\n", *std::ranges::max_element(arrivals_ms));
+        std::ranges::sort(arrivals_ms);
+        std::printf("|   at the far end: after %.1f ms (median), %.1f ms (most)\n",
+                    arrivals_ms[(arrivals_ms.size() - 1) / 2], arrivals_ms.back());
+        EXPECT_LE(arrivals_ms.back(), kMost_ms) << what << ": at the far end";
         allArrivals_ms.insert(allArrivals_ms.end(), arrivals_ms.begin(), arrivals_ms.end());
         arrivals_ms.clear();
         const HoldUp machine = m_machine.seen();
@@ -134,7 +228,7 @@ protected:
         std::printf("|   a bare thread meanwhile: late by %.1f ms (most); taken by the host: %.0f %%\n",
                     1e3 * machine.late_s, 100.0 * machine.stolenShare);
         std::fflush(stdout);
-        EXPECT_LE(at(0.999), kAllowed_ms) << what;
+        EXPECT_LE(at(0.999), allowed_ms) << what;
         EXPECT_LE(delays_ms.back(), kMost_ms) << what;
         EXPECT_GE(delays_ms.front(), 0.0) << "the test itself";
         all_ms.insert(all_ms.end(), delays_ms.begin(), delays_ms.end());
@@ -145,6 +239,8 @@ protected:
 
 private:
     std::string m_off = "STOP_1";
+    std::optional<HungWindow> m_window;
+    bool m_isCameraHung = false;
     HoldUpWatch m_machine;
 };
 
@@ -154,9 +250,10 @@ private:
 TEST_F(StopLatency, ofARunWhoseDiskHangs) {
     startBench();
     load(read());
-    for (const Trouble& trouble : {kTroubles[1], kTroubles[2], kTroubles[5]})
-        ASSERT_NO_FATAL_FAILURE(runAndEnd(trouble, EmergencyStop{}));
-    expectSoon("STOP of a run");
+    ASSERT_NO_FATAL_FAILURE(runAndEnd(kTroubles[1], EmergencyStop{}));
+    ASSERT_NO_FATAL_FAILURE(runAndEnd(kTroubles[2], Stop{}));
+    ASSERT_NO_FATAL_FAILURE(runAndEnd(kTroubles[5], EmergencyStop{}));
+    expectSoon("STOP and Stop of a run");
 }
 
 // Catches a fault whose heat goes off after the recorder has been waited for, or not before the window
@@ -256,48 +353,136 @@ TEST_F(StopLatency, ofAModbusHeater) {
             ASSERT_NO_FATAL_FAILURE(measure(i % 2 == 0 ? Command(EmergencyStop{}) : Command(SetHeat{})));
         }
     hungDisk().release();
-    EXPECT_LE(*std::ranges::max_element(arrivals_ms), kMost_ms) << "at the far end";
     expectSoon("a Modbus heater");
 }
 
-// Without its guard the port is Bask's own. Catches a heater that goes on after that was killed.
+// Without its guard the port is Bask's own. Catches a loss that is told late, and a heater that goes on then.
 TEST_F(StopLatency, ofAModbusHeaterWhoseGuardIsKilled) {
     constexpr double kTakenBack_ms = 1500.0;
+    constexpr int kTold_ms = 1000;
     ASSERT_NO_FATAL_FAILURE(makeHeaterModbus());
     startBench();
     load(read());
+    double told_ms = 0.0;
     for (int i = 0; i < 3; ++i) {
         ASSERT_NO_FATAL_FAILURE(heatByHand());
         const double from_s = begun_s();
         endGuardsOf(QFileInfo(experiment()).path());
+        ASSERT_TRUE(waitFor([&] { return live.alarm(MessageCode::HeaterGuardLost) != nullptr; }, kTold_ms))
+            << reasons();
+        told_ms = std::max(told_ms, 1e3 * (now_s() - from_s));
         ASSERT_NO_FATAL_FAILURE(note(from_s));
     }
-    std::printf("| guard killed: off at the far end after %.0f ms (most)\n",
-                *std::ranges::max_element(arrivals_ms));
+    std::printf("| guard killed: alarm after %.0f ms (most), off at the far end after %.0f ms (most)\n",
+                told_ms, *std::ranges::max_element(arrivals_ms));
+    EXPECT_LE(told_ms, kTold_ms);
     EXPECT_LE(*std::ranges::max_element(arrivals_ms), kTakenBack_ms);
 }
 
-// Every verb with every trouble, a thousand times in all.
-TEST_F(StopLatency, thousandTimes) {
+// Catches an off that waits for a window or a camera that hangs.
+TEST_F(StopLatency, behindAWindowAndACameraThatHang) {
     startBench();
     load(read());
-    for (const Trouble& trouble : kTroubles) {
-        for (int i = 0; i < 6; ++i)
-            ASSERT_NO_FATAL_FAILURE(
-                runAndEnd(trouble, i % 2 == 0 ? Command(EmergencyStop{}) : Command(SetHeat{})));
-        const Hogs busy(trouble.hogs);
-        for (int i = 0; i < 110; ++i) {
-            hungDisk().release();
-            ASSERT_NO_FATAL_FAILURE(heatByHand());
-            hang(trouble.calls);
-            ASSERT_NO_FATAL_FAILURE(measure(i % 2 == 0 ? Command(EmergencyStop{}) : Command(SetHeat{})));
+    const Trouble& trouble = kTroubles[std::size(kTroubles) - 1];
+    ASSERT_NO_FATAL_FAILURE(changeTo(&trouble));
+    ASSERT_NO_FATAL_FAILURE(runAndEnd(trouble, Stop{}));
+    for (int i = 0; i < 6; ++i) {
+        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        const Hogs busy(hogsOf(trouble));
+        hang(trouble.calls);
+        ASSERT_NO_FATAL_FAILURE(measure(i % 2 == 0 ? Command(EmergencyStop{}) : Command(SetHeat{})));
+        hungDisk().release();
+    }
+    ASSERT_NO_FATAL_FAILURE(changeTo(nullptr));
+    expectSoon(trouble.name);
+}
+
+// Catches a fault that is found, and whose heat goes off later.
+TEST_F(StopLatency, ofFaultsOfTheRobot) {
+    startBench();
+    const Experiment loaded = read();
+    load(loaded);
+    for (const char* fault : kRobotFaults)
+        ASSERT_NO_FATAL_FAILURE(fail(fault, kTroubles[5]));
+    expectSoon("faults of the robot", kAllowed_ms + 1e3 * loaded.sampling.period_s);
+}
+
+// From the alarm, which is raised in the sample whose readings pass the limit. Catches a reaction that waits
+// for the retreat, or for the next sample.
+TEST_F(StopLatency, ofAnObjectOverItsLimit) {
+    startBench();
+    Experiment low = read();
+    low.safety.warning_K = kelvinFromCelsius(29.0);
+    low.safety.trip_K = kelvinFromCelsius(31.0);
+    load(low);
+    for (int i = 0; i < 6 && delays_ms.size() < 3; ++i) {
+        ASSERT_NO_FATAL_FAILURE(heatByHand());
+        hang(kAll);
+        (void)begun_s();
+        ASSERT_NO_FATAL_FAILURE(tell("thermometer rising"));
+        const Alarm* hot = nullptr;
+        ASSERT_TRUE(waitFor([&] {
+            hot = live.alarm(MessageCode::SafetyObjectHot);
+            return hot != nullptr || live.last.state == RunState::Fault;
+        })) << reasons();
+        if (hot != nullptr) { // a busy machine's devices may have ended the heat before
+            const double utc_s = 1e-3 * static_cast<double>(QDateTime::currentMSecsSinceEpoch());
+            ASSERT_NO_FATAL_FAILURE(note(now_s() - (utc_s - hot->raised_s)));
+            EXPECT_GT(delays_ms.back(), -5.0) << "the test itself";
+            delays_ms.back() = std::max(0.0, delays_ms.back());
         }
         hungDisk().release();
+        ASSERT_NO_FATAL_FAILURE(tell("thermometer none"));
+        ASSERT_TRUE(waitFor([&] {
+            for (std::size_t k = 0; k < live.last.sensors.size(); ++k)
+                if (live.last.sensors[k] == SensorTrust::Distrusted)
+                    live.send(ConfirmSensor{k});
+            return live.last.state == RunState::Fault &&
+                   std::ranges::all_of(live.last.latest.objects, [&](const ObjectSample& object) {
+                       return object.valid && object.measured_K < low.safety.warning_K;
+                   });
+        })) << reasons();
+    }
+    ASSERT_EQ(delays_ms.size(), 3U);
+    expectSoon("an object over its limit, from the alarm");
+}
+
+// Every verb and some faults with every trouble, a thousand times in all.
+TEST_F(StopLatency, thousandTimes) {
+    constexpr int kRuns = 6, kByHand = 84, kFaults = 5;
+    const Command verbs[] = {EmergencyStop{}, Stop{}, SetHeat{}};
+    startBench();
+    const Experiment loaded = read();
+    load(loaded);
+    std::vector<double> faults_ms, faultArrivals_ms;
+    std::size_t next = 0;
+    for (const Trouble& trouble : kTroubles) {
+        ASSERT_NO_FATAL_FAILURE(changeTo(&trouble));
+        for (int i = 0; i < kRuns; ++i)
+            ASSERT_NO_FATAL_FAILURE(runAndEnd(trouble, verbs[i % 3]));
+        {
+            const Hogs busy(hogsOf(trouble));
+            for (int i = 0; i < kByHand; ++i) {
+                hungDisk().release();
+                ASSERT_NO_FATAL_FAILURE(heatByHand());
+                hang(trouble.calls);
+                ASSERT_NO_FATAL_FAILURE(measure(i % 2 == 0 ? verbs[0] : verbs[2]));
+            }
+            hungDisk().release();
+        }
         expectSoon(trouble.name);
+        for (int i = 0; i < kFaults; ++i)
+            ASSERT_NO_FATAL_FAILURE(fail(kRobotFaults[next++ % std::size(kRobotFaults)], trouble));
+        ASSERT_NO_FATAL_FAILURE(changeTo(nullptr));
+        std::ranges::move(std::exchange(delays_ms, {}), std::back_inserter(faults_ms));
+        std::ranges::move(std::exchange(arrivals_ms, {}), std::back_inserter(faultArrivals_ms));
     }
     delays_ms = std::exchange(all_ms, {});
     arrivals_ms = std::exchange(allArrivals_ms, {});
     expectSoon("all of them");
+    delays_ms = std::move(faults_ms);
+    arrivals_ms = std::move(faultArrivals_ms);
+    expectSoon("faults of the robot", kAllowed_ms + 1e3 * loaded.sampling.period_s);
 }
 
 } // namespace bask::test
