@@ -309,6 +309,8 @@ PricedPlan PlanCost::improve(const HeatingPlan& plan, int iterations) const {
         for (int attempt = 0; attempt < 3 && !better; ++attempt) {
             const Eigen::MatrixXd damped = H + damping * Eigen::MatrixXd::Identity(n, n);
             const Eigen::VectorXd step = solveBounded(damped, f, G, h).y;
+            if (!step.allFinite()) // of costs that are beyond all bounds
+                return best;
             const HeatingPlan next = variables.inside(variables.moved(best.plan, step));
             Eigen::VectorXd there = residuals(next, nullptr, &tried);
             const double cost = there.squaredNorm();

@@ -118,4 +118,20 @@ TEST(HeatingPlan, RestingCostsTheDecayOfTheErrors) {
     EXPECT_GT(root[0], 0.5 * (root[1] - root[0])); // a kelvin is no small error
 }
 
+// Catches a plan whose costs are beyond all bounds, which ended runs by an internal fault: a sensor that
+// comes off makes the estimates of an object's heating absurd.
+TEST(HeatingPlan, AbsurdRatesMakeNoPoseThatIsNotFinite) {
+    for (const double absurd : {1e30, 1e160, 1e300}) {
+        PlannedRig rig;
+        rig.aimAt(pose(0.01, 0.08));
+        rig.task.rates[0].lambda1 *= absurd;
+        rig.task.rates[1].lambda2 *= absurd;
+        const HeatingPlan plan{{Stay{pose(0.1, 0.1), 20.0}, Stay{pose(0.0, 0.05), 5.0}}, pose(0.02, 0.05)};
+        PricedPlan priced{};
+        EXPECT_NO_THROW(priced = rig.cost().improve(plan, 10)) << absurd;
+        for (const Stay& stay : priced.plan.stays)
+            EXPECT_TRUE(rig.geometry->allowed(stay.pose)) << absurd;
+    }
+}
+
 } // namespace bask
