@@ -203,8 +203,7 @@ void JogPanel::showPlace() {
     const bool isUnknown = m_place == PlaceState::Unknown;
     const QString text = !isUnknown ? QString()
                          : std::isfinite(m_placeAge_s)
-                             ? tr("Place UNKNOWN. What stands below is %1.")
-                                   .arg(formatAge(m_placeAge_s))
+                             ? tr("Place UNKNOWN. What stands below is %1.").arg(formatAge(m_placeAge_s))
                              : tr("Place UNKNOWN: the robot has not told it yet.");
     if (text != m_placeLabel->text())
         m_placeLabel->setText(text);
