@@ -53,14 +53,11 @@ constexpr std::array kConsequences{
     Consequence{Condition::ObjectWarm, Condition::ObjectHot, true},
 };
 
-bool hasOneLine(const std::optional<RigSpec>& rig) {
-    return rig && rig->thermometer && rig->source && rig->thermometer->port == rig->source->port;
-}
-
 const SafetyFinding* nearestCause(const SafetyFinding& finding, const std::vector<SafetyFinding>& present,
                                   const Experiment& experiment) {
+    const bool isOneLine = experiment.rig && hasOneLine(*experiment.rig);
     for (const Consequence& row : kConsequences) {
-        if (row.condition != finding.condition || (row.isOfLine && !hasOneLine(experiment.rig)))
+        if (row.condition != finding.condition || (row.isOfLine && !isOneLine))
             continue;
         const auto cause = std::ranges::find_if(present, [&](const SafetyFinding& other) {
             return other.condition == row.cause && (!row.isOfObject || other.object == finding.object);

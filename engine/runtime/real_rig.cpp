@@ -76,10 +76,6 @@ struct Plan {
         return rig.thermometer == b.rig.thermometer && poll_s == b.poll_s;
     }
     bool hasSameSource(const Plan& b) const { return rig.source == b.rig.source; }
-    /// The thermometer is on the heater's line, and so goes through its guard.
-    bool hasOneLine() const {
-        return rig.thermometer && rig.source && rig.thermometer->port == rig.source->port;
-    }
     bool hasSameCamera(const Plan& b) const { return rig.camera == b.rig.camera; }
 
     RigSpec rig;
@@ -248,7 +244,8 @@ struct RealRig::Parts {
         if (!plan.hasSameRobot(next))
             drop(DeviceRole::Robot);
         const bool isSourceOther = !plan.hasSameSource(next);
-        if (!plan.hasSameThermometer(next) || (isSourceOther && (plan.hasOneLine() || next.hasOneLine())))
+        if (!plan.hasSameThermometer(next) ||
+            (isSourceOther && (hasOneLine(plan.rig) || hasOneLine(next.rig))))
             drop(DeviceRole::Thermometer);
         if (isSourceOther)
             drop(DeviceRole::HeatSource);

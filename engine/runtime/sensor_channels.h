@@ -45,6 +45,7 @@ public:
     /// The objects have absorbed these powers, K/s, since the last call, which was so long ago.
     void advance(double dt_s, const std::vector<double>& powers_K_s);
     bool isDistrusted(std::size_t i) const { return m_channels[i].isDistrusted; }
+    bool isBelieved(std::size_t i) const { return !isDistrusted(i) && !isDoubted(i); }
     /// It was seen not to follow its object's heat. Its readings are taken all the same, so that what is hot
     /// is seen, until a person confirms it.
     void doubt(std::size_t i) { m_channels[i].isDoubted = true; }

@@ -346,10 +346,10 @@ void ServoLoop::holdFor(const SafetyFinding& finding) {
 }
 
 Result<void> ServoLoop::requireFreshSensor(std::size_t object) const {
-    if (m_sensors.isDistrusted(object))
-        return Error(distrust(object).code, {}, distrust(object).args);
-    if (m_sensors.isDoubted(object))
-        return Error(doubt(object).code, {}, doubt(object).args);
+    if (!m_sensors.isBelieved(object)) {
+        const Message why = distrust(object);
+        return Error(why.code, {}, why.args);
+    }
     if (!m_sensors.fresh(object, m_clock.now_s()))
         return Error(MessageCode::ReasonSensorInvalid, {}, {m_experiment.objects[object].name});
     return {};
@@ -596,7 +596,7 @@ std::vector<Message> ServoLoop::reasons() const {
     std::ranges::copy(missing(), std::back_inserter(out));
     for (std::size_t i = 0; i < m_sensors.size(); ++i)
         if (m_sensors.isDoubted(i))
-            out.push_back(doubt(i));
+            out.push_back(distrust(i));
     if (!sourceSeen() && m_sourceSeen_s < 0.0) // not seen yet, which is no alarm
         out.push_back({MessageCode::ReasonSourcePoseLost, {}});
     if (m_state == RunState::NotReady && !m_sensors.full())

@@ -260,8 +260,8 @@ private:
     void event(MessageCode code, std::vector<std::string> args = {});
     void command(const std::string& name, const std::string& value = {});
     Error refusal(const char* verb) const;
-    Message distrust(std::size_t object) const; ///< what its sensor tells, and where the object can be
-    Message doubt(std::size_t object) const;
+    /// What a sensor that is not believed tells, and where its object can be, if that is known.
+    Message distrust(std::size_t object) const;
     std::string objectsOffTarget() const; ///< "circle +1.2 K, hand -0.8 K"
 
     Experiment m_experiment;

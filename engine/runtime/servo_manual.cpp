@@ -88,28 +88,21 @@ Result<void> ServoLoop::zeroSensors() {
     return {};
 }
 
-namespace {
-
-std::string degC(double t_K) {
-    return std::isfinite(t_K) ? formatNumber(std::round(10.0 * celsiusFromKelvin(t_K)) / 10.0, 6) : "?";
-}
-
-} // namespace
-
-Message ServoLoop::doubt(std::size_t object) const {
-    return {MessageCode::ReasonSensorDoubted,
-            {m_experiment.objects[object].name, degC(m_sensors.told_K(object, m_clock.now_s()))}};
-}
-
 Message ServoLoop::distrust(std::size_t object) const {
+    const auto degC = [](double t_K) {
+        return std::isfinite(t_K) ? formatNumber(std::round(10.0 * celsiusFromKelvin(t_K)) / 10.0, 6) : "?";
+    };
+    const std::string& name = m_experiment.objects[object].name;
+    const std::string told_degC = degC(m_sensors.told_K(object, m_clock.now_s()));
+    if (!m_sensors.isDistrusted(object))
+        return {MessageCode::ReasonSensorDoubted, {name, told_degC}};
     const HeatBounds* const bounds = m_sensors.bounds(object);
     return {MessageCode::ReasonSensorDistrusted,
-            {m_experiment.objects[object].name, degC(m_sensors.told_K(object, m_clock.now_s())),
-             degC(bounds->min_K()), degC(bounds->max_K())}};
+            {name, told_degC, degC(bounds->min_K()), degC(bounds->max_K())}};
 }
 
 SensorTrust ServoLoop::sensorTrust(std::size_t object) const {
-    if (m_sensors.isDistrusted(object) || m_sensors.isDoubted(object))
+    if (!m_sensors.isBelieved(object))
         return SensorTrust::Distrusted;
     return !m_sensors.fresh(object, m_clock.now_s()) || m_safety.isSensorStill(object) ? SensorTrust::Stale
                                                                                        : SensorTrust::Trusted;

@@ -63,18 +63,23 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
     const double limit_s = options.duration_s.value_or(experiment.simulation.durationLimit_s);
     const double end_s = limit_s - 0.5 * experiment.sampling.period_s;
     TraceSample last;
-    while (true) {
-        LoopRecord rows = loop.takeRecord();
+    const auto keep = [&](LoopRecord& rows) -> Result<void> {
         if (writer)
             if (const auto written = write(rows, *writer); !written)
-                return written.error();
+                return written;
+        std::ranges::move(rows.events, std::back_inserter(outcome.events));
+        return {};
+    };
+    while (true) {
+        LoopRecord rows = loop.takeRecord();
+        if (const auto kept = keep(rows); !kept)
+            return kept.error();
         for (const TraceSample& sample : rows.samples) {
             watch.add(sample);
             last = sample;
             if (options.progress)
                 options.progress(sample.time_s, sample);
         }
-        std::ranges::move(rows.events, std::back_inserter(outcome.events));
         const bool settledLongEnough = !options.duration_s && watch.allFor(kSettledFor_s, last.time_s);
         const bool over = loop.state() == RunState::Fault || loop.state() == RunState::Stopped ||
                           options.stop.stop_requested();
@@ -85,14 +90,12 @@ Result<RunOutcome> runSimulated(const Experiment& experiment, const SimulatedRun
 
     outcome.fault = loop.state() == RunState::Fault;
     // The record of a fault goes on until all is cold.
-    for (const double from_s = loop.runTime_s(); writer && loop.isCooling() &&
-                                                 !options.stop.stop_requested() &&
-                                                 loop.runTime_s() - from_s < kFaultRecord_s;) {
+    const double recordEnds_s = loop.runTime_s() + kFaultRecord_s;
+    while (writer && loop.isCooling() && !options.stop.stop_requested() && loop.runTime_s() < recordEnds_s) {
         drive.period();
         LoopRecord rows = loop.takeRecord();
-        if (const auto written = write(rows, *writer); !written)
-            return written.error();
-        std::ranges::move(rows.events, std::back_inserter(outcome.events));
+        if (const auto kept = keep(rows); !kept)
+            return kept.error();
     }
     outcome.simulated_s = last.time_s;
     outcome.settled = loop.state() == RunState::Running || loop.state() == RunState::Settled;

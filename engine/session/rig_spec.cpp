@@ -157,6 +157,10 @@ SerialSettings usualSerial(HeatSourceDriver driver) {
     return {}; // no line
 }
 
+bool hasOneLine(const RigSpec& rig) {
+    return rig.thermometer && rig.source && rig.thermometer->port == rig.source->port;
+}
+
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
     if (rig.name.size() > kMostText)
         return outOfRange("name", static_cast<double>(rig.name.size()), 0.0, kMostText, "characters");

@@ -67,6 +67,9 @@ struct RigSpec {
     bool operator==(const RigSpec&) const = default;
 };
 
+/// The thermometer is on the heater's line, and so goes through its guard.
+bool hasOneLine(const RigSpec& rig);
+
 /// For so many objects and these free coordinates: ranges, every free coordinate driven by an axis, a channel
 /// an object, a source that goes off when the engine dies or may stay hot, no port used twice but by Modbus
 /// devices on one line. The error's `where` begins inside the rig: "thermometer.channels[1]".
