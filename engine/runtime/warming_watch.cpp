@@ -190,6 +190,27 @@ std::optional<Unfollowed> WarmingWatch::impossible(const Mark& from) const {
     return Unfollowed{change.min_K, gained_K, m_now.time_s - from.time_s, true};
 }
 
+/// While a reading stays, losses are as large all the time, whatever they are. The energy that stays with
+/// them is then on a straight line; farther from it than the reading may hide, the smallest k explains no
+/// rest.
+std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middle, double least_K) const {
+    const double share = (middle.time_s - m_same.time_s) / (m_now.time_s - m_same.time_s);
+    std::array<double, kLags_s.size()> bend_K{};
+    for (std::size_t k = 0; k < kLags_s.size(); ++k)
+        bend_K[k] =
+            middle.energy_K[k] - m_same.energy_K[k] - share * (m_now.energy_K[k] - m_same.energy_K[k]);
+    HeatFit::Change change{1e300, -1e300};
+    for (std::size_t fit = 0; fit < fits.size(); ++fit) {
+        const auto [min_K, max_K] = std::minmax(bend_K[fit / kLaws], bend_K[fit / kLaws + 1]);
+        const HeatFit::Change byOne = fits[fit].expected({min_K, max_K});
+        change = {std::min(change.min_K, byOne.min_K), std::max(change.max_K, byOne.max_K)};
+    }
+    const double expected_K = change.min_K > 0.0 ? change.min_K : std::min(change.max_K, 0.0);
+    if ((1.0 - kWrongNow) * std::abs(expected_K) < least_K + kNoiseTimes * m_noise_K)
+        return std::nullopt;
+    return Unfollowed{expected_K, 0.0, m_now.time_s - m_same.time_s};
+}
+
 // Up to the first of the same readings all were good: they are learnt from.
 std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K, bool isQuiet) const {
     const double wrong = isQuiet ? 0.0 : kWrongNow;
@@ -199,9 +220,9 @@ std::optional<Unfollowed> WarmingWatch::unfollowedWhileSame(double least_K, bool
     std::optional<Unfollowed> found = worst(fits, m_same, least_K, wrong);
     for (const Mark& from : m_bins)
         if (from.time_s > m_same.time_s)
-            if (const auto since = worst(fits, from, least_K, wrong);
-                since && (!found || std::abs(since->expected_K) > std::abs(found->expected_K)))
-                found = since;
+            for (const auto& since : {worst(fits, from, least_K, wrong), bent(fits, from, least_K)})
+                if (since && (!found || std::abs(since->expected_K) > std::abs(found->expected_K)))
+                    found = since;
     return found;
 }
 

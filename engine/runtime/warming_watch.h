@@ -70,6 +70,7 @@ private:
     HeatFit::Change expected(const Fits& fits, const Mark& from, double wrong) const;
     std::optional<Unfollowed> worst(const Fits& fits, const Mark& from, double least_K, double wrong) const;
     std::optional<Unfollowed> impossible(const Mark& from) const;
+    std::optional<Unfollowed> bent(const Fits& fits, const Mark& middle, double least_K) const;
     void judge();
 
     LossRange m_losses;

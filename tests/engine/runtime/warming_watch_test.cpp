@@ -140,6 +140,22 @@ TEST(WarmingWatch, FindsASensorThatFreezesOnTheWay) {
     EXPECT_LT(found_s, kFrozen_s + 14.0);
 }
 
+// At rest in the heat, with noise below its sensor's step, so that only the very same reading tells. Its
+// rates before explain each span of the rest by itself. Catches heat that grows, before a reading that needs
+// it to be the same.
+TEST(WarmingWatch, FindsAFrozenSensorWhoseObjectIsHeatedALittleMore) {
+    constexpr double kFrozen_s = 600.0;
+    const Object object{0.03, 0.1, 1.0 / 120.0};
+    double kept_K = 0.0;
+    const auto power_K_s = [&](double t) {
+        return 0.4 * (t < kFrozen_s ? 1.0 : 1.0 + 0.2 * std::min(1.0, (t - kFrozen_s) / 100.0));
+    };
+    const double found_s = object.alarm_s(
+        power_K_s, [&](double t, double value) { return t < kFrozen_s ? kept_K = value : kept_K; });
+    EXPECT_GT(found_s, kFrozen_s + 29.0);
+    EXPECT_LT(found_s, kFrozen_s + 130.0);
+}
+
 // Heated three times as fast as believed, it warms at a steady rate, when its sensor stops. Catches rates
 // that would explain the rest at that temperature and were never those of the way there.
 TEST(WarmingWatch, FindsANoisySensorThatStopsWhileItsObjectWarms) {
