@@ -58,12 +58,14 @@ void printFaults(const AlarmSummary& summary) {
 }
 
 void printSummary(const AlarmStudy& study, const std::vector<AlarmRow>& rows) {
-    for (std::size_t k = 0; k < rows.size(); ++k) {
-        if (!rows[k].refusal.empty())
-            std::printf("run %zu was not begun: %s\n", k + 1, rows[k].refusal.c_str());
-        for (const RaisedAlarm& alarm : rows[k].alarms)
+    int run = study.first;
+    for (const AlarmRow& row : rows) {
+        if (!row.refusal.empty())
+            std::printf("run %d was not begun: %s\n", run, row.refusal.c_str());
+        for (const RaisedAlarm& alarm : row.alarms)
             if (alarm.isFalse)
-                std::printf("run %zu, %.0f s, false: %s\n", k + 1, alarm.time_s, alarm.sentence.c_str());
+                std::printf("run %d, %.0f s, false: %s\n", run, alarm.time_s, alarm.sentence.c_str());
+        ++run;
     }
     const AlarmSummary summary = summarize(rows);
     printFaults(summary);
@@ -103,7 +105,7 @@ int alarmStudyCommand(const QString& folder, const AlarmRequest& request) {
     auto rigs = alarmRigs(request.draw);
     if (!rigs)
         return refuseStudy(rigs.error());
-    const AlarmStudy study{std::move(*rigs), request.draw, request.count, request.seed};
+    const AlarmStudy study{std::move(*rigs), request.draw, request.count, request.seed, request.first};
     const bool terminal = isatty(STDERR_FILENO) != 0;
     QElapsedTimer told;
     told.start();

@@ -28,6 +28,7 @@ struct AlarmRequest {
     AlarmDraw draw = AlarmDraw::Healthy;
     int count = 200;
     std::uint64_t seed = 1;
+    int first = 1; ///< draw that is run first
 };
 /// Answers kExitNegative when an alarm was false, or a fault that showed itself was not found.
 int alarmStudyCommand(const QString& folder, const AlarmRequest& request);

@@ -73,7 +73,7 @@ private:
 
 int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
-    options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "kind"},
+    options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "kind", "first"},
                  kViewFactor);
     const int elements = options.wholeNumber("elements", kLeastElements, kMostElements);
     if (!options.complaint().isEmpty())
@@ -83,7 +83,7 @@ int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
 
 int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
-    options.none({"elements", "kind"}, kClosedLoop);
+    options.none({"elements", "kind", "first"}, kClosedLoop);
     static constexpr ControllerKind kControllers[] = {ControllerKind::LevelServo, ControllerKind::Adaptive,
                                                       ControllerKind::ModelBased};
     static constexpr SourceModel kModels[] = {SourceModel::Gray, SourceModel::Paper};
@@ -109,6 +109,7 @@ int runAlarms(const QCommandLineParser& parser, const QString& folder) {
     request.draw = kDraws[options.oneOf("kind", {"healthy", "faulty", "paper"})];
     request.count = options.wholeNumber("count", 1, kMostCount);
     request.seed = options.seed();
+    request.first = options.wholeNumber("first", 1, kMostCount);
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
     return alarmStudyCommand(folder, request);
@@ -124,6 +125,7 @@ void addOptions(QCommandLineParser& parser) {
         {{"controller", "closed-loop: level, adaptive or model-based.", "NAME", "level"},
          {"count", "closed-loop, alarms: number of runs.", "N", "200"},
          {"seed", "closed-loop, alarms: of everything that is drawn.", "N", "1"},
+         {"first", "alarms: number of the first run, to repeat one of a table (with --count 1).", "N", "1"},
          {"kind",
           "alarms: healthy, faulty (each fault in turn) or paper (the paper's experiments, each by its own\n"
           "controller and by the level servo, seed after seed).",

@@ -136,7 +136,9 @@ private:
             m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - m_frozen_K));
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::SensorOff) {
-            if (const double told_K = m_loop.toldReading_K(m_drawn.fault.object); std::isfinite(told_K))
+            const bool isHeated = m_loop.latest().objects[m_drawn.fault.object].viewFactor > kAlarmHeated;
+            if (const double told_K = m_loop.toldReading_K(m_drawn.fault.object);
+                isHeated && std::isfinite(told_K))
                 m_row.unseen_K = std::max(m_row.unseen_K, std::abs(of_K - told_K));
             isShown = m_row.unseen_K >= kAlarmShown_K;
         } else if (m_drawn.fault.fault == SimulatedFault::ObjectHot) {
@@ -283,7 +285,7 @@ Result<std::vector<AlarmRow>> runAlarmStudy(const AlarmStudy& study, int threads
     const auto work = [&](bool reports) {
         for (int index = next++; index < study.count; index = next++) {
             rows[static_cast<std::size_t>(index)] =
-                AlarmRun(drawAlarmCase(study.rigs, study.draw, study.seed, index)).run();
+                AlarmRun(drawAlarmCase(study.rigs, study.draw, study.seed, study.first - 1 + index)).run();
             ++done;
             if (reports && progress)
                 progress(done);
@@ -367,7 +369,7 @@ std::string alarmCsv(const AlarmStudy& study, const std::vector<AlarmRow>& rows)
                       (alarm.isFalse ? ", false: " : ": ") + alarm.sentence;
         const bool isFaulty = row.drawn.fault.fault != SimulatedFault::None;
         text +=
-            std::to_string(k + 1) + ',' + decimal(row.simulated_s) + ',' +
+            std::to_string(study.first + static_cast<int>(k)) + ',' + decimal(row.simulated_s) + ',' +
             controllerKindName(e.controller.kind) + ',' + std::to_string(e.objects.size()) + ',' +
             decimal(celsiusFromKelvin(e.source.temperature_K)) + ',' +
             (e.source.model == SourceModel::Gray ? "gray" : "paper") + ',' +

@@ -18,11 +18,15 @@ struct AlarmStudy {
     AlarmDraw draw = AlarmDraw::Healthy;
     int count = 200;
     std::uint64_t seed = 1;
+    int first = 1; ///< draw that is run first, from 1 on
 };
 
 /// A sensor that froze or came off shows itself when its object is farther than this from what it reads.
 /// Nearer, nobody who believes the rates within kAlarmBelief only can know.
 inline constexpr double kAlarmShown_K = 10.0;
+/// And one that came off only where its object has this view factor: without heat the object cools as its
+/// sensor says, by itself or in moving air.
+inline constexpr double kAlarmHeated = 0.01;
 
 /// An alarm that began.
 struct RaisedAlarm {
