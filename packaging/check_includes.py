@@ -39,6 +39,7 @@ ENGINE = {
 VALUE_FOLDERS = {"base", "shape", "radiation", "calibration"}
 VALUE_HEADERS = {
     "engine/thermal/heat_balance.h",
+    "engine/control/controller_catalogue.h",
     "engine/control/controller_settings.h",
     "engine/control/feasibility.h",
     "engine/control/joint_feasibility.h",
@@ -53,6 +54,7 @@ VALUE_HEADERS = {
     "engine/control/robot_limits.h",
     "engine/session/alarm.h",
     "engine/session/experiment.h",
+    "engine/session/experiment_parameters.h",
     "engine/session/limits_widened.h",
     "engine/session/experiment_rig.h",
     "engine/session/mounting_check.h",
@@ -139,7 +141,7 @@ def is_svg_source(path):
 def is_json_inside(path):
     """Headers between session's own readers and writers of JSON; nobody else includes them."""
     return path.as_posix() in {"engine/session/json_fields.h", "engine/session/json_quantities.h",
-                               "engine/session/rig_json.h", "engine/session/safety_json.h", "engine/session/vision_json.h"}
+                               "engine/session/rig_json.h", "engine/session/faults_json.h", "engine/session/parameter_json.h", "engine/session/vision_json.h"}
 
 
 # Shared by exchange's own writers of VTK files; nobody else includes it.
@@ -149,7 +151,7 @@ VTK_INSIDE = {"engine/exchange/vtk_inside.h"}
 def qt_in_engine(path):
     """Session's sources (SQLite), runtime's worker and job runner and shape's SVG reader are the engine's Qt users."""
     name = path.name
-    if is_svg_source(path):
+    if is_svg_source(path) or path.as_posix() == "engine/base/translated.h":  # a macro's name, without Qt
         return True
     if path.parts[:2] == ("engine", "session"):
         return path.suffix not in HEADER_SUFFIXES

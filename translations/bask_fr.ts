@@ -72,6 +72,33 @@
     </message>
 </context>
 <context>
+    <name>Controller</name>
+    <message>
+        <source>Level servo</source>
+        <translation type="unfinished">Asservissement de niveau</translation>
+    </message>
+    <message>
+        <source>Moves to the view factor each object needs; learns the rates on the way.</source>
+        <translation type="unfinished">Rejoint le facteur de forme dont chaque objet a besoin&#xa0;; apprend les vitesses en chemin.</translation>
+    </message>
+    <message>
+        <source>Model-based</source>
+        <translation type="unfinished">À modèle</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation type="unfinished">Adaptatif</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with adapted heat rates.</source>
+        <translation type="unfinished">La loi de l’article à coefficients thermiques adaptés.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
+        <translation>La loi de l’article à coefficients thermiques connus : dv/dt = −D v − K Δτ.</translation>
+    </message>
+</context>
+<context>
     <name>MaterialPreset</name>
     <message>
         <source>aluminium, painted black</source>
@@ -1374,7 +1401,7 @@
     </message>
     <message>
         <source>The heat of the real rig (%1) is not known to be off, and Bask does not watch it any more. Look at the plate; switch it off at its mains.</source>
-        <translation>Le chauffage du banc réel (%1) n’est pas connu comme éteint, et Bask ne le surveille plus. Regardez la plaque ; coupez-la au secteur.</translation>
+        <translation>Le chauffage du banc réel (%1) n’est pas connu comme éteint, et Bask ne le surveille plus. Regardez la plaque&#xa0;; coupez-la au secteur.</translation>
     </message>
     <message>
         <source>The sensor of &quot;%1&quot; reads %2 °C and did not follow its object&apos;s heat. Look whether it is on its object, then confirm it.</source>
@@ -1406,6 +1433,261 @@
     <message>
         <source>%1 mm</source>
         <translation>%1 mm</translation>
+    </message>
+</context>
+<context>
+    <name>Parameter</name>
+    <message>
+        <source>Objects: warning</source>
+        <translation type="unfinished">Objets : avertissement</translation>
+    </message>
+    <message>
+        <source>A run holds, and a priority 2 alarm is given</source>
+        <translation type="unfinished">L’essai se met en pause, avec une alarme de priorité 2</translation>
+    </message>
+    <message>
+        <source>Objects: trip</source>
+        <translation type="unfinished">Objets : déclenchement</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. What object, paint and sensor bear.</source>
+        <translation type="unfinished">Chauffage coupé et retrait. Ce que supportent l’objet, la peinture et le capteur.</translation>
+    </message>
+    <message>
+        <source>Source: trip</source>
+        <translation type="unfinished">Source : déclenchement</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
+        <translation type="unfinished">Chauffage coupé et retrait. Automatique : 50 K au-dessus de la consigne la plus haute.</translation>
+    </message>
+    <message>
+        <source>Periods a reading is good for</source>
+        <translation type="unfinished">Périodes de validité d’une mesure</translation>
+    </message>
+    <message>
+        <source>A sensor without a newer one is lost; also the source and its place</source>
+        <translation type="unfinished">Un capteur sans mesure plus récente est perdu ; de même la source et sa position</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation type="unfinished">Pause la plus longue</translation>
+    </message>
+    <message>
+        <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
+        <translation type="unfinished">Un capteur ou une source perdus mettent l’essai en pause aussi longtemps, puis il finit par un retrait</translation>
+    </message>
+    <message>
+        <source>Fastest plausible change</source>
+        <translation type="unfinished">Variation plausible maximale</translation>
+    </message>
+    <message>
+        <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
+        <translation type="unfinished">Plus vite, c’est un saut et non de la chaleur. Automatique : trois fois ce que la source peut faire à l’objet, 2 K/s au moins.</translation>
+    </message>
+    <message>
+        <source>Jumps in a row</source>
+        <translation type="unfinished">Sauts de suite</translation>
+    </message>
+    <message>
+        <source>So many readings that are too fast are a sensor fault</source>
+        <translation type="unfinished">Autant de mesures trop rapides sont un défaut du capteur</translation>
+    </message>
+    <message>
+        <source>Frozen sensor after</source>
+        <translation type="unfinished">Capteur figé après</translation>
+    </message>
+    <message>
+        <source>The very same reading for so long, though the object must have changed</source>
+        <translation type="unfinished">La même mesure aussi longtemps, alors que l’objet a dû changer</translation>
+    </message>
+    <message>
+        <source>Change that must be seen</source>
+        <translation type="unfinished">Variation à constater</translation>
+    </message>
+    <message>
+        <source>An object that must have changed by so much and did not does not follow its heat</source>
+        <translation type="unfinished">Un objet qui aurait dû varier d’autant et ne l’a pas fait ne suit pas sa chaleur</translation>
+    </message>
+    <message>
+        <source>Sensors apart when cold</source>
+        <translation type="unfinished">Écart des capteurs à froid</translation>
+    </message>
+    <message>
+        <source>Sensors of a cold rig that differ by more are told</source>
+        <translation type="unfinished">Les capteurs d’un banc froid qui diffèrent de plus sont signalés</translation>
+    </message>
+    <message>
+        <source>Source: time to gain 2 K</source>
+        <translation type="unfinished">Source : temps pour gagner 2 K</translation>
+    </message>
+    <message>
+        <source>A source that is too cold and no nearer after so long does not heat</source>
+        <translation type="unfinished">Une source trop froide qui ne s’est pas rapprochée après ce temps ne chauffe pas</translation>
+    </message>
+    <message>
+        <source>Source: near its set point</source>
+        <translation type="unfinished">Source : près de sa consigne</translation>
+    </message>
+    <message>
+        <source>Within this the source is not too cold</source>
+        <translation type="unfinished">À moins de cet écart, la source n’est pas trop froide</translation>
+    </message>
+    <message>
+        <source>Source: warming unasked</source>
+        <translation type="unfinished">Source : chauffe non demandée</translation>
+    </message>
+    <message>
+        <source>More warming with the heat off is an alarm</source>
+        <translation type="unfinished">Chauffer davantage, chauffage coupé, est une alarme</translation>
+    </message>
+    <message>
+        <source>Least room on the disk</source>
+        <translation type="unfinished">Place minimale sur le disque</translation>
+    </message>
+    <message>
+        <source>With less no recording is begun</source>
+        <translation type="unfinished">Avec moins, aucun enregistrement ne commence</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Avertissement</translation>
+    </message>
+    <message>
+        <source>Trip</source>
+        <translation>Déclenchement</translation>
+    </message>
+    <message>
+        <source>Emittance</source>
+        <translation type="unfinished">Émissivité</translation>
+    </message>
+    <message>
+        <source>Absorptance</source>
+        <translation type="unfinished">Absorptivité</translation>
+    </message>
+    <message>
+        <source>Specific heat</source>
+        <translation type="unfinished">Chaleur massique</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished">Masse volumique</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished">Épaisseur</translation>
+    </message>
+    <message>
+        <source>Infill</source>
+        <translation type="unfinished">Remplissage</translation>
+    </message>
+    <message>
+        <source>Largest speed</source>
+        <translation type="unfinished">Plus grande vitesse</translation>
+    </message>
+    <message>
+        <source>Largest turning speed</source>
+        <translation type="unfinished">Plus grande vitesse de rotation</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>Plus grande accélération</translation>
+    </message>
+    <message>
+        <source>Largest turning acceleration</source>
+        <translation>Plus grande accélération de rotation</translation>
+    </message>
+    <message>
+        <source>Clearance to the source</source>
+        <translation type="unfinished">Distance de garde à la source</translation>
+    </message>
+    <message>
+        <source>Least distance of any point of an object from the source&apos;s plane</source>
+        <translation type="unfinished">Plus petite distance de tout point d’un objet au plan de la source</translation>
+    </message>
+    <message>
+        <source>Largest mounting radius</source>
+        <translation>Plus grand rayon de montage</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>sans limite</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished">automatique</translation>
+    </message>
+    <message>
+        <source>heat without a watchdog</source>
+        <translation>chauffage sans chien de garde</translation>
+    </message>
+    <message>
+        <source>not allowed</source>
+        <translation>interdit</translation>
+    </message>
+    <message>
+        <source>allowed</source>
+        <translation>permis</translation>
+    </message>
+    <message>
+        <source>Time constant</source>
+        <translation type="unfinished">Constante de temps</translation>
+    </message>
+    <message>
+        <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
+        <translation type="unfinished">Vitesse voulue = écart / constante de temps&#xa0;: plus courte, plus rapide et plus brusque.</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation type="unfinished">Temps intégral</translation>
+    </message>
+    <message>
+        <source>Of the slow integral action near the target.</source>
+        <translation type="unfinished">De l’action intégrale lente près de la consigne.</translation>
+    </message>
+    <message>
+        <source>Damping D</source>
+        <translation type="unfinished">Amortissement D</translation>
+    </message>
+    <message>
+        <source>Stiffness K</source>
+        <translation type="unfinished">Raideur K</translation>
+    </message>
+    <message>
+        <source>Weight of the error μ</source>
+        <translation type="unfinished">Poids de l’écart μ</translation>
+    </message>
+    <message>
+        <source>ζ = v + μ Δτ</source>
+        <translation type="unfinished">ζ = v + μ Δτ</translation>
+    </message>
+    <message>
+        <source>Feedback K</source>
+        <translation type="unfinished">Rétroaction K</translation>
+    </message>
+    <message>
+        <source>Of ζ in the velocity command</source>
+        <translation type="unfinished">De ζ dans la commande de vitesse</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₁</source>
+        <translation type="unfinished">Adaptation γ₁</translation>
+    </message>
+    <message>
+        <source>Speed at which 1/λ₁ is adapted</source>
+        <translation type="unfinished">Rapidité d’adaptation de 1/λ₁</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₂</source>
+        <translation type="unfinished">Adaptation γ₂</translation>
+    </message>
+    <message>
+        <source>Speed at which λ₂/λ₁ is adapted</source>
+        <translation type="unfinished">Rapidité d’adaptation de λ₂/λ₁</translation>
+    </message>
+    <message>
+        <source>dv/dt = −D v − K Δτ</source>
+        <translation>dv/dt = −D v − K Δτ</translation>
     </message>
 </context>
 <context>
@@ -2566,94 +2848,6 @@
         <translation>Régulateur</translation>
     </message>
     <message>
-        <source>Moves to the view factor each object needs; learns the rates on the way.</source>
-        <translation>Rejoint le facteur de forme dont chaque objet a besoin&#xa0;; apprend les vitesses en chemin.</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s law with adapted heat rates.</source>
-        <translation>La loi de l’article à coefficients thermiques adaptés.</translation>
-    </message>
-    <message>
-        <source>Time constant</source>
-        <translation>Constante de temps</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
-        <translation>Vitesse voulue = écart / constante de temps&#xa0;: plus courte, plus rapide et plus brusque.</translation>
-    </message>
-    <message>
-        <source>Integral time</source>
-        <translation>Temps intégral</translation>
-    </message>
-    <message>
-        <source>Of the slow integral action near the target.</source>
-        <translation>De l’action intégrale lente près de la consigne.</translation>
-    </message>
-    <message>
-        <source>Damping D</source>
-        <translation>Amortissement D</translation>
-    </message>
-    <message>
-        <source>1/s</source>
-        <translation>1/s</translation>
-    </message>
-    <message>
-        <source>Stiffness K</source>
-        <translation>Raideur K</translation>
-    </message>
-    <message>
-        <source>1/s²</source>
-        <translation>1/s²</translation>
-    </message>
-    <message>
-        <source>Weight of the error μ</source>
-        <translation>Poids de l’écart μ</translation>
-    </message>
-    <message>
-        <source>ζ = v + μ Δτ</source>
-        <translation>ζ = v + μ Δτ</translation>
-    </message>
-    <message>
-        <source>Feedback K</source>
-        <translation>Rétroaction K</translation>
-    </message>
-    <message>
-        <source>1/K</source>
-        <translation>1/K</translation>
-    </message>
-    <message>
-        <source>Of ζ in the velocity command</source>
-        <translation>De ζ dans la commande de vitesse</translation>
-    </message>
-    <message>
-        <source>Adaptation γ₁</source>
-        <translation>Adaptation γ₁</translation>
-    </message>
-    <message>
-        <source>s³/K³</source>
-        <translation>s³/K³</translation>
-    </message>
-    <message>
-        <source>Speed at which 1/λ₁ is adapted</source>
-        <translation>Rapidité d’adaptation de 1/λ₁</translation>
-    </message>
-    <message>
-        <source>Adaptation γ₂</source>
-        <translation>Adaptation γ₂</translation>
-    </message>
-    <message>
-        <source>s/K⁹</source>
-        <translation>s/K⁹</translation>
-    </message>
-    <message>
-        <source>Speed at which λ₂/λ₁ is adapted</source>
-        <translation>Rapidité d’adaptation de λ₂/λ₁</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>Appliquer</translation>
     </message>
@@ -2668,14 +2862,6 @@
     <message>
         <source>Back to the settings in use.</source>
         <translation>Revenir aux réglages en service.</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
-        <translation>La loi de l’article à coefficients thermiques connus&#xa0;: dv/dt = −D v − K Δτ.</translation>
-    </message>
-    <message>
-        <source>dv/dt = −D v − K Δτ</source>
-        <translation>dv/dt = −D v − K Δτ</translation>
     </message>
     <message>
         <source>After a step of %1 K, without limits and noise: it never settles.</source>
@@ -3293,18 +3479,6 @@
     <message>
         <source>All objects stay within their tolerance band. The controller keeps working.</source>
         <translation>Tous les objets restent dans leur bande de tolérance. Le régulateur continue.</translation>
-    </message>
-    <message>
-        <source>Level servo</source>
-        <translation>Asservissement de niveau</translation>
-    </message>
-    <message>
-        <source>Model-based</source>
-        <translation>À modèle</translation>
-    </message>
-    <message>
-        <source>Adaptive</source>
-        <translation>Adaptatif</translation>
     </message>
     <message>
         <source>a sample is missing</source>
@@ -4376,7 +4550,7 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     </message>
     <message>
         <source>Bask stays open: the run ended by a fault. Look at the alarms.</source>
-        <translation>Bask reste ouvert : l’essai s’est terminé par un défaut. Regardez les alarmes.</translation>
+        <translation>Bask reste ouvert&#xa0;: l’essai s’est terminé par un défaut. Regardez les alarmes.</translation>
     </message>
 </context>
 <context>
@@ -5023,10 +5197,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Annuler</translation>
     </message>
     <message>
-        <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
-        <translation>%1 n’est pas un type de fichier importable. Utilisez un dessin (SVG, DXF), un CSV de points x, y ou l’image d’une silhouette (PNG, JPEG, BMP, TIFF).</translation>
-    </message>
-    <message>
         <source>Import an outline</source>
         <translation>Importer un contour</translation>
     </message>
@@ -5105,6 +5275,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Leaf</source>
         <translation>Feuille</translation>
+    </message>
+    <message>
+        <source>%1 is not a kind of file that can be imported. Use a drawing (%2), a list of x, y points (%3) or a picture of a silhouette (%4).</source>
+        <translation>%1 n’est pas un type de fichier importable. Utilisez un dessin (%2), une liste de points x, y (%3) ou l’image d’une silhouette (%4).</translation>
     </message>
 </context>
 <context>
@@ -5323,6 +5497,25 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Write each map as a table (CSV) and as a picture (PNG).</source>
         <translation>Écrire chaque carte en table (CSV) et en image (PNG).</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ParameterForm</name>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished">automatique</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation type="unfinished">%1 : %2 au lieu de %3</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished">Automatique</translation>
+    </message>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1 : automatique</translation>
     </message>
 </context>
 <context>
@@ -6737,10 +6930,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>, suivie pendant l’essai</translation>
     </message>
     <message>
-        <source>Absorptance</source>
-        <translation>Absorptance</translation>
-    </message>
-    <message>
         <source>Acknowledge</source>
         <translation>Acquitter</translation>
     </message>
@@ -6755,10 +6944,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>All objects settled.</source>
         <translation>Tous les objets sont stabilisés.</translation>
-    </message>
-    <message>
-        <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
-        <translation>Toutes les consignes peuvent être tenues ensemble, d’après les matériaux donnés, à %1 ; marge de %2 jusqu’à la limite la plus proche.</translation>
     </message>
     <message>
         <source>Area</source>
@@ -6811,10 +6996,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Disarm</source>
         <translation>Désarmer</translation>
-    </message>
-    <message>
-        <source>Emittance</source>
-        <translation>Émittance</translation>
     </message>
     <message>
         <source>Emittance of the source</source>
@@ -7081,10 +7262,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Les consignes ne peuvent pas être tenues ensemble, d’après les matériaux donnés : %1.</translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>Épaisseur</translation>
-    </message>
-    <message>
         <source>Time (s)</source>
         <translation>Temps (s)</translation>
     </message>
@@ -7229,10 +7406,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>consignes hors d’atteinte acceptées</translation>
     </message>
     <message>
-        <source>time constant %1 s, integral time %2 s</source>
-        <translation>constante de temps %1 s, temps intégral %2 s</translation>
-    </message>
-    <message>
         <source>too cold</source>
         <translation>trop froide</translation>
     </message>
@@ -7322,6 +7495,10 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <source>zeroed %1 UTC</source>
         <translation>ajustés le %1 UTC</translation>
     </message>
+    <message>
+        <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
+        <translation>Toutes les consignes peuvent être tenues ensemble, avec les matériaux indiqués, en %1 ; marge de %2 jusqu’à la limite la plus proche (%3).</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -7342,26 +7519,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
 <context>
     <name>bask::SafetyPanel</name>
     <message>
-        <source>%1: %2 instead of %3</source>
-        <translation>%1 : %2 au lieu de %3</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>automatique</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatique</translation>
-    </message>
-    <message>
-        <source>Automatic trip limit of the source</source>
-        <translation>Limite de déclenchement automatique de la source</translation>
-    </message>
-    <message>
-        <source>Automatic fastest change</source>
-        <translation>Variation plausible maximale automatique</translation>
-    </message>
-    <message>
         <source>Safety limits</source>
         <translation>Limites de sécurité</translation>
     </message>
@@ -7372,118 +7529,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>%1 has limits of its own: warning %2, trip %3.</source>
         <translation>%1 a ses propres limites : avertissement %2, déclenchement %3.</translation>
-    </message>
-    <message>
-        <source>Objects: warning</source>
-        <translation>Objets : avertissement</translation>
-    </message>
-    <message>
-        <source>A run holds, and a priority 2 alarm is given</source>
-        <translation>L’essai se met en pause, avec une alarme de priorité 2</translation>
-    </message>
-    <message>
-        <source>Objects: trip</source>
-        <translation>Objets : déclenchement</translation>
-    </message>
-    <message>
-        <source>Heat off and retreat. What object, paint and sensor bear.</source>
-        <translation>Chauffage coupé et retrait. Ce que supportent l’objet, la peinture et le capteur.</translation>
-    </message>
-    <message>
-        <source>Source: trip</source>
-        <translation>Source : déclenchement</translation>
-    </message>
-    <message>
-        <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
-        <translation>Chauffage coupé et retrait. Automatique : 50 K au-dessus de la consigne la plus haute.</translation>
-    </message>
-    <message>
-        <source>Longest hold</source>
-        <translation>Pause la plus longue</translation>
-    </message>
-    <message>
-        <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
-        <translation>Un capteur ou une source perdus mettent l’essai en pause aussi longtemps, puis il finit par un retrait</translation>
-    </message>
-    <message>
-        <source>Periods a reading is good for</source>
-        <translation>Périodes de validité d’une mesure</translation>
-    </message>
-    <message>
-        <source>A sensor without a newer one is lost; also the source and its place</source>
-        <translation>Un capteur sans mesure plus récente est perdu ; de même la source et sa position</translation>
-    </message>
-    <message>
-        <source>Fastest plausible change</source>
-        <translation>Variation plausible maximale</translation>
-    </message>
-    <message>
-        <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
-        <translation>Plus vite, c’est un saut et non de la chaleur. Automatique : trois fois ce que la source peut faire à l’objet, 2 K/s au moins.</translation>
-    </message>
-    <message>
-        <source>Jumps in a row</source>
-        <translation>Sauts de suite</translation>
-    </message>
-    <message>
-        <source>So many readings that are too fast are a sensor fault</source>
-        <translation>Autant de mesures trop rapides sont un défaut du capteur</translation>
-    </message>
-    <message>
-        <source>Frozen sensor after</source>
-        <translation>Capteur figé après</translation>
-    </message>
-    <message>
-        <source>The very same reading for so long, though the object must have changed</source>
-        <translation>La même mesure aussi longtemps, alors que l’objet a dû changer</translation>
-    </message>
-    <message>
-        <source>Change that must be seen</source>
-        <translation>Variation à constater</translation>
-    </message>
-    <message>
-        <source>An object that must have changed by so much and did not does not follow its heat</source>
-        <translation>Un objet qui aurait dû varier d’autant et ne l’a pas fait ne suit pas sa chaleur</translation>
-    </message>
-    <message>
-        <source>Sensors apart when cold</source>
-        <translation>Écart des capteurs à froid</translation>
-    </message>
-    <message>
-        <source>Sensors of a cold rig that differ by more are told</source>
-        <translation>Les capteurs d’un banc froid qui diffèrent de plus sont signalés</translation>
-    </message>
-    <message>
-        <source>Source: time to gain 2 K</source>
-        <translation>Source : temps pour gagner 2 K</translation>
-    </message>
-    <message>
-        <source>A source that is too cold and no nearer after so long does not heat</source>
-        <translation>Une source trop froide qui ne s’est pas rapprochée après ce temps ne chauffe pas</translation>
-    </message>
-    <message>
-        <source>Source: near its set point</source>
-        <translation>Source : près de sa consigne</translation>
-    </message>
-    <message>
-        <source>Within this the source is not too cold</source>
-        <translation>À moins de cet écart, la source n’est pas trop froide</translation>
-    </message>
-    <message>
-        <source>Source: warming unasked</source>
-        <translation>Source : chauffe non demandée</translation>
-    </message>
-    <message>
-        <source>More warming with the heat off is an alarm</source>
-        <translation>Chauffer davantage, chauffage coupé, est une alarme</translation>
-    </message>
-    <message>
-        <source>Least room on the disk</source>
-        <translation>Place minimale sur le disque</translation>
-    </message>
-    <message>
-        <source>With less no recording is begun</source>
-        <translation>Avec moins, aucun enregistrement ne commence</translation>
     </message>
 </context>
 <context>

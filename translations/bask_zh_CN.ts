@@ -72,6 +72,33 @@
     </message>
 </context>
 <context>
+    <name>Controller</name>
+    <message>
+        <source>Level servo</source>
+        <translation type="unfinished">等值面伺服</translation>
+    </message>
+    <message>
+        <source>Moves to the view factor each object needs; learns the rates on the way.</source>
+        <translation type="unfinished">运动到每个物体所需的角系数；途中学习热速率。</translation>
+    </message>
+    <message>
+        <source>Model-based</source>
+        <translation type="unfinished">基于模型</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation type="unfinished">自适应</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with adapted heat rates.</source>
+        <translation type="unfinished">论文的控制律，热速率自适应。</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
+        <translation>论文的控制律，热速率已知：dv/dt = −D v − K Δτ。</translation>
+    </message>
+</context>
+<context>
     <name>MaterialPreset</name>
     <message>
         <source>aluminium, painted black</source>
@@ -1409,6 +1436,261 @@
     </message>
 </context>
 <context>
+    <name>Parameter</name>
+    <message>
+        <source>Objects: warning</source>
+        <translation type="unfinished">物体：警告</translation>
+    </message>
+    <message>
+        <source>A run holds, and a priority 2 alarm is given</source>
+        <translation type="unfinished">运行进入保持，并发出优先级 2 的报警</translation>
+    </message>
+    <message>
+        <source>Objects: trip</source>
+        <translation type="unfinished">物体：跳闸</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. What object, paint and sensor bear.</source>
+        <translation type="unfinished">关闭加热并撤离。按物体、涂层和传感器所能承受的温度设定。</translation>
+    </message>
+    <message>
+        <source>Source: trip</source>
+        <translation type="unfinished">热源：跳闸</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
+        <translation type="unfinished">关闭加热并撤离。自动：比最高设定值高 50 K。</translation>
+    </message>
+    <message>
+        <source>Periods a reading is good for</source>
+        <translation type="unfinished">读数有效的周期数</translation>
+    </message>
+    <message>
+        <source>A sensor without a newer one is lost; also the source and its place</source>
+        <translation type="unfinished">超过此时间没有更新的传感器即视为失联；热源及其位置亦然</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation type="unfinished">最长保持时间</translation>
+    </message>
+    <message>
+        <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
+        <translation type="unfinished">失去传感器或热源时，运行保持这么久，然后撤离并结束</translation>
+    </message>
+    <message>
+        <source>Fastest plausible change</source>
+        <translation type="unfinished">最快合理变化</translation>
+    </message>
+    <message>
+        <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
+        <translation type="unfinished">更快的读数是跳变，而非受热所致。自动：热源使物体所能达到的变化的三倍，至少 2 K/s。</translation>
+    </message>
+    <message>
+        <source>Jumps in a row</source>
+        <translation type="unfinished">连续跳变次数</translation>
+    </message>
+    <message>
+        <source>So many readings that are too fast are a sensor fault</source>
+        <translation type="unfinished">过快的读数达到此数即为传感器故障</translation>
+    </message>
+    <message>
+        <source>Frozen sensor after</source>
+        <translation type="unfinished">传感器冻结判定时间</translation>
+    </message>
+    <message>
+        <source>The very same reading for so long, though the object must have changed</source>
+        <translation type="unfinished">物体本应变化，而读数在此时间内完全相同</translation>
+    </message>
+    <message>
+        <source>Change that must be seen</source>
+        <translation type="unfinished">必须见到的变化</translation>
+    </message>
+    <message>
+        <source>An object that must have changed by so much and did not does not follow its heat</source>
+        <translation type="unfinished">物体本应变化这么多却没有变化，即为不随加热而变</translation>
+    </message>
+    <message>
+        <source>Sensors apart when cold</source>
+        <translation type="unfinished">冷态时传感器间差异</translation>
+    </message>
+    <message>
+        <source>Sensors of a cold rig that differ by more are told</source>
+        <translation type="unfinished">冷态装置中差异超过此值的传感器会被指出</translation>
+    </message>
+    <message>
+        <source>Source: time to gain 2 K</source>
+        <translation type="unfinished">热源：升温 2 K 的时间</translation>
+    </message>
+    <message>
+        <source>A source that is too cold and no nearer after so long does not heat</source>
+        <translation type="unfinished">热源温度过低，且经过此时间仍未接近设定值，即为不加热</translation>
+    </message>
+    <message>
+        <source>Source: near its set point</source>
+        <translation type="unfinished">热源：接近设定值</translation>
+    </message>
+    <message>
+        <source>Within this the source is not too cold</source>
+        <translation type="unfinished">在此范围内，热源不算温度过低</translation>
+    </message>
+    <message>
+        <source>Source: warming unasked</source>
+        <translation type="unfinished">热源：擅自升温</translation>
+    </message>
+    <message>
+        <source>More warming with the heat off is an alarm</source>
+        <translation type="unfinished">加热关闭时升温超过此值即报警</translation>
+    </message>
+    <message>
+        <source>Least room on the disk</source>
+        <translation type="unfinished">磁盘最小剩余空间</translation>
+    </message>
+    <message>
+        <source>With less no recording is begun</source>
+        <translation type="unfinished">少于此值时不开始记录</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Trip</source>
+        <translation>跳闸</translation>
+    </message>
+    <message>
+        <source>Emittance</source>
+        <translation type="unfinished">发射率</translation>
+    </message>
+    <message>
+        <source>Absorptance</source>
+        <translation type="unfinished">吸收率</translation>
+    </message>
+    <message>
+        <source>Specific heat</source>
+        <translation type="unfinished">比热容</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished">密度</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished">厚度</translation>
+    </message>
+    <message>
+        <source>Infill</source>
+        <translation type="unfinished">填充率</translation>
+    </message>
+    <message>
+        <source>Largest speed</source>
+        <translation type="unfinished">最大速度</translation>
+    </message>
+    <message>
+        <source>Largest turning speed</source>
+        <translation type="unfinished">最大转动速度</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Largest turning acceleration</source>
+        <translation>最大转动加速度</translation>
+    </message>
+    <message>
+        <source>Clearance to the source</source>
+        <translation type="unfinished">与热源的间距</translation>
+    </message>
+    <message>
+        <source>Least distance of any point of an object from the source&apos;s plane</source>
+        <translation type="unfinished">物体上任意一点到热源平面的最小距离</translation>
+    </message>
+    <message>
+        <source>Largest mounting radius</source>
+        <translation>最大安装半径</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>无限制</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished">自动</translation>
+    </message>
+    <message>
+        <source>heat without a watchdog</source>
+        <translation>无看门狗加热</translation>
+    </message>
+    <message>
+        <source>not allowed</source>
+        <translation>不允许</translation>
+    </message>
+    <message>
+        <source>allowed</source>
+        <translation>允许</translation>
+    </message>
+    <message>
+        <source>Time constant</source>
+        <translation type="unfinished">时间常数</translation>
+    </message>
+    <message>
+        <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
+        <translation type="unfinished">期望变化率 = 误差 / 时间常数：越短则越快、越不平稳。</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation type="unfinished">积分时间</translation>
+    </message>
+    <message>
+        <source>Of the slow integral action near the target.</source>
+        <translation type="unfinished">目标附近缓慢积分作用的时间。</translation>
+    </message>
+    <message>
+        <source>Damping D</source>
+        <translation type="unfinished">阻尼 D</translation>
+    </message>
+    <message>
+        <source>Stiffness K</source>
+        <translation type="unfinished">刚度 K</translation>
+    </message>
+    <message>
+        <source>Weight of the error μ</source>
+        <translation type="unfinished">误差权重 μ</translation>
+    </message>
+    <message>
+        <source>ζ = v + μ Δτ</source>
+        <translation type="unfinished">ζ = v + μ Δτ</translation>
+    </message>
+    <message>
+        <source>Feedback K</source>
+        <translation type="unfinished">反馈 K</translation>
+    </message>
+    <message>
+        <source>Of ζ in the velocity command</source>
+        <translation type="unfinished">速度指令中 ζ 的系数</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₁</source>
+        <translation type="unfinished">自适应 γ₁</translation>
+    </message>
+    <message>
+        <source>Speed at which 1/λ₁ is adapted</source>
+        <translation type="unfinished">1/λ₁ 的自适应速度</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₂</source>
+        <translation type="unfinished">自适应 γ₂</translation>
+    </message>
+    <message>
+        <source>Speed at which λ₂/λ₁ is adapted</source>
+        <translation type="unfinished">λ₂/λ₁ 的自适应速度</translation>
+    </message>
+    <message>
+        <source>dv/dt = −D v − K Δτ</source>
+        <translation>dv/dt = −D v − K Δτ</translation>
+    </message>
+</context>
+<context>
     <name>Verb</name>
     <message>
         <source>Arm</source>
@@ -2562,94 +2844,6 @@
         <translation>控制器</translation>
     </message>
     <message>
-        <source>Moves to the view factor each object needs; learns the rates on the way.</source>
-        <translation>运动到每个物体所需的角系数；途中学习热速率。</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s law with adapted heat rates.</source>
-        <translation>论文的控制律，热速率自适应。</translation>
-    </message>
-    <message>
-        <source>Time constant</source>
-        <translation>时间常数</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
-        <translation>期望变化率 = 误差 / 时间常数：越短则越快、越不平稳。</translation>
-    </message>
-    <message>
-        <source>Integral time</source>
-        <translation>积分时间</translation>
-    </message>
-    <message>
-        <source>Of the slow integral action near the target.</source>
-        <translation>目标附近缓慢积分作用的时间。</translation>
-    </message>
-    <message>
-        <source>Damping D</source>
-        <translation>阻尼 D</translation>
-    </message>
-    <message>
-        <source>1/s</source>
-        <translation>1/s</translation>
-    </message>
-    <message>
-        <source>Stiffness K</source>
-        <translation>刚度 K</translation>
-    </message>
-    <message>
-        <source>1/s²</source>
-        <translation>1/s²</translation>
-    </message>
-    <message>
-        <source>Weight of the error μ</source>
-        <translation>误差权重 μ</translation>
-    </message>
-    <message>
-        <source>ζ = v + μ Δτ</source>
-        <translation>ζ = v + μ Δτ</translation>
-    </message>
-    <message>
-        <source>Feedback K</source>
-        <translation>反馈 K</translation>
-    </message>
-    <message>
-        <source>1/K</source>
-        <translation>1/K</translation>
-    </message>
-    <message>
-        <source>Of ζ in the velocity command</source>
-        <translation>速度指令中 ζ 的系数</translation>
-    </message>
-    <message>
-        <source>Adaptation γ₁</source>
-        <translation>自适应 γ₁</translation>
-    </message>
-    <message>
-        <source>s³/K³</source>
-        <translation>s³/K³</translation>
-    </message>
-    <message>
-        <source>Speed at which 1/λ₁ is adapted</source>
-        <translation>1/λ₁ 的自适应速度</translation>
-    </message>
-    <message>
-        <source>Adaptation γ₂</source>
-        <translation>自适应 γ₂</translation>
-    </message>
-    <message>
-        <source>s/K⁹</source>
-        <translation>s/K⁹</translation>
-    </message>
-    <message>
-        <source>Speed at which λ₂/λ₁ is adapted</source>
-        <translation>λ₂/λ₁ 的自适应速度</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>应用</translation>
     </message>
@@ -2664,14 +2858,6 @@
     <message>
         <source>Back to the settings in use.</source>
         <translation>恢复为正在使用的设置。</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
-        <translation>论文的控制律，热速率已知：dv/dt = −D v − K Δτ。</translation>
-    </message>
-    <message>
-        <source>dv/dt = −D v − K Δτ</source>
-        <translation>dv/dt = −D v − K Δτ</translation>
     </message>
     <message>
         <source>After a step of %1 K, without limits and noise: it never settles.</source>
@@ -3288,18 +3474,6 @@
     <message>
         <source>All objects stay within their tolerance band. The controller keeps working.</source>
         <translation>所有物体都保持在容差带内。控制器继续工作。</translation>
-    </message>
-    <message>
-        <source>Level servo</source>
-        <translation>等值面伺服</translation>
-    </message>
-    <message>
-        <source>Model-based</source>
-        <translation>基于模型</translation>
-    </message>
-    <message>
-        <source>Adaptive</source>
-        <translation>自适应</translation>
     </message>
     <message>
         <source>a sample is missing</source>
@@ -5018,10 +5192,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>撤销</translation>
     </message>
     <message>
-        <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
-        <translation>%1 不是可导入的文件类型。请使用图形（SVG、DXF）、x, y 点的 CSV 或剪影图片（PNG、JPEG、BMP、TIFF）。</translation>
-    </message>
-    <message>
         <source>Import an outline</source>
         <translation>导入轮廓</translation>
     </message>
@@ -5100,6 +5270,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Leaf</source>
         <translation>树叶</translation>
+    </message>
+    <message>
+        <source>%1 is not a kind of file that can be imported. Use a drawing (%2), a list of x, y points (%3) or a picture of a silhouette (%4).</source>
+        <translation>%1 不是可导入的文件类型。请使用图形（%2）、x, y 点的列表（%3）或剪影图片（%4）。</translation>
     </message>
 </context>
 <context>
@@ -5317,6 +5491,25 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Write each map as a table (CSV) and as a picture (PNG).</source>
         <translation>将每张图写成表格（CSV）和图片（PNG）。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ParameterForm</name>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished">自动</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation type="unfinished">%1：%2，而不是 %3</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished">自动</translation>
+    </message>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1：自动</translation>
     </message>
 </context>
 <context>
@@ -6729,10 +6922,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>，运行期间被跟踪</translation>
     </message>
     <message>
-        <source>Absorptance</source>
-        <translation>吸收率</translation>
-    </message>
-    <message>
         <source>Acknowledge</source>
         <translation>确认</translation>
     </message>
@@ -6747,10 +6936,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>All objects settled.</source>
         <translation>所有物体均已稳定。</translation>
-    </message>
-    <message>
-        <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
-        <translation>按给定的材料，所有目标可在 %1 处同时保持；距最近的限值余量 %2。</translation>
     </message>
     <message>
         <source>Area</source>
@@ -6803,10 +6988,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Disarm</source>
         <translation>解除待命</translation>
-    </message>
-    <message>
-        <source>Emittance</source>
-        <translation>发射率</translation>
     </message>
     <message>
         <source>Emittance of the source</source>
@@ -7073,10 +7254,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>按给定的材料，各目标不能同时保持：%1。</translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>厚度</translation>
-    </message>
-    <message>
         <source>Time (s)</source>
         <translation>时间（s）</translation>
     </message>
@@ -7221,10 +7398,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>已接受无法达到的目标</translation>
     </message>
     <message>
-        <source>time constant %1 s, integral time %2 s</source>
-        <translation>时间常数 %1 s，积分时间 %2 s</translation>
-    </message>
-    <message>
         <source>too cold</source>
         <translation>太冷</translation>
     </message>
@@ -7308,6 +7481,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>zeroed %1 UTC</source>
         <translation>校零于 %1 UTC</translation>
     </message>
+    <message>
+        <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
+        <translation>按给定的材料，所有目标可在 %1 处同时保持；距最近的限制（%3）余量 %2。</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -7328,26 +7505,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
 <context>
     <name>bask::SafetyPanel</name>
     <message>
-        <source>%1: %2 instead of %3</source>
-        <translation>%1：%2，而不是 %3</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>Automatic trip limit of the source</source>
-        <translation>自动确定热源跳闸限值</translation>
-    </message>
-    <message>
-        <source>Automatic fastest change</source>
-        <translation>自动确定最快变化</translation>
-    </message>
-    <message>
         <source>Safety limits</source>
         <translation>安全限值</translation>
     </message>
@@ -7358,118 +7515,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 has limits of its own: warning %2, trip %3.</source>
         <translation>%1 有自己的限值：警告 %2，跳闸 %3。</translation>
-    </message>
-    <message>
-        <source>Objects: warning</source>
-        <translation>物体：警告</translation>
-    </message>
-    <message>
-        <source>A run holds, and a priority 2 alarm is given</source>
-        <translation>运行进入保持，并发出优先级 2 的报警</translation>
-    </message>
-    <message>
-        <source>Objects: trip</source>
-        <translation>物体：跳闸</translation>
-    </message>
-    <message>
-        <source>Heat off and retreat. What object, paint and sensor bear.</source>
-        <translation>关闭加热并撤离。按物体、涂层和传感器所能承受的温度设定。</translation>
-    </message>
-    <message>
-        <source>Source: trip</source>
-        <translation>热源：跳闸</translation>
-    </message>
-    <message>
-        <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
-        <translation>关闭加热并撤离。自动：比最高设定值高 50 K。</translation>
-    </message>
-    <message>
-        <source>Longest hold</source>
-        <translation>最长保持时间</translation>
-    </message>
-    <message>
-        <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
-        <translation>失去传感器或热源时，运行保持这么久，然后撤离并结束</translation>
-    </message>
-    <message>
-        <source>Periods a reading is good for</source>
-        <translation>读数有效的周期数</translation>
-    </message>
-    <message>
-        <source>A sensor without a newer one is lost; also the source and its place</source>
-        <translation>超过此时间没有更新的传感器即视为失联；热源及其位置亦然</translation>
-    </message>
-    <message>
-        <source>Fastest plausible change</source>
-        <translation>最快合理变化</translation>
-    </message>
-    <message>
-        <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
-        <translation>更快的读数是跳变，而非受热所致。自动：热源使物体所能达到的变化的三倍，至少 2 K/s。</translation>
-    </message>
-    <message>
-        <source>Jumps in a row</source>
-        <translation>连续跳变次数</translation>
-    </message>
-    <message>
-        <source>So many readings that are too fast are a sensor fault</source>
-        <translation>过快的读数达到此数即为传感器故障</translation>
-    </message>
-    <message>
-        <source>Frozen sensor after</source>
-        <translation>传感器冻结判定时间</translation>
-    </message>
-    <message>
-        <source>The very same reading for so long, though the object must have changed</source>
-        <translation>物体本应变化，而读数在此时间内完全相同</translation>
-    </message>
-    <message>
-        <source>Change that must be seen</source>
-        <translation>必须见到的变化</translation>
-    </message>
-    <message>
-        <source>An object that must have changed by so much and did not does not follow its heat</source>
-        <translation>物体本应变化这么多却没有变化，即为不随加热而变</translation>
-    </message>
-    <message>
-        <source>Sensors apart when cold</source>
-        <translation>冷态时传感器间差异</translation>
-    </message>
-    <message>
-        <source>Sensors of a cold rig that differ by more are told</source>
-        <translation>冷态装置中差异超过此值的传感器会被指出</translation>
-    </message>
-    <message>
-        <source>Source: time to gain 2 K</source>
-        <translation>热源：升温 2 K 的时间</translation>
-    </message>
-    <message>
-        <source>A source that is too cold and no nearer after so long does not heat</source>
-        <translation>热源温度过低，且经过此时间仍未接近设定值，即为不加热</translation>
-    </message>
-    <message>
-        <source>Source: near its set point</source>
-        <translation>热源：接近设定值</translation>
-    </message>
-    <message>
-        <source>Within this the source is not too cold</source>
-        <translation>在此范围内，热源不算温度过低</translation>
-    </message>
-    <message>
-        <source>Source: warming unasked</source>
-        <translation>热源：擅自升温</translation>
-    </message>
-    <message>
-        <source>More warming with the heat off is an alarm</source>
-        <translation>加热关闭时升温超过此值即报警</translation>
-    </message>
-    <message>
-        <source>Least room on the disk</source>
-        <translation>磁盘最小剩余空间</translation>
-    </message>
-    <message>
-        <source>With less no recording is begun</source>
-        <translation>少于此值时不开始记录</translation>
     </message>
 </context>
 <context>

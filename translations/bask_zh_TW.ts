@@ -72,6 +72,33 @@
     </message>
 </context>
 <context>
+    <name>Controller</name>
+    <message>
+        <source>Level servo</source>
+        <translation type="unfinished">等值面伺服</translation>
+    </message>
+    <message>
+        <source>Moves to the view factor each object needs; learns the rates on the way.</source>
+        <translation type="unfinished">運動到每個物體所需的角係數；途中學習熱速率。</translation>
+    </message>
+    <message>
+        <source>Model-based</source>
+        <translation type="unfinished">基於模型</translation>
+    </message>
+    <message>
+        <source>Adaptive</source>
+        <translation type="unfinished">自適應</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with adapted heat rates.</source>
+        <translation type="unfinished">論文的控制律，熱速率自適應。</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
+        <translation>論文的控制律，熱速率已知：dv/dt = −D v − K Δτ。</translation>
+    </message>
+</context>
+<context>
     <name>MaterialPreset</name>
     <message>
         <source>aluminium, painted black</source>
@@ -1409,6 +1436,261 @@
     </message>
 </context>
 <context>
+    <name>Parameter</name>
+    <message>
+        <source>Objects: warning</source>
+        <translation type="unfinished">物體：警告</translation>
+    </message>
+    <message>
+        <source>A run holds, and a priority 2 alarm is given</source>
+        <translation type="unfinished">運轉進入保持，並發出優先順序 2 的警報</translation>
+    </message>
+    <message>
+        <source>Objects: trip</source>
+        <translation type="unfinished">物體：跳脫</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. What object, paint and sensor bear.</source>
+        <translation type="unfinished">關閉加熱並撤離。按物體、塗層和感測器所能承受的溫度設定。</translation>
+    </message>
+    <message>
+        <source>Source: trip</source>
+        <translation type="unfinished">熱源：跳脫</translation>
+    </message>
+    <message>
+        <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
+        <translation type="unfinished">關閉加熱並撤離。自動：比最高設定值高 50 K。</translation>
+    </message>
+    <message>
+        <source>Periods a reading is good for</source>
+        <translation type="unfinished">讀數有效的週期數</translation>
+    </message>
+    <message>
+        <source>A sensor without a newer one is lost; also the source and its place</source>
+        <translation type="unfinished">超過此時間沒有更新的感測器即視為失聯；熱源及其位置亦然</translation>
+    </message>
+    <message>
+        <source>Longest hold</source>
+        <translation type="unfinished">最長保持時間</translation>
+    </message>
+    <message>
+        <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
+        <translation type="unfinished">失去感測器或熱源時，運轉保持這麼久，然後撤離並結束</translation>
+    </message>
+    <message>
+        <source>Fastest plausible change</source>
+        <translation type="unfinished">最快合理變化</translation>
+    </message>
+    <message>
+        <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
+        <translation type="unfinished">更快的讀數是跳變，而非受熱所致。自動：熱源使物體所能達到的變化的三倍，至少 2 K/s。</translation>
+    </message>
+    <message>
+        <source>Jumps in a row</source>
+        <translation type="unfinished">連續跳變次數</translation>
+    </message>
+    <message>
+        <source>So many readings that are too fast are a sensor fault</source>
+        <translation type="unfinished">過快的讀數達到此數即為感測器故障</translation>
+    </message>
+    <message>
+        <source>Frozen sensor after</source>
+        <translation type="unfinished">感測器凍結判定時間</translation>
+    </message>
+    <message>
+        <source>The very same reading for so long, though the object must have changed</source>
+        <translation type="unfinished">物體本應變化，而讀數在此時間內完全相同</translation>
+    </message>
+    <message>
+        <source>Change that must be seen</source>
+        <translation type="unfinished">必須見到的變化</translation>
+    </message>
+    <message>
+        <source>An object that must have changed by so much and did not does not follow its heat</source>
+        <translation type="unfinished">物體本應變化這麼多卻沒有變化，即為不隨加熱而變</translation>
+    </message>
+    <message>
+        <source>Sensors apart when cold</source>
+        <translation type="unfinished">冷態時感測器間差異</translation>
+    </message>
+    <message>
+        <source>Sensors of a cold rig that differ by more are told</source>
+        <translation type="unfinished">冷態實驗台中差異超過此值的感測器會被指出</translation>
+    </message>
+    <message>
+        <source>Source: time to gain 2 K</source>
+        <translation type="unfinished">熱源：升溫 2 K 的時間</translation>
+    </message>
+    <message>
+        <source>A source that is too cold and no nearer after so long does not heat</source>
+        <translation type="unfinished">熱源溫度過低，且經過此時間仍未接近設定值，即為不加熱</translation>
+    </message>
+    <message>
+        <source>Source: near its set point</source>
+        <translation type="unfinished">熱源：接近設定值</translation>
+    </message>
+    <message>
+        <source>Within this the source is not too cold</source>
+        <translation type="unfinished">在此範圍內，熱源不算溫度過低</translation>
+    </message>
+    <message>
+        <source>Source: warming unasked</source>
+        <translation type="unfinished">熱源：擅自升溫</translation>
+    </message>
+    <message>
+        <source>More warming with the heat off is an alarm</source>
+        <translation type="unfinished">加熱關閉時升溫超過此值即警報</translation>
+    </message>
+    <message>
+        <source>Least room on the disk</source>
+        <translation type="unfinished">磁碟最小剩餘空間</translation>
+    </message>
+    <message>
+        <source>With less no recording is begun</source>
+        <translation type="unfinished">少於此值時不開始記錄</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>警告</translation>
+    </message>
+    <message>
+        <source>Trip</source>
+        <translation>跳脫</translation>
+    </message>
+    <message>
+        <source>Emittance</source>
+        <translation type="unfinished">發射率</translation>
+    </message>
+    <message>
+        <source>Absorptance</source>
+        <translation type="unfinished">吸收率</translation>
+    </message>
+    <message>
+        <source>Specific heat</source>
+        <translation type="unfinished">比熱</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation type="unfinished">密度</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <translation type="unfinished">厚度</translation>
+    </message>
+    <message>
+        <source>Infill</source>
+        <translation type="unfinished">填充率</translation>
+    </message>
+    <message>
+        <source>Largest speed</source>
+        <translation type="unfinished">最大速度</translation>
+    </message>
+    <message>
+        <source>Largest turning speed</source>
+        <translation type="unfinished">最大轉動速度</translation>
+    </message>
+    <message>
+        <source>Largest acceleration</source>
+        <translation>最大加速度</translation>
+    </message>
+    <message>
+        <source>Largest turning acceleration</source>
+        <translation>最大轉動加速度</translation>
+    </message>
+    <message>
+        <source>Clearance to the source</source>
+        <translation type="unfinished">與熱源的間距</translation>
+    </message>
+    <message>
+        <source>Least distance of any point of an object from the source&apos;s plane</source>
+        <translation type="unfinished">物體上任意一點到熱源平面的最小距離</translation>
+    </message>
+    <message>
+        <source>Largest mounting radius</source>
+        <translation>最大安裝半徑</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>無限制</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished">自動</translation>
+    </message>
+    <message>
+        <source>heat without a watchdog</source>
+        <translation>無看門狗加熱</translation>
+    </message>
+    <message>
+        <source>not allowed</source>
+        <translation>不允許</translation>
+    </message>
+    <message>
+        <source>allowed</source>
+        <translation>允許</translation>
+    </message>
+    <message>
+        <source>Time constant</source>
+        <translation type="unfinished">時間常數</translation>
+    </message>
+    <message>
+        <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
+        <translation type="unfinished">期望變化率 = 誤差 / 時間常數：越短則越快、越不平穩。</translation>
+    </message>
+    <message>
+        <source>Integral time</source>
+        <translation type="unfinished">積分時間</translation>
+    </message>
+    <message>
+        <source>Of the slow integral action near the target.</source>
+        <translation type="unfinished">目標附近緩慢積分作用的時間。</translation>
+    </message>
+    <message>
+        <source>Damping D</source>
+        <translation type="unfinished">阻尼 D</translation>
+    </message>
+    <message>
+        <source>Stiffness K</source>
+        <translation type="unfinished">剛性 K</translation>
+    </message>
+    <message>
+        <source>Weight of the error μ</source>
+        <translation type="unfinished">誤差權重 μ</translation>
+    </message>
+    <message>
+        <source>ζ = v + μ Δτ</source>
+        <translation type="unfinished">ζ = v + μ Δτ</translation>
+    </message>
+    <message>
+        <source>Feedback K</source>
+        <translation type="unfinished">回饋 K</translation>
+    </message>
+    <message>
+        <source>Of ζ in the velocity command</source>
+        <translation type="unfinished">速度指令中 ζ 的係數</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₁</source>
+        <translation type="unfinished">自適應 γ₁</translation>
+    </message>
+    <message>
+        <source>Speed at which 1/λ₁ is adapted</source>
+        <translation type="unfinished">1/λ₁ 的自適應速度</translation>
+    </message>
+    <message>
+        <source>Adaptation γ₂</source>
+        <translation type="unfinished">自適應 γ₂</translation>
+    </message>
+    <message>
+        <source>Speed at which λ₂/λ₁ is adapted</source>
+        <translation type="unfinished">λ₂/λ₁ 的自適應速度</translation>
+    </message>
+    <message>
+        <source>dv/dt = −D v − K Δτ</source>
+        <translation>dv/dt = −D v − K Δτ</translation>
+    </message>
+</context>
+<context>
     <name>Verb</name>
     <message>
         <source>Arm</source>
@@ -2562,94 +2844,6 @@
         <translation>控制器</translation>
     </message>
     <message>
-        <source>Moves to the view factor each object needs; learns the rates on the way.</source>
-        <translation>運動到每個物體所需的角係數；途中學習熱速率。</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s law with adapted heat rates.</source>
-        <translation>論文的控制律，熱速率自適應。</translation>
-    </message>
-    <message>
-        <source>Time constant</source>
-        <translation>時間常數</translation>
-    </message>
-    <message>
-        <source>s</source>
-        <translation>s</translation>
-    </message>
-    <message>
-        <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
-        <translation>期望變化率 = 誤差 / 時間常數：越短則越快、越不平穩。</translation>
-    </message>
-    <message>
-        <source>Integral time</source>
-        <translation>積分時間</translation>
-    </message>
-    <message>
-        <source>Of the slow integral action near the target.</source>
-        <translation>目標附近緩慢積分作用的時間。</translation>
-    </message>
-    <message>
-        <source>Damping D</source>
-        <translation>阻尼 D</translation>
-    </message>
-    <message>
-        <source>1/s</source>
-        <translation>1/s</translation>
-    </message>
-    <message>
-        <source>Stiffness K</source>
-        <translation>剛性 K</translation>
-    </message>
-    <message>
-        <source>1/s²</source>
-        <translation>1/s²</translation>
-    </message>
-    <message>
-        <source>Weight of the error μ</source>
-        <translation>誤差權重 μ</translation>
-    </message>
-    <message>
-        <source>ζ = v + μ Δτ</source>
-        <translation>ζ = v + μ Δτ</translation>
-    </message>
-    <message>
-        <source>Feedback K</source>
-        <translation>回饋 K</translation>
-    </message>
-    <message>
-        <source>1/K</source>
-        <translation>1/K</translation>
-    </message>
-    <message>
-        <source>Of ζ in the velocity command</source>
-        <translation>速度指令中 ζ 的係數</translation>
-    </message>
-    <message>
-        <source>Adaptation γ₁</source>
-        <translation>自適應 γ₁</translation>
-    </message>
-    <message>
-        <source>s³/K³</source>
-        <translation>s³/K³</translation>
-    </message>
-    <message>
-        <source>Speed at which 1/λ₁ is adapted</source>
-        <translation>1/λ₁ 的自適應速度</translation>
-    </message>
-    <message>
-        <source>Adaptation γ₂</source>
-        <translation>自適應 γ₂</translation>
-    </message>
-    <message>
-        <source>s/K⁹</source>
-        <translation>s/K⁹</translation>
-    </message>
-    <message>
-        <source>Speed at which λ₂/λ₁ is adapted</source>
-        <translation>λ₂/λ₁ 的自適應速度</translation>
-    </message>
-    <message>
         <source>Apply</source>
         <translation>應用</translation>
     </message>
@@ -2664,14 +2858,6 @@
     <message>
         <source>Back to the settings in use.</source>
         <translation>恢復為正在使用的設定。</translation>
-    </message>
-    <message>
-        <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
-        <translation>論文的控制律，熱速率已知：dv/dt = −D v − K Δτ。</translation>
-    </message>
-    <message>
-        <source>dv/dt = −D v − K Δτ</source>
-        <translation>dv/dt = −D v − K Δτ</translation>
     </message>
     <message>
         <source>After a step of %1 K, without limits and noise: it never settles.</source>
@@ -3288,18 +3474,6 @@
     <message>
         <source>All objects stay within their tolerance band. The controller keeps working.</source>
         <translation>所有物體都保持在容差帶內。控制器繼續工作。</translation>
-    </message>
-    <message>
-        <source>Level servo</source>
-        <translation>等值面伺服</translation>
-    </message>
-    <message>
-        <source>Model-based</source>
-        <translation>基於模型</translation>
-    </message>
-    <message>
-        <source>Adaptive</source>
-        <translation>自適應</translation>
     </message>
     <message>
         <source>a sample is missing</source>
@@ -5018,10 +5192,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>復原</translation>
     </message>
     <message>
-        <source>%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points or a picture of a silhouette (PNG, JPEG, BMP, TIFF).</source>
-        <translation>%1 不是可匯入的檔案類型。請使用圖形（SVG、DXF）、x, y 點的 CSV 或剪影圖片（PNG、JPEG、BMP、TIFF）。</translation>
-    </message>
-    <message>
         <source>Import an outline</source>
         <translation>匯入輪廓</translation>
     </message>
@@ -5100,6 +5270,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Leaf</source>
         <translation>樹葉</translation>
+    </message>
+    <message>
+        <source>%1 is not a kind of file that can be imported. Use a drawing (%2), a list of x, y points (%3) or a picture of a silhouette (%4).</source>
+        <translation>%1 不是可匯入的檔案類型。請使用圖形（%2）、x, y 點的清單（%3）或剪影圖片（%4）。</translation>
     </message>
 </context>
 <context>
@@ -5317,6 +5491,25 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Write each map as a table (CSV) and as a picture (PNG).</source>
         <translation>將每張圖寫成表格（CSV）和圖片（PNG）。</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ParameterForm</name>
+    <message>
+        <source>automatic</source>
+        <translation type="unfinished">自動</translation>
+    </message>
+    <message>
+        <source>%1: %2 instead of %3</source>
+        <translation type="unfinished">%1：%2，而不是 %3</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation type="unfinished">自動</translation>
+    </message>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1：自動</translation>
     </message>
 </context>
 <context>
@@ -6729,10 +6922,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>，運轉期間被追蹤</translation>
     </message>
     <message>
-        <source>Absorptance</source>
-        <translation>吸收率</translation>
-    </message>
-    <message>
         <source>Acknowledge</source>
         <translation>確認</translation>
     </message>
@@ -6747,10 +6936,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>All objects settled.</source>
         <translation>所有物體均已穩定。</translation>
-    </message>
-    <message>
-        <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit.</source>
-        <translation>按給定的材料，所有目標可在 %1 處同時保持；距最近的限值餘量 %2。</translation>
     </message>
     <message>
         <source>Area</source>
@@ -6803,10 +6988,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Disarm</source>
         <translation>解除待命</translation>
-    </message>
-    <message>
-        <source>Emittance</source>
-        <translation>發射率</translation>
     </message>
     <message>
         <source>Emittance of the source</source>
@@ -7073,10 +7254,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>按給定的材料，各目標不能同時保持：%1。</translation>
     </message>
     <message>
-        <source>Thickness</source>
-        <translation>厚度</translation>
-    </message>
-    <message>
         <source>Time (s)</source>
         <translation>時間（s）</translation>
     </message>
@@ -7221,10 +7398,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>已接受無法達到的目標</translation>
     </message>
     <message>
-        <source>time constant %1 s, integral time %2 s</source>
-        <translation>時間常數 %1 s，積分時間 %2 s</translation>
-    </message>
-    <message>
         <source>too cold</source>
         <translation>太冷</translation>
     </message>
@@ -7308,6 +7481,10 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <source>zeroed %1 UTC</source>
         <translation>歸零於 %1 UTC</translation>
     </message>
+    <message>
+        <source>All targets can be held together, by the materials as given, at %1; margin %2 to the nearest limit (%3).</source>
+        <translation>按給定的材料，所有目標可在 %1 處同時保持；距最近的限制（%3）餘量 %2。</translation>
+    </message>
 </context>
 <context>
     <name>bask::RunStateChip</name>
@@ -7328,26 +7505,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
 <context>
     <name>bask::SafetyPanel</name>
     <message>
-        <source>%1: %2 instead of %3</source>
-        <translation>%1：%2，而不是 %3</translation>
-    </message>
-    <message>
-        <source>automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>自動</translation>
-    </message>
-    <message>
-        <source>Automatic trip limit of the source</source>
-        <translation>自動確定熱源跳脫限值</translation>
-    </message>
-    <message>
-        <source>Automatic fastest change</source>
-        <translation>自動確定最快變化</translation>
-    </message>
-    <message>
         <source>Safety limits</source>
         <translation>安全限值</translation>
     </message>
@@ -7358,118 +7515,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>%1 has limits of its own: warning %2, trip %3.</source>
         <translation>%1 有自己的限值：警告 %2，跳脫 %3。</translation>
-    </message>
-    <message>
-        <source>Objects: warning</source>
-        <translation>物體：警告</translation>
-    </message>
-    <message>
-        <source>A run holds, and a priority 2 alarm is given</source>
-        <translation>運轉進入保持，並發出優先順序 2 的警報</translation>
-    </message>
-    <message>
-        <source>Objects: trip</source>
-        <translation>物體：跳脫</translation>
-    </message>
-    <message>
-        <source>Heat off and retreat. What object, paint and sensor bear.</source>
-        <translation>關閉加熱並撤離。按物體、塗層和感測器所能承受的溫度設定。</translation>
-    </message>
-    <message>
-        <source>Source: trip</source>
-        <translation>熱源：跳脫</translation>
-    </message>
-    <message>
-        <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
-        <translation>關閉加熱並撤離。自動：比最高設定值高 50 K。</translation>
-    </message>
-    <message>
-        <source>Longest hold</source>
-        <translation>最長保持時間</translation>
-    </message>
-    <message>
-        <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
-        <translation>失去感測器或熱源時，運轉保持這麼久，然後撤離並結束</translation>
-    </message>
-    <message>
-        <source>Periods a reading is good for</source>
-        <translation>讀數有效的週期數</translation>
-    </message>
-    <message>
-        <source>A sensor without a newer one is lost; also the source and its place</source>
-        <translation>超過此時間沒有更新的感測器即視為失聯；熱源及其位置亦然</translation>
-    </message>
-    <message>
-        <source>Fastest plausible change</source>
-        <translation>最快合理變化</translation>
-    </message>
-    <message>
-        <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
-        <translation>更快的讀數是跳變，而非受熱所致。自動：熱源使物體所能達到的變化的三倍，至少 2 K/s。</translation>
-    </message>
-    <message>
-        <source>Jumps in a row</source>
-        <translation>連續跳變次數</translation>
-    </message>
-    <message>
-        <source>So many readings that are too fast are a sensor fault</source>
-        <translation>過快的讀數達到此數即為感測器故障</translation>
-    </message>
-    <message>
-        <source>Frozen sensor after</source>
-        <translation>感測器凍結判定時間</translation>
-    </message>
-    <message>
-        <source>The very same reading for so long, though the object must have changed</source>
-        <translation>物體本應變化，而讀數在此時間內完全相同</translation>
-    </message>
-    <message>
-        <source>Change that must be seen</source>
-        <translation>必須見到的變化</translation>
-    </message>
-    <message>
-        <source>An object that must have changed by so much and did not does not follow its heat</source>
-        <translation>物體本應變化這麼多卻沒有變化，即為不隨加熱而變</translation>
-    </message>
-    <message>
-        <source>Sensors apart when cold</source>
-        <translation>冷態時感測器間差異</translation>
-    </message>
-    <message>
-        <source>Sensors of a cold rig that differ by more are told</source>
-        <translation>冷態實驗台中差異超過此值的感測器會被指出</translation>
-    </message>
-    <message>
-        <source>Source: time to gain 2 K</source>
-        <translation>熱源：升溫 2 K 的時間</translation>
-    </message>
-    <message>
-        <source>A source that is too cold and no nearer after so long does not heat</source>
-        <translation>熱源溫度過低，且經過此時間仍未接近設定值，即為不加熱</translation>
-    </message>
-    <message>
-        <source>Source: near its set point</source>
-        <translation>熱源：接近設定值</translation>
-    </message>
-    <message>
-        <source>Within this the source is not too cold</source>
-        <translation>在此範圍內，熱源不算溫度過低</translation>
-    </message>
-    <message>
-        <source>Source: warming unasked</source>
-        <translation>熱源：擅自升溫</translation>
-    </message>
-    <message>
-        <source>More warming with the heat off is an alarm</source>
-        <translation>加熱關閉時升溫超過此值即警報</translation>
-    </message>
-    <message>
-        <source>Least room on the disk</source>
-        <translation>磁碟最小剩餘空間</translation>
-    </message>
-    <message>
-        <source>With less no recording is begun</source>
-        <translation>少於此值時不開始記錄</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "app/commands/output_file.h"
 #include "app/commands/parse_command.h"
 #include "engine/base/message_code.h"
+#include "engine/shape/outline_formats.h"
 #include "engine/shape/shape.h"
 
 #include <nlohmann/json.hpp>
@@ -77,9 +78,11 @@ void setUp(QCommandLineParser& parser) {
     parser.addOption({"json", "Prints the fit as JSON instead."});
     parser.addOption({{"o", "output"}, "Writes the fitted contour as JSON (metres).", "CONTOUR.json"});
     parser.addOption({"preview", "Writes a picture of outline and fit over a grid of 10 mm.", "FILE.png"});
+    const auto endings = [](OutlineKind kind) { return QString::fromStdString(outlineEndings(kind)); };
     parser.addPositionalArgument(
-        "FILE", "Outlines: drawing (svg, dxf), list of x and y (csv, txt, dat) or picture of silhouettes "
-                "(png, jpg, bmp, tif).");
+        "FILE",
+        QStringLiteral("Outlines: drawing (%1), list of x and y (%2) or picture of silhouettes (%3).")
+            .arg(endings(OutlineKind::Drawing), endings(OutlineKind::List), endings(OutlineKind::Picture)));
 }
 
 /// Numbers of an option, separated by commas, as many as are wanted.

@@ -3,6 +3,7 @@
 #include "app/report/html_text.h"
 #include "app/report/report_figures.h"
 #include "engine/base/message_code.h"
+#include "engine/control/controller_catalogue.h"
 #include "engine/exchange/vtk_version.h"
 #include "engine/session/session_header.h"
 #include "widgets/common/alarm_words.h"
@@ -101,10 +102,9 @@ QString fieldText(const QString& key, const QJsonValue& value, TemperatureUnit u
     if (key == QLatin1String("targets_K"))
         return listed(value, temperature);
     if (key == QLatin1String("kind"))
-        for (const auto kind :
-             {ControllerKind::LevelServo, ControllerKind::ModelBased, ControllerKind::Adaptive})
-            if (value.toString() == QLatin1String(controllerKindName(kind)))
-                return controllerWord(kind);
+        for (const ControllerEntry& entry : controllerCatalogue())
+            if (value.toString() == QLatin1String(entry.key))
+                return controllerWord(entry.kind);
     return isGains(key) ? plainValue(value) : plainValue(QJsonObject{{key, value}});
 }
 

@@ -2,8 +2,12 @@
 
 #include "app/report/html_text.h"
 #include "engine/base/message_code.h"
+#include "engine/control/controller_catalogue.h"
+#include "engine/session/experiment_parameters.h"
 #include "widgets/common/display.h"
+#include "widgets/common/parameter_form.h"
 #include "widgets/rig/device_words.h"
+#include "widgets/targets/verdict_text.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -126,24 +130,15 @@ Facts robotFacts(const Experiment& e) {
 
 Facts controllerFacts(const Experiment& e) {
     const ControllerSettings& c = e.controller;
-    QString gains;
-    switch (c.kind) {
-    case ControllerKind::LevelServo:
-        gains = SetupText::tr("time constant %1 s, integral time %2 s")
-                    .arg(number(c.levelServo.timeConstant_s), number(c.levelServo.integralTime_s));
-        break;
-    case ControllerKind::ModelBased:
-        gains = QStringLiteral("D = %1 1/s, K = %2 1/s\u00b2")
-                    .arg(number(c.modelBased.D), number(c.modelBased.K));
-        break;
-    case ControllerKind::Adaptive:
-        gains = QStringLiteral("\u03bc = %1 1/s, K = %2 1/s, \u03b3\u2081 = %3, \u03b3\u2082 = %4")
-                    .arg(number(c.adaptive.mu), number(c.adaptive.K), number(c.adaptive.gamma1),
-                         number(c.adaptive.gamma2));
-        break;
+    QStringList gains;
+    for (const ControllerGain& gain : controllerEntry(c.kind).gains) {
+        const QString name = *gain.facts->symbol != '\0'
+                                 ? QString::fromUtf8(gain.facts->symbol) + QStringLiteral(" = ")
+                                 : parameterLabel(*gain.facts).toLower() + u' ';
+        gains << name + number(gain.get(c)) + QChar(0x00a0) + QString::fromUtf8(gain.facts->unit.symbol);
     }
     return {{SetupText::tr("Controller"), controllerWord(c.kind)},
-            {SetupText::tr("Gains at the start"), gains},
+            {SetupText::tr("Gains at the start"), gains.join(QStringLiteral(", "))},
             {SetupText::tr("Sampling"), SetupText::tr("every %1 s").arg(number(e.sampling.period_s))}};
 }
 
@@ -152,23 +147,28 @@ QString objectTables(const Experiment& e, TemperatureUnit unit) {
                         SetupText::tr("Place on the end-effector"), SetupText::tr("Target at the start"),
                         SetupText::tr("Warning, trip")},
                        {2, 4, 5});
-    html::Table materials({SetupText::tr("Object"), SetupText::tr("Material"), SetupText::tr("Emittance"),
-                           SetupText::tr("Absorptance"), SetupText::tr("Thickness"),
-                           SetupText::tr("Areal heat capacity")},
-                          {2, 3, 4, 5});
+    QStringList headings{SetupText::tr("Object"), SetupText::tr("Material")};
+    QList<int> numbers;
+    for (const Parameter<Material>& value : materialParameters()) {
+        const QString unit = QString::fromUtf8(value.unit.symbol);
+        numbers << static_cast<int>(headings.size());
+        headings << parameterLabel(value) + (unit.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(unit));
+    }
+    numbers << static_cast<int>(headings.size());
+    headings << SetupText::tr("Areal heat capacity");
+    html::Table materials(headings, numbers);
     for (const ObjectSpec& object : e.objects) {
         const QString name = QString::fromStdString(object.name);
         bodies.add({name, shapeWords(object.shape), area(object.shape), poseWords(object.mounting),
                     formatTemperature(object.target_K, unit),
                     formatTemperatureNumber(warningLimit_K(e, object), unit, 0) + QStringLiteral(", ") +
                         formatTemperature(tripLimit_K(e, object), unit, 0)});
-        materials.add(
-            {name,
-             object.material.name.empty() ? SetupText::tr("without a name")
-                                          : QString::fromStdString(object.material.name),
-             number(object.material.emittance), number(object.material.absorptance),
-             formatLength_mm(object.material.thickness_m, 2),
-             number(object.material.arealHeatCapacity_J_m2K()) + QStringLiteral("\u00a0J/(m\u00b2\u00a0K)")});
+        QStringList row{name, object.material.name.empty() ? SetupText::tr("without a name")
+                                                           : QString::fromStdString(object.material.name)};
+        for (const Parameter<Material>& value : materialParameters())
+            row << number(value.get(object.material).value() * value.unit.symbolPerSi);
+        materials.add(row << number(object.material.arealHeatCapacity_J_m2K()) +
+                                 QStringLiteral("\u00a0J/(m\u00b2\u00a0K)"));
     }
     return bodies.text() + materials.text();
 }
@@ -221,8 +221,8 @@ QString feasibilitySection(const SessionRecord& session, const std::vector<doubl
         text += paragraph(
             SetupText::tr(
                 "All targets can be held together, by the materials as given, at %1; margin %2 to the "
-                "nearest limit.")
-                .arg(poseWords(verdict->pose), formatLength_mm(verdict->margin.distance_m)));
+                "nearest limit (%3).")
+                .arg(poseWords(verdict->pose), marginText(verdict->margin), limitWord(verdict->margin)));
     else
         text += paragraph(SetupText::tr("The targets cannot be held together, by the materials as given: %1.")
                               .arg(messageText(verdict->reason)),

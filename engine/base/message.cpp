@@ -3,14 +3,12 @@
 #include "engine/base/message_code.h"
 #include "engine/base/notice.h"
 #include "engine/base/result.h"
+#include "engine/base/translated.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <iterator>
-
-// Marks a sentence for lupdate without needing Qt here.
-#define QT_TRANSLATE_NOOP(context, text) text
 
 namespace bask {
 namespace {

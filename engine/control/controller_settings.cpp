@@ -7,18 +7,6 @@
 
 namespace bask {
 
-const char* controllerKindName(ControllerKind kind) {
-    switch (kind) {
-    case ControllerKind::ModelBased:
-        return "model-based";
-    case ControllerKind::Adaptive:
-        return "adaptive";
-    case ControllerKind::LevelServo:
-        break;
-    }
-    return "level-servo";
-}
-
 NaturalGains naturalGains(const ModelBasedGains& gains) {
     const double frequency = std::sqrt(gains.K);
     return {frequency, 0.5 * gains.D / frequency};

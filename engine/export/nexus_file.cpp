@@ -1,8 +1,10 @@
 #include "engine/export/nexus_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/control/controller_catalogue.h"
 #include "engine/export/hdf5_file.h"
 #include "engine/export/staged_files.h"
+#include "engine/session/experiment_parameters.h"
 
 #include <cmath>
 #include <filesystem>
@@ -171,12 +173,8 @@ private:
         m_file.group(group, "NXsample");
         m_file.text(group + "/name", object.name);
         m_file.text(group + "/description", object.material.name);
-        m_file.number(group + "/thickness", object.material.thickness_m, "m");
-        m_file.number(group + "/density", object.material.density_kg_m3, "kg/m^3");
-        m_file.number(group + "/infill", object.material.infill, "1");
-        m_file.number(group + "/specific_heat", object.material.specificHeat_J_kgK, "J/(kg K)");
-        m_file.number(group + "/emittance", object.material.emittance, "1");
-        m_file.number(group + "/absorptance", object.material.absorptance, "1");
+        for (const Parameter<Material>& value : materialParameters())
+            m_file.number(group + '/' + value.name, value.get(object.material).value(), siUnit(value.unit));
         m_file.number(group + "/area", shapeArea(object.shape), "m^2");
         const Vector6d& mounting = object.mounting;
         m_file.numbers(group + "/mounting_position", std::span(mounting.data(), 3), "m");
@@ -225,36 +223,20 @@ private:
         m_file.attribute(target, "target", target);
         m_file.link(target, group + "/setpoint");
         m_file.text(group + "/control_action", "direct");
-        switch (settings.kind) {
-        case ControllerKind::LevelServo:
-            m_file.text(
-                group + "/description",
-                "Level servo: the wanted rate of the temperature is K_p times the error; the heat balance "
-                "gives the view factor for it. No integral of the error: what the model leaves unexplained "
-                "is learnt with the integral time. All objects share the robot.");
+        const ControllerEntry& entry = controllerEntry(settings.kind);
+        m_file.text(group + "/description", entry.description);
+        for (const ControllerGain& gain : entry.gains)
+            m_file.number(group + '/' + pidName(settings.kind, gain.facts->name), gain.get(settings),
+                          siUnit(gain.facts->unit));
+        if (settings.kind == ControllerKind::LevelServo)
             m_file.number(group + "/K_p", 1.0 / settings.levelServo.timeConstant_s, "1/s");
-            m_file.number(group + "/time_constant", settings.levelServo.timeConstant_s, "s");
-            m_file.number(group + "/integral_time", settings.levelServo.integralTime_s, "s");
-            break;
-        case ControllerKind::ModelBased:
-            m_file.text(
-                group + "/description",
-                "Model-based law: d2T/dt2 = K_p error - K_d dT/dt by the interaction matrix. All objects "
-                "share the robot.");
-            m_file.number(group + "/K_p", settings.modelBased.K, "1/s^2");
-            m_file.number(group + "/K_d", settings.modelBased.D, "1/s");
-            break;
-        case ControllerKind::Adaptive:
-            m_file.text(
-                group + "/description",
-                "Adaptive law, no PID: zeta = dT/dt + mu (T - target), with estimates of the heat rates on "
-                "the way. All objects share the robot.");
-            m_file.number(group + "/mu", settings.adaptive.mu, "1/s");
-            m_file.number(group + "/K", settings.adaptive.K, "1/s");
-            m_file.number(group + "/gamma1", settings.adaptive.gamma1, "s^3/K^3");
-            m_file.number(group + "/gamma2", settings.adaptive.gamma2, "s/K^9");
-            break;
-        }
+    }
+
+    /// NeXus has names of its own for the terms of a PID.
+    static std::string pidName(ControllerKind kind, const std::string& name) {
+        if (kind != ControllerKind::ModelBased)
+            return name;
+        return name == "K" ? "K_p" : "K_d";
     }
 
     template <class Rows, class Text>

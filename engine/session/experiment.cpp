@@ -3,8 +3,11 @@
 #include "engine/base/message_code.h"
 #include "engine/shape/winding.h"
 
+#include "engine/base/edge_units.h"
 #include "engine/base/units.h"
-#include "engine/session/edge_units.h"
+#include "engine/control/controller_catalogue.h"
+#include "engine/session/checker.h"
+#include "engine/session/experiment_parameters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,66 +23,14 @@ using std::to_string;
 constexpr int kOutlineSamples = 256;
 constexpr std::size_t kMaxNameLength = 64;
 constexpr std::size_t kMaxTitleLength = 1000;
-constexpr double kMaxBelievedRateErrorFactor = 8.0; // identification is bounded at 10
 constexpr std::size_t kMaxOutlinePoints = 200'000;
 constexpr double kMaxSourceRadius_m = 10.0;
 constexpr double kLeastRadius_m = 1e-6;
-constexpr double kMostUneven = 0.01;       // of the area
-constexpr double kMaxRate_K_s = 1e5;       // a foil of 10 um before a source of 2000 degC
-constexpr double kMaxLambda2_1_K3s = 1e-7; // and what it radiates
-constexpr double kMaxPlace_cm = 500.0;     // of the robot's workspace and of the source
-constexpr double kMaxTime_s = 1e7;         // of a run
-constexpr double kSamePlace = 1e-9;        // m, rad
-constexpr double kMaxDropout = 0.5;
+constexpr double kMaxPlace_cm = 500.0; // of the robot's workspace and of the source
+constexpr double kSamePlace = 1e-9;    // m, rad
 constexpr double kMaxPicture_px = 16384.0;
 constexpr double kMaxRendered_px = 4096.0; // of a simulated camera, whose pictures are painted one by one
 constexpr double kMostMarkers = 64.0;
-
-/// Collects the first complaint; later checks are skipped.
-class Checker {
-public:
-    bool failed() const { return m_error.has_value(); }
-    const std::optional<Error>& error() const { return m_error; }
-
-    void fail(MessageCode code, const std::string& where, std::vector<std::string> args = {}) {
-        if (!m_error)
-            m_error = Error(code, where, std::move(args));
-    }
-
-    void take(const Result<void>& result) {
-        if (!result && !m_error)
-            m_error = result.error();
-    }
-
-    /// Refuses what is not within [least, most]; NaN is never within.
-    void range(const std::string& where, double value, double least, double most,
-               std::string_view unit = {}) {
-        if (!(value >= least && value <= most))
-            fail(MessageCode::ValueOutOfRange, where,
-                 {formatNumber(value, 10), formatNumber(least), formatNumber(most), std::string(unit)});
-    }
-
-    /// (0, most]
-    void positive(const std::string& where, double value, double most, std::string_view unit = {}) {
-        if (value <= 0.0)
-            fail(MessageCode::ValueNotPositive, where, {formatNumber(value, 10)});
-        else
-            range(where, value, 0.0, most, unit);
-    }
-
-    /// A quantity given in SI, checked and reported as people write it.
-    void quantity(const std::string& path, std::string_view name, EdgeUnit unit, double si, double least,
-                  double most) {
-        range(path + readableKey(name, unit), fromSi(si, unit).value, least, most, readableUnit(unit));
-    }
-    void positiveQuantity(const std::string& path, std::string_view name, EdgeUnit unit, double si,
-                          double most) {
-        positive(path + readableKey(name, unit), fromSi(si, unit).value, most, readableUnit(unit));
-    }
-
-private:
-    std::optional<Error> m_error;
-};
 
 void checkPoints(Checker& check, const std::string& where, const std::vector<Eigen::Vector2d>& points) {
     if (points.size() > kMaxOutlinePoints)
@@ -130,10 +81,9 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
         return check.fail(MessageCode::ValueOutOfRange, path,
                           {"a radius of " + formatNumber(radius_m), formatNumber(kLeastRadius_m),
                            formatNumber(most_m), "m"});
-    // A truncated outline may cross itself a little, a real one does not go round twice.
     const auto* fourier = outlineAs<FourierContour>(shape);
     const double uneven = fourier ? unevenShare(*fourier) : 0.0;
-    if (uneven > kMostUneven)
+    if (uneven > kMaxUneven)
         return check.fail(MessageCode::SeriesUneven, path + ".coefficients",
                           {formatNumber(100.0 * uneven, 2)});
     const auto* polygon = outlineAs<Contour>(shape);
@@ -163,7 +113,7 @@ void checkTimeTable(Checker& check, const std::string& path, const TimeTable<T>&
                     CheckValue checkValue) {
     for (std::size_t i = 0; i < table.size() && !check.failed(); ++i) {
         const std::string point = path + '[' + to_string(i) + "].";
-        check.range(point + "time_s", table[i].time_s, 0.0, kMaxTime_s, "s");
+        check.range(point + "time_s", table[i].time_s, 0.0, kMaxRunTime_s, "s");
         if (i > 0 && !(table[i].time_s > table[i - 1].time_s))
             check.fail(MessageCode::TimesNotGrowing, point + "time_s",
                        {formatNumber(table[i].time_s, 10), formatNumber(table[i - 1].time_s, 10)});
@@ -188,15 +138,6 @@ void checkSource(Checker& check, const Experiment& e) {
         netSourcePower_W_m2(e.source.model, e.source.temperature_K, e.source.emittance, e.environment_K);
     if (!(J > 0.0))
         check.fail(MessageCode::SourceTooWeak, "source", {formatNumber(J)});
-}
-
-void checkMaterial(Checker& check, const std::string& path, const Material& material) {
-    check.positive(path + ".emittance", material.emittance, 1.0);
-    check.positive(path + ".absorptance", material.absorptance, 1.0);
-    check.positive(path + ".specific_heat_J_kgK", material.specificHeat_J_kgK, 1e5, "J/(kg K)");
-    check.positive(path + ".density_kg_m3", material.density_kg_m3, 3e4, "kg/m3");
-    check.positiveQuantity(path + ".", "thickness", EdgeUnit::LengthMm, material.thickness_m, 100.0);
-    check.positive(path + ".infill", material.infill, 1.0);
 }
 
 /// No control characters (C0, DEL and, in UTF-8, C1) and no space at either end.
@@ -225,23 +166,15 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
     else if (!names.insert(object.name).second)
         check.fail(MessageCode::DuplicateName, path + ".name", {object.name});
     checkShape(check, path + ".contour", object.shape, object.origin, kMaxObjectRadius_m);
-    checkMaterial(check, path + ".material", object.material);
+    check.parameters(path + ".material.", materialParameters(), object.material);
     if (object.simulatedMaterial)
-        checkMaterial(check, path + ".simulated_material", *object.simulatedMaterial);
+        check.parameters(path + ".simulated_material.", materialParameters(), *object.simulatedMaterial);
     checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
     check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kLeastTemperature_degC,
                    kMostTemperature_degC);
-    for (const auto& [name, limit_K] :
-         {std::pair("warning", object.warning_K), std::pair("trip", object.trip_K)})
-        if (limit_K)
-            check.quantity(path + ".", name, EdgeUnit::Temperature, *limit_K, kLeastTemperature_degC,
-                           kMostTemperature_degC);
-    if (const auto& rates = object.believedRates) {
-        const std::string place = path + ".believed_rates.";
-        check.positive(place + "lambda1_K_s", rates->lambda1, kMaxRate_K_s, "K/s");
-        check.positive(place + "lambda2_1_K3s", rates->lambda2, kMaxLambda2_1_K3s, "1/(K3 s)");
-        check.positive(place + "lambda3_K_s", rates->lambda3, kMaxRate_K_s, "K/s");
-    }
+    check.parameters(path + ".", objectLimitParameters(), object);
+    if (object.believedRates)
+        check.parameters(path + ".believed_rates.", heatRateParameters(), *object.believedRates);
 }
 
 void checkObjects(Checker& check, const Experiment& e) {
@@ -260,15 +193,7 @@ void checkObjects(Checker& check, const Experiment& e) {
 
 void checkRobot(Checker& check, const Experiment& e) {
     const RobotLimits& robot = e.robot;
-    check.positiveQuantity("robot.", "max_speed", EdgeUnit::SpeedCm, robot.maxSpeed_m_s, 100.0);
-    check.positive("robot.max_rotation_rad_s", robot.maxRotation_rad_s, 10.0, "rad/s");
-    check.quantity("robot.", "max_acceleration", EdgeUnit::AccelerationCm, robot.maxAcceleration_m_s2, 0.0,
-                   1000.0);
-    check.range("robot.max_angular_acceleration_rad_s2", robot.maxAngularAcceleration_rad_s2, 0.0, 100.0,
-                "rad/s2");
-    check.quantity("robot.", "clearance", EdgeUnit::LengthCm, robot.clearance_m, 0.0, 100.0);
-    check.quantity("robot.", "max_mounting_radius", EdgeUnit::LengthCm, robot.maxMountingRadius_m, 0.0,
-                   1000.0);
+    check.parameters("robot.", robotParameters(), robot);
     for (int k = 0; k < 6 && !check.failed(); ++k) {
         const auto name = kCoordinateNames[static_cast<std::size_t>(k)];
         const EdgeUnit unit = coordinateUnit(k);
@@ -322,44 +247,20 @@ void checkStart(Checker& check, const Experiment& e) {
 }
 
 void checkController(Checker& check, const ControllerSettings& c) {
-    check.positive("controller.level_servo.time_constant_s", c.levelServo.timeConstant_s, 1e5, "s");
-    check.positive("controller.level_servo.integral_time_s", c.levelServo.integralTime_s, 1e6, "s");
-    check.range("controller.model_based.D_1_s", c.modelBased.D, 0.0, 100.0, "1/s");
-    check.positive("controller.model_based.K_1_s2", c.modelBased.K, 100.0, "1/s2");
-    check.positive("controller.adaptive.mu_1_s", c.adaptive.mu, 100.0, "1/s");
-    check.positive("controller.adaptive.K_1_K", c.adaptive.K, 1e3, "1/K");
-    check.range("controller.adaptive.gamma1_s3_K3", c.adaptive.gamma1, 0.0, 1e6, "s3/K3");
-    check.range("controller.adaptive.gamma2_s_K9", c.adaptive.gamma2, 0.0, 1.0, "s/K9");
-    check.positiveQuantity("controller.", "rotation_length", EdgeUnit::LengthCm, c.rotationLength_m, 1000.0);
-    check.range("controller.damping", c.damping, 0.0, 1.0);
-    check.range("controller.believed_rate_error_factor", c.believedRateErrorFactor, 1.0,
-                kMaxBelievedRateErrorFactor);
+    for (const ControllerEntry& entry : controllerCatalogue())
+        for (const ControllerGain& gain : entry.gains)
+            check.parameter(std::string("controller.") + entry.group + '.', *gain.facts, gain.get(c));
+    check.parameters("controller.", controllerParameters(), c);
 }
 
 void checkSampling(Checker& check, const SamplingSpec& s) {
-    check.range("sampling.period_s", s.period_s, 0.01, 60.0, "s");
-    check.range("sampling.order", s.order, 1, 5);
     check.range("sampling.window", s.window, s.order + 1, 1000, "samples");
+    check.parameters("sampling.", samplingParameters(), s);
 }
 
 void checkSimulation(Checker& check, const SimulationSpec& s, double period_s) {
-    check.range("simulation.sensor_noise_K", s.sensorNoise_K, 0.0, 10.0, "K");
-    check.range("simulation.sensor_resolution_K", s.sensorResolution_K, 0.0, 10.0, "K");
-    check.range("simulation.sensor_delay_s", s.sensorDelay_s, 0.0, 60.0, "s");
-    check.range("simulation.sensor_offset_K", s.sensorOffset_K, 0.0, 10.0, "K");
-    check.range("simulation.convection_W_m2K", s.convection_W_m2K, 0.0, 1000.0, "W/(m2 K)");
-    check.quantity("simulation.", "robot_step", EdgeUnit::LengthMm, s.robotStep_m, 0.0, 10.0);
-    check.range("simulation.robot_step_rad", s.robotStep_rad, 0.0, 0.1, "rad");
-    if (s.durationLimit_s <= 0.0)
-        check.fail(MessageCode::ValueNotPositive, "simulation.duration_limit_s",
-                   {formatNumber(s.durationLimit_s, 10)});
-    check.range("simulation.duration_limit_s", s.durationLimit_s, period_s, kMaxTime_s, "s");
-    check.range("simulation.sensor_lag_s", s.sensorLag_s, 0.0, 600.0, "s");
-    check.range("simulation.sensor_dropout", s.sensorDropout, 0.0, kMaxDropout);
-    check.range("simulation.robot_latency_s", s.robotLatency_s, 0.0, 10.0, "s");
-    check.quantity("simulation.", "tracking_noise", EdgeUnit::LengthMm, s.trackingNoise_m, 0.0, 100.0);
-    check.quantity("simulation.", "tracking_noise", EdgeUnit::Angle, s.trackingNoise_rad, 0.0, 10.0);
-    check.range("simulation.tracking_delay_s", s.trackingDelay_s, 0.0, 2.0, "s");
+    check.parameters("simulation.", simulationParameters(), s);
+    check.range("simulation.duration_limit_s", s.durationLimit_s, period_s, kMaxRunTime_s, "s");
 }
 
 /// With its place inside of a larger part.
@@ -416,11 +317,7 @@ void checkSimulatedCamera(Checker& check, const SimulatedCameraSpec& camera) {
     }
     if (camera.pose)
         checkCoordinates(check, path + "pose.", *camera.pose, kMaxPlace_cm, false);
-    check.range(path + "rate_Hz", camera.rate_Hz, 1.0, 120.0, "Hz");
-    check.range(path + "noise_grey", camera.noise_grey, 0.0, 64.0);
-    check.range(path + "blur_px", camera.blur_px, 0.0, 5.0, "px");
-    check.range(path + "light_fall", camera.lightFall, 0.0, 1.0);
-    check.range(path + "delay_s", camera.delay_s, 0.0, 1.0, "s");
+    check.parameters(path, simulatedCameraParameters(), camera);
 }
 
 /// The trip limits must lie over the warning limits, and the source's over what it is asked for.
@@ -430,34 +327,22 @@ void checkSafety(Checker& check, const Experiment& e) {
         check.quantity(path, name, EdgeUnit::Temperature, value_K,
                        std::max(kLeastTemperature_degC, celsiusFromKelvin(least_K)), kMostTemperature_degC);
     };
-    limit("safety.", "warning", s.warning_K, 0.0);
+    check.parameters("safety.", safetyParameters(), s);
     limit("safety.", "trip", s.trip_K, s.warning_K);
     for (std::size_t i = 0; i < e.objects.size() && !check.failed(); ++i)
         limit("objects[" + to_string(i) + "].", "trip", tripLimit_K(e, e.objects[i]),
               warningLimit_K(e, e.objects[i]));
     if (s.sourceTrip_K)
         limit("safety.", "source_trip", *s.sourceTrip_K, highestSetPoint_K(e.source));
-    check.range("safety.stale_periods", s.stalePeriods, 1.0, 1000.0);
-    check.range("safety.held_limit_s", s.heldLimit_s, 0.0, 3600.0, "s");
-    if (s.largestRate_K_s)
-        check.positive("safety.largest_rate_K_s", *s.largestRate_K_s, 1e5, "K/s");
-    check.range("safety.jumps", s.jumps, 1, 100);
-    check.range("safety.frozen_s", s.frozen_s, 1.0, 3600.0, "s");
-    check.range("safety.warming_K", s.warming_K, 0.5, 1000.0, "K");
-    check.range("safety.cross_check_K", s.crossCheck_K, 0.5, 1000.0, "K");
-    check.range("safety.source_heating_s", s.sourceHeating_s, 10.0, 36000.0, "s");
-    check.range("safety.source_band_K", s.sourceBand_K, 1.0, 1000.0, "K");
-    check.range("safety.source_unasked_K", s.sourceUnasked_K, 1.0, 1000.0, "K");
-    check.range("safety.least_disk_MB", s.leastDisk_MB, 0.0, 1e6, "MB");
 }
 
 void checkFaults(Checker& check, const Experiment& e) {
     const std::vector<ScriptedFault>& faults = e.simulation.faults;
     for (std::size_t i = 0; i < faults.size() && !check.failed(); ++i) {
         const std::string path = "simulation.faults[" + to_string(i) + "].";
-        check.range(path + "time_s", faults[i].time_s, 0.0, kMaxTime_s, "s");
+        check.range(path + "time_s", faults[i].time_s, 0.0, kMaxRunTime_s, "s");
         if (faults[i].until_s)
-            check.range(path + "until_s", *faults[i].until_s, faults[i].time_s, kMaxTime_s, "s");
+            check.range(path + "until_s", *faults[i].until_s, faults[i].time_s, kMaxRunTime_s, "s");
         if (faults[i].object >= e.objects.size())
             check.fail(MessageCode::ValueOutOfRange, path + "object",
                        {to_string(static_cast<std::ptrdiff_t>(faults[i].object)), "0",

@@ -1,10 +1,12 @@
+#include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
-#include "engine/session/edge_units.h"
-#include "engine/session/experiment.h"
+#include "engine/control/controller_catalogue.h"
+#include "engine/session/experiment_parameters.h"
+#include "engine/session/faults_json.h"
 #include "engine/session/json_fields.h"
 #include "engine/session/json_text.h"
+#include "engine/session/parameter_json.h"
 #include "engine/session/rig_json.h"
-#include "engine/session/safety_json.h"
 #include "engine/session/vision_json.h"
 
 #include <nlohmann/json.hpp>
@@ -235,20 +237,7 @@ void readTimeTable(Fields& parent, const std::string& key, TimeTable<T>& out, Re
 void readMaterial(const json& j, const std::string& path, Failure& failure, Material& out) {
     Fields fields(j, path, failure);
     fields.read("name", out.name);
-    fields.read("emittance", out.emittance, true);
-    fields.read("absorptance", out.absorptance, true);
-    fields.read("specific_heat_J_kgK", out.specificHeat_J_kgK, true);
-    fields.read("density_kg_m3", out.density_kg_m3, true);
-    fields.read("thickness", EdgeUnit::LengthMm, out.thickness_m, true);
-    fields.read("infill", out.infill);
-    fields.close();
-}
-
-void readBelievedRates(const json& j, const std::string& path, Failure& failure, HeatRates& out) {
-    Fields fields(j, path, failure);
-    fields.read("lambda1_K_s", out.lambda1, true);
-    fields.read("lambda2_1_K3s", out.lambda2, true);
-    fields.read("lambda3_K_s", out.lambda3, true);
+    readParameters(fields, materialParameters(), out);
     fields.close();
 }
 
@@ -267,12 +256,12 @@ ObjectSpec readObject(const json& j, const std::string& path, const std::string&
         readCoordinates(part, where, failure, object.mounting);
     });
     readPart(fields, "believed_rates", false, [&](const json& part, const std::string& where) {
-        readBelievedRates(part, where, failure, object.believedRates.emplace());
+        readParameters(part, where, failure, heatRateParameters(), object.believedRates.emplace());
     });
     readPart(fields, "simulated_material", false, [&](const json& part, const std::string& where) {
         readMaterial(part, where, failure, object.simulatedMaterial.emplace());
     });
-    readLimits(fields, object.warning_K, object.trip_K);
+    readParameters(fields, objectLimitParameters(), object);
     fields.close();
     return object;
 }
@@ -324,12 +313,7 @@ void readFree(Fields& fields, RobotLimits& out) {
 void readRobot(const json& j, const std::string& path, Failure& failure, Experiment& out) {
     Fields fields(j, path, failure);
     readFree(fields, out.robot);
-    fields.read("max_speed", EdgeUnit::SpeedCm, out.robot.maxSpeed_m_s);
-    fields.read("max_rotation_rad_s", out.robot.maxRotation_rad_s);
-    fields.read("max_acceleration", EdgeUnit::AccelerationCm, out.robot.maxAcceleration_m_s2);
-    fields.read("max_angular_acceleration_rad_s2", out.robot.maxAngularAcceleration_rad_s2);
-    fields.read("clearance", EdgeUnit::LengthCm, out.robot.clearance_m);
-    fields.read("max_mounting_radius", EdgeUnit::LengthCm, out.robot.maxMountingRadius_m);
+    readParameters(fields, robotParameters(), out.robot);
     const auto coordinates = [&](const std::string& key, Vector6d& q) {
         readPart(fields, key, false, [&](const json& part, const std::string& where) {
             readCoordinates(part, where, failure, q);
@@ -344,55 +328,25 @@ void readRobot(const json& j, const std::string& path, Failure& failure, Experim
 void readController(const json& j, const std::string& path, Failure& failure, ControllerSettings& out) {
     Fields fields(j, path, failure);
     std::map<std::string, ControllerKind> kinds;
-    for (const auto kind : {ControllerKind::LevelServo, ControllerKind::ModelBased, ControllerKind::Adaptive})
-        kinds[controllerKindName(kind)] = kind;
+    for (const ControllerEntry& entry : controllerCatalogue())
+        kinds[entry.key] = entry.kind;
     fields.readWord("kind", kinds, out.kind);
-    const auto gains = [&](const std::string& key, std::vector<std::pair<const char*, double*>> values) {
-        readPart(fields, key, false, [&](const json& part, const std::string& where) {
+    for (const ControllerEntry& entry : controllerCatalogue())
+        readPart(fields, entry.group, false, [&](const json& part, const std::string& where) {
             Fields group(part, where, failure);
-            for (const auto& [name, value] : values)
-                group.read(name, *value);
+            for (const ControllerGain& gain : entry.gains)
+                if (const auto si = readParameter(group, *gain.facts, false))
+                    gain.set(out, *si);
             group.close();
         });
-    };
-    gains("level_servo", {{"time_constant_s", &out.levelServo.timeConstant_s},
-                          {"integral_time_s", &out.levelServo.integralTime_s}});
-    gains("model_based", {{"D_1_s", &out.modelBased.D}, {"K_1_s2", &out.modelBased.K}});
-    gains("adaptive", {{"mu_1_s", &out.adaptive.mu},
-                       {"K_1_K", &out.adaptive.K},
-                       {"gamma1_s3_K3", &out.adaptive.gamma1},
-                       {"gamma2_s_K9", &out.adaptive.gamma2}});
-    fields.read("rotation_length", EdgeUnit::LengthCm, out.rotationLength_m);
-    fields.read("damping", out.damping);
-    fields.read("believed_rate_error_factor", out.believedRateErrorFactor);
-    fields.close();
-}
-
-void readSampling(const json& j, const std::string& path, Failure& failure, SamplingSpec& out) {
-    Fields fields(j, path, failure);
-    fields.read("period_s", out.period_s);
-    fields.read("window", out.window);
-    fields.read("order", out.order);
+    readParameters(fields, controllerParameters(), out);
     fields.close();
 }
 
 void readSimulation(const json& j, const std::string& path, Failure& failure, SimulationSpec& out) {
     Fields fields(j, path, failure);
     fields.read("seed", out.seed);
-    fields.read("sensor_noise_K", out.sensorNoise_K);
-    fields.read("sensor_resolution_K", out.sensorResolution_K);
-    fields.read("sensor_delay_s", out.sensorDelay_s);
-    fields.read("sensor_offset_K", out.sensorOffset_K);
-    fields.read("convection_W_m2K", out.convection_W_m2K);
-    fields.read("robot_step", EdgeUnit::LengthMm, out.robotStep_m);
-    fields.read("robot_step_rad", out.robotStep_rad);
-    fields.read("duration_limit_s", out.durationLimit_s);
-    fields.read("sensor_lag_s", out.sensorLag_s);
-    fields.read("sensor_dropout", out.sensorDropout);
-    fields.read("robot_latency_s", out.robotLatency_s);
-    fields.read("tracking_noise", EdgeUnit::LengthMm, out.trackingNoise_m);
-    fields.read("tracking_noise", EdgeUnit::Angle, out.trackingNoise_rad);
-    fields.read("tracking_delay_s", out.trackingDelay_s);
+    readParameters(fields, simulationParameters(), out);
     readTimeTable(fields, "source_motion", out.sourceMotion, readCoordinateFields);
     if (fields.find("source_emittance") != nullptr)
         fields.read("source_emittance", out.sourceEmittance.emplace());
@@ -442,13 +396,17 @@ Experiment readRoot(const json& j, const std::string& folder, Failure& failure) 
     });
     part("robot", false, readRobot, e);
     part("controller", false, readController, e.controller);
-    part("sampling", false, readSampling, e.sampling);
+    readPart(root, "sampling", false, [&](const json& value, const std::string& where) {
+        readParameters(value, where, failure, samplingParameters(), e.sampling);
+    });
     part("simulation", false, readSimulation, e.simulation);
     part("vision", false, readVision, e.vision);
     readPart(root, "rig", false, [&](const json& value, const std::string& where) {
         readRig(value, where, failure, e.rig.emplace());
     });
-    part("safety", false, readSafety, e.safety);
+    readPart(root, "safety", false, [&](const json& value, const std::string& where) {
+        readParameters(value, where, failure, safetyParameters(), e.safety);
+    });
     const json* objects = root.find("objects", true);
     // Keys first: an import is only worth its time in a file that is otherwise right.
     root.close();

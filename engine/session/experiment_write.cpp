@@ -1,9 +1,11 @@
 #include "engine/base/message_code.h"
+#include "engine/control/controller_catalogue.h"
 #include "engine/session/controller_json.h"
-#include "engine/session/experiment.h"
+#include "engine/session/experiment_parameters.h"
+#include "engine/session/faults_json.h"
 #include "engine/session/json_quantities.h"
+#include "engine/session/parameter_json.h"
 #include "engine/session/rig_json.h"
-#include "engine/session/safety_json.h"
 #include "engine/session/vision_json.h"
 
 #include <QSaveFile>
@@ -85,12 +87,7 @@ Json materialJson(const Material& material) {
     Json j;
     if (!material.name.empty())
         j["name"] = material.name;
-    j["emittance"] = material.emittance;
-    j["absorptance"] = material.absorptance;
-    j["specific_heat_J_kgK"] = material.specificHeat_J_kgK;
-    j["density_kg_m3"] = material.density_kg_m3;
-    putQuantity(j, "thickness", EdgeUnit::LengthMm, material.thickness_m);
-    j["infill"] = material.infill;
+    putParameters(j, materialParameters(), material);
     return j;
 }
 
@@ -101,13 +98,11 @@ Json objectJson(const ObjectSpec& object) {
     j["contour"] = contourJson(object.shape, object.origin);
     j["material"] = materialJson(object.material);
     j["mounting"] = coordinatesJson(object.mounting);
-    if (const auto& rates = object.believedRates)
-        j["believed_rates"] = {{"lambda1_K_s", rates->lambda1},
-                               {"lambda2_1_K3s", rates->lambda2},
-                               {"lambda3_K_s", rates->lambda3}};
+    if (object.believedRates)
+        putParameters(j["believed_rates"], heatRateParameters(), *object.believedRates);
     if (object.simulatedMaterial)
         j["simulated_material"] = materialJson(*object.simulatedMaterial);
-    putLimits(j, object.warning_K, object.trip_K);
+    putParameters(j, objectLimitParameters(), object);
     return j;
 }
 
@@ -131,12 +126,7 @@ Json robotJson(const Experiment& e) {
         if (e.robot.free[k])
             j["free"].push_back(kCoordinateNames[k]);
     }
-    putQuantity(j, "max_speed", EdgeUnit::SpeedCm, e.robot.maxSpeed_m_s);
-    j["max_rotation_rad_s"] = e.robot.maxRotation_rad_s;
-    putQuantity(j, "max_acceleration", EdgeUnit::AccelerationCm, e.robot.maxAcceleration_m_s2);
-    j["max_angular_acceleration_rad_s2"] = e.robot.maxAngularAcceleration_rad_s2;
-    putQuantity(j, "clearance", EdgeUnit::LengthCm, e.robot.clearance_m);
-    putQuantity(j, "max_mounting_radius", EdgeUnit::LengthCm, e.robot.maxMountingRadius_m);
+    putParameters(j, robotParameters(), e.robot);
     j["lower"] = coordinatesJson(e.robot.lower);
     j["upper"] = coordinatesJson(e.robot.upper);
     j["start"] = coordinatesJson(e.start);
@@ -146,36 +136,17 @@ Json robotJson(const Experiment& e) {
 Json controllerJson(const ControllerSettings& c) {
     Json j;
     j["kind"] = controllerKindName(c.kind);
-    j["level_servo"] = {{"time_constant_s", c.levelServo.timeConstant_s},
-                        {"integral_time_s", c.levelServo.integralTime_s}};
-    j["model_based"] = {{"D_1_s", c.modelBased.D}, {"K_1_s2", c.modelBased.K}};
-    j["adaptive"] = {{"mu_1_s", c.adaptive.mu},
-                     {"K_1_K", c.adaptive.K},
-                     {"gamma1_s3_K3", c.adaptive.gamma1},
-                     {"gamma2_s_K9", c.adaptive.gamma2}};
-    putQuantity(j, "rotation_length", EdgeUnit::LengthCm, c.rotationLength_m);
-    j["damping"] = c.damping;
-    j["believed_rate_error_factor"] = c.believedRateErrorFactor;
+    for (const ControllerEntry& entry : controllerCatalogue())
+        for (const ControllerGain& gain : entry.gains)
+            putParameter(j[entry.group], *gain.facts, gain.get(c), false);
+    putParameters(j, controllerParameters(), c);
     return j;
 }
 
 Json simulationJson(const SimulationSpec& s) {
     Json j;
     j["seed"] = s.seed;
-    j["sensor_noise_K"] = s.sensorNoise_K;
-    j["sensor_resolution_K"] = s.sensorResolution_K;
-    j["sensor_delay_s"] = s.sensorDelay_s;
-    j["sensor_offset_K"] = s.sensorOffset_K;
-    j["convection_W_m2K"] = s.convection_W_m2K;
-    putQuantity(j, "robot_step", EdgeUnit::LengthMm, s.robotStep_m);
-    j["robot_step_rad"] = s.robotStep_rad;
-    j["duration_limit_s"] = s.durationLimit_s;
-    j["sensor_lag_s"] = s.sensorLag_s;
-    j["sensor_dropout"] = s.sensorDropout;
-    j["robot_latency_s"] = s.robotLatency_s;
-    putQuantity(j, "tracking_noise", EdgeUnit::LengthMm, s.trackingNoise_m);
-    putQuantity(j, "tracking_noise", EdgeUnit::Angle, s.trackingNoise_rad);
-    j["tracking_delay_s"] = s.trackingDelay_s;
+    putParameters(j, simulationParameters(), s);
     if (!s.sourceMotion.empty())
         j["source_motion"] = motionJson(s.sourceMotion);
     if (s.sourceEmittance)
@@ -201,15 +172,14 @@ Json experimentJson(const Experiment& e) {
         j["objects"].push_back(objectJson(object));
     j["robot"] = robotJson(e);
     j["controller"] = controllerJson(e.controller);
-    j["sampling"] = {
-        {"period_s", e.sampling.period_s}, {"window", e.sampling.window}, {"order", e.sampling.order}};
+    putParameters(j["sampling"], samplingParameters(), e.sampling);
     j["simulation"] = simulationJson(e.simulation);
     if (e.vision != VisionSpec())
         j["vision"] = visionJson(e.vision);
     if (e.rig)
         j["rig"] = rigJson(*e.rig);
     if (e.safety != SafetySpec())
-        j["safety"] = safetyJson(e.safety);
+        putChangedParameters(j["safety"], safetyParameters(), e.safety);
     return j;
 }
 

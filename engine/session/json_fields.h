@@ -1,10 +1,10 @@
 #pragma once
 // One JSON object while it is read: typed access by key, the first failure kept, unknown keys refused.
 
+#include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
 #include "engine/base/pose.h"
 #include "engine/base/result.h"
-#include "engine/session/edge_units.h"
 #include "engine/session/json_text.h"
 
 #include <nlohmann/json_fwd.hpp>

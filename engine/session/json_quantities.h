@@ -1,8 +1,8 @@
 #pragma once
 // Quantities and coordinates as an experiment file has them.
 
+#include "engine/base/edge_units.h"
 #include "engine/base/pose.h"
-#include "engine/session/edge_units.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -1,7 +1,9 @@
 #include "engine/session/limits_widened.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/base/units.h"
+#include "engine/session/experiment_parameters.h"
 
 #include <algorithm>
 #include <array>
@@ -31,6 +33,27 @@ public:
             add(name, words(celsiusFromKelvin(before_K), "\u00b0C", 1.0),
                 words(celsiusFromKelvin(after_K), "\u00b0C", 1.0));
     }
+    /// What allows more of it by itself; Loosens::InCode is left out.
+    void parameter(const ParameterFacts& facts, double before, double after) {
+        const bool isDown = facts.loosens == Loosens::Down;
+        const auto limit = [&](double si) { // 0 may be none
+            return facts.loosens == Loosens::UpOrZero && si == 0.0 ? kNone : si;
+        };
+        const bool isWider = isDown ? after < before : limit(after) > limit(before);
+        if (!isWider || facts.loosens == Loosens::Never || facts.loosens == Loosens::InCode)
+            return;
+        const bool isTemperature = facts.unit.edge == EdgeUnit::Temperature;
+        const auto text = [&](double si) {
+            return words(limit(si) == kNone ? kNone : written(facts, si),
+                         isTemperature ? "\u00b0C" : facts.unit.words, 1.0);
+        };
+        add(facts.label, text(before), text(after));
+    }
+    template <class Spec> void parameters(ParameterTable<Spec> table, const Spec& before, const Spec& after) {
+        for (const Parameter<Spec>& each : table)
+            if (const auto from = each.get(before), to = each.get(after); from && to)
+                parameter(each, *from, *to);
+    }
     void add(const std::string& name, const std::string& before, const std::string& after) {
         out.push_back({MessageCode::LimitLooser, {name, before, after}});
     }
@@ -39,15 +62,11 @@ public:
 
 private:
     static std::string words(double value, const std::string& unit, double factor) {
-        const std::string number = value == kNone ? "no limit" : formatNumber(value * factor, 5);
+        const std::string number =
+            value == kNone ? QT_TRANSLATE_NOOP("Parameter", "no limit") : formatNumber(value * factor, 5);
         return unit.empty() || value == kNone ? number : number + ' ' + unit;
     }
 };
-
-/// 0 is no limit.
-double acceleration(double value) {
-    return value > 0.0 ? value : kNone;
-}
 
 void addWorkspace(Widened& widened, const RobotLimits& before, const RobotLimits& after) {
     constexpr std::array kNames{"x", "y", "z", "theta x", "theta y", "theta z"};
@@ -64,16 +83,6 @@ void addWorkspace(Widened& widened, const RobotLimits& before, const RobotLimits
     }
 }
 
-void addRobot(Widened& widened, const RobotLimits& before, const RobotLimits& after) {
-    widened.more("speed", before.maxSpeed_m_s, after.maxSpeed_m_s, "cm/s", 100.0);
-    widened.more("rotation", before.maxRotation_rad_s, after.maxRotation_rad_s, "rad/s");
-    widened.less("clearance", before.clearance_m, after.clearance_m, "cm", 100.0);
-    widened.more("acceleration", acceleration(before.maxAcceleration_m_s2),
-                 acceleration(after.maxAcceleration_m_s2), "cm/s2", 100.0);
-    widened.more("angular acceleration", acceleration(before.maxAngularAcceleration_rad_s2),
-                 acceleration(after.maxAngularAcceleration_rad_s2), "rad/s2");
-}
-
 void addObjects(Widened& widened, const Experiment& before, const Experiment& after) {
     for (const ObjectSpec& object : after.objects) {
         const auto was = std::ranges::find(before.objects, object.name, &ObjectSpec::name);
@@ -88,34 +97,11 @@ void addObjects(Widened& widened, const Experiment& before, const Experiment& af
 
 /// An automatic one is kLeastRate_K_s or more; how much more depends on what is heated.
 void addRate(Widened& widened, const std::optional<double>& before, const std::optional<double>& after) {
-    const std::string name = "largest rate";
+    const std::string name = QT_TRANSLATE_NOOP("Parameter", "Fastest plausible change");
     if (after)
         widened.more(name, before.value_or(SafetySpec::kLeastRate_K_s), *after, "K/s");
     else if (before)
-        widened.add(name, formatNumber(*before) + " K/s", "automatic");
-}
-
-void addWatch(Widened& widened, const SafetySpec& before, const SafetySpec& after) {
-    struct Row {
-        const char* name;
-        double SafetySpec::*value;
-        const char* unit;
-    };
-    constexpr std::array kRaised{Row{"stale periods", &SafetySpec::stalePeriods, ""},
-                                 Row{"held limit", &SafetySpec::heldLimit_s, "s"},
-                                 Row{"frozen after", &SafetySpec::frozen_s, "s"},
-                                 Row{"warming", &SafetySpec::warming_K, "K"},
-                                 Row{"cross check", &SafetySpec::crossCheck_K, "K"},
-                                 Row{"source heating", &SafetySpec::sourceHeating_s, "s"},
-                                 Row{"source band", &SafetySpec::sourceBand_K, "K"},
-                                 Row{"source unasked", &SafetySpec::sourceUnasked_K, "K"}};
-    widened.hotter("warning limit", before.warning_K, after.warning_K);
-    widened.hotter("trip limit", before.trip_K, after.trip_K);
-    for (const Row& row : kRaised)
-        widened.more(row.name, before.*row.value, after.*row.value, row.unit);
-    widened.more("jumps", before.jumps, after.jumps);
-    widened.less("least disk", before.leastDisk_MB, after.leastDisk_MB, "MB");
-    addRate(widened, before.largestRate_K_s, after.largestRate_K_s);
+        widened.add(name, formatNumber(*before) + " K/s", QT_TRANSLATE_NOOP("Parameter", "automatic"));
 }
 
 void addRig(Widened& widened, const std::optional<RigSpec>& before, const std::optional<RigSpec>& after) {
@@ -123,7 +109,8 @@ void addRig(Widened& widened, const std::optional<RigSpec>& before, const std::o
         return rig && rig->source && rig->source->mayHeatUnattended;
     };
     if (isUnattended(after) && !isUnattended(before))
-        widened.add("heat without a watchdog", "not allowed", "allowed");
+        widened.add(QT_TRANSLATE_NOOP("Parameter", "heat without a watchdog"),
+                    QT_TRANSLATE_NOOP("Parameter", "not allowed"), QT_TRANSLATE_NOOP("Parameter", "allowed"));
 }
 
 } // namespace
@@ -131,9 +118,11 @@ void addRig(Widened& widened, const std::optional<RigSpec>& before, const std::o
 std::vector<Message> widenedLimits(const Experiment& before, const Experiment& after) {
     Widened widened;
     addObjects(widened, before, after);
-    widened.hotter("trip limit of the source", sourceTripLimit_K(before), sourceTripLimit_K(after));
-    addWatch(widened, before.safety, after.safety);
-    addRobot(widened, before.robot, after.robot);
+    widened.hotter(QT_TRANSLATE_NOOP("Parameter", "Source: trip"), sourceTripLimit_K(before),
+                   sourceTripLimit_K(after));
+    widened.parameters(safetyParameters(), before.safety, after.safety);
+    addRate(widened, before.safety.largestRate_K_s, after.safety.largestRate_K_s);
+    widened.parameters(robotParameters(), before.robot, after.robot);
     addWorkspace(widened, before.robot, after.robot);
     addRig(widened, before.rig, after.rig);
     return widened.out;

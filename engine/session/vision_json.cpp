@@ -1,6 +1,8 @@
 #include "engine/session/vision_json.h"
 
+#include "engine/session/experiment_parameters.h"
 #include "engine/session/json_quantities.h"
+#include "engine/session/parameter_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -121,11 +123,7 @@ void readSimulatedCamera(const json& j, const std::string& path, Failure& failur
     readPart(fields, "pose", false, [&](const json& part, const std::string& where) {
         readCoordinates(part, where, failure, out.pose.emplace(Vector6d::Zero()));
     });
-    fields.read("rate_Hz", out.rate_Hz);
-    fields.read("noise_grey", out.noise_grey);
-    fields.read("blur_px", out.blur_px);
-    fields.read("light_fall", out.lightFall);
-    fields.read("delay_s", out.delay_s);
+    readParameters(fields, simulatedCameraParameters(), out);
     fields.close();
 }
 
@@ -152,11 +150,7 @@ Json simulatedCameraJson(const SimulatedCameraSpec& camera) {
         putModel(j["model"], *camera.model);
     if (camera.pose)
         j["pose"] = coordinatesJson(*camera.pose);
-    j["rate_Hz"] = camera.rate_Hz;
-    j["noise_grey"] = camera.noise_grey;
-    j["blur_px"] = camera.blur_px;
-    j["light_fall"] = camera.lightFall;
-    j["delay_s"] = camera.delay_s;
+    putParameters(j, simulatedCameraParameters(), camera);
     return j;
 }
 

@@ -1,9 +1,8 @@
 #include "engine/shape/contour_import.h"
 
 #include "engine/base/message_code.h"
-#include "engine/shape/dxf_outlines.h"
+#include "engine/shape/outline_formats.h"
 #include "engine/shape/shape.h"
-#include "engine/shape/svg_outlines.h"
 
 #include <algorithm>
 #include <array>
@@ -16,10 +15,7 @@
 namespace bask {
 namespace {
 
-constexpr std::array<std::string_view, 3> kTextEndings{"csv", "txt", "dat"};
-constexpr std::array<std::string_view, 6> kImageEndings{"png", "jpg", "jpeg", "bmp", "tif", "tiff"};
-constexpr const char* kKnownEndings = "svg, dxf, csv, txt, dat, png, jpg, jpeg, bmp, tif, tiff";
-constexpr double kFlattening_m = 1e-5;         ///< of curves
+constexpr double kFinest_m = 1e-5;             ///< to which holes are thinned first
 constexpr std::size_t kMostHoleCorners = 4000; ///< of all holes: an experiment takes 5000 with the outline's
 constexpr double kCoarsest_m = 2e-4;
 
@@ -56,7 +52,7 @@ void thinHoles(PickedOutline& picked) {
     const std::vector<Contour> exact = picked.holes;
     const std::size_t before = cornersOf(exact);
     double within_m = 0.0;
-    for (double next_m = kFlattening_m; cornersOf(picked.holes) > kMostHoleCorners && next_m <= kCoarsest_m;
+    for (double next_m = kFinest_m; cornersOf(picked.holes) > kMostHoleCorners && next_m <= kCoarsest_m;
          next_m *= 1.5) {
         within_m = next_m;
         std::ranges::transform(exact, picked.holes.begin(),
@@ -126,20 +122,18 @@ void useUnit(OutlineFile& file, LengthUnit unit) {
 Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOptions& options) {
     if (!(options.factor > 0.0) || !std::isfinite(options.factor))
         return Error{MessageCode::ValueNotPositive, path, {formatNumber(options.factor)}};
-    std::string ending = lowered(std::filesystem::path(path).extension().string());
-    if (!ending.empty())
-        ending.erase(0, 1);
-    const auto isOneOf = [&](const auto& known) { return std::ranges::find(known, ending) != known.end(); };
-    auto file = isOneOf(kTextEndings)    ? readCsvOutlines(path, options.unit)
-                : isOneOf(kImageEndings) ? readImageOutlines(path, options)
-                : ending == "svg"        ? readSvgOutlines(path, kFlattening_m)
-                : ending == "dxf"        ? readDxfOutlines(path, kFlattening_m)
-                                         : Error{MessageCode::FormatUnknown, path, {ending, kKnownEndings}};
+    const OutlineFormat* format = outlineFormatOf(path);
+    if (format == nullptr) {
+        std::string ending = std::filesystem::path(path).extension().string();
+        return Error{
+            MessageCode::FormatUnknown, path, {ending.empty() ? ending : ending.substr(1), outlineEndings()}};
+    }
+    auto file = format->read(path, options);
     if (!file)
         return file;
-    if (options.unit && (ending == "svg" || ending == "dxf"))
+    if (options.unit && format->kind == OutlineKind::Drawing)
         useUnit(*file, *options.unit);
-    if (!isOneOf(kImageEndings))
+    if (format->kind != OutlineKind::Picture)
         file->enlarge(options.factor);
     file->arrange();
     return file;

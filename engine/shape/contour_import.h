@@ -90,8 +90,7 @@ Result<ColourPicture> readPicture(const std::string& path);
 /// readImageOutlines does.
 Result<GreyPicture> readGreyPicture(const std::string& path);
 
-/// Every outline of a file, arranged, by the reader that its extension names (svg, dxf; csv, txt, dat; png,
-/// jpg, jpeg, bmp, tif, tiff).
+/// Every outline of a file, arranged, by the reader that its ending names (outline_formats.h).
 Result<OutlineFile> readOutlines(const std::string& path, const ContourImportOptions& options);
 
 /// One outline of a file with the holes in it, checked.

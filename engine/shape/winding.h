@@ -9,4 +9,8 @@ namespace bask {
 /// simple one, 1 for a circle traced twice. Along 400 lines, good to about 0.2 %; a few milliseconds.
 double unevenShare(const FourierContour& contour);
 
+/// A truncated outline may cross itself a little, a real one does not go round twice: greatest unevenShare of
+/// a contour that is taken.
+inline constexpr double kMaxUneven = 0.01;
+
 } // namespace bask

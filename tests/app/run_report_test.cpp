@@ -187,6 +187,34 @@ TEST_F(RunReport, SaysWhatAnInterruptedOrEmptyRunLacks) {
     EXPECT_TRUE(report(recorded(test::twoDisks(), 0, ""), "none.pdf").startsWith("%PDF"));
 }
 
+// Catches a gain in another unit than the experiment's file has it in, and a material that is told in part.
+TEST_F(RunReport, TellsGainsAndMaterialsWithTheirUnits) {
+    Experiment experiment = test::twoDisks();
+    experiment.controller.kind = ControllerKind::Adaptive;
+    experiment.controller.adaptive.K = 0.25;
+    experiment.objects[0].material.specificHeat_J_kgK = 911.0;
+    experiment.objects[0].material.density_kg_m3 = 2755.0;
+    const QString text = readable(report(recorded(experiment, 240, "not-settled")));
+    EXPECT_TRUE(text.contains("K = 0.25 1/K")) << text.toStdString();
+    for (const char* said : {"Specific heat (J/(kg K))", "911", "Density (kg/m\u00b3)", "2755"})
+        EXPECT_TRUE(text.contains(QString::fromUtf8(said))) << said << text.toStdString();
+}
+
+// Catches an angle that is told as a length.
+TEST_F(RunReport, TheMarginIsInTheUnitOfItsLimit) {
+    SessionRecord session;
+    session.path = "run.bask";
+    session.experiment = test::twoDisks();
+    RunReportInput input = reportInput(session, TemperatureUnit::Celsius);
+    input.verdict.emplace();
+    input.verdict->anyPose = input.verdict->feasible = true;
+    input.verdict->margin = {radFromDeg(32.8) * kRadianLength_m, Limit::Workspace, kThetaX};
+    const QString text = readable(runReportHtml(input));
+    EXPECT_TRUE(
+        text.contains(QString::fromUtf8("margin 32.8\u00b0 to the nearest limit (workspace \u03b8x)")))
+        << text.toStdString();
+}
+
 TEST_F(RunReport, TellsTargetsThatCannotBeHeld) {
     Experiment experiment = test::twoDisks();
     experiment.objects[0].target_K = 380.0;

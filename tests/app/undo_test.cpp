@@ -121,7 +121,7 @@ TEST_F(UndoTest, EveryPagesEditsComeBackExactly) {
     comesBack("an object more", Page::Objects, [&] { click("addDisk"); });
     comesBack("an object less", Page::Objects, [&] { click("removeObject"); });
     comesBack("gains", Page::Run, [&] {
-        auto* gain = find<QDoubleSpinBox>("gain.timeConstant");
+        auto* gain = find<QDoubleSpinBox>("gain.level_servo.time_constant");
         gain->setValue(2.0 * gain->value());
         click("gainsApply");
     });

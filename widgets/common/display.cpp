@@ -1,6 +1,7 @@
 #include "widgets/common/display.h"
 
 #include "engine/base/message_code.h"
+#include "engine/control/controller_catalogue.h"
 
 #include <QCoreApplication>
 #include <QDateTime>
@@ -149,15 +150,7 @@ QString runStateExplanation(RunState state) {
 }
 
 QString controllerWord(ControllerKind kind) {
-    switch (kind) {
-    case ControllerKind::LevelServo:
-        return DisplayWords::tr("Level servo");
-    case ControllerKind::ModelBased:
-        return DisplayWords::tr("Model-based");
-    case ControllerKind::Adaptive:
-        return DisplayWords::tr("Adaptive");
-    }
-    return {};
+    return QCoreApplication::translate("Controller", controllerEntry(kind).name);
 }
 
 QString simulatedFaultWord(SimulatedFault fault) {
@@ -231,6 +224,8 @@ QString argument(const Message& message, std::size_t i) {
             if (const auto fault = static_cast<SimulatedFault>(k);
                 message.args[0] == simulatedFaultName(fault))
                 return simulatedFaultWord(fault);
+    if (message.code == MessageCode::LimitLooser)
+        return QCoreApplication::translate("Parameter", message.args[i].c_str());
     if (message.code == MessageCode::RigIncomplete)
         for (const char* word : kDevices)
             if (message.args[i] == word)

@@ -164,6 +164,8 @@ QValidator::State GainSpinBox::validate(QString& text, int&) const {
 }
 
 void GainSpinBox::stepBy(int steps) {
+    if (value() <= 0.0) // no magnitude to step by
+        return;
     for (int i = 0; i < std::abs(steps); ++i) {
         const bool up = steps > 0;
         // Stepping down from a power of ten uses the finer step below it, so that up and down retrace each

@@ -52,8 +52,8 @@ private:
     double m_typed_K = 298.15; ///< as told last
 };
 
-/// A positive number of any magnitude (1e-22 as well as 60), four significant digits; a step changes the
-/// second digit.
+/// A number of any magnitude (0, 1e-22 as well as 60), four significant digits; a step changes the second
+/// digit, and of zero nothing.
 class GainSpinBox : public QDoubleSpinBox {
     Q_OBJECT
 public:

@@ -3,6 +3,7 @@
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
 #include "engine/session/experiment.h"
+#include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
@@ -171,9 +172,7 @@ void ImportPanel::connectAll() {
 }
 
 bool ImportPanel::isReadable(const QString& path) {
-    const QString ending = QFileInfo(path).suffix().toLower();
-    return ending == "svg" || ending == "dxf" || ImportQuestions::isList(path) ||
-           ImportQuestions::isImage(path);
+    return outlineFormatOf(path.toStdString()) != nullptr;
 }
 
 void ImportPanel::open(const QString& path) {

@@ -1,6 +1,7 @@
 #include "widgets/objects/import_questions.h"
 
 #include "engine/shape/marker.h"
+#include "engine/shape/outline_formats.h"
 #include "widgets/common/theme.h"
 
 #include <QCheckBox>
@@ -30,8 +31,9 @@ QDoubleSpinBox* lengthBox(QWidget* parent, const char* name, int decimals, doubl
     return box;
 }
 
-bool endsWithOneOf(const QString& path, const QStringList& endings) {
-    return endings.contains(QFileInfo(path).suffix().toLower());
+bool isOfKind(const QString& path, OutlineKind kind) {
+    const OutlineFormat* format = outlineFormatOf(path.toStdString());
+    return format != nullptr && format->kind == kind;
 }
 
 void setLabel(QFormLayout* form, QWidget* field, const QString& text) {
@@ -41,11 +43,11 @@ void setLabel(QFormLayout* form, QWidget* field, const QString& text) {
 } // namespace
 
 bool ImportQuestions::isImage(const QString& path) {
-    return endsWithOneOf(path, {"png", "jpg", "jpeg", "bmp", "tif", "tiff"});
+    return isOfKind(path, OutlineKind::Picture);
 }
 
 bool ImportQuestions::isList(const QString& path) {
-    return endsWithOneOf(path, {"csv", "txt", "dat"});
+    return isOfKind(path, OutlineKind::List);
 }
 
 ImportQuestions::ImportQuestions(QWidget* parent)

@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cmath>
 
 namespace bask {
@@ -103,6 +104,14 @@ std::optional<std::size_t> matchingPreset(const Material& material) {
 
 QString materialPresetSource(std::size_t index) {
     return QCoreApplication::translate("MaterialPreset", materialPresets().at(index).source);
+}
+
+Material withTrueName(Material material) {
+    const auto& presets = materialPresets();
+    const auto named = std::ranges::find(presets, material.name, &MaterialPreset::label);
+    if (named != presets.end() && matchingPreset(material) != named - presets.begin())
+        material.name.clear();
+    return material;
 }
 
 Material withPreset(const Material& material, std::size_t index) {

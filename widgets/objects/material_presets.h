@@ -30,6 +30,9 @@ QString materialPresetSource(std::size_t index);
 /// The preset with the same surface, bulk and infill (thickness left aside); empty: values were typed.
 std::optional<std::size_t> matchingPreset(const Material& material);
 
+/// `material`, without a name where that is a preset's and the values are not.
+Material withTrueName(Material material);
+
 /// `material` with everything but its thickness taken from the preset.
 Material withPreset(const Material& material, std::size_t index);
 

@@ -233,8 +233,10 @@ void ObjectProperties::edit(const std::function<void(ObjectSpec&)>& change) {
     change(changed);
     if (changed == m_object)
         return;
-    if (!(changed.material == m_object.material))
+    if (!(changed.material == m_object.material)) {
+        changed.material = withTrueName(changed.material);
         changed.believedRates.reset(); // they were another material's
+    }
     m_object = changed;
     showObject();
     emit objectEdited(changed);

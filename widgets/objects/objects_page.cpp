@@ -1,6 +1,7 @@
 #include "widgets/objects/objects_page.h"
 
 #include "engine/session/mounting_check.h"
+#include "engine/shape/outline_formats.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
@@ -437,17 +438,18 @@ void ObjectsPage::offerFile(const QString& path) {
         m_importPanel->open(path);
         return;
     }
+    const auto names = [](OutlineKind kind) { return QString::fromStdString(outlineFormatNames(kind)); };
     showError(
-        tr("%1 is not a kind of file that can be imported. Use a drawing (SVG, DXF), a CSV of x, y points "
-           "or a picture of a silhouette (PNG, JPEG, BMP, TIFF).")
-            .arg(QFileInfo(path).fileName()));
+        tr("%1 is not a kind of file that can be imported. Use a drawing (%2), a list of x, y points (%3) "
+           "or a picture of a silhouette (%4).")
+            .arg(QFileInfo(path).fileName(), names(OutlineKind::Drawing), names(OutlineKind::List),
+                 names(OutlineKind::Picture)));
 }
 
 void ObjectsPage::chooseFile() {
     const QString path = QFileDialog::getOpenFileName(
         this, tr("Import an outline"), m_folder,
-        tr("Outlines (%1);;All files (*)")
-            .arg("*.svg *.dxf *.csv *.txt *.dat *.png *.jpg *.jpeg *.bmp *.tif *.tiff"));
+        tr("Outlines (%1);;All files (*)").arg(QString::fromStdString(outlineEndings("*.", " "))));
     if (path.isEmpty())
         return;
     m_folder = QFileInfo(path).path();

@@ -3,9 +3,9 @@
 #include "engine/base/units.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/rig/coordinate_words.h"
-#include "widgets/rig/limit_field.h"
 
 #include <QDoubleSpinBox>
 #include <QEvent>
@@ -41,7 +41,7 @@ LimitsPanel::LimitsPanel(QWidget* parent)
 
 QDoubleSpinBox* LimitsPanel::number(const QString& name, double least, double most, int decimals,
                                     const QString& suffix, const Apply& apply) {
-    QDoubleSpinBox* field = limitField(this, name, least, most, decimals, suffix);
+    QDoubleSpinBox* field = numberField(this, name, least, most, decimals, suffix);
     connect(field, &QDoubleSpinBox::valueChanged, this,
             [this, field, apply](double value) { edit(field, apply, value); });
     return field;

@@ -1,11 +1,14 @@
 #include "widgets/run/controller_panel.h"
 
+#include "engine/control/controller_catalogue.h"
 #include "engine/session/trace.h"
 #include "widgets/common/display.h"
+#include "widgets/common/parameter_form.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -20,8 +23,6 @@
 namespace bask {
 namespace {
 
-constexpr ControllerKind kKinds[] = {ControllerKind::LevelServo, ControllerKind::ModelBased,
-                                     ControllerKind::Adaptive};
 constexpr double kPredictedStep_K = 10.0;
 
 } // namespace
@@ -32,8 +33,8 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
     m_choice = new QComboBox(this);
     m_choice->setObjectName(QStringLiteral("controllerChoice"));
     m_choiceLabel->setBuddy(m_choice);
-    for (ControllerKind kind : kKinds)
-        m_choice->addItem(QString(), static_cast<int>(kind));
+    for (const ControllerEntry& entry : controllerCatalogue())
+        m_choice->addItem(QString(), static_cast<int>(entry.kind));
     m_form = new QFormLayout;
     m_form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_form->setVerticalSpacing(5);
@@ -78,54 +79,45 @@ ControllerPanel::ControllerPanel(QWidget* parent) : QGroupBox(parent) {
 }
 
 void ControllerPanel::makeRows() {
-    using S = ControllerSettings;
-    m_gains = {
-        {ControllerKind::LevelServo, "timeConstant",
-         [](S& s) -> double& { return s.levelServo.timeConstant_s; }, 0.5, 1000.0},
-        {ControllerKind::LevelServo, "integralTime",
-         [](S& s) -> double& { return s.levelServo.integralTime_s; }, 1.0, 1e5},
-        {ControllerKind::ModelBased, "modelD", [](S& s) -> double& { return s.modelBased.D; }, 1e-4, 100.0},
-        {ControllerKind::ModelBased, "modelK", [](S& s) -> double& { return s.modelBased.K; }, 1e-6, 100.0},
-        {ControllerKind::Adaptive, "adaptiveMu", [](S& s) -> double& { return s.adaptive.mu; }, 1e-4, 10.0},
-        {ControllerKind::Adaptive, "adaptiveK", [](S& s) -> double& { return s.adaptive.K; }, 1e-4, 100.0},
-        {ControllerKind::Adaptive, "adaptiveGamma1", [](S& s) -> double& { return s.adaptive.gamma1; }, 1e-9,
-         1e3},
-        {ControllerKind::Adaptive, "adaptiveGamma2", [](S& s) -> double& { return s.adaptive.gamma2; }, 1e-35,
-         1.0},
-    };
-    for (Gain& gain : m_gains) {
-        gain.label = new QLabel(this);
-        gain.box = new GainSpinBox(this);
-        gain.box->setObjectName(QStringLiteral("gain.") + QLatin1String(gain.key));
-        gain.box->setRange(gain.least, gain.most);
-        gain.label->setBuddy(gain.box);
-        m_form->addRow(gain.label, gain.box);
-        connect(gain.box, &QDoubleSpinBox::valueChanged, this, [this, of = gain.of](double typed) {
-            if (m_showing)
-                return;
-            of(m_staged) = typed;
-            showChanges();
-        });
-    }
+    for (const ControllerEntry& entry : controllerCatalogue())
+        for (const ControllerGain& gain : entry.gains) {
+            auto* label = new QLabel(this);
+            auto* box = new GainSpinBox(this);
+            box->setObjectName(QStringLiteral("gain.%1.%2").arg(entry.group, gain.facts->name));
+            box->setRange(gain.facts->range.excludesMin ? box->minimum() : gain.facts->range.min,
+                          gain.facts->range.max);
+            label->setBuddy(box);
+            m_form->addRow(label, box);
+            connect(box, &QDoubleSpinBox::valueChanged, this, [this, &gain](double typed) {
+                if (m_showing)
+                    return;
+                gain.set(m_staged, typed);
+                showChanges();
+            });
+            m_gains.push_back({entry.kind, &gain, label, box});
+        }
 }
 
 void ControllerPanel::makeNaturalRows() {
-    const auto row = [this](QLabel*& label, GainSpinBox*& box, const char* name, double least, double most) {
+    const auto row = [this](QLabel*& label, GainSpinBox*& box, const char* name) {
         label = new QLabel(this);
         box = new GainSpinBox(this);
         box->setObjectName(QLatin1String(name));
-        box->setRange(least, most);
         label->setBuddy(box);
         m_form->addRow(label, box);
         connect(box, &QDoubleSpinBox::valueChanged, this, [this] {
             if (m_showing)
                 return;
             m_staged.modelBased = gainsFromNatural({m_frequency->value(), m_damping->value()});
+            for (const Gain& gain : m_gains) // as far as they are valid
+                if (gain.kind == ControllerKind::ModelBased)
+                    gain.gain->set(m_staged, std::min(gain.gain->get(m_staged), gain.box->maximum()));
             showStaged();
         });
     };
-    row(m_frequencyLabel, m_frequency, "gain.modelFrequency", 1e-3, 10.0);
-    row(m_dampingLabel, m_damping, "gain.modelDamping", 1e-4, 100.0);
+    row(m_frequencyLabel, m_frequency, "gain.frequency");
+    row(m_dampingLabel, m_damping, "gain.damping");
+    m_damping->setMinimum(0.0);
 }
 
 /// Frequency and damping of the staged gains, which are left as they are.
@@ -176,7 +168,7 @@ void ControllerPanel::showStaged() {
     m_showing = true;
     m_choice->setCurrentIndex(m_choice->findData(static_cast<int>(m_staged.kind)));
     for (const Gain& gain : m_gains) {
-        gain.box->setValue(gain.of(m_staged));
+        gain.box->setValue(gain.gain->get(m_staged));
         m_form->setRowVisible(gain.box, gain.kind == m_staged.kind);
     }
     for (GainSpinBox* box : {m_frequency, m_damping})
@@ -194,7 +186,7 @@ void ControllerPanel::showChanges() {
     int changes = m_staged.kind != m_applied.kind ? 1 : 0;
     mark(m_choiceLabel, changes > 0);
     for (const Gain& gain : m_gains) {
-        const bool differs = gain.of(m_staged) != gain.of(m_applied);
+        const bool differs = gain.gain->get(m_staged) != gain.gain->get(m_applied);
         mark(gain.label, differs);
         changes += differs ? 1 : 0;
     }
@@ -212,35 +204,18 @@ void ControllerPanel::retranslateUi() {
     setTitle(tr("Controller and gains"));
     m_choiceLabel->setText(tr("Controller"));
     m_choice->setAccessibleName(tr("Controller"));
-    for (int i = 0; i < m_choice->count(); ++i)
-        m_choice->setItemText(i, controllerWord(kKinds[i]));
-    m_choice->setItemData(0, tr("Moves to the view factor each object needs; learns the rates on the way."),
-                          Qt::ToolTipRole);
-    m_choice->setItemData(1, tr("The paper's law with known heat rates: dv/dt = −D v \u2212 K \u0394\u03c4."),
-                          Qt::ToolTipRole);
-    m_choice->setItemData(2, tr("The paper's law with adapted heat rates."), Qt::ToolTipRole);
-
-    const struct {
-        QString label, unit, help;
-    } texts[] = {
-        {tr("Time constant"), tr("s"),
-         tr("Wanted rate = error / time constant: shorter is faster and rougher.")},
-        {tr("Integral time"), tr("s"), tr("Of the slow integral action near the target.")},
-        {tr("Damping D"), tr("1/s"), tr("dv/dt = −D v \u2212 K \u0394\u03c4")},
-        {tr("Stiffness K"), tr("1/s\u00b2"), tr("dv/dt = −D v \u2212 K \u0394\u03c4")},
-        {tr("Weight of the error \u03bc"), tr("1/s"), tr("\u03b6 = v + \u03bc \u0394\u03c4")},
-        {tr("Feedback K"), tr("1/K"), tr("Of \u03b6 in the velocity command")},
-        {tr("Adaptation \u03b3\u2081"), tr("s\u00b3/K\u00b3"),
-         tr("Speed at which 1/\u03bb\u2081 is adapted")},
-        {tr("Adaptation \u03b3\u2082"), tr("s/K\u2079"),
-         tr("Speed at which \u03bb\u2082/\u03bb\u2081 is adapted")},
-    };
     m_showing = true;
-    for (std::size_t i = 0; i < m_gains.size(); ++i) {
-        m_gains[i].label->setText(texts[i].label);
-        m_gains[i].box->setSuffix(QChar(0x00a0) + texts[i].unit);
-        m_gains[i].box->setToolTip(texts[i].help);
-        m_gains[i].box->setAccessibleName(QStringLiteral("%1 (%2)").arg(texts[i].label, texts[i].unit));
+    for (int i = 0; const ControllerEntry& entry : controllerCatalogue()) {
+        m_choice->setItemText(i, controllerWord(entry.kind));
+        m_choice->setItemData(i++, QCoreApplication::translate("Controller", entry.help), Qt::ToolTipRole);
+    }
+    for (const Gain& gain : m_gains) {
+        const ParameterFacts& facts = *gain.gain->facts;
+        const QString unit = QString::fromUtf8(facts.unit.symbol);
+        gain.label->setText(parameterLabel(facts));
+        gain.box->setSuffix(QChar(0x00a0) + unit);
+        gain.box->setToolTip(parameterHelp(facts));
+        gain.box->setAccessibleName(QStringLiteral("%1 (%2)").arg(parameterLabel(facts), unit));
     }
     const auto natural = [](QLabel* label, GainSpinBox* box, const QString& text, const QString& unit,
                             const QString& help) {

@@ -15,12 +15,13 @@ class QPushButton;
 namespace bask {
 
 class GainSpinBox;
+struct ControllerGain;
 
 /// Edits are staged: nothing happens until Apply; Revert goes back to what the engine uses. Both are enabled
-/// only while something differs. Object names: "controllerPanel", "controllerChoice", "gain.<key>"
-/// (timeConstant, integralTime, modelD, modelK, modelFrequency, modelDamping, adaptiveMu, adaptiveK,
-/// adaptiveGamma1, adaptiveGamma2), "gainsPrediction", "gainsApply", "gainsRevert", "gainsStaged". Frequency
-/// and damping are D and K in other words: each follows the other.
+/// only while something differs. Object names: "controllerPanel", "controllerChoice",
+/// "gain.<group>.<name>" as files have them ("gain.adaptive.mu"), "gain.frequency", "gain.damping",
+/// "gainsPrediction", "gainsApply", "gainsRevert", "gainsStaged". Frequency and damping are the model-based D
+/// and K in other words: each follows the other.
 class ControllerPanel : public QGroupBox {
     Q_OBJECT
 public:
@@ -40,11 +41,9 @@ protected:
 private:
     struct Gain {
         ControllerKind kind;
-        const char* key;
-        double& (*of)(ControllerSettings&);
-        double least, most;
-        QLabel* label = nullptr;
-        GainSpinBox* box = nullptr;
+        const ControllerGain* gain;
+        QLabel* label;
+        GainSpinBox* box;
     };
 
     void makeRows();

@@ -127,6 +127,24 @@ TEST_F(NexusFile, GivesBackEveryNumberWithItsUnits) {
     EXPECT_EQ(estimate[10], session.samples[10].objects[1].estimated_K);
 }
 
+// Catches a gain in another unit than the experiment's file has it in.
+TEST_F(NexusFile, GainsHaveTheirUnits) {
+    SessionRecord session = record(2);
+    const auto units = [&](ControllerKind kind, const char* gain) {
+        session.experiment.controller.kind = kind;
+        return Read(exported(session))
+            .attribute(std::string("/entry/instrument/robot/controller_1/") + gain, "units");
+    };
+    EXPECT_EQ(units(ControllerKind::Adaptive, "mu"), "1/s");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "K"), "1/K");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gamma1"), "s^3/K^3");
+    EXPECT_EQ(units(ControllerKind::Adaptive, "gamma2"), "s/K^9");
+    EXPECT_EQ(units(ControllerKind::ModelBased, "K_p"), "1/s^2");
+    EXPECT_EQ(units(ControllerKind::ModelBased, "K_d"), "1/s");
+    EXPECT_EQ(units(ControllerKind::LevelServo, "K_p"), "1/s");
+    EXPECT_EQ(units(ControllerKind::LevelServo, "time_constant"), "s");
+}
+
 TEST_F(NexusFile, PosesAreUnitQuaternionsOfTheSamples) {
     const SessionRecord session = record(30);
     const Read read(exported(session));

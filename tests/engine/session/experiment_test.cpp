@@ -1,6 +1,6 @@
+#include "engine/base/edge_units.h"
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
-#include "engine/session/edge_units.h"
 #include "engine/session/experiment.h"
 
 #include <gtest/gtest.h>

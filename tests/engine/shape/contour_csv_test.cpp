@@ -2,6 +2,7 @@
 
 #include "engine/base/message_code.h"
 #include "engine/shape/contour_import.h"
+#include "engine/shape/outline_formats.h"
 #include "tests/engine/shape/shape_samples.h"
 
 #include <filesystem>
@@ -193,6 +194,21 @@ TEST(ContourCsv, DamagedFilesNeverCrashAndAlwaysAnswer) {
         take(semicolon.substr(0, pick(semicolon.size())));
     EXPECT_GT(ok, 20);
     EXPECT_GT(refused, 100);
+}
+
+// Catches an ending that two formats claim, one that is not found again, and a refusal that leaves one out.
+TEST(ContourImport, EveryEndingHasOneFormat) {
+    const std::string all = outlineEndings();
+    for (const OutlineFormat& format : outlineFormats())
+        for (const std::string_view ending : format.endings) {
+            EXPECT_EQ(outlineFormatOf("a." + std::string(ending)), &format) << ending;
+            EXPECT_NE(all.find(ending), std::string::npos) << ending;
+        }
+    EXPECT_EQ(outlineFormatOf("a.pdf"), nullptr);
+    EXPECT_EQ(outlineFormatOf("svg"), nullptr);
+    EXPECT_EQ(outlineEndings("*.", " "),
+              "*.svg *.dxf *.csv *.txt *.dat *.png *.jpg *.jpeg *.bmp *.tif *.tiff");
+    EXPECT_EQ(outlineFormatNames(OutlineKind::Picture), "PNG, JPEG, BMP, TIFF");
 }
 
 TEST(ContourImport, ChoosesTheReaderByTheEnding) {

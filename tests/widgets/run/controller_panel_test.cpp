@@ -44,7 +44,7 @@ TEST(ControllerPanel, EditsAreStagedUntilApply) {
     Shown shown;
     EXPECT_FALSE(shown.button("gainsApply")->isEnabled());
     EXPECT_FALSE(shown.button("gainsRevert")->isEnabled());
-    shown.type("timeConstant", "12.5");
+    shown.type("level_servo.time_constant", "12.5");
     EXPECT_EQ(shown.sent.count(), 0);
     EXPECT_TRUE(shown.panel.changed());
     EXPECT_FALSE(shown.staged().isEmpty());
@@ -63,9 +63,9 @@ TEST(ControllerPanel, EditsAreStagedUntilApply) {
 
 TEST(ControllerPanel, RevertGoesBackToWhatTheEngineUses) {
     Shown shown;
-    shown.type("timeConstant", "99");
+    shown.type("level_servo.time_constant", "99");
     QTest::mouseClick(shown.button("gainsRevert"), Qt::LeftButton);
-    EXPECT_DOUBLE_EQ(shown.gain("timeConstant")->value(), 8.0);
+    EXPECT_DOUBLE_EQ(shown.gain("level_servo.time_constant")->value(), 8.0);
     EXPECT_FALSE(shown.panel.changed());
     EXPECT_EQ(shown.sent.count(), 0);
 }
@@ -73,30 +73,48 @@ TEST(ControllerPanel, RevertGoesBackToWhatTheEngineUses) {
 // Catches typed text wiped out 20 times a second by the engine's report.
 TEST(ControllerPanel, ReportsDoNotOverwriteStagedEdits) {
     Shown shown;
-    shown.type("timeConstant", "12");
+    shown.type("level_servo.time_constant", "12");
     ControllerSettings other;
     other.levelServo.integralTime_s = 90.0;
     shown.panel.setSettings(other);
-    EXPECT_DOUBLE_EQ(shown.gain("timeConstant")->value(), 12.0);
+    EXPECT_DOUBLE_EQ(shown.gain("level_servo.time_constant")->value(), 12.0);
     EXPECT_TRUE(shown.panel.changed());
     QTest::mouseClick(shown.button("gainsRevert"), Qt::LeftButton);
-    EXPECT_DOUBLE_EQ(shown.gain("integralTime")->value(), 90.0);
+    EXPECT_DOUBLE_EQ(shown.gain("level_servo.integral_time")->value(), 90.0);
 }
 
 // Catches gains of another controller on screen.
 TEST(ControllerPanel, ShowsTheChosenControllersGains) {
     Shown shown;
     auto* choice = shown.panel.findChild<QComboBox*>(QStringLiteral("controllerChoice"));
-    EXPECT_TRUE(shown.gain("timeConstant")->isVisible());
-    EXPECT_FALSE(shown.gain("adaptiveGamma2")->isVisible());
+    EXPECT_TRUE(shown.gain("level_servo.time_constant")->isVisible());
+    EXPECT_FALSE(shown.gain("adaptive.gamma2")->isVisible());
     choice->setFocus();
     QTest::keyClick(choice, Qt::Key_End);
-    EXPECT_FALSE(shown.gain("timeConstant")->isVisible());
-    EXPECT_TRUE(shown.gain("adaptiveGamma2")->isVisible());
-    EXPECT_TRUE(shown.gain("adaptiveGamma2")->text().startsWith(QStringLiteral("1e-22")));
+    EXPECT_FALSE(shown.gain("level_servo.time_constant")->isVisible());
+    EXPECT_TRUE(shown.gain("adaptive.gamma2")->isVisible());
+    EXPECT_TRUE(shown.gain("adaptive.gamma2")->text().startsWith(QStringLiteral("1e-22")));
     QTest::mouseClick(shown.button("gainsApply"), Qt::LeftButton);
     ASSERT_EQ(shown.sent.count(), 1);
     EXPECT_EQ(shown.sent.first().first().value<ControllerSettings>().kind, ControllerKind::Adaptive);
+}
+
+// Catches a gain that is valid in the file, and another one on the screen.
+TEST(ControllerPanel, ShowsEveryGainThatAFileMayHave) {
+    Shown shown;
+    ControllerSettings settings;
+    settings.adaptive = {90.0, 500.0, 0.0, 0.0};
+    settings.modelBased.D = 0.0;
+    settings.levelServo = {5e4, 9e5};
+    shown.panel.setSettings(settings);
+    EXPECT_EQ(shown.gain("adaptive.mu")->value(), 90.0);
+    EXPECT_EQ(shown.gain("adaptive.K")->value(), 500.0);
+    EXPECT_EQ(shown.gain("adaptive.gamma1")->value(), 0.0);
+    EXPECT_EQ(shown.gain("adaptive.gamma2")->value(), 0.0);
+    EXPECT_EQ(shown.gain("model_based.D")->value(), 0.0);
+    EXPECT_EQ(shown.gain("level_servo.time_constant")->value(), 5e4);
+    EXPECT_EQ(shown.gain("level_servo.integral_time")->value(), 9e5);
+    EXPECT_FALSE(shown.panel.changed());
 }
 
 // Catches a prediction that lags behind what is typed, or speaks of another law.
@@ -108,7 +126,7 @@ TEST(ControllerPanel, SaysWhatTheStagedGainsPromise) {
     choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::ModelBased)));
     EXPECT_TRUE(said->text().contains(QStringLiteral("20.8"))) << said->text().toStdString(); // D 0.2, K 0.05
     EXPECT_TRUE(said->text().contains(QStringLiteral("23 s"))) << said->text().toStdString();
-    shown.type("modelD", "2");
+    shown.type("model_based.D", "2");
     EXPECT_TRUE(said->text().contains(QStringLiteral("overshoot 0.0"))) << said->text().toStdString();
     choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::Adaptive)));
     EXPECT_TRUE(said->text().contains(QStringLiteral("60 s"))) << said->text().toStdString(); // ln 20 / 0.05
@@ -118,18 +136,18 @@ TEST(ControllerPanel, SaysWhatTheStagedGainsPromise) {
 TEST(ControllerPanel, FrequencyAndDampingAreTheGainsInOtherWords) {
     Shown shown;
     auto* choice = shown.panel.findChild<QComboBox*>(QStringLiteral("controllerChoice"));
-    EXPECT_FALSE(shown.gain("modelFrequency")->isVisible());
+    EXPECT_FALSE(shown.gain("frequency")->isVisible());
     choice->setCurrentIndex(choice->findData(static_cast<int>(ControllerKind::ModelBased)));
-    EXPECT_TRUE(shown.gain("modelFrequency")->isVisible());
-    EXPECT_NEAR(shown.gain("modelDamping")->value(), 0.4472, 1e-3);
-    shown.type("modelDamping", "1");
-    EXPECT_NEAR(shown.gain("modelD")->value(), 2.0 * std::sqrt(0.05), 1e-3);
-    EXPECT_NEAR(shown.gain("modelK")->value(), 0.05, 1e-3);
-    shown.type("modelFrequency", "0.5");
-    EXPECT_DOUBLE_EQ(shown.gain("modelK")->value(), 0.25);
-    EXPECT_NEAR(shown.gain("modelDamping")->value(), 1.0, 1e-3);
-    shown.type("modelK", "0.01");
-    EXPECT_NEAR(shown.gain("modelFrequency")->value(), 0.1, 1e-9);
+    EXPECT_TRUE(shown.gain("frequency")->isVisible());
+    EXPECT_NEAR(shown.gain("damping")->value(), 0.4472, 1e-3);
+    shown.type("damping", "1");
+    EXPECT_NEAR(shown.gain("model_based.D")->value(), 2.0 * std::sqrt(0.05), 1e-3);
+    EXPECT_NEAR(shown.gain("model_based.K")->value(), 0.05, 1e-3);
+    shown.type("frequency", "0.5");
+    EXPECT_DOUBLE_EQ(shown.gain("model_based.K")->value(), 0.25);
+    EXPECT_NEAR(shown.gain("damping")->value(), 1.0, 1e-3);
+    shown.type("model_based.K", "0.01");
+    EXPECT_NEAR(shown.gain("frequency")->value(), 0.1, 1e-9);
     QTest::mouseClick(shown.button("gainsApply"), Qt::LeftButton);
     ASSERT_EQ(shown.sent.count(), 1);
     EXPECT_DOUBLE_EQ(shown.sent.first().first().value<ControllerSettings>().modelBased.K, 0.01);

@@ -1,13 +1,13 @@
 #pragma once
-// Fields for numbers with units, as the limits' panels have them.
+// Fields for numbers with units.
 
 #include <QDoubleSpinBox>
 
 namespace bask {
 
 /// Takes a number when it is entered, not while it is typed.
-QDoubleSpinBox* limitField(QWidget* parent, const QString& name, double least, double most, int decimals,
-                           const QString& suffix);
+QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double least, double most, int decimals,
+                            const QString& suffix);
 /// Shows a value that nobody entered.
 void setQuietly(QDoubleSpinBox* field, double value);
 

@@ -1,11 +1,11 @@
-#include "widgets/rig/limit_field.h"
+#include "widgets/common/number_field.h"
 
 #include <QSignalBlocker>
 
 namespace bask {
 
-QDoubleSpinBox* limitField(QWidget* parent, const QString& name, double least, double most, int decimals,
-                           const QString& suffix) {
+QDoubleSpinBox* numberField(QWidget* parent, const QString& name, double least, double most, int decimals,
+                            const QString& suffix) {
     auto* field = new QDoubleSpinBox(parent);
     field->setObjectName(name);
     field->setDecimals(decimals);

@@ -1,4 +1,4 @@
-#include "engine/session/edge_units.h"
+#include "engine/base/edge_units.h"
 
 #include "engine/base/units.h"
 

@@ -1,0 +1,45 @@
+#pragma once
+// The first complaint about an experiment's values.
+
+#include "engine/base/message_code.h"
+#include "engine/base/parameter.h"
+#include "engine/base/result.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace bask {
+
+/// Collects the first complaint; later checks are skipped.
+class Checker {
+public:
+    bool failed() const { return m_error.has_value(); }
+    const std::optional<Error>& error() const { return m_error; }
+
+    void fail(MessageCode code, const std::string& where, std::vector<std::string> args = {});
+    void take(const Result<void>& result);
+
+    /// Refuses what is not within [min, max]; NaN is never within.
+    void range(const std::string& where, double value, double min, double max, std::string_view unit = {});
+    /// (0, max]
+    void positive(const std::string& where, double value, double max, std::string_view unit = {});
+    /// A quantity given in SI, checked and reported as people write it.
+    void quantity(const std::string& path, std::string_view name, EdgeUnit unit, double si, double min,
+                  double max);
+    /// `path` ends with a dot.
+    void parameter(const std::string& path, const ParameterFacts& facts, double si);
+    /// Optional ones that are not set are valid.
+    template <class Spec>
+    void parameters(const std::string& path, ParameterTable<Spec> table, const Spec& spec) {
+        for (const Parameter<Spec>& each : table)
+            if (const auto si = each.get(spec))
+                parameter(path, each, *si);
+    }
+
+private:
+    std::optional<Error> m_error;
+};
+
+} // namespace bask
