@@ -1,6 +1,7 @@
 #include "app/commands/shape_json.h"
 
 #include "engine/base/message_code.h"
+#include "engine/shape/winding.h"
 
 #include <nlohmann/json.hpp>
 
@@ -153,10 +154,8 @@ Result<Shape> fourierFromJson(const json& object, const std::string& where) {
     const double area_m2 = contour.area();
     if (!std::isfinite(area_m2) || !(area_m2 > kLeastAreaRatio * square_m2))
         return Error{MessageCode::ContourZeroArea, where};
-    if (const auto crossing = findCrossing(contour))
-        return Error{MessageCode::SeriesCrossing,
-                     place,
-                     {formatNumber(1e3 * crossing->x(), 6), formatNumber(1e3 * crossing->y(), 6)}};
+    if (const double uneven = unevenShare(contour); uneven > kMaxUneven)
+        return Error{MessageCode::SeriesUneven, place, {formatNumber(100.0 * uneven, 2)}};
     return Shape{contour};
 }
 

@@ -127,7 +127,7 @@ TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
         {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[-1,0.01,0]]})"), "no area"},
         {withObject(R"({"type":"fourier","coefficients":[[1,0.01]]})"), "object.coefficients[0]"},
         {withObject(R"({"type":"fourier","coefficients":[[1,0.01,0],[2,0.02,0]]})"),
-         "object.coefficients: the outline crosses itself near"},
+         "object.coefficients: the outline crosses itself so far"},
         {withSource(R"({"type":"square"})"), "source.type"},
         {withSource(R"({"type":7})"), "source.type"},
         {withSource(R"({"type":"polygon","points_m":[[0,0],[0.1,0.1],[0.1,0],[0,0.1]]})"), "crosses"},
@@ -135,7 +135,7 @@ TEST_F(ViewFactorCommand, refusesBadCasesOneByOne) {
         {withSource(R"({"type":"fourier","coefficients":[[1,0,0]]})"), "source"},
         {withSource(R"({"type":"fourier","coefficients":[[2,0.1,0]]})"), "source.coefficients"},
         {withSource(R"({"type":"fourier","coefficients":[[1,0.1,0],[-2,0.06,0]]})"),
-         "source.coefficients: the outline crosses itself near"},
+         "source.coefficients: the outline crosses itself so far"},
     };
     std::string text = R"({"note":"NaN and 1e999 in text stay","cases":[)" + caseWith();
     for (const auto& [one, words] : bad)
@@ -190,8 +190,9 @@ TEST_F(ViewFactorCommand, takesSourcesOfEveryTypeAsTheyStand) {
     EXPECT_NEAR(value(2), value(0), 1e-5);
 }
 
-// Catches: an outline that crosses itself, as five harmonics of the hand do, answered as if it had an area.
-TEST_F(ViewFactorCommand, refusesTheHandFittedWithFewHarmonics) {
+// Catches: an outline refused here that experiments take, as five harmonics of the hand, which cross a
+// little.
+TEST_F(ViewFactorCommand, takesTheHandFittedWithFewHarmonicsAsExperimentsDo) {
     testing::internal::CaptureStdout();
     testing::internal::CaptureStderr();
     const int fitted = fitContourCommand({BASK_EXAMPLES "/contours/hand_1200.png", "--scale", "15",
@@ -203,9 +204,7 @@ TEST_F(ViewFactorCommand, refusesTheHandFittedWithFewHarmonics) {
     std::stringstream hand;
     hand << file.rdbuf();
     ASSERT_EQ(run(R"({"cases":[)" + withObject(hand.str()) + "]}"), kExitDone);
-    const json answers = results();
-    EXPECT_FALSE(answers[0].contains("view_factor"));
-    EXPECT_NE(answers[0]["error"].get<std::string>().find("crosses itself"), std::string::npos);
+    EXPECT_TRUE(results()[0].contains("view_factor")) << results()[0];
 }
 
 // Catches: the cases, or a file that is something else, lost to the results.
