@@ -51,11 +51,13 @@ void tellHeatLeft(QWidget* window) {
         QMessageBox::Critical, ClosingText::tr("The heat is not known to be off"),
         ClosingText::tr("The heat source was told to switch off and has not said that it is off. Look "
                         "at the plate, and switch it off at its mains."),
-        QMessageBox::Close, window);
+        QMessageBox::NoButton, window);
     box.setInformativeText(
         ClosingText::tr("A guard process goes on switching off a heater on a serial port after Bask has "
                         "closed. The alarm is there again at the next start."));
     box.setObjectName(QStringLiteral("heatLeft"));
+    // Not Qt's own, which is English where the distribution's words for Qt are not installed.
+    box.addButton(QCoreApplication::translate("About", "Close"), QMessageBox::RejectRole);
     box.exec();
 }
 

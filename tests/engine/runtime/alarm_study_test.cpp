@@ -29,7 +29,9 @@ void expectNoFalseWord(const AlarmStudy& study) {
         for (const RaisedAlarm& alarm : (*rows)[k].alarms)
             EXPECT_FALSE(alarm.isFalse) << "run " << k << ", " << alarm.time_s << " s: " << alarm.sentence;
     }
-    EXPECT_EQ(summarize(*rows).falseTrips, 0);
+    const AlarmSummary summary = summarize(*rows);
+    EXPECT_EQ(summary.falseTrips, 0);
+    EXPECT_LE(summary.per10min[0] + summary.per10min[1] + summary.per10min[2], 1.0);
 }
 
 /// Longest from when a fault shows itself to when it is found, s, as docs/safety.md states it.
@@ -47,7 +49,11 @@ double statedTime_s(SimulatedFault fault) {
 void expectFound(const AlarmStudy& study) {
     const auto rows = runAlarmStudy(study, 0, {});
     ASSERT_TRUE(rows) << describe(rows.error());
-    for (const FaultSummary& fault : summarize(*rows).faults) {
+    const AlarmSummary summary = summarize(*rows);
+    EXPECT_LE(summary.mostIn10min, 10);
+    EXPECT_NEAR(summary.shares[0], 0.05, 0.05) << "of priority 1, near what EEMUA 191 asks for";
+    EXPECT_NEAR(summary.shares[2], 0.80, 0.15) << "of priority 3";
+    for (const FaultSummary& fault : summary.faults) {
         EXPECT_EQ(fault.found, fault.shown) << simulatedFaultName(fault.fault);
         EXPECT_LE(fault.worst_s, statedTime_s(fault.fault)) << simulatedFaultName(fault.fault);
     }
