@@ -3,6 +3,7 @@
 #include "app/commands/reproduction_surfaces.h"
 #include "app/commands/view_factor_study_figures.h"
 #include "engine/base/units.h"
+#include "engine/control/controller_catalogue.h"
 
 #include "widgets/plots/figure_paths.h"
 #include "widgets/plots/figure_png.h"
@@ -21,15 +22,8 @@ constexpr std::array<std::size_t, 2> kBoth{kByThePaper, kByTheLevelServo};
 const QString kComment = QStringLiteral("Bask reproduction");
 
 QString controllerWords(ControllerKind kind) {
-    switch (kind) {
-    case ControllerKind::ModelBased:
-        return QStringLiteral("Model-based law");
-    case ControllerKind::Adaptive:
-        return QStringLiteral("Adaptive law");
-    case ControllerKind::LevelServo:
-        return QStringLiteral("Level servo");
-    }
-    return {};
+    const QString name = QString::fromUtf8(controllerEntry(kind).name);
+    return kind == ControllerKind::LevelServo ? name : name + QStringLiteral(" law");
 }
 
 QString plain(double value) {

@@ -4,6 +4,7 @@
 #include "app/commands/parse_command.h"
 #include "app/commands/studies.h"
 #include "app/commands/study_output.h"
+#include "engine/control/controller_catalogue.h"
 
 #include <QCommandLineParser>
 
@@ -81,16 +82,24 @@ int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
     return viewFactorStudyCommand(folder, elements);
 }
 
+/// As in files, but for the level servo's short name.
+QStringList controllers() {
+    QStringList names;
+    for (const ControllerEntry& entry : controllerCatalogue())
+        names << (entry.kind == ControllerKind::LevelServo ? QStringLiteral("level")
+                                                           : QString::fromUtf8(entry.key));
+    return names;
+}
+
 int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
     options.none({"elements", "kind", "first"}, kClosedLoop);
-    static constexpr ControllerKind kControllers[] = {ControllerKind::LevelServo, ControllerKind::Adaptive,
-                                                      ControllerKind::ModelBased};
     static constexpr SourceModel kModels[] = {SourceModel::Gray, SourceModel::Paper};
     static constexpr StudyMounting kMountings[] = {StudyMounting::Triangle, StudyMounting::Line,
                                                    StudyMounting::Random};
     ClosedLoopRequest request;
-    request.controller = kControllers[options.oneOf("controller", {"level", "adaptive", "model-based"})];
+    request.controller =
+        controllerCatalogue()[static_cast<std::size_t>(options.oneOf("controller", controllers()))].kind;
     request.sourceModel = kModels[options.oneOf("source-model", {"gray", "paper"})];
     request.mounting = kMountings[options.oneOf("mounting", {"triangle", "line", "random"})];
     request.rateError = options.number("rate-error", 1.0, kMostRateError);
@@ -122,7 +131,9 @@ void addOptions(QCommandLineParser& parser) {
                       "view-factor: most elements on each face of the surface integral, 10 to 20000.", "N",
                       "20000"});
     parser.addOptions(
-        {{"controller", "closed-loop: level, adaptive or model-based.", "NAME", "level"},
+        {{"controller",
+          QStringLiteral("closed-loop: one of %1.").arg(controllers().join(QStringLiteral(", "))), "NAME",
+          "level"},
          {"count", "closed-loop, alarms: number of runs.", "N", "200"},
          {"seed", "closed-loop, alarms: of everything that is drawn.", "N", "1"},
          {"first", "alarms: number of the first run, to repeat one of a table (with --count 1).", "N", "1"},

@@ -1,6 +1,7 @@
 #include "engine/runtime/alarm_draw.h"
 
 #include "engine/base/units.h"
+#include "engine/control/controller_catalogue.h"
 #include "engine/runtime/rig_setup.h"
 #include "engine/runtime/study_random.h"
 
@@ -107,11 +108,10 @@ void drawBeliefs(StudyRandom& random, Experiment& experiment) {
 }
 
 Experiment drawExperiment(StudyRandom& random, const Experiment& rig) {
-    static constexpr ControllerKind kControllers[] = {ControllerKind::LevelServo, ControllerKind::ModelBased,
-                                                      ControllerKind::Adaptive};
+    const auto& controllers = controllerCatalogue();
     static constexpr double kResolutions_K[] = {0.0, 0.01, 0.1};
     Experiment experiment = rig;
-    experiment.controller.kind = kControllers[oneOf(random, std::size(kControllers))];
+    experiment.controller.kind = controllers[oneOf(random, controllers.size())].kind;
     experiment.controller.believedRateErrorFactor = 1.0; // the beliefs are drawn below
     SimulationSpec& simulation = experiment.simulation;
     simulation.seed = random();
