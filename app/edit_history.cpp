@@ -33,7 +33,7 @@ void EditHistory::add(EditStep step, Time now) {
     }
     m_steps.push_back(std::move(step));
     ++m_done;
-    if (m_steps.size() <= kMostSteps)
+    if (m_steps.size() <= kMaxSteps)
         return;
     m_steps.erase(m_steps.begin());
     --m_done;

@@ -21,7 +21,7 @@ class EditHistory {
 public:
     using Time = std::chrono::steady_clock::time_point;
     static constexpr std::chrono::milliseconds kSameStep{1000};
-    static constexpr std::size_t kMostSteps = 200;
+    static constexpr std::size_t kMaxSteps = 200;
 
     /// Empty again. `saved`: as the experiment is now, it is in its file.
     void clear(bool saved);

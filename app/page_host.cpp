@@ -134,7 +134,7 @@ void PageHost::connectReview() {
                 if (!m_review->replay()->addOverlay(session))
                     showNote(tr(
                         "It is shown already, or there are %n runs over the open one: take one away first.",
-                        nullptr, ReplayView::kMostOverlays));
+                        nullptr, ReplayView::kMaxOverlays));
             });
     connect(m_review, &ReviewPage::definitionsRequested, this,
             [this] { emit manualRequested(QStringLiteral("manual.md#metrics")); });

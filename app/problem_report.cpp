@@ -20,7 +20,7 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMostEvents = 200;
+constexpr std::size_t kMaxEvents = 200;
 
 QString words(const Message& message) {
     return message.code == MessageCode::None ? QStringLiteral("-")
@@ -67,7 +67,7 @@ QString problemReport(const Snapshot& snapshot, const std::vector<TraceEvent>& e
     putProgram(out);
     putState(out, snapshot);
     out << "== Events\n";
-    const std::size_t from = events.size() > kMostEvents ? events.size() - kMostEvents : 0;
+    const std::size_t from = events.size() > kMaxEvents ? events.size() - kMaxEvents : 0;
     for (std::size_t i = from; i < events.size(); ++i)
         out << events[i].time_s << " s: " << words(events[i].message) << '\n';
     out << "\n== Experiment\n" << QString::fromStdString(experimentToJson(experiment)) << '\n';

@@ -21,7 +21,7 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMostShown = 12; ///< steps in the question
+constexpr std::size_t kMaxShown = 12; ///< steps in the question
 const QString kRecipeQuestion = QStringLiteral("recipeQuestion");
 
 const RecipeStep& of(const RecipeRunner& runner) {
@@ -200,7 +200,7 @@ void RecipeControl::ask(RecipeExperiments experiments) {
     if (isOn() || m_files.refusedByRun() || !m_files.mayDiscard())
         return;
     QStringList lines;
-    for (std::size_t i = 0; i < std::min(m_recipe.steps.size(), kMostShown); ++i) {
+    for (std::size_t i = 0; i < std::min(m_recipe.steps.size(), kMaxShown); ++i) {
         const RecipeStep& step = m_recipe.steps[i];
         const QString until = conditionWords(step, m_files.temperatureUnit());
         lines << (step.until == RecipeStep::Until::Time
@@ -209,8 +209,8 @@ void RecipeControl::ask(RecipeExperiments experiments) {
                             .arg(i + 1)
                             .arg(stepWords(step), until, atMostWords(step)));
     }
-    if (m_recipe.steps.size() > kMostShown)
-        lines << tr("and %n more", nullptr, static_cast<int>(m_recipe.steps.size() - kMostShown));
+    if (m_recipe.steps.size() > kMaxShown)
+        lines << tr("and %n more", nullptr, static_cast<int>(m_recipe.steps.size() - kMaxShown));
     QStringList limits; // of all its steps, each told once
     for (const auto& experiment : experiments)
         for (const Message& limit :

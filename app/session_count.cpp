@@ -6,7 +6,7 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMostOfWay = 10'000; // samples; nobody could tell more of them in the scene
+constexpr std::size_t kMaxOfWay = 10'000; // samples; nobody could tell more of them in the scene
 
 } // namespace
 
@@ -15,7 +15,7 @@ Result<SessionNumbers> countSession(const SessionRecord& facts, std::size_t samp
     RunMetricsCount metrics(facts);
     HeatRecords heat(facts);
     std::vector<TraceSample> way;
-    const std::size_t every = samples / kMostOfWay + 1;
+    const std::size_t every = samples / kMaxOfWay + 1;
     const auto read = readSamples(
         facts.path,
         [&](const TraceSample& sample) {

@@ -18,7 +18,7 @@
 namespace bask {
 namespace {
 
-constexpr int kLeastWidth = 540; // what is left when all is short fits beside the navigation
+constexpr int kMinWidth = 540; // what is left when all is short fits beside the navigation
 constexpr int kShortParts = 4;
 constexpr int kBarGap = 8;
 constexpr int kAlarmText = 70; // of the gravest alarm this is worth more than the words on buttons
@@ -163,7 +163,7 @@ void StateBar::shorten(int parts) {
 }
 
 QSize StateBar::minimumSizeHint() const {
-    return {kLeastWidth, QFrame::minimumSizeHint().height()};
+    return {kMinWidth, QFrame::minimumSizeHint().height()};
 }
 
 bool StateBar::event(QEvent* event) {

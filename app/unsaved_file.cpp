@@ -16,7 +16,7 @@
 namespace bask {
 namespace {
 
-constexpr qint64 kMostBytes = 64 << 20;
+constexpr qint64 kMaxBytes = 64 << 20;
 constexpr qint64 kLongestLine = 64 << 10;
 const QString kFormat = QStringLiteral("bask-unsaved");
 
@@ -93,7 +93,7 @@ Result<void> UnsavedFile::write(const UnsavedEdits& edits) {
 
 Result<UnsavedEdits> UnsavedFile::read() const {
     QFile file(m_path);
-    if (!file.open(QIODevice::ReadOnly) || file.size() > kMostBytes)
+    if (!file.open(QIODevice::ReadOnly) || file.size() > kMaxBytes)
         return unreadable(file);
     const QJsonObject header = headerOf(file.readLine(kLongestLine));
     const QByteArray text = file.readAll();

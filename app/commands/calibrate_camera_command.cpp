@@ -164,7 +164,7 @@ int calibrate(const Request& request) {
     Survey survey = surveyOf(request);
     if (survey.readable == 0)
         return refuse(kName,
-                      Error{MessageCode::ViewsTooFew, "", {"0", std::to_string(kLeastCalibrationViews)}});
+                      Error{MessageCode::ViewsTooFew, "", {"0", std::to_string(kMinCalibrationViews)}});
     if (const Board seen = mostSeen(survey.seen, request.board); seen != request.board)
         return negative(Error{MessageCode::BoardOther, "", {boardText(seen), boardText(request.board)}});
     const Size size = survey.views.empty() ? Size() : keepCommonSize(survey);

@@ -23,7 +23,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kName = "detect-markers";
-constexpr double kLeastSize_m = 1e-3, kMostSize_m = 10.0;
+constexpr double kMinSize_m = 1e-3, kMaxSize_m = 10.0;
 
 /// What a pose takes besides the picture.
 struct PoseRequest {
@@ -52,11 +52,11 @@ Result<std::optional<PoseRequest>> poseRequest(const QCommandLineParser& parser)
     bool isNumber = false;
     PoseRequest pose;
     pose.size_m = parser.value("size").toDouble(&isNumber);
-    if (!isNumber || !(pose.size_m >= kLeastSize_m && pose.size_m <= kMostSize_m))
+    if (!isNumber || !(pose.size_m >= kMinSize_m && pose.size_m <= kMaxSize_m))
         return Error{
             MessageCode::ValueOutOfRange,
             "--size",
-            {parser.value("size").toStdString(), formatNumber(kLeastSize_m), formatNumber(kMostSize_m), "m"}};
+            {parser.value("size").toStdString(), formatNumber(kMinSize_m), formatNumber(kMaxSize_m), "m"}};
     auto camera = readCamera(parser.value("camera").toStdString());
     if (!camera)
         return camera.error();

@@ -70,9 +70,9 @@ Result<FieldAxis> parseAxis(const QString& text) {
         return Error(MessageCode::LimitsReversed, where + "first:last",
                      {formatNumber(*first), formatNumber(*last)});
     const double count = std::floor((*last - *first) / *step + kSlack) + 1.0;
-    if (count > kMostAxisSamples)
+    if (count > kMaxAxisSamples)
         return Error(MessageCode::FieldTooLarge, "--axes: " + text.toStdString(),
-                     {formatNumber(count, 12), std::to_string(kMostAxisSamples)});
+                     {formatNumber(count, 12), std::to_string(kMaxAxisSamples)});
     return FieldAxis{item->coordinate, *first, *step, static_cast<int>(count)};
 }
 

@@ -23,7 +23,7 @@
 namespace bask {
 namespace {
 
-constexpr double kLeastStep = 0.01; ///< cm or degrees
+constexpr double kMinStep = 0.01; ///< cm or degrees
 
 /// Everything asked for on the command line, checked.
 struct Request {
@@ -119,8 +119,8 @@ Result<void> readGrid(const QCommandLineParser& parser, const Experiment& experi
         const auto asked = parseNumber(parser.value("step"), "--step");
         if (!asked)
             return asked.error();
-        if (*asked < kLeastStep || *asked > 90.0)
-            return outOfRange("--step", *asked, kLeastStep, 90.0, moves ? "cm" : "degrees");
+        if (*asked < kMinStep || *asked > 90.0)
+            return outOfRange("--step", *asked, kMinStep, 90.0, moves ? "cm" : "degrees");
         step = moves ? *asked / 100.0 : radFromDeg(*asked);
     }
     geometry.axes =

@@ -202,8 +202,8 @@ std::vector<ReportPicture> pathPictures(const Experiments& experiments) {
 }
 
 Result<std::vector<ReportPicture>> methodPictures() {
-    constexpr int kMostElements = 20000; // as the paper
-    const auto study = runViewFactorStudy(kMostElements);
+    constexpr int kMaxElements = 20000; // as the paper
+    const auto study = runViewFactorStudy(kMaxElements);
     if (!study)
         return study.error();
     std::vector<ReportPicture> pictures;

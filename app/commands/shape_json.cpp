@@ -14,11 +14,11 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double kMostLength_m = 1e6;
-constexpr double kLeastRadius_m = 1e-9;
-constexpr double kMostAngle_rad = 1e6;
-constexpr std::size_t kMostPoints = 100000;
-constexpr double kLeastAreaRatio = 1e-12; // of the square of the size: less is rounding
+constexpr double kMaxLength_m = 1e6;
+constexpr double kMinRadius_m = 1e-9;
+constexpr double kMaxAngle_rad = 1e6;
+constexpr std::size_t kMaxPoints = 100000;
+constexpr double kMinAreaRatio = 1e-12; // of the square of the size: less is rounding
 
 std::string placeOf(const std::string& where, const std::string& key) {
     return where.empty() ? key : where + '.' + key;
@@ -74,15 +74,15 @@ Result<Shape> diskFromJson(const json& object, const std::string& where) {
     if (!member)
         return member.error();
     const std::string place = placeOf(where, "radius_m");
-    const auto radius = number(**member, kMostLength_m, "m", place);
+    const auto radius = number(**member, kMaxLength_m, "m", place);
     if (!radius)
         return radius.error();
     if (*radius <= 0.0)
         return Error{MessageCode::ValueNotPositive, place, {formatNumber(*radius)}};
-    if (*radius < kLeastRadius_m)
+    if (*radius < kMinRadius_m)
         return Error{MessageCode::ValueOutOfRange,
                      place,
-                     {formatNumber(*radius), formatNumber(kLeastRadius_m), formatNumber(kMostLength_m), "m"}};
+                     {formatNumber(*radius), formatNumber(kMinRadius_m), formatNumber(kMaxLength_m), "m"}};
     return Shape{Disk{*radius}};
 }
 
@@ -91,10 +91,10 @@ Result<std::vector<std::vector<double>>> rowsOf(const json& array, std::size_t c
                                                 const std::string& where) {
     if (!array.is_array())
         return Error{MessageCode::JsonWrongType, where, {"a list", jsonTypeWords(array)}};
-    if (array.size() > kMostPoints)
+    if (array.size() > kMaxPoints)
         return Error{MessageCode::ValueOutOfRange,
                      where,
-                     {std::to_string(array.size()), "1", std::to_string(kMostPoints), "entries"}};
+                     {std::to_string(array.size()), "1", std::to_string(kMaxPoints), "entries"}};
     std::vector<std::vector<double>> result;
     result.reserve(array.size());
     for (std::size_t i = 0; i < array.size(); ++i) {
@@ -106,7 +106,7 @@ Result<std::vector<std::vector<double>>> rowsOf(const json& array, std::size_t c
                          {"a list of " + std::to_string(columns) + " numbers", jsonTypeWords(row)}};
         std::vector<double> values;
         for (const json& entry : row) {
-            const auto value = number(entry, kMostLength_m, "m", place);
+            const auto value = number(entry, kMaxLength_m, "m", place);
             if (!value)
                 return value.error();
             values.push_back(*value);
@@ -152,7 +152,7 @@ Result<Shape> fourierFromJson(const json& object, const std::string& where) {
     for (int j = -harmonics; j <= harmonics; ++j)
         square_m2 += j == 0 ? 0.0 : std::norm(contour.coefficient(j));
     const double area_m2 = contour.area();
-    if (!std::isfinite(area_m2) || !(area_m2 > kLeastAreaRatio * square_m2))
+    if (!std::isfinite(area_m2) || !(area_m2 > kMinAreaRatio * square_m2))
         return Error{MessageCode::ContourZeroArea, where};
     if (const double uneven = unevenShare(contour); uneven > kMaxUneven)
         return Error{MessageCode::SeriesUneven, place, {formatNumber(100.0 * uneven, 2)}};
@@ -226,9 +226,9 @@ Result<Shape> shapeFromJson(const json& object, const std::string& where) {
     if (!list)
         return list.error();
     const std::string place = placeOf(where, "holes_m");
-    if ((*list)->size() > kMostHoles)
+    if ((*list)->size() > kMaxHoles)
         return Error{
-            MessageCode::HolesTooMany, place, {std::to_string((*list)->size()), std::to_string(kMostHoles)}};
+            MessageCode::HolesTooMany, place, {std::to_string((*list)->size()), std::to_string(kMaxHoles)}};
     std::vector<Contour> holes;
     for (const json& ring : **list) {
         auto hole = ringFromJson(ring, place + '[' + std::to_string(holes.size()) + ']');
@@ -243,10 +243,10 @@ Result<Shape> shapeFromJson(const json& object, const std::string& where) {
 }
 
 Result<Pose> poseFromJson(const json& object, const std::string& where) {
-    const auto translation = vectorMember(object, "translation_m", kMostLength_m, "m", where);
+    const auto translation = vectorMember(object, "translation_m", kMaxLength_m, "m", where);
     if (!translation)
         return translation.error();
-    const auto rotation = vectorMember(object, "rotation_vector_rad", kMostAngle_rad, "rad", where);
+    const auto rotation = vectorMember(object, "rotation_vector_rad", kMaxAngle_rad, "rad", where);
     if (!rotation)
         return rotation.error();
     return poseFromRotationVector(*translation, *rotation);

@@ -14,9 +14,9 @@
 namespace bask {
 namespace {
 
-constexpr int kLeastElements = 10, kMostElements = 20000;
-constexpr int kMostCount = 100000;
-constexpr double kMostRateError = 8.0; // as experiments have it
+constexpr int kMinElements = 10, kMaxElements = 20000;
+constexpr int kMaxCount = 100000;
+constexpr double kMaxRateError = 8.0; // as experiments have it
 const QString kViewFactor = QStringLiteral("view-factor"), kClosedLoop = QStringLiteral("closed-loop"),
               kAlarms = QStringLiteral("alarms");
 
@@ -76,7 +76,7 @@ int runViewFactor(const QCommandLineParser& parser, const QString& folder) {
     Options options(parser);
     options.none({"controller", "count", "seed", "source-model", "rate-error", "mounting", "kind", "first"},
                  kViewFactor);
-    const int elements = options.wholeNumber("elements", kLeastElements, kMostElements);
+    const int elements = options.wholeNumber("elements", kMinElements, kMaxElements);
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
     return viewFactorStudyCommand(folder, elements);
@@ -102,8 +102,8 @@ int runClosedLoop(const QCommandLineParser& parser, const QString& folder) {
         controllerCatalogue()[static_cast<std::size_t>(options.oneOf("controller", controllers()))].kind;
     request.sourceModel = kModels[options.oneOf("source-model", {"gray", "paper"})];
     request.mounting = kMountings[options.oneOf("mounting", {"triangle", "line", "random"})];
-    request.rateError = options.number("rate-error", 1.0, kMostRateError);
-    request.count = options.wholeNumber("count", 1, kMostCount);
+    request.rateError = options.number("rate-error", 1.0, kMaxRateError);
+    request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
@@ -116,9 +116,9 @@ int runAlarms(const QCommandLineParser& parser, const QString& folder) {
     static constexpr AlarmDraw kDraws[] = {AlarmDraw::Healthy, AlarmDraw::Faulty, AlarmDraw::Paper};
     AlarmRequest request;
     request.draw = kDraws[options.oneOf("kind", {"healthy", "faulty", "paper"})];
-    request.count = options.wholeNumber("count", 1, kMostCount);
+    request.count = options.wholeNumber("count", 1, kMaxCount);
     request.seed = options.seed();
-    request.first = options.wholeNumber("first", 1, kMostCount);
+    request.first = options.wholeNumber("first", 1, kMaxCount);
     if (!options.complaint().isEmpty())
         return refuseStudy(options.complaint());
     return alarmStudyCommand(folder, request);

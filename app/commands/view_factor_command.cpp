@@ -25,7 +25,7 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr qint64 kMostBytes = qint64{256} << 20;
+constexpr qint64 kMaxBytes = qint64{256} << 20;
 
 int refuse(const Error& error) {
     std::fprintf(stderr, "bask view-factor: %s\n", describe(error).c_str());
@@ -80,10 +80,10 @@ Result<json> readCases(const std::string& path) {
         return Error{MessageCode::FileNotFound, path};
     if (!file.open(QIODevice::ReadOnly))
         return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
-    const QByteArray bytes = file.read(kMostBytes + 1);
+    const QByteArray bytes = file.read(kMaxBytes + 1);
     if (file.error() != QFile::NoError)
         return Error{MessageCode::FileUnreadable, path, {file.errorString().toStdString()}};
-    if (bytes.size() > kMostBytes)
+    if (bytes.size() > kMaxBytes)
         return Error{MessageCode::FileTooLarge, path, {"more than 256 MiB", "256 MiB"}};
     if (bytes.trimmed().isEmpty())
         return Error{MessageCode::FileEmpty, path};

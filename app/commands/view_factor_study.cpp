@@ -146,7 +146,7 @@ Result<ViewFactorStudy> runViewFactorStudy(int mostElements) {
         return outline.error();
     Study study(std::move(*outline));
     study.surfaceIntegrals(mostElements);
-    for (int h = 1; h <= kStudyMostHarmonics; ++h) {
+    for (int h = 1; h <= kStudyMaxHarmonics; ++h) {
         const auto fit = fitFourier(study.outline(), h);
         if (!fit)
             return fit.error();

@@ -37,7 +37,7 @@ struct ViewFactorStudy {
     std::vector<StudyRow> rows;
 };
 
-inline constexpr int kStudyMostHarmonics = 20;
+inline constexpr int kStudyMaxHarmonics = 20;
 inline constexpr double kStudyRadius_m = 0.10;
 inline constexpr double kStudyDistance_m = 0.05;
 

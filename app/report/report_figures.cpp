@@ -18,9 +18,9 @@ struct FigureText {
     Q_DECLARE_TR_FUNCTIONS(bask::RunReport)
 };
 
-constexpr double kErrorsWithin_K = 5.0;       // the errors' axis; the way there is in the temperatures
-constexpr double kLabelRoom = 0.022;          // of the time axis
-constexpr std::size_t kMostPathPoints = 4000; // of an object in the figure of trajectories
+constexpr double kErrorsWithin_K = 5.0;      // the errors' axis; the way there is in the temperatures
+constexpr double kLabelRoom = 0.022;         // of the time axis
+constexpr std::size_t kMaxPathPoints = 4000; // of an object in the figure of trajectories
 
 bool isMarked(MessageCode code) {
     switch (code) {
@@ -49,7 +49,7 @@ std::vector<int> markedEvents(const std::vector<TraceEvent>& events) {
     std::vector<int> numbers;
     int count = 0;
     for (const TraceEvent& event : events)
-        numbers.push_back(count < kMostMarked && isMarked(event.message.code) ? ++count : 0);
+        numbers.push_back(count < kMaxMarked && isMarked(event.message.code) ? ++count : 0);
     return numbers;
 }
 
@@ -122,7 +122,7 @@ struct RunFigures::Impl {
     FigurePath path(const std::vector<TraceSample>& samples, std::size_t i) const {
         const Pose X_EO = poseFromCoordinates(session.experiment.objects[i].mounting);
         FigurePath path{names.value(static_cast<qsizetype>(i)), {}};
-        const std::size_t step = std::max<std::size_t>(1, samples.size() / kMostPathPoints);
+        const std::size_t step = std::max<std::size_t>(1, samples.size() / kMaxPathPoints);
         for (std::size_t k = 0; k < samples.size(); k += step) {
             const TraceSample& s = samples[k];
             const Pose X_SO =

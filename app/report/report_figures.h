@@ -45,8 +45,8 @@ private:
 };
 
 /// Number of an event in figures and tables, from 1; 0: it is not marked. All alarms, holds, changes and the
-/// end, the first kMostMarked of them.
+/// end, the first kMaxMarked of them.
 std::vector<int> markedEvents(const std::vector<TraceEvent>& events);
-inline constexpr int kMostMarked = 30;
+inline constexpr int kMaxMarked = 30;
 
 } // namespace bask

@@ -284,11 +284,11 @@ QString eventsSection(const SessionRecord& session, TemperatureUnit unit) {
     html::Table table(
         {RecordText::tr("No."), RecordText::tr("Time (s)"), RecordText::tr("Kind"), RecordText::tr("What")},
         {0, 1});
-    for (std::size_t k = 0; k < lines.size() && k < kMostReportRows; ++k)
+    for (std::size_t k = 0; k < lines.size() && k < kMaxReportRows; ++k)
         table.add({lines[k].number > 0 ? QString::number(lines[k].number) : QString(), time(lines[k].time_s),
                    lines[k].kind, lines[k].text});
     text += table.text();
-    if (const auto more = static_cast<int>(lines.size()) - kMostReportRows; more > 0)
+    if (const auto more = static_cast<int>(lines.size()) - kMaxReportRows; more > 0)
         text += paragraph(RecordText::tr(
             "%n more row(s) are in the session file; bask export --csv lists them.", nullptr, more));
     return text;

@@ -14,6 +14,6 @@ QString originSection(const RunReportInput& input);
 /// How the run ended, in a sentence.
 QString outcomeWords(const SessionRecord& session);
 
-inline constexpr int kMostReportRows = 400; ///< of events; the rest is counted
+inline constexpr int kMaxReportRows = 400; ///< of events; the rest is counted
 
 } // namespace bask

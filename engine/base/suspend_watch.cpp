@@ -16,7 +16,7 @@ SuspendWatch::SuspendWatch(const Clock& always, const Clock& awake)
 double SuspendWatch::slept_s() {
     const double apart_s = m_always.now_s() - m_awake.now_s();
     const double slept_s = apart_s - m_apart_s;
-    if (slept_s <= kLeast_s)
+    if (slept_s <= kMin_s)
         return 0.0;
     m_apart_s = apart_s;
     return slept_s;

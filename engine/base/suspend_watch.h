@@ -13,7 +13,7 @@ public:
 
 class SuspendWatch {
 public:
-    static constexpr double kLeast_s = 1.0; ///< less is no sleep
+    static constexpr double kMin_s = 1.0; ///< less is no sleep
 
     /// Both outlive it.
     SuspendWatch(const Clock& always, const Clock& awake);

@@ -9,8 +9,8 @@
 namespace bask {
 namespace {
 
-constexpr int kLeastSide = 3, kMostSide = 50;
-constexpr double kLeastSquare_m = 1e-3, kMostSquare_m = 1.0;
+constexpr int kMinSide = 3, kMaxSide = 50;
+constexpr double kMinSquare_m = 1e-3, kMaxSquare_m = 1.0;
 
 std::vector<std::string> split(const std::string& text, char separator) {
     std::vector<std::string> parts(1);
@@ -88,10 +88,10 @@ Result<Board> parseBoard(const std::string& text) {
     board.marker_m = *marker;
     for (const int side : {board.columns, board.rows})
         if (auto checked =
-                checkRange(side, kLeastSide, kMostSide, isCharuco ? "squares" : "inner corners", text);
+                checkRange(side, kMinSide, kMaxSide, isCharuco ? "squares" : "inner corners", text);
             !checked)
             return checked.error();
-    if (auto checked = checkRange(board.square_m, kLeastSquare_m, kMostSquare_m, "m", text); !checked)
+    if (auto checked = checkRange(board.square_m, kMinSquare_m, kMaxSquare_m, "m", text); !checked)
         return checked.error();
     if (isCharuco) {
         board.dictionary = parts[4];

@@ -32,8 +32,8 @@ struct Reduced {
     double factor = 1.0; // of its lengths
 
     explicit Reduced(const cv::Mat1b& whole) : image(whole) {
-        constexpr double kMostPixels = 1.5e6;
-        factor = std::min(1.0, std::sqrt(kMostPixels / static_cast<double>(whole.total())));
+        constexpr double kMaxPixels = 1.5e6;
+        factor = std::min(1.0, std::sqrt(kMaxPixels / static_cast<double>(whole.total())));
         if (factor < 1.0)
             cv::resize(whole, image, {}, factor, factor, cv::INTER_AREA);
     }
@@ -160,15 +160,15 @@ bool isInOneLine(const BoardView& view, const Board& board) {
 }
 
 Result<BoardView> findIn(const GreyPicture& picture, const Board& board, const std::string& where) {
-    constexpr std::size_t kLeastCorners = 6;
+    constexpr std::size_t kMinCorners = 6;
     const cv::Mat1b image = imageOf(picture);
     BoardView view;
     if (board.kind == BoardKind::Charuco) {
         view = charucoView(image, findMarkers(picture, {board.dictionary}), board);
-        if (view.corners.size() < kLeastCorners || isInOneLine(view, board))
+        if (view.corners.size() < kMinCorners || isInOneLine(view, board))
             return Error{MessageCode::BoardCornersFew,
                          where,
-                         {std::to_string(view.corners.size()), std::to_string(kLeastCorners)}};
+                         {std::to_string(view.corners.size()), std::to_string(kMinCorners)}};
         return view;
     }
     const auto corners = chessboardCorners(image, board);
@@ -248,8 +248,8 @@ Fit fitOf(const Board& board, const std::map<int, FoundMarker>& markers) {
 
 // The known dictionary that finds most markers, the smallest of such.
 std::string bestDictionary(const GreyPicture& picture, const std::string& set) {
-    constexpr std::size_t kLeastMarkers = 4;
-    std::size_t most = std::max(findMarkers(picture, {set}).size(), kLeastMarkers - 1);
+    constexpr std::size_t kMinMarkers = 4;
+    std::size_t most = std::max(findMarkers(picture, {set}).size(), kMinMarkers - 1);
     std::string best = set;
     for (const char* sides : {"4X4_", "5X5_", "6X6_", "7X7_"})
         for (const char* count : {"50", "100", "250", "1000"})

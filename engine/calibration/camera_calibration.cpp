@@ -59,7 +59,7 @@ double squaredError(const Corners& view, const Solution& s) {
     return std::pow(cv::norm(shown, view.seen), 2);
 }
 
-constexpr std::size_t kParts = kLeastHeldOutViews; // of the views, each held out once
+constexpr std::size_t kParts = kMinHeldOutViews; // of the views, each held out once
 
 // Nothing for too few views, or when it is stopped. `fitted` hears of each part.
 std::optional<double> heldOut(const std::vector<Corners>& views, cv::Size size, int coefficients,
@@ -144,16 +144,15 @@ double CameraCalibration::focalDeviation() const {
 }
 
 std::optional<Message> CameraCalibration::reasonAgainst() const {
-    constexpr double kLeastTilt_deg = 10.0, kLeastTurn_deg = 2.0, kMostDeviation = 0.1, kMostResidual = 0.003;
-    if (const double tilt_deg = degFromRad(tilt_rad); tilt_deg < kLeastTilt_deg)
-        return Message{MessageCode::ViewsStraightOn,
-                       {formatNumber(tilt_deg, 2), formatNumber(kLeastTilt_deg)}};
-    if (const double turn_deg = degFromRad(turn_rad); turn_deg < kLeastTurn_deg)
-        return Message{MessageCode::ViewsParallel, {formatNumber(turn_deg, 2), formatNumber(kLeastTurn_deg)}};
-    if (focalDeviation() > kMostDeviation)
+    constexpr double kMinTilt_deg = 10.0, kMinTurn_deg = 2.0, kMaxDeviation = 0.1, kMaxResidual = 0.003;
+    if (const double tilt_deg = degFromRad(tilt_rad); tilt_deg < kMinTilt_deg)
+        return Message{MessageCode::ViewsStraightOn, {formatNumber(tilt_deg, 2), formatNumber(kMinTilt_deg)}};
+    if (const double turn_deg = degFromRad(turn_rad); turn_deg < kMinTurn_deg)
+        return Message{MessageCode::ViewsParallel, {formatNumber(turn_deg, 2), formatNumber(kMinTurn_deg)}};
+    if (focalDeviation() > kMaxDeviation)
         return Message{MessageCode::CalibrationUncertain,
-                       {formatNumber(100.0 * focalDeviation(), 2), formatNumber(100.0 * kMostDeviation)}};
-    if (const double most_px = kMostResidual * camera.width; *camera.rms_px > most_px)
+                       {formatNumber(100.0 * focalDeviation(), 2), formatNumber(100.0 * kMaxDeviation)}};
+    if (const double most_px = kMaxResidual * camera.width; *camera.rms_px > most_px)
         return Message{MessageCode::CalibrationContradicts,
                        {formatNumber(*camera.rms_px, 3), formatNumber(most_px, 2)}};
     return std::nullopt;
@@ -163,10 +162,10 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& vi
                                           int width, int height, int coefficients,
                                           const std::stop_token& stop,
                                           const std::function<void(int, int)>& progress) {
-    if (views.size() < kLeastCalibrationViews)
+    if (views.size() < kMinCalibrationViews)
         return Error{MessageCode::ViewsTooFew,
                      "",
-                     {std::to_string(views.size()), std::to_string(kLeastCalibrationViews)}};
+                     {std::to_string(views.size()), std::to_string(kMinCalibrationViews)}};
     std::vector<Corners> corners;
     for (const CalibrationView& view : views)
         corners.push_back(cornersOf(view, board));
@@ -202,7 +201,7 @@ Result<CameraCalibration> calibrateCamera(const std::vector<CalibrationView>& vi
 std::vector<std::size_t> viewsStandingOut(const std::vector<ViewResidual>& views) {
     constexpr double kOften = 2.0;
     std::vector<std::size_t> out;
-    if (views.size() < kLeastHeldOutViews)
+    if (views.size() < kMinHeldOutViews)
         return out;
     std::vector<double> residuals;
     for (const ViewResidual& view : views)
@@ -222,7 +221,7 @@ Judgement judged(const CameraCalibration& calibration, double distance_m) {
     if (!across_m)
         return {Verdict::Redo,
                 {MessageCode::CameraUnchecked,
-                 {std::to_string(calibration.camera.views.size()), std::to_string(kLeastHeldOutViews)}}};
+                 {std::to_string(calibration.camera.views.size()), std::to_string(kMinHeldOutViews)}}};
     // Source and end-effector are seen by the same camera and share most of an error along the line of sight.
     const double along_m = calibration.focalError_m(distance_m), counted_m = 0.5 * along_m;
     const double worse_m = std::max(*across_m, counted_m);

@@ -40,8 +40,8 @@ struct CameraCalibration {
     std::optional<Message> reasonAgainst() const;
 };
 
-inline constexpr std::size_t kLeastCalibrationViews = 3;
-inline constexpr std::size_t kLeastHeldOutViews = 5;
+inline constexpr std::size_t kMinCalibrationViews = 3;
+inline constexpr std::size_t kMinHeldOutViews = 5;
 
 /// By cv::calibrateCamera, all parameters free; `coefficients` is 5 (k1 k2 p1 p2 k3) or 8. All views have the
 /// size width x height. Residuals are distances between corners. `progress` hears after each fit how many of

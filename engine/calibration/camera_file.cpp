@@ -12,7 +12,7 @@ namespace bask {
 namespace {
 
 constexpr std::uintmax_t kLargestFile = 1U << 20;
-constexpr int kMostSide_px = 65'535;
+constexpr int kMaxSide_px = 65'535;
 
 std::string number(double value) {
     std::array<char, 40> buffer{};
@@ -109,7 +109,7 @@ Result<CameraModel> cameraFromYaml(const std::string& text, const std::string& w
          {std::pair{"image_width", &camera.width}, std::pair{"image_height", &camera.height}}) {
         if (!yaml.has(key))
             continue;
-        const auto value = yaml.whole(key, 1, kMostSide_px, where);
+        const auto value = yaml.whole(key, 1, kMaxSide_px, where);
         if (!value)
             return value.error();
         *side = *value;

@@ -15,8 +15,8 @@
 namespace bask {
 namespace {
 
-constexpr double kLeastTurn_deg = 3.0; // root mean square about an axis, between two poses
-constexpr double kMost_px = 20.0;      // no robot is so wrong
+constexpr double kMinTurn_deg = 3.0; // root mean square about an axis, between two poses
+constexpr double kMax_px = 20.0;     // no robot is so wrong
 
 std::vector<HandEyeSight> sightsOf(std::span<const HandEyeView> views, const MarkerLayout& layout,
                                    const CameraModel& camera) {
@@ -52,8 +52,8 @@ Eigen::Vector3d turns(std::span<const HandEyeSight> views) {
 
 std::optional<Error> motionError(std::span<const HandEyeSight> views) {
     const Eigen::Vector3d turned = turns(views);
-    const auto tooLittle = [](double turn_rad) { return degFromRad(turn_rad) < kLeastTurn_deg; };
-    const std::string needed = formatNumber(kLeastTurn_deg);
+    const auto tooLittle = [](double turn_rad) { return degFromRad(turn_rad) < kMinTurn_deg; };
+    const std::string needed = formatNumber(kMinTurn_deg);
     if (tooLittle(turned[2]))
         return Error{MessageCode::HandEyeNoTurn, "", {formatNumber(degFromRad(turned[2]), 2), needed}};
     if (tooLittle(turned[1]))
@@ -133,13 +133,13 @@ HandEyePoses bestStart(std::span<const HandEyePoses> starts, std::span<const Han
 // Those that miss by no more than 3 px or four times what the median one does.
 std::vector<HandEyeSight> fitting(std::span<const HandEyeSight> sights, const CameraModel& camera,
                                   const HandEyePoses& poses) {
-    constexpr double kLeast_px = 3.0, kTimes = 4.0;
+    constexpr double kMin_px = 3.0, kTimes = 4.0;
     std::vector<double> misses;
     for (const HandEyeSight& sight : sights)
         misses.push_back(rmsOf(sight, camera, poses));
     std::vector<double> sorted = misses;
     std::ranges::sort(sorted);
-    const double most = std::max(kLeast_px, kTimes * sorted[sorted.size() / 2]);
+    const double most = std::max(kMin_px, kTimes * sorted[sorted.size() / 2]);
     std::vector<HandEyeSight> kept;
     for (std::size_t k = 0; k < sights.size(); ++k)
         if (misses[k] <= most)
@@ -216,7 +216,7 @@ Result<HandEye> calibrateHandEye(std::span<const HandEyeView> views, const Marke
     std::vector<HandEyeSight> used;
     const auto fit = all.empty() ? std::nullopt
                                  : robustFit(sights, camera, bestStart(all, sights, camera), mounting, used);
-    if (!fit || fit->rms_px > kMost_px || 2 * used.size() <= sights.size())
+    if (!fit || fit->rms_px > kMax_px || 2 * used.size() <= sights.size())
         return Error{MessageCode::HandEyeContradicts, ""};
     if (mounting == Mounting::Sought)
         if (auto error = motionError(used))

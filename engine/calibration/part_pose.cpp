@@ -16,8 +16,8 @@ namespace {
 constexpr double kGross_px = 3.0;   // a marker that misses by more is not where or what it is said to be
 constexpr double kCoarse_px = 10.0; // by which one marker's pose may show the others wrongly
 constexpr double kFine_px = 1.0;
-constexpr double kLeastCorner_px = 0.02; // no detector is surer
-constexpr double kOther_rad = 0.05;      // poses so far apart are two
+constexpr double kMinCorner_px = 0.02; // no detector is surer
+constexpr double kOther_rad = 0.05;    // poses so far apart are two
 
 std::vector<SeenCorner> cornersOf(const SeenMarker& seen) {
     std::vector<SeenCorner> corners;
@@ -112,7 +112,7 @@ Error disagreement(std::span<const SeenMarker> markers) {
 // The side with which a marker would miss least at this pose, when that explains most of the miss.
 std::optional<double> otherSide(const SeenMarker& seen, const CameraModel& camera, const Pose& X_CP,
                                 double noise_px) {
-    constexpr double kLeastChange = 0.01, kExplained = 0.5, kDeviations = 5.0;
+    constexpr double kMinChange = 0.01, kExplained = 0.5, kDeviations = 5.0;
     const double before = rmsOf(cornersOf(seen), camera, X_CP);
     if (before < kDeviations * noise_px)
         return std::nullopt;
@@ -131,7 +131,7 @@ std::optional<double> otherSide(const SeenMarker& seen, const CameraModel& camer
     }
     const double side_m = 0.5 * (least + most);
     const bool isOther =
-        std::abs(side_m / seen.marker.side_m - 1.0) > kLeastChange && missWith(side_m) < kExplained * before;
+        std::abs(side_m / seen.marker.side_m - 1.0) > kMinChange && missWith(side_m) < kExplained * before;
     return isOther ? std::optional(side_m) : std::nullopt;
 }
 
@@ -248,7 +248,7 @@ Result<PartPose> partPose(std::span<const MarkerFrame> frames, const MarkerLayou
     pose.X_CP = fit->X_CP;
     pose.used = sides.kept;
     pose.corner_px = corner_px.value_or(scatterOf(pose.used).value_or(kUsualCorner_px));
-    pose.corner_px = std::max(pose.corner_px, kLeastCorner_px);
+    pose.corner_px = std::max(pose.corner_px, kMinCorner_px);
     pose.rms_px = rmsOf(cornersOf(pose.used), camera, pose.X_CP);
     const double variance = allowForMisfit(pose, *fit, camera);
     remarkOnMarkers(pose, sides, camera);
@@ -257,10 +257,10 @@ Result<PartPose> partPose(std::span<const MarkerFrame> frames, const MarkerLayou
 }
 
 bool showsMarker(const CameraModel& camera, const PlacedMarker& marker, const Pose& X_CP) {
-    static const double kLeastCosine = std::cos(radFromDeg(75.0));
+    static const double kMinCosine = std::cos(radFromDeg(75.0));
     const Pose X_CM = X_CP * marker.X_PM;
     const Eigen::Vector3d towards = -X_CM.translation().normalized();
-    if (X_CM.linear().col(2).dot(towards) < kLeastCosine)
+    if (X_CM.linear().col(2).dot(towards) < kMinCosine)
         return false;
     return std::ranges::all_of(marker.corners(),
                                [&](const Eigen::Vector3d& p_PQ) { return isInPicture(camera, X_CP * p_PQ); });

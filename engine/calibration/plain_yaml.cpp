@@ -96,8 +96,8 @@ PlainYaml::PlainYaml(std::string_view text) {
             continue;
         while (!levels.empty() && levels.back().indent >= indent)
             levels.pop_back();
-        constexpr std::size_t kMostLevels = 8;
-        if (levels.size() == kMostLevels)
+        constexpr std::size_t kMaxLevels = 8;
+        if (levels.size() == kMaxLevels)
             continue;
         const std::string path =
             (levels.empty() ? "" : levels.back().path + "/") + scalar(content.substr(0, colon));

@@ -50,12 +50,12 @@ Coordinates medianOf(std::span<const Coordinates> seen) {
 }
 
 SeenMarker meanOf(const PlacedMarker& marker, const std::vector<Coordinates>& seen) {
-    constexpr double kFarther = 5.0, kLeast_px = 0.5;
+    constexpr double kFarther = 5.0, kMin_px = 0.5;
     const Coordinates middle = medianOf(seen);
     std::vector<double> distances; // of the worst coordinate
     for (const Coordinates& c : seen)
         distances.push_back((c - middle).lpNorm<Eigen::Infinity>());
-    const double most = std::max(kLeast_px, kFarther * median(distances));
+    const double most = std::max(kMin_px, kFarther * median(distances));
     std::vector<Coordinates> kept;
     for (std::size_t k = 0; k < seen.size(); ++k)
         if (distances[k] <= most)
@@ -74,9 +74,9 @@ SeenMarker meanOf(const PlacedMarker& marker, const std::vector<Coordinates>& se
 // How far it moved between the first third and the last, 0 when that may be noise. Differences from one
 // frame to the next tell the noise whatever the motion; medians of thirds hold against wrong sightings.
 double motionOf(const std::vector<Coordinates>& seen) {
-    constexpr std::size_t kLeastFrames = 6;
-    constexpr double kLeast_px = 0.5, kDeviations = 3.0, kMedianOfNormal = 0.6745;
-    if (seen.size() < kLeastFrames)
+    constexpr std::size_t kMinFrames = 6;
+    constexpr double kMin_px = 0.5, kDeviations = 3.0, kMedianOfNormal = 0.6745;
+    if (seen.size() < kMinFrames)
         return 0.0;
     std::vector<double> steps;
     for (std::size_t k = 1; k < seen.size(); ++k)
@@ -87,7 +87,7 @@ double motionOf(const std::vector<Coordinates>& seen) {
     const std::size_t third = seen.size() / 3;
     const Coordinates moved = medianOf(all.last(third)) - medianOf(all.first(third));
     const double distance = moved.norm() / 2.0; // root mean square of the four corners'
-    return distance > std::max(kLeast_px, kDeviations * deviation) ? distance : 0.0;
+    return distance > std::max(kMin_px, kDeviations * deviation) ? distance : 0.0;
 }
 
 } // namespace
@@ -113,14 +113,14 @@ Result<std::vector<SeenMarker>> seenMarkers(std::span<const MarkerFrame> frames,
 }
 
 std::optional<double> scatterOf(std::span<const SeenMarker> markers) {
-    constexpr int kLeastFreedom = 40; // tells the deviation to a tenth
+    constexpr int kMinFreedom = 40; // tells the deviation to a tenth
     double squares_px2 = 0.0;
     int freedom = 0;
     for (const SeenMarker& seen : markers) {
         squares_px2 += seen.squares_px2;
         freedom += 8 * (seen.frames - 1);
     }
-    return freedom < kLeastFreedom ? std::nullopt : std::optional(std::sqrt(squares_px2 / freedom));
+    return freedom < kMinFreedom ? std::nullopt : std::optional(std::sqrt(squares_px2 / freedom));
 }
 
 } // namespace bask

@@ -28,8 +28,8 @@ Box boxOf(const BoardView& view) {
 // 0 at the near edge, 1 at the far one; in the middle for what nearly fills the picture, where the margins
 // tell nothing.
 double placeBetween(double before, double behind, double whole) {
-    constexpr double kLeastRoom = 0.2;
-    const double room = std::max(before + behind, kLeastRoom * whole);
+    constexpr double kMinRoom = 0.2;
+    const double room = std::max(before + behind, kMinRoom * whole);
     return std::clamp(0.5 + 0.5 * (before - behind) / room, 0.0, 1.0);
 }
 
@@ -54,7 +54,7 @@ struct Scaled {
 
 // A homography (h00 X + h01 Y + h02) / (h20 X + h21 Y + 1) by linear least squares.
 std::optional<PlaneFit> planeFit(const BoardView& view, const Board& board) {
-    constexpr double kLeastRank = 1e-4;
+    constexpr double kMinRank = 1e-4;
     std::vector<Eigen::Vector2d> onBoard;
     for (const int corner : view.corners)
         onBoard.push_back(cornerOf(board, corner));
@@ -70,7 +70,7 @@ std::optional<PlaneFit> planeFit(const BoardView& view, const Board& board) {
         values.segment<2>(2 * k) = q;
     }
     Eigen::ColPivHouseholderQR<Eigen::MatrixXd> solver(rows);
-    solver.setThreshold(kLeastRank);
+    solver.setThreshold(kMinRank);
     if (!rows.allFinite() || solver.rank() < 8)
         return std::nullopt;
     const Eigen::VectorXd h = solver.solve(values);
@@ -125,8 +125,8 @@ double share(double part, double whole) {
 } // namespace
 
 std::optional<ViewPlace> placeOf(const BoardView& view, const Board& board, int width, int height) {
-    constexpr std::size_t kLeastCorners = 4; // that a homography needs
-    if (view.corners.size() < kLeastCorners ||
+    constexpr std::size_t kMinCorners = 4; // that a homography needs
+    if (view.corners.size() < kMinCorners ||
         std::ranges::any_of(view.corners, [&](int k) { return k < 0 || k >= cornerCount(board); }))
         return std::nullopt;
     const auto fit = planeFit(view, board);
@@ -194,9 +194,9 @@ ViewCollector::ViewCollector(Board board, int width, int height)
 
 ViewCollector::Look ViewCollector::look(const BoardView& view, double time_s) {
     constexpr double kStill_px = 0.5, kStill_s = 0.3;
-    constexpr std::size_t kLeastShare = 4; // of a board's corners a fourth, or a view tells little
+    constexpr std::size_t kMinShare = 4; // of a board's corners a fourth, or a view tells little
     const auto place = placeOf(view, m_board, m_width, m_height);
-    if (!place || kLeastShare * view.corners.size() < static_cast<std::size_t>(cornerCount(m_board))) {
+    if (!place || kMinShare * view.corners.size() < static_cast<std::size_t>(cornerCount(m_board))) {
         lookedInVain();
         return Look::Useless;
     }

@@ -17,8 +17,8 @@ constexpr double kHere_s = 0.05;  ///< a way this short is none
 constexpr double kFar_K = 8.0;    ///< from here on squared errors grow linearly
 constexpr double kHotShare = 2.2; ///< of the slowest object's time a kelvin, for every kelvin too hot
 constexpr double kHotSteepness_1_K = 10.0;
-constexpr double kFastShare = 0.3;  ///< of the slowest object's time, the least that a fast object counts
-constexpr double kLeastPull = 0.05; ///< of the view factor, for the time to heat or cool
+constexpr double kFastShare = 0.3; ///< of the slowest object's time, the least that a fast object counts
+constexpr double kMinPull = 0.05;  ///< of the view factor, for the time to heat or cool
 // Within these an error counts little, so that noise does not keep the robot moving.
 constexpr double kNearCold_K = 0.25;
 constexpr double kNearHot_K = 0.05;
@@ -130,7 +130,7 @@ PlanCost::PlanCost(const RigGeometry& geometry, const HeatingTask& task)
     : m_geometry(geometry), m_task(task), m_cold_s_K(task.aim_K.size()) {
     for (Eigen::Index i = 0; i < m_cold_s_K.size(); ++i) {
         const HeatRates& rates = task.rates[static_cast<std::size_t>(i)];
-        const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, 1.0 - kLeastPull);
+        const double F = std::clamp(rates.steadyViewFactor(task.aim_K[i]), 0.0, 1.0 - kMinPull);
         m_cold_s_K[i] = 1.0 / (rates.lambda1 * (1.0 - F));
     }
     const double most_s_K = m_cold_s_K.maxCoeff();

@@ -9,7 +9,7 @@
 namespace bask {
 namespace {
 
-constexpr int kMostSteps = 60;
+constexpr int kMaxSteps = 60;
 constexpr double kGap = 1e-12;      ///< of the scaled objective
 constexpr double kResidual = 1e-9;  ///< of stationarity and of the bounds, scaled
 constexpr double kBoundary = 0.995; ///< of the way to the boundary of s, z > 0
@@ -86,7 +86,7 @@ double longestStep(const RowVector& value, const RowVector& change) {
 
 NormBoundedSolution solveNormBounded(const SmallMatrix& H, const SmallVector& f, const SmallRows& G,
                                      const RowVector& h, const std::vector<NormBound>& norms) {
-    if (G.rows() != h.size() || G.rows() + static_cast<Eigen::Index>(norms.size()) > kMostRows)
+    if (G.rows() != h.size() || G.rows() + static_cast<Eigen::Index>(norms.size()) > kMaxRows)
         throw std::invalid_argument("solveNormBounded: too many bounds");
     Program program(H, f, G, h, norms);
     NormBoundedSolution out;
@@ -103,7 +103,7 @@ NormBoundedSolution solveNormBounded(const SmallMatrix& H, const SmallVector& f,
     RowVector s = c.cwiseMax(0.1);
     RowVector z = s.cwiseInverse() * 0.1;
     const auto count = static_cast<double>(c.size());
-    for (int step = 0; step < kMostSteps; ++step) {
+    for (int step = 0; step < kMaxSteps; ++step) {
         const RowVector gap = c - s;
         const SmallVector slope = program.H() * out.y - program.f() - J.transpose() * z;
         const double mu = s.dot(z) / count;

@@ -8,17 +8,17 @@
 
 namespace bask {
 
-inline constexpr int kMostUnknowns = 6;
-inline constexpr int kMostRows = 32; ///< linear ones and norms together
+inline constexpr int kMaxUnknowns = 6;
+inline constexpr int kMaxRows = 32; ///< linear ones and norms together
 
-using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostUnknowns, 1>;
-using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostUnknowns, kMostUnknowns>;
-using SmallRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMostRows, kMostUnknowns>;
-using RowVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMostRows, 1>;
+using SmallVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxUnknowns, 1>;
+using SmallMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxUnknowns, kMaxUnknowns>;
+using SmallRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMaxRows, kMaxUnknowns>;
+using RowVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kMaxRows, 1>;
 
 /// |B y - b| <= radius.
 struct NormBound {
-    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMostUnknowns> B;
+    Eigen::Matrix<double, 3, Eigen::Dynamic, 0, 3, kMaxUnknowns> B;
     Eigen::Vector3d b = Eigen::Vector3d::Zero();
     double radius = 1.0;
 };

@@ -12,7 +12,7 @@ constexpr double kTableTolerance = 1e-6;
 constexpr double kSlack = 1e-9; ///< of places, m and rad
 
 /// Faces in one plane have no view factor: even without a clearance objects stop this short of it.
-constexpr double kLeastClearance_m = 1e-4;
+constexpr double kMinClearance_m = 1e-4;
 
 std::optional<Pose> inverseUnlessIdentity(const Pose& X) {
     if (X.matrix() == Pose::Identity().matrix())
@@ -27,7 +27,7 @@ RigGeometry::RigGeometry(const Shape& source, const std::vector<Shape>& shapes,
     : m_source(source), m_limits(limits), m_X_RS(X_RS), m_X_SR(inverseUnlessIdentity(X_RS)) {
     if (shapes.size() != mountings.size())
         throw std::invalid_argument("RigGeometry: one mounting a shape");
-    m_limits.clearance_m = std::max(limits.clearance_m, kLeastClearance_m);
+    m_limits.clearance_m = std::max(limits.clearance_m, kMinClearance_m);
     for (int k = 0; k < 6; ++k)
         if (limits.free[static_cast<std::size_t>(k)])
             m_free.push_back(k);

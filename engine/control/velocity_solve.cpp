@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-constexpr double kLeastDamping = 1e-6; ///< keeps the normal matrix regular
+constexpr double kMinDamping = 1e-6; ///< keeps the normal matrix regular
 
 /// Rates after braking at full strength for dt_s, on a straight line.
 Vector6d brakedRates(const RigGeometry& geometry, const Vector6d& q, const Vector6d& lastRates, double dt_s) {
@@ -130,7 +130,7 @@ Scaled scaledProblem(const RigGeometry& geometry, const VelocityProblem& problem
     const SmallVector last = freeOf(free, problem.lastRates);
     SmallMatrix A(problem.rows.rows(), n);
     SmallVector damping(n);
-    const double mu = std::max(problem.damping, kLeastDamping) * std::max(largestSingularValue, 1e-12);
+    const double mu = std::max(problem.damping, kMinDamping) * std::max(largestSingularValue, 1e-12);
     for (Eigen::Index k = 0; k < n; ++k) {
         const int c = free[static_cast<std::size_t>(k)];
         A.col(k) = problem.rows.col(c);
@@ -194,7 +194,7 @@ void keepClear(const RigGeometry& geometry, const VelocityProblem& problem, cons
 SingularRange singularRange(const RigGeometry& geometry, const Eigen::Matrix<double, Eigen::Dynamic, 6>& rows,
                             double rotationLength_m) {
     const auto& free = geometry.freeCoordinates();
-    if (rows.rows() > kMostUnknowns)
+    if (rows.rows() > kMaxUnknowns)
         throw std::invalid_argument("singularRange: at most six rows");
     if (rows.rows() == 0 || free.empty())
         return {};

@@ -9,7 +9,7 @@ namespace bask {
 namespace {
 
 /// A device without flow control does not wait for a reader: what comes on top is lost.
-constexpr std::size_t kMostPending = 16384;
+constexpr std::size_t kMaxPending = 16384;
 
 bool isForLater() {
     return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
@@ -47,7 +47,7 @@ bool BytePump::work(int descriptor, double now_s) {
     if (!take(descriptor, now_s))
         return false;
     const std::string said = m_device.transmit(now_s);
-    if (m_pending.size() + said.size() <= kMostPending)
+    if (m_pending.size() + said.size() <= kMaxPending)
         m_pending += said;
     return give(descriptor);
 }

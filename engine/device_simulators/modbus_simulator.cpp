@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kFrameGap_s = 0.1; // a request in pieces further apart is noise
 constexpr int kIllegalFunction = 1, kIllegalAddress = 2, kIllegalValue = 3, kDeviceFailure = 4;
-constexpr int kMostAsked = 125;
+constexpr int kMaxAsked = 125;
 constexpr double kJump_K = 30.0, kHalfJump_s = 0.5, kRise_K_s = 2.0;
 const std::vector<std::string> kModbusFaults{"none",        "silent",     "open",      "short",
                                              "frozen",      "jumping",    "rising",    "wrong-unit",
@@ -255,7 +255,7 @@ std::string ModbusSimulator::reply(Unit& unit, const ModbusQuery& query) {
 }
 
 std::string ModbusSimulator::read(const Unit& unit, const ModbusQuery& query) const {
-    if (query.count < 1 || query.count > kMostAsked)
+    if (query.count < 1 || query.count > kMaxAsked)
         return modbusException(query.unit, query.function, kIllegalValue);
     Registers values;
     for (int i = 0; i < query.count; ++i) {

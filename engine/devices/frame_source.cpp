@@ -25,8 +25,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kPicturePeriod_s = 0.1;
-constexpr int kLeastSide_px = 32;
-constexpr std::uint64_t kMostPixels = 64'000'000;
+constexpr int kMinSide_px = 32;
+constexpr std::uint64_t kMaxPixels = 64'000'000;
 constexpr double kOldestStamp_s = 0.5; // a driver's time stamp farther back is on another clock
 
 Error refusal(const std::string& name, const std::string& words) {
@@ -39,10 +39,10 @@ std::string sizeText(int width, int height) {
 
 // Why pictures of a size cannot be used; empty when they can.
 std::string sizeProblem(int width, int height) {
-    if (width < kLeastSide_px || height < kLeastSide_px)
+    if (width < kMinSide_px || height < kMinSide_px)
         return "its pictures have only " + sizeText(width, height);
     const auto pixels = static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height);
-    return pixels > kMostPixels ? "its pictures have " + sizeText(width, height) + ", too many" : "";
+    return pixels > kMaxPixels ? "its pictures have " + sizeText(width, height) + ", too many" : "";
 }
 
 // The libraries write to stderr what is told in words here. FFmpeg's level is read once, from the

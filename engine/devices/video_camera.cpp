@@ -40,7 +40,7 @@ public:
     // -- by the camera ---------------------------------------------------------------------------------
 
     static void begin(const std::shared_ptr<Capture>& capture, Opener opener) {
-        if (g_hanging >= kMostHanging) {
+        if (g_hanging >= kMaxHanging) {
             capture->m_words = "too many captures hang in the system; start Bask again";
             capture->m_ended = true;
             return;
@@ -214,7 +214,7 @@ Result<std::shared_ptr<const CameraFrame>> VideoCamera::newest() {
 }
 
 void VideoCamera::beginAgainWhenHanging(double now_s) {
-    if (!m_capture->hangs(now_s) || g_hanging >= kMostHanging)
+    if (!m_capture->hangs(now_s) || g_hanging >= kMaxHanging)
         return;
     auto next = std::make_shared<Capture>(m_capture->frames());
     (void)m_capture->finish(0.0);

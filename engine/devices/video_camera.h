@@ -11,14 +11,14 @@
 namespace bask {
 
 /// Two pictures of a live camera are never the same: one that comes again counts as none. A capture that
-/// hangs is left to itself and another one begun; at most kMostHanging in the process, then it is waited for.
+/// hangs is left to itself and another one begun; at most kMaxHanging in the process, then it is waited for.
 class VideoCamera final : public Camera {
 public:
     static constexpr double kLost_s = 1.0;
     static constexpr double kOpening_s = 5.0; ///< so long CameraOpening is told when there is no answer
     static constexpr double kHanging_s = 3.0; ///< without an answer of the system
     static constexpr double kFarewell_s = 0.5;
-    static constexpr int kMostHanging = 8;
+    static constexpr int kMaxHanging = 8;
 
     using Opener =
         std::function<Result<std::unique_ptr<FrameSource>>(const std::function<bool()>& isStopped)>;

@@ -12,7 +12,7 @@ namespace bask {
 /// Nothing here waits. Used on the engine thread only.
 class ByteLink {
 public:
-    static constexpr std::size_t kMostQueued = 4096; ///< bytes that the other end has not taken
+    static constexpr std::size_t kMaxQueued = 4096; ///< bytes that the other end has not taken
 
     virtual ~ByteLink() = default;
     /// Begins to open it; a port that is not there is told by problem(). What was unread before is forgotten.
@@ -26,7 +26,7 @@ public:
     /// When the line was last seen empty before any of what read() gave last had come, SteadyClock, s: it may
     /// have waited. Infinite: the link does not tell.
     virtual double emptyAt_s() const { return std::numeric_limits<double>::infinity(); }
-    /// Queued. One that would queue more than kMostQueued closes the link, with a problem.
+    /// Queued. One that would queue more than kMaxQueued closes the link, with a problem.
     virtual void write(std::string_view bytes) = 0;
     /// The port's own name, when it was opened last; empty: it has none.
     virtual std::string portId() const { return {}; }

@@ -63,7 +63,7 @@ void ByteLinkOnThread::turn() {
         const std::lock_guard lock(m_mutex);
         return m_unread.size();
     }();
-    const bool looks = unread < kMostUnread;
+    const bool looks = unread < kMaxUnread;
     const double begun_s = SteadyClock().now_s();
     const std::string bytes = looks ? m_link->read() : std::string();
     const double emptyAt_s = m_looked_s;
@@ -117,7 +117,7 @@ void ByteLinkOnThread::write(std::string_view bytes) {
     const std::lock_guard lock(m_mutex);
     if (!m_isOpen)
         return;
-    if (m_unwritten + bytes.size() > kMostQueued) {
+    if (m_unwritten + bytes.size() > kMaxQueued) {
         shut();
         m_problem = {MessageCode::LinkStuck, {m_name}};
         return;

@@ -28,7 +28,7 @@ public:
     std::string portId() const override;
 
 private:
-    static constexpr std::size_t kMostUnread = 65536; ///< more stays with the link
+    static constexpr std::size_t kMaxUnread = 65536; ///< more stays with the link
 
     void turn();
     void drop();

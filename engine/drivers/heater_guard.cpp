@@ -28,7 +28,7 @@ using guard::Told;
 constexpr double kHeldUp_s = 0.3; // since the last work(): the engine was silent, not the guard
 constexpr double kStarting_s = 3.0;
 constexpr double kEnding_s = 0.5; // then its port is tried all the same
-constexpr std::size_t kMostUnread = 65536;
+constexpr std::size_t kMaxUnread = 65536;
 
 std::string_view bytesOf(const guard::OffProgram& program) {
     return {reinterpret_cast<const char*>(&program), sizeof program};
@@ -199,7 +199,7 @@ void HeaterGuard::hangUp() {
 }
 
 void HeaterGuard::receive() {
-    std::array<char, 1 + guard::kMost> packet{};
+    std::array<char, 1 + guard::kMax> packet{};
     while (m_socket >= 0) {
         const ssize_t count = ::recv(m_socket, packet.data(), packet.size(), MSG_DONTWAIT);
         if (count > 0)
@@ -244,7 +244,7 @@ void HeaterGuard::take(Told kind, std::string_view bytes) {
     case Told::Stuck:
         return losePort({MessageCode::LinkStuck, {m_port}});
     case Told::Bytes:
-        if (m_isPortOpen && m_unread.size() < kMostUnread)
+        if (m_isPortOpen && m_unread.size() < kMaxUnread)
             m_unread += bytes;
         return;
     case Told::TookOver:
@@ -332,8 +332,8 @@ std::string HeaterGuard::read() {
 }
 
 void HeaterGuard::write(std::string_view bytes) {
-    for (; isPortOpen() && !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), guard::kMost)))
-        tell(Order::Write, bytes.substr(0, guard::kMost));
+    for (; isPortOpen() && !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), guard::kMax)))
+        tell(Order::Write, bytes.substr(0, guard::kMax));
 }
 
 } // namespace bask

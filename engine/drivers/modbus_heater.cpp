@@ -15,7 +15,7 @@
 namespace bask {
 namespace {
 
-constexpr int kMostTries = 3; // of a write that has no effect; set points may be kept in a memory that wears
+constexpr int kMaxTries = 3; // of a write that has no effect; set points may be kept in a memory that wears
 constexpr double kAgain_s = 10.0;                  // then, to switch off
 constexpr double kSetEvery_s = 5.0, kStep_K = 0.5; // of a set point that moves
 constexpr double kJump_K = 3.0;                    // at once: from here on it is told as another one
@@ -233,7 +233,7 @@ void ModbusHeater::write(const ModbusRequest& request, bool overtakes) {
 
 /// Tried in vain so often that it is not to be tried now; off is, later.
 bool ModbusHeater::isWorn() const {
-    return m_tries >= kMostTries && (m_wanted_K || m_clock.now_s() < m_again_s);
+    return m_tries >= kMaxTries && (m_wanted_K || m_clock.now_s() < m_again_s);
 }
 
 /// What is to be written next, by what was read.
@@ -413,7 +413,7 @@ Result<void> ModbusHeater::taken() const {
     };
     if (isDriven() && m_clock.now_s() >= m_off_s + kFollow_s)
         return other(readBack_K(*m_settings.profile.setPoint));
-    if (m_tries < kMostTries)
+    if (m_tries < kMaxTries)
         return {};
     if (m_writeProblem != Message{})
         return Error(m_writeProblem.code, "", m_writeProblem.args);

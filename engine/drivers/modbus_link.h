@@ -49,8 +49,8 @@ public:
     virtual std::string portId() const { return {}; }
 
 protected:
-    static constexpr int kMostSilent = 10;          ///< requests in a row; then the port is opened anew
-    static constexpr std::size_t kMostReplies = 16; ///< that nobody has taken
+    static constexpr int kMaxSilent = 10;          ///< requests in a row; then the port is opened anew
+    static constexpr std::size_t kMaxReplies = 16; ///< that nobody has taken
 };
 
 } // namespace bask

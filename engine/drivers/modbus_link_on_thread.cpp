@@ -8,7 +8,7 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMostAnswers = 16; // that nobody has taken
+constexpr std::size_t kMaxAnswers = 16; // that nobody has taken
 
 } // namespace
 
@@ -81,7 +81,7 @@ void ModbusLinkOnThread::turn() {
         return;
     if (reply && m_asked)
         m_replies.emplace(*std::exchange(m_asked, std::nullopt), std::move(*reply));
-    if (m_replies.size() > kMostAnswers)
+    if (m_replies.size() > kMaxAnswers)
         m_replies.erase(m_replies.begin());
     if (isFailed)
         drop();

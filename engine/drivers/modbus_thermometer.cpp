@@ -9,7 +9,7 @@
 namespace bask {
 namespace {
 
-constexpr double kLeastPeriod_s = 0.1;
+constexpr double kMinPeriod_s = 0.1;
 
 Error outOfRange(const char* where, double value, double least, double most, const char* unit = "") {
     return {MessageCode::ValueOutOfRange,
@@ -32,8 +32,8 @@ ModbusThermometer::create(ModbusLink& link, const Clock& clock, const ModbusTher
         if (channel < 0 || channel >= profile.channels)
             return outOfRange("channels", channel, 0, profile.channels - 1);
     }
-    if (!(settings.period_s >= kLeastPeriod_s && settings.period_s <= 60.0))
-        return outOfRange("period", settings.period_s, kLeastPeriod_s, 60.0, "s");
+    if (!(settings.period_s >= kMinPeriod_s && settings.period_s <= 60.0))
+        return outOfRange("period", settings.period_s, kMinPeriod_s, 60.0, "s");
     return std::unique_ptr<ModbusThermometer>(new ModbusThermometer(link, clock, settings));
 }
 

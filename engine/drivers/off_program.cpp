@@ -9,7 +9,7 @@ namespace {
 using guard::OffStep;
 
 OffStep made(std::string_view send, std::string_view expect, int reply_ms, int pause_ms) {
-    if (send.size() > OffStep::kMostBytes || expect.size() > OffStep::kMostBytes)
+    if (send.size() > OffStep::kMaxBytes || expect.size() > OffStep::kMaxBytes)
         throw std::invalid_argument("OffStep: too long");
     OffStep step;
     step.timeout_ms = static_cast<std::uint16_t>(reply_ms);
@@ -62,7 +62,7 @@ OffStep offWhenRegister(const ModbusQuery& question, const RegisterSpec& spec, d
 }
 
 void add(guard::OffProgram& program, const OffStep& step) {
-    if (program.count == guard::OffProgram::kMostSteps)
+    if (program.count == guard::OffProgram::kMaxSteps)
         throw std::invalid_argument("OffProgram: too many steps");
     program.steps[program.count++] = step;
 }

@@ -205,7 +205,7 @@ ModbusReply QtModbusLink::Line::judged(const QModbusReply& reply, const ModbusRe
 
 void QtModbusLink::Line::deliver(ModbusReply reply) {
     replies.emplace(asked->number, std::move(reply));
-    if (replies.size() > kMostReplies)
+    if (replies.size() > kMaxReplies)
         replies.erase(replies.begin());
 }
 
@@ -219,7 +219,7 @@ void QtModbusLink::Line::giveUp() {
     });
     if (!isKnown)
         earlier.push_back(asked->request);
-    if (++silent >= kMostSilent)
+    if (++silent >= kMaxSilent)
         lose(MessageCode::DeviceSilent, {path, formatNumber(silent * 2.0 * replyTime_s, 2)});
 }
 

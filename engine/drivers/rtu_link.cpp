@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kExceptionBytes = 5, kWriteReplyBytes = 8;
 constexpr double kLongestFrame = 256.0; // bytes
-constexpr double kLeastGap_s = 0.00175; // from 19200 baud on
+constexpr double kMinGap_s = 0.00175;   // from 19200 baud on
 
 std::string frameOf(const ModbusRequest& request) {
     return modbusRequest({request.unit, request.function, request.address, request.count, request.values});
@@ -80,7 +80,7 @@ struct RtuLink::Line {
     void leave();
     int ask(const ModbusRequest& request);
     void forget();
-    double gap_s() const { return std::max(kLeastGap_s, onTheLine_s(settings, kModbusGapBytes)); }
+    double gap_s() const { return std::max(kMinGap_s, onTheLine_s(settings, kModbusGapBytes)); }
     double longest_s() const { return kOvertake_s + onTheLine_s(settings, kLongestFrame); }
     void keepSilent() { quietUntil_s = clock.now_s() + replyTime_s; }
     Error wrong(const char* words);
@@ -214,7 +214,7 @@ ModbusReply RtuLink::Line::judged(const std::string& frame) {
 
 void RtuLink::Line::deliver(ModbusReply reply) {
     replies.emplace(asked->number, std::move(reply));
-    if (replies.size() > kMostReplies)
+    if (replies.size() > kMaxReplies)
         replies.erase(replies.begin());
 }
 
@@ -232,7 +232,7 @@ void RtuLink::Line::leave() {
 void RtuLink::Line::giveUp() {
     leave();
     keepSilent();
-    if (++silent < kMostSilent)
+    if (++silent < kMaxSilent)
         return;
     problem = {MessageCode::DeviceSilent, {bytes->name(), formatNumber(silent * 2.0 * replyTime_s, 2)}};
     bytes->close();

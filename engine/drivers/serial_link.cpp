@@ -152,7 +152,7 @@ std::string SerialLink::read() {
 void SerialLink::write(std::string_view bytes) {
     if (!isOpen())
         return;
-    if (static_cast<std::size_t>(m_port->serial.bytesToWrite()) + bytes.size() > kMostQueued) {
+    if (static_cast<std::size_t>(m_port->serial.bytesToWrite()) + bytes.size() > kMaxQueued) {
         m_port->lose(MessageCode::LinkStuck, {});
         return;
     }

@@ -83,7 +83,7 @@ std::optional<PlannedStep> StepPlanner::next(const std::vector<double>& at, doub
     if (left_s < kShortest_s)
         return std::nullopt;
     const double turn_rad_s = m_twist.tail<3>().norm();
-    const double time_s = left_s * turn_rad_s > kMostTurn_rad ? kMostTurn_rad / turn_rad_s : left_s;
+    const double time_s = left_s * turn_rad_s > kMaxTurn_rad ? kMaxTurn_rad / turn_rad_s : left_s;
     const Vector6d start = startFrom(at);
     Vector6d way = time_s * m_twist;
     way.tail<3>() = rotationAxes(start).inverse() * way.tail<3>();

@@ -25,7 +25,7 @@ double outside(const std::vector<double>& at, const std::vector<double>& a, cons
 class StepPlanner {
 public:
     static constexpr double kLongest_s = 0.5;
-    static constexpr double kMostTurn_rad = 0.1; ///< of one step
+    static constexpr double kMaxTurn_rad = 0.1; ///< of one step
     /// A robot this near to where its last step should have ended goes on from there, so that roundings do
     /// not add up and a slow velocity is not lost in them. mm, degrees.
     static constexpr double kSlack = 0.1;
@@ -38,7 +38,7 @@ public:
     /// Nothing is wanted any more.
     void forget();
     /// The step to send now to a robot that stands at `at`: towards where the wanted twist leads within what
-    /// is left of its time, kLongest_s and kMostTurn_rad, or the part of it that the guard approves. Empty:
+    /// is left of its time, kLongest_s and kMaxTurn_rad, or the part of it that the guard approves. Empty:
     /// none is due, none is wanted, it is too short for the axes, or the guard refuses it (isRefused).
     std::optional<PlannedStep> next(const std::vector<double>& at, double now_s);
     bool isRefused() const { return m_isRefused; }

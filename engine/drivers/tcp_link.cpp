@@ -81,7 +81,7 @@ std::string TcpLink::read() {
 void TcpLink::write(std::string_view bytes) {
     if (!isOpen())
         return;
-    if (static_cast<std::size_t>(m_socket->tcp.bytesToWrite()) + bytes.size() > kMostQueued) {
+    if (static_cast<std::size_t>(m_socket->tcp.bytesToWrite()) + bytes.size() > kMaxQueued) {
         m_socket->lose(MessageCode::LinkStuck, {});
         close();
         return;

@@ -168,10 +168,10 @@ void putSurfaces(vtkPolyData* data, const SurfaceSet& set) {
 } // namespace
 
 Result<void> checkFieldFile(const std::string& path, const std::vector<FieldAxis>& axes) {
-    if (axes.size() == 4 && axes[3].count > kMostFourthAxisSamples)
+    if (axes.size() == 4 && axes[3].count > kMaxFourthAxisSamples)
         return Error(MessageCode::FieldTooLarge,
                      std::string("fourth axis, ") + kCoordinateNames[axes[3].coordinate],
-                     {std::to_string(axes[3].count), std::to_string(kMostFourthAxisSamples)});
+                     {std::to_string(axes[3].count), std::to_string(kMaxFourthAxisSamples)});
     return vtkfile::checkOwn(path, "ImageData", "a field written by Bask");
 }
 

@@ -10,7 +10,7 @@
 
 namespace bask {
 
-inline constexpr int kMostFourthAxisSamples = 1000;
+inline constexpr int kMaxFourthAxisSamples = 1000;
 
 /// What can be known before the sampling: refuses a file that is there and was not written by writeField,
 /// since it would be lost (an empty one may go), and a fourth axis of too many samples.

@@ -17,7 +17,7 @@ FieldAxis axisOver(Coordinate coordinate, double least, double most, double step
     const double span = most - least;
     if (span < step)
         return {coordinate, 0.5 * (least + most) - step, step, 3};
-    const double steps = std::min(std::ceil(span / step - kSlack), static_cast<double>(kMostAxisSamples));
+    const double steps = std::min(std::ceil(span / step - kSlack), static_cast<double>(kMaxAxisSamples));
     return {coordinate, least, span / steps, static_cast<int>(steps) + 1};
 }
 

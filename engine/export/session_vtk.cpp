@@ -13,7 +13,7 @@ namespace bask {
 namespace {
 
 constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
-constexpr int kMostFieldSteps = 60; // along an axis: some seconds an object
+constexpr int kMaxFieldSteps = 60; // along an axis: some seconds an object
 
 /// Where everything is before the first sample.
 TraceSample atStart(const Experiment& e) {
@@ -33,7 +33,7 @@ TraceSample atStart(const Experiment& e) {
 /// Evenly from the first to the last, a sample once.
 std::vector<std::size_t> chosen(std::size_t samples) {
     std::vector<std::size_t> out;
-    const std::size_t steps = std::min<std::size_t>(samples, kMostOutlineSteps);
+    const std::size_t steps = std::min<std::size_t>(samples, kMaxOutlineSteps);
     for (std::size_t k = 0; k < steps; ++k)
         out.push_back(steps < 2 ? 0 : k * (samples - 1) / (steps - 1));
     return out;
@@ -115,7 +115,7 @@ private:
                                 .X_RS = poseFromCoordinates(last.source),
                                 .objects = {},
                                 .axes = surfaceAxes(PoseSubset::OwnTranslation, e.robot,
-                                                    std::max(kSurfaceStep_m, span_m / kMostFieldSteps)),
+                                                    std::max(kSurfaceStep_m, span_m / kMaxFieldSteps)),
                                 .held = last.coordinates,
                                 .ofOwnCentres = true,
                                 .clearance_m = e.robot.clearance_m};

@@ -9,7 +9,7 @@
 
 namespace bask {
 
-inline constexpr int kMostOutlineSteps =
+inline constexpr int kMaxOutlineSteps =
     200; ///< of the collection; evenly chosen where there are more samples
 
 /// Writes into the folder, all files or none, and returns them; everything in the robot's base R, in m:

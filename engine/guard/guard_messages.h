@@ -8,10 +8,10 @@
 namespace bask::guard {
 
 inline constexpr int kVersion = 2;
-inline constexpr int kSocket = 3;          ///< the guard's descriptor of it
-inline constexpr double kSilence_s = 2.0;  ///< of the engine: then the guard takes over
-inline constexpr double kBeat_s = 0.1;     ///< between two of the engine's beats
-inline constexpr std::size_t kMost = 4096; ///< bytes of one packet after its kind
+inline constexpr int kSocket = 3;         ///< the guard's descriptor of it
+inline constexpr double kSilence_s = 2.0; ///< of the engine: then the guard takes over
+inline constexpr double kBeat_s = 0.1;    ///< between two of the engine's beats
+inline constexpr std::size_t kMax = 4096; ///< bytes of one packet after its kind
 
 /// To the guard. The bytes of Write go to the port as they are; Program has an OffProgram.
 enum class Order : char {
@@ -41,7 +41,7 @@ enum class Told : char {
 
 /// One step of switching off: bytes to send, and what is to come back.
 struct OffStep {
-    static constexpr std::size_t kMostBytes = 64;
+    static constexpr std::size_t kMaxBytes = 64;
     enum class Reply : std::uint8_t {
         None,
         Bytes,    ///< these, anywhere in what comes
@@ -54,8 +54,8 @@ struct OffStep {
     std::uint8_t sends = 0, expects = 0;
     Reply reply = Reply::None;
     bool mustFit = false; ///< or heat is not known to be off
-    unsigned char send[kMostBytes] = {};
-    unsigned char expect[kMostBytes] = {};
+    unsigned char send[kMaxBytes] = {};
+    unsigned char expect[kMaxBytes] = {};
     double least = 0.0, most = 0.0;
     Type type = Type::Int16; ///< of the number in registers
     bool isLowWordFirst = false;
@@ -63,11 +63,11 @@ struct OffStep {
 
 /// Heat is off when all of its steps that must fit did so in one pass.
 struct OffProgram {
-    static constexpr std::size_t kMostSteps = 8;
+    static constexpr std::size_t kMaxSteps = 8;
     std::uint8_t count = 0;
     std::uint16_t quiet_ms = 60; ///< before the first step: what was half said is over, and late answers
-    OffStep steps[kMostSteps] = {};
+    OffStep steps[kMaxSteps] = {};
 };
-static_assert(sizeof(OffProgram) <= kMost);
+static_assert(sizeof(OffProgram) <= kMax);
 
 } // namespace bask::guard

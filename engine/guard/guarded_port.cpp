@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kStack = 128 * 1024; // all of it is locked in memory
 constexpr int kLast_ms = 100;              // for the last bytes before it is closed, which may be a stop
 constexpr int kAgain_ms = 10;
-constexpr int kMostDropped = 64; // reads; a line that has no end is babbling
+constexpr int kMaxDropped = 64; // reads; a line that has no end is babbling
 
 } // namespace
 
@@ -75,7 +75,7 @@ void GuardedPort::obey(const Command& command) {
         return tell(m_told.problem == 0 ? Event::Opened : Event::Failed);
     case Command::Kind::Drop:
         long count = m_isLost ? -1 : 1;
-        for (int i = 0; i < kMostDropped && count > 0; ++i)
+        for (int i = 0; i < kMaxDropped && count > 0; ++i)
             count = m_line.read(m_told.bytes, sizeof m_told.bytes);
         m_isLost = count < 0;
         return tell(m_isLost ? Event::Lost : Event::Dropped);

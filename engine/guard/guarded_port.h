@@ -27,9 +27,9 @@ public:
 
     /// To be polled for reading; always the same.
     int descriptor() const { return m_events[0]; }
-    /// The next event, if there is one; of Bytes up to kMostBytes.
+    /// The next event, if there is one; of Bytes up to kMaxBytes.
     Event take(void* bytes, std::size_t& count);
-    static constexpr std::size_t kMostBytes = 1024;
+    static constexpr std::size_t kMaxBytes = 1024;
     int problem() const { return m_problem; }      ///< of Failed: errno, or SerialLine::kExchanged
     const char* id() const { return m_line.id(); } ///< after Opened or Failed
 
@@ -54,7 +54,7 @@ private:
         std::uint32_t number;
         Event event;
         int problem;
-        char bytes[kMostBytes];
+        char bytes[kMaxBytes];
     };
     static void* run(void* port);
     void serve();

@@ -152,7 +152,7 @@ private:
     void pump() {
         if (m_port.isOpen() && !m_port.flush())
             return lose(Told::Lost);
-        char bytes[GuardedPort::kMostBytes];
+        char bytes[GuardedPort::kMaxBytes];
         std::size_t count = 0;
         for (;;) {
             switch (m_port.take(bytes, count)) {
@@ -198,7 +198,7 @@ private:
     OffProgram m_program;
     bool m_isArmed = false, m_mustTakeOver = false;
     double m_beat_s = 0.0;
-    char m_packet[1 + kMost] = {};
+    char m_packet[1 + kMax] = {};
 };
 
 int run(char** words) {

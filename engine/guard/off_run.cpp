@@ -248,7 +248,7 @@ bool OffRun::hear(const OffStep* step, int ms) {
         const int wait_ms = m_port.isFlushed() ? static_cast<int>(left_ms) : GuardedPort::kFlush_ms;
         pollfd state{m_port.descriptor(), POLLIN, 0};
         ::poll(&state, 1, wait_ms > 1 ? wait_ms : 1);
-        unsigned char bytes[GuardedPort::kMostBytes];
+        unsigned char bytes[GuardedPort::kMaxBytes];
         std::size_t count = 0;
         const GuardedPort::Event event = m_port.take(bytes, count);
         if (event == GuardedPort::Event::Lost || !m_port.flush()) {

@@ -35,7 +35,7 @@ private:
     GuardLog& m_log;
     int m_passes = 0;
     std::size_t m_heard = 0;
-    unsigned char m_bytes[GuardedPort::kMostBytes] = {}; ///< since the step was sent
+    unsigned char m_bytes[GuardedPort::kMaxBytes] = {}; ///< since the step was sent
 };
 
 } // namespace bask::guard

@@ -11,9 +11,9 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMostShown = 60; // characters of garbage
+constexpr std::size_t kMaxShown = 60;  // characters of garbage
 constexpr double kFarthest = 9999.999; // mm, degrees
-constexpr double kLeastFeed = 0.1, kMostFeed = 99999.9;
+constexpr double kMinFeed = 0.1, kMaxFeed = 99999.9;
 
 constexpr std::array<std::pair<std::string_view, GrblState>, 10> kStates{{{"Idle", GrblState::Idle},
                                                                           {"Run", GrblState::Run},
@@ -219,7 +219,7 @@ std::optional<std::string> bannerIn(std::string_view line) {
 }
 
 GrblLine garbage(std::string_view line) {
-    std::string text(line.substr(0, kMostShown));
+    std::string text(line.substr(0, kMaxShown));
     std::ranges::replace_if(
         text, [](char c) { return c < ' ' || c > '~'; }, '.');
     return GrblGarbage{std::move(text)};
@@ -305,7 +305,7 @@ Result<std::string> grblJogLine(const std::vector<GrblTarget>& targets, double t
         squares += std::pow(target.to - target.from, 2);
     }
     const double feed = 60.0 * std::sqrt(squares) / time_s;
-    return line + 'F' + fixed(std::isfinite(feed) ? std::clamp(feed, kLeastFeed, kMostFeed) : kLeastFeed, 1) +
+    return line + 'F' + fixed(std::isfinite(feed) ? std::clamp(feed, kMinFeed, kMaxFeed) : kMinFeed, 1) +
            '\n';
 }
 

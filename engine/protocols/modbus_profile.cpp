@@ -23,8 +23,8 @@ namespace {
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-constexpr int kMostAddress = 65535;
-constexpr std::size_t kMostDepth = 8;
+constexpr int kMaxAddress = 65535;
+constexpr std::size_t kMaxDepth = 8;
 constexpr double kLowestOff_degC = -200.0;
 
 const std::map<std::string, RegisterType> kTypes{{"int16", RegisterType::Int16},
@@ -200,7 +200,7 @@ RegisterSpec readRegister(const json& j, const std::string& path, Use use) {
     Object object(j, path);
     object.require("address");
     object.read("function", out.function, 3, isWritten ? 3 : 4);
-    object.read("address", out.address, 0, kMostAddress);
+    object.read("address", out.address, 0, kMaxAddress);
     object.readWord("type", kTypes, out.type);
     object.read("low_word_first", out.isLowWordFirst);
     object.read("scale", out.scale);
@@ -211,9 +211,9 @@ RegisterSpec readRegister(const json& j, const std::string& path, Use use) {
     object.close();
     if (out.scale == 0.0)
         refuse(MessageCode::ValueUnknown, path + ".scale", {"0", "any other number"});
-    if (out.address + registerCount(out.type) - 1 > kMostAddress)
+    if (out.address + registerCount(out.type) - 1 > kMaxAddress)
         refuse(MessageCode::ValueOutOfRange, path + ".address",
-               {std::to_string(out.address), "0", std::to_string(kMostAddress - 1), ""});
+               {std::to_string(out.address), "0", std::to_string(kMaxAddress - 1), ""});
     if (!isUnitFor(use, out.unit))
         refuse(MessageCode::ValueUnknown, path + ".unit", {wordOf(kUnits, out.unit), unitsFor(use)});
     return out;
@@ -228,7 +228,7 @@ StatusSpec readStatus(const json& j, const std::string& path, int channels) {
     Object object(j, path);
     object.require("address");
     object.read("function", out.function, 3, 4);
-    object.read("address", out.address, 0, kMostAddress);
+    object.read("address", out.address, 0, kMaxAddress);
     object.read("first_bit", out.firstBit, 0, 15);
     object.read("bit_step", out.bitStep, -15, 15);
     object.read("fault_when_set", out.isFaultWhenSet);
@@ -254,17 +254,17 @@ void readStatuses(Object& object, ModbusProfile& profile) {
 void readThermometer(Object& object, ModbusProfile& profile) {
     object.require("channels");
     readRegister(object, "channel", Use::Sensor, profile.channel);
-    object.read("channels", profile.channels, 1, kMostRegisters);
+    object.read("channels", profile.channels, 1, kMaxRegisters);
     const int size = registerCount(profile.channel->type);
-    object.read("channel_step", profile.channelStep, size, kMostRegisters);
+    object.read("channel_step", profile.channelStep, size, kMaxRegisters);
     object.read("at_4mA_degC", profile.at4mA_degC);
     object.read("at_20mA_degC", profile.at20mA_degC);
     const int span = (profile.channels - 1) * profile.channelStep + size;
-    if (profile.channelStep < size || span > kMostRegisters ||
-        profile.channel->address + span - 1 > kMostAddress)
+    if (profile.channelStep < size || span > kMaxRegisters ||
+        profile.channel->address + span - 1 > kMaxAddress)
         refuse(
             MessageCode::ValueOutOfRange, "channel_step",
-            {std::to_string(profile.channelStep), std::to_string(size), std::to_string(kMostRegisters), ""});
+            {std::to_string(profile.channelStep), std::to_string(size), std::to_string(kMaxRegisters), ""});
     if (profile.at4mA_degC == profile.at20mA_degC)
         refuse(MessageCode::ValueUnknown, "at_20mA_degC",
                {formatNumber(profile.at20mA_degC), "any other temperature than at 4 mA"});
@@ -341,14 +341,14 @@ void readController(Object& object, ModbusProfile& profile) {
 }
 
 void readIdentity(Object& parent, std::optional<IdentitySpec>& out) {
-    constexpr int kMostWords = 16;
+    constexpr int kMaxWords = 16;
     parent.with("identity", [&](const json& j, const std::string& path) {
         out.emplace();
         Object object(j, path);
         object.require("address");
         object.read("function", out->function, 3, 4);
-        object.read("address", out->address, 0, kMostAddress - kMostWords);
-        object.read("count", out->count, 1, kMostWords);
+        object.read("address", out->address, 0, kMaxAddress - kMaxWords);
+        object.read("count", out->count, 1, kMaxWords);
         object.close();
     });
 }
@@ -378,8 +378,8 @@ ModbusProfile readProfile(const json& j) {
 class TextCheck {
 public:
     bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-        if (static_cast<std::size_t>(depth) > kMostDepth)
-            refuse(MessageCode::JsonTooDeep, "", {std::to_string(kMostDepth)});
+        if (static_cast<std::size_t>(depth) > kMaxDepth)
+            refuse(MessageCode::JsonTooDeep, "", {std::to_string(kMaxDepth)});
         const auto level = static_cast<std::size_t>(depth);
         if (event == json::parse_event_t::object_start)
             m_keys[level + 1].clear();

@@ -16,7 +16,7 @@ std::vector<RegisterRange> joinedRanges(std::vector<RegisterRange> ranges) {
         const int end = next.address + next.count;
         const bool meets = last != nullptr && last->function == next.function &&
                            next.address <= last->address + last->count &&
-                           end - last->address <= kMostRegisters;
+                           end - last->address <= kMaxRegisters;
         if (meets)
             last->count = std::max(last->count, end - last->address);
         else

@@ -21,7 +21,7 @@ struct RegisterRange {
 };
 
 /// Most registers that one request may read.
-inline constexpr int kMostRegisters = 125;
+inline constexpr int kMaxRegisters = 125;
 
 /// As few requests as cover them without reading a register that is in none: the device may have none there.
 /// In the order of function and address.

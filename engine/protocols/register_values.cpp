@@ -21,8 +21,8 @@ const char* const kOther = "other";
 
 // NAMUR NE 43, mA.
 constexpr double kNoCurrent = 1.0, kFaultBelow = 3.6, kValidFrom = 3.8, kValidTo = 20.5, kFaultAbove = 21.0;
-constexpr double kWatchdogWithin = 0.1;                     // of its time; a register may count minutes
-constexpr double kLeast_degC = -200.0, kMost_degC = 1800.0; // no thermometer of a rig reads beyond
+constexpr double kWatchdogWithin = 0.1;                  // of its time; a register may count minutes
+constexpr double kMin_degC = -200.0, kMax_degC = 1800.0; // no thermometer of a rig reads beyond
 
 std::uint32_t longWord(const RegisterSpec& spec, std::span<const std::uint16_t> r) {
     const std::uint32_t high = spec.isLowWordFirst ? r[1] : r[0];
@@ -79,7 +79,7 @@ RegisterValue atFault(const char* fault) {
 }
 
 RegisterValue fromCelsius(double t_degC) {
-    if (!(t_degC >= kLeast_degC && t_degC <= kMost_degC))
+    if (!(t_degC >= kMin_degC && t_degC <= kMax_degC))
         return atFault(kOutOfRange);
     return {kelvinFromCelsius(t_degC), {}};
 }

@@ -9,7 +9,7 @@ namespace {
 
 using Points = std::vector<Eigen::Vector2d>;
 
-constexpr std::size_t kMostAsked = 4096; // points of one outline looked for in the other
+constexpr std::size_t kMaxAsked = 4096; // points of one outline looked for in the other
 
 // The rings of a shape in S with no two neighbours of the outline farther apart than a 512th of the way
 // round; the outline first.
@@ -91,7 +91,7 @@ bool overlapInPlane(const Shape& source, const Shape& object, const Pose& X_SO) 
     const double margin = 1e-9 * (shapeRadius(source) + shapeRadius(object));
     const auto anyInside = [&](const std::vector<Points>& rings, const std::vector<Points>& face) {
         for (const Points& points : rings) {
-            const std::size_t stride = 1 + points.size() / kMostAsked;
+            const std::size_t stride = 1 + points.size() / kMaxAsked;
             for (std::size_t i = 0; i < points.size(); i += stride)
                 if (isInside(face, points[i], margin))
                     return true;

@@ -20,10 +20,10 @@ namespace {
 constexpr int kOutlinePoints = 64;  // of a curved outline, for its height
 constexpr std::size_t kChunk = 256; // samples a thread takes at a time
 constexpr double kProgressStep = 0.01;
-constexpr double kLeastStep = 1e-11; // of the largest value: finer ones drown in rounding
-constexpr double kLeastTolerance = 1e-14;
-constexpr double kMostTolerance = 1e-2;
-constexpr int kMostThreads = 1024;
+constexpr double kMinStep = 1e-11; // of the largest value: finer ones drown in rounding
+constexpr double kMinTolerance = 1e-14;
+constexpr double kMaxTolerance = 1e-2;
+constexpr int kMaxThreads = 1024;
 
 Result<void> checkRange(const std::string& where, double value, double least, double most, const char* unit) {
     if (value >= least && value <= most)
@@ -40,8 +40,8 @@ Result<void> checkAxis(const FieldAxis& axis, const std::string& where) {
     const char* unit = coordinateUnit(axis.coordinate);
     if (axis.count < 1)
         return Error(MessageCode::ValueNotPositive, where + ": count", {std::to_string(axis.count)});
-    if (axis.count > kMostAxisSamples)
-        return tooLarge(where, axis.count, kMostAxisSamples);
+    if (axis.count > kMaxAxisSamples)
+        return tooLarge(where, axis.count, kMaxAxisSamples);
     if (!(axis.step > 0.0))
         return Error(MessageCode::ValueNotPositive, where + ": step", {formatNumber(axis.step)});
     if (auto first = checkRange(where + ": first", axis.first, -kFieldReach, kFieldReach, unit); !first)
@@ -49,12 +49,12 @@ Result<void> checkAxis(const FieldAxis& axis, const std::string& where) {
     const double last = axis.at(axis.count - 1);
     if (auto valid = checkRange(where + ": last", last, -kFieldReach, kFieldReach, unit); !valid)
         return valid;
-    const double least = kLeastStep * std::max(std::abs(axis.first), std::abs(last));
+    const double least = kMinStep * std::max(std::abs(axis.first), std::abs(last));
     return checkRange(where + ": step", axis.step, least, 2.0 * kFieldReach, unit);
 }
 
 Result<void> check(const FieldRequest& request, const FieldRun& run) {
-    if (auto axes = checkRange("axes", static_cast<double>(request.axes.size()), 1, kMostAxes, "axes"); !axes)
+    if (auto axes = checkRange("axes", static_cast<double>(request.axes.size()), 1, kMaxAxes, "axes"); !axes)
         return axes;
     std::array<bool, 6> isAxis{};
     double samples = 1.0;
@@ -66,7 +66,7 @@ Result<void> check(const FieldRequest& request, const FieldRun& run) {
             return valid;
         samples *= axis.count;
     }
-    const double most = request.withGradient ? std::floor(kMostFieldNumbers / 7.0) : kMostFieldNumbers;
+    const double most = request.withGradient ? std::floor(kMaxFieldNumbers / 7.0) : kMaxFieldNumbers;
     if (samples > most)
         return tooLarge("axes", samples, most);
     for (std::size_t i = 0; i < isAxis.size(); ++i)
@@ -76,9 +76,9 @@ Result<void> check(const FieldRequest& request, const FieldRun& run) {
                                -kFieldReach, kFieldReach, coordinateUnit(static_cast<Coordinate>(i)));
                 !held)
                 return held;
-    if (auto threads = checkRange("threads", run.threads, 0, kMostThreads, ""); !threads)
+    if (auto threads = checkRange("threads", run.threads, 0, kMaxThreads, ""); !threads)
         return threads;
-    return checkRange("tolerance", request.tolerance, kLeastTolerance, kMostTolerance, "");
+    return checkRange("tolerance", request.tolerance, kMinTolerance, kMaxTolerance, "");
 }
 
 struct Turn {
@@ -209,7 +209,7 @@ private:
     }
 
     const Grid& m_grid;
-    std::array<int, kMostAxes> m_index{};
+    std::array<int, kMaxAxes> m_index{};
     std::array<Turn, 3> m_turns;
     Eigen::Vector3d m_p_RE;
     Eigen::Matrix3d m_R_RE;

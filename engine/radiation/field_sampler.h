@@ -25,10 +25,10 @@ struct FieldAxis {
     bool operator==(const FieldAxis&) const = default;
 };
 
-inline constexpr int kMostAxes = 4;
-inline constexpr int kMostAxisSamples = 100'000;
-inline constexpr double kMostFieldNumbers = 1e8; ///< a sample has one, or seven with its gradient
-inline constexpr double kFieldReach = 1e6;       ///< m and rad, of every coordinate, either way
+inline constexpr int kMaxAxes = 4;
+inline constexpr int kMaxAxisSamples = 100'000;
+inline constexpr double kMaxFieldNumbers = 1e8; ///< a sample has one, or seven with its gradient
+inline constexpr double kFieldReach = 1e6;      ///< m and rad, of every coordinate, either way
 
 /// What is sampled: the view factor, or what a function makes of it.
 struct FieldQuantity {

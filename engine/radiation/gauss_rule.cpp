@@ -44,12 +44,12 @@ Rule makeRule(int n) {
 
 GaussRule gaussRule(int n) {
     static const auto rules = [] {
-        std::array<Rule, kMostGaussPoints + 1> made;
-        for (int k = 1; k <= kMostGaussPoints; ++k)
+        std::array<Rule, kMaxGaussPoints + 1> made;
+        for (int k = 1; k <= kMaxGaussPoints; ++k)
             made[static_cast<std::size_t>(k)] = makeRule(k);
         return made;
     }();
-    if (n < 1 || n > kMostGaussPoints)
+    if (n < 1 || n > kMaxGaussPoints)
         throw std::invalid_argument("gaussRule: between 1 and 16 points");
     const Rule& rule = rules[static_cast<std::size_t>(n)];
     return {rule.nodes, rule.weights};
@@ -61,8 +61,8 @@ double ellipseExponent(double distance) {
 
 int gaussOrder(double distance, double exponent) {
     const double each = 2.0 * ellipseExponent(distance);
-    return each * kMostGaussPoints <= exponent ? kMostGaussPoints
-                                               : std::max(1, static_cast<int>(std::ceil(exponent / each)));
+    return each * kMaxGaussPoints <= exponent ? kMaxGaussPoints
+                                              : std::max(1, static_cast<int>(std::ceil(exponent / each)));
 }
 
 } // namespace bask

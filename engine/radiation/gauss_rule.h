@@ -5,9 +5,9 @@
 
 namespace bask {
 
-inline constexpr int kMostGaussPoints = 16;
+inline constexpr int kMaxGaussPoints = 16;
 
-/// Gauss-Legendre nodes and weights on [0, 1], 1 <= n <= kMostGaussPoints.
+/// Gauss-Legendre nodes and weights on [0, 1], 1 <= n <= kMaxGaussPoints.
 struct GaussRule {
     std::span<const double> nodes;
     std::span<const double> weights;
@@ -18,7 +18,7 @@ GaussRule gaussRule(int n);
 /// the centre; 0 when none does. A rule of n points errs by about exp(-2 n times this).
 double ellipseExponent(double distance);
 
-/// Points (1 to kMostGaussPoints) that a panel of half length 1 needs to err by exp(-exponent), relatively,
+/// Points (1 to kMaxGaussPoints) that a panel of half length 1 needs to err by exp(-exponent), relatively,
 /// for a field that is smooth within `distance` of its centre.
 int gaussOrder(double distance, double exponent);
 

@@ -75,10 +75,10 @@ public:
 private:
     // Before the exponential: twice from the rule, the rest for the potential's size in the complex.
     static constexpr double kSafety = 24.0;
-    static constexpr double kHalf = 0.7;     // log 2: object and source share the error
-    static constexpr int kNarrow = 40;       // step of a strip that asks for more than a hundred points
-    static constexpr int kMostForeseen = 64; // points of an outline of many harmonics, without trying
-    static constexpr int kMostDoubled = 512;
+    static constexpr double kHalf = 0.7;    // log 2: object and source share the error
+    static constexpr int kNarrow = 40;      // step of a strip that asks for more than a hundred points
+    static constexpr int kMaxForeseen = 64; // points of an outline of many harmonics, without trying
+    static constexpr int kMaxDoubled = 512;
     static constexpr double kDense = 3.0; // spacings to the source's outline
 
     // The logarithm, or up to log 2 more; faster than std::log.
@@ -124,7 +124,7 @@ private:
         const double b = AnalyticStrip::width(step);
         const double growth = m_object.strip.growth(step);
         const TrapezoidTable* rule = m_object.trapezoid((m_exponent + kHalf + growth) / b);
-        if (!m_object.disk && rule && rule->points > kMostForeseen)
+        if (!m_object.disk && rule && rule->points > kMaxForeseen)
             return {nullptr, 0.0};
         return rule ? Choice{&rule->table, rule->points * b - growth} : Choice{nullptr, 0.0};
     }
@@ -137,7 +137,7 @@ private:
         const auto dense = [&](int points) { return nearest * points >= kDense * m_object.mostSpeed_m; };
         if (!dense(2 * n))
             nearest = std::max(nearest, sampledNearest());
-        while (!dense(2 * n) && 2 * n < kMostDoubled)
+        while (!dense(2 * n) && 2 * n < kMaxDoubled)
             n *= 2;
         if (!dense(2 * n) || fromCentre <= 0.0)
             return false;
@@ -145,7 +145,7 @@ private:
         if (reached <= m_exponent)
             return false;
         kernels::Sums coarse = sumsOver(m_object.trapezoid(n)->table.view());
-        for (; 2 * n <= kMostDoubled; n *= 2) {
+        for (; 2 * n <= kMaxDoubled; n *= 2) {
             const kernels::Sums between = sumsOver(m_object.trapezoid(n)->shifted.view());
             kernels::Sums fine;
             fine.value = 0.5 * (coarse.value + between.value);
@@ -229,7 +229,7 @@ private:
             const Eigen::Vector3d middle_S = inS({p.x, p.y});
             const double away = m_source.distance_m(middle_S);
             const double room = roomOf(piece, 0.5 * panel.width(), away);
-            const double most = 2.0 * kMostGaussPoints * ellipseExponent(room);
+            const double most = 2.0 * kMaxGaussPoints * ellipseExponent(room);
             if (most < exponent && length > least_m &&
                 m_laid + 16 * static_cast<int>(open.size() - next) < mostLaid) {
                 if (mayTry(piece, panel, length, away) && tried(piece, panel, length, middle_S, away))
@@ -262,9 +262,9 @@ private:
 
     // Beside an outline that it follows, a panel may be long for its distance.
     bool runsAlong(const OutlinePiece& piece, const Panel& panel, double length, double away) const {
-        constexpr int kMostSamples = 64;
+        constexpr int kMaxSamples = 64;
         const int samples = static_cast<int>(std::min(std::ceil(length / away), 1e3));
-        if (!m_source.closedForm() || samples > kMostSamples)
+        if (!m_source.closedForm() || samples > kMaxSamples)
             return false;
         OutlinePoint last = m_object.at(piece, panel.from);
         double there = m_source.distance_m(inS({last.x, last.y}));
@@ -305,7 +305,7 @@ private:
 
     // Points are collected, for the kernels like long rows, and summed when the buffer is full.
     void lay(const OutlinePiece& piece, const Panel& panel, int order) {
-        if (m_buffer.count + kMostGaussPoints > Buffer::kSize)
+        if (m_buffer.count + kMaxGaussPoints > Buffer::kSize)
             flush(piece.onCut);
         const GaussRule rule = gaussRule(order);
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

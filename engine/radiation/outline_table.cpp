@@ -13,7 +13,7 @@ namespace bask {
 namespace {
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
-constexpr double kLeastArea_m2 = 1e-22; // of a face; smaller ones meet the guards against division by zero
+constexpr double kMinArea_m2 = 1e-22; // of a face; smaller ones meet the guards against division by zero
 constexpr int kTrapezoidPoints[] = {8, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512};
 constexpr double kGaussDistances[] = {1.0, 0.5, 0.25, 0.125, 0.0625}; // in perimeters
 
@@ -112,7 +112,7 @@ int AnalyticStrip::widest(const Table& table, double distance_m) {
 RadiatingContour::Impl::Impl(const Shape& outline)
     : shape(outline), netArea(shapeArea(outline)), area(netArea), m_coefficients(seriesOf(outline)) {
     disk = outlineAs<Disk>(shape);
-    if (!(netArea > kLeastArea_m2) || !std::isfinite(netArea) || (disk && !(disk->radius_m > 0.0)))
+    if (!(netArea > kMinArea_m2) || !std::isfinite(netArea) || (disk && !(disk->radius_m > 0.0)))
         throw std::invalid_argument("RadiatingContour: an outline without area");
     for (const Contour& hole : holesOf(shape))
         area += holes.emplace_back(hole).area;

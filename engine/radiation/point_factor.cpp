@@ -15,7 +15,7 @@ namespace bask {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kMostPanels = 20000; // of a Fourier outline: an end where the point all but lies on it
+constexpr int kMaxPanels = 20000; // of a Fourier outline: an end where the point all but lies on it
 
 /// The element. With r = s - p, F = -1/(2 pi) loop of n . (r x dr)/|r|^2 over the outline of the part with
 /// n . r > 0 (Lambert): each straight edge gives the angle it subtends times the cosine to its plane's
@@ -189,7 +189,7 @@ double circulation(const FourierContour& contour, const Element& element) {
     // Close to the outline the rounding of its points is seen under a wide angle.
     const double size = contour.perimeter();
     const auto noise = [&](double phi) { return 1e-15 * size / std::max(at(phi).norm(), 1e-15 * size); };
-    Halving integral(integrand, noise, 1e-13, kMostPanels);
+    Halving integral(integrand, noise, 1e-13, kMaxPanels);
     // Starts with panels of a quarter wave, lest whole and halves agree by chance.
     const auto stretch = [&](double from, double to) {
         const int panels =

@@ -192,7 +192,7 @@ double LoopSource::prepare(const Eigen::Vector3d& centre_S, double radius_m, dou
 // Gauss panels, each short beside its distance from the object's points.
 double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d& centre_S, double radius_m,
                              double nearest_m, double exponent) {
-    constexpr double kLeastHalf = 1e-12;
+    constexpr double kMinHalf = 1e-12;
     double reached = exponent;
     std::vector<std::pair<double, double>> open{{stretch.from, stretch.to}};
     while (!open.empty()) {
@@ -203,13 +203,13 @@ double LoopSource::layPanels(const OutlinePiece& stretch, const Eigen::Vector3d&
         const OutlinePoint s = m_source.at(middle);
         const double away = (Eigen::Vector3d(s.x, s.y, 0.0) - centre_S).norm() - radius_m;
         const double room = m_source.strip.radius(std::max(away, nearest_m)) / half;
-        const double most = 2.0 * kMostGaussPoints * ellipseExponent(room);
-        if (most < exponent && half > kLeastHalf) {
+        const double most = 2.0 * kMaxGaussPoints * ellipseExponent(room);
+        if (most < exponent && half > kMinHalf) {
             open.emplace_back(from, middle);
             open.emplace_back(middle, to);
             continue;
         }
-        if (half > kLeastHalf) // what is shorter does not matter
+        if (half > kMinHalf) // what is shorter does not matter
             reached = std::min(reached, most);
         const GaussRule rule = gaussRule(gaussOrder(room, exponent));
         for (std::size_t i = 0; i < rule.nodes.size(); ++i) {

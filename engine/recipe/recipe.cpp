@@ -59,11 +59,11 @@ Result<void> check(const RecipeStep& step, std::size_t i) {
         return Error(MessageCode::JsonMissingKey, placeOf(i, step.isRun() ? "until" : "wait"), {"object"});
     const bool isAbove = step.until == Until::Above;
     const double t_degC = celsiusFromKelvin(step.temperature_K);
-    if (t_degC >= kLeastTemperature_degC && t_degC <= kMostTemperature_degC)
+    if (t_degC >= kMinTemperature_degC && t_degC <= kMaxTemperature_degC)
         return {};
     return Error(MessageCode::ValueOutOfRange, untilOf(step, i, isAbove ? "above" : "below"),
-                 {formatNumber(t_degC), formatNumber(kLeastTemperature_degC),
-                  formatNumber(kMostTemperature_degC), "degC"});
+                 {formatNumber(t_degC), formatNumber(kMinTemperature_degC),
+                  formatNumber(kMaxTemperature_degC), "degC"});
 }
 
 /// Over its warning limit an object ends the recipe, and colder than the room it does not get.
@@ -78,9 +78,9 @@ Result<void> checkObject(const RecipeStep& step, std::size_t i, const Experiment
             continue;
         const double t_degC = celsiusFromKelvin(step.temperature_K);
         const double least_degC =
-            isAbove ? kLeastTemperature_degC : celsiusFromKelvin(experiment.environment_K) - kRoomDiffers_K;
+            isAbove ? kMinTemperature_degC : celsiusFromKelvin(experiment.environment_K) - kRoomDiffers_K;
         const double most_degC =
-            isAbove ? celsiusFromKelvin(warningLimit_K(experiment, object)) : kMostTemperature_degC;
+            isAbove ? celsiusFromKelvin(warningLimit_K(experiment, object)) : kMaxTemperature_degC;
         if (t_degC >= least_degC && t_degC <= most_degC)
             return {};
         return Error(MessageCode::ValueOutOfRange, untilOf(step, i, isAbove ? "above" : "below"),
@@ -99,9 +99,9 @@ double atMost_s(const Recipe& recipe) {
 }
 
 Result<void> validate(const Recipe& recipe) {
-    if (recipe.steps.size() > kMostRecipeSteps)
+    if (recipe.steps.size() > kMaxRecipeSteps)
         return Error(MessageCode::ValueOutOfRange, "steps",
-                     {std::to_string(recipe.steps.size()), "0", std::to_string(kMostRecipeSteps), ""});
+                     {std::to_string(recipe.steps.size()), "0", std::to_string(kMaxRecipeSteps), ""});
     for (std::size_t i = 0; i < recipe.steps.size(); ++i)
         if (const auto fits = check(recipe.steps[i], i); !fits)
             return fits;

@@ -39,7 +39,7 @@ struct Recipe {
 };
 
 inline constexpr int kRecipeFormat = 1; ///< version written to and accepted from recipe files
-inline constexpr std::size_t kMostRecipeSteps = 500;
+inline constexpr std::size_t kMaxRecipeSteps = 500;
 inline constexpr double kLongestStep_s = 1e7;
 
 /// What all steps take at the very most, s.

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using Until = RecipeStep::Until;
 
-constexpr std::uintmax_t kMostBytes = 1u << 20;
+constexpr std::uintmax_t kMaxBytes = 1u << 20;
 
 /// One condition: the keys of a second one are unknown there.
 void readUntil(const json& j, const std::string& path, Failure& failure, RecipeStep& step) {
@@ -82,9 +82,9 @@ Recipe readRoot(const json& j, const std::string& folder, Failure& failure) {
     if (const json* steps = root.find("steps", true); steps != nullptr && !failure) {
         if (!steps->is_array())
             root.fail(MessageCode::JsonWrongType, "steps", {"an array", typeName(*steps)});
-        else if (steps->size() > kMostRecipeSteps)
+        else if (steps->size() > kMaxRecipeSteps)
             root.fail(MessageCode::ValueOutOfRange, "steps",
-                      {std::to_string(steps->size()), "0", std::to_string(kMostRecipeSteps), ""});
+                      {std::to_string(steps->size()), "0", std::to_string(kMaxRecipeSteps), ""});
         for (std::size_t i = 0; !failure && i < steps->size(); ++i)
             readStep((*steps)[i], "steps[" + std::to_string(i) + ']', folder, failure,
                      recipe.steps.emplace_back());
@@ -131,7 +131,7 @@ nlohmann::ordered_json stepJson(const RecipeStep& step, const std::string& folde
 } // namespace
 
 bool isRecipeFile(const std::string& path) {
-    const auto text = readTextFile(path, kMostBytes);
+    const auto text = readTextFile(path, kMaxBytes);
     return text && text->substr(0, 1024).find("\"bask-recipe\"") != std::string::npos;
 }
 
@@ -154,7 +154,7 @@ Result<Recipe> recipeFromJson(const std::string& text, const std::string& folder
 }
 
 Result<Recipe> readRecipe(const std::string& path) {
-    const auto text = readTextFile(path, kMostBytes);
+    const auto text = readTextFile(path, kMaxBytes);
     if (!text)
         return text.error();
     Result<Recipe> recipe = recipeFromJson(*text, folderOf(path));

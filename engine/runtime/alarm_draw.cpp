@@ -12,8 +12,8 @@
 namespace bask {
 namespace {
 
-constexpr double kLeastPower_W_m2 = 200.0; // of a source that is worth its plug
-constexpr int kPosesPerSource = 300;       // tried before another source is drawn
+constexpr double kMinPower_W_m2 = 200.0; // of a source that is worth its plug
+constexpr int kPosesPerSource = 300;     // tried before another source is drawn
 
 double logUniform(StudyRandom& random, double least, double most) {
     return std::exp(uniform(random, std::log(least), std::log(most)));
@@ -67,8 +67,8 @@ std::vector<double> drawTargets(StudyRandom& random, const RigGeometry& geometry
         std::vector<double> targets_K;
         for (std::size_t i = 0; i < experiment.objects.size(); ++i)
             targets_K.push_back(steadyTemperature_K(experiment, i, F[static_cast<Eigen::Index>(i)]));
-        if (std::ranges::min(targets_K) >= experiment.environment_K + kAlarmLeastRise_K &&
-            std::ranges::max(targets_K) <= kAlarmMostTarget_K)
+        if (std::ranges::min(targets_K) >= experiment.environment_K + kAlarmMinRise_K &&
+            std::ranges::max(targets_K) <= kAlarmMaxTarget_K)
             return targets_K;
     }
     return {};
@@ -94,7 +94,7 @@ void drawSource(StudyRandom& random, Experiment& experiment) {
         source.model = isLikely(random, 0.5) ? SourceModel::Gray : SourceModel::Paper;
         source.temperature_K = kelvinFromCelsius(uniform(random, 150.0, 300.0));
         source.emittance = uniform(random, 0.25, 0.95);
-    } while (trueSourcePower_W_m2(experiment, source.temperature_K) < kLeastPower_W_m2);
+    } while (trueSourcePower_W_m2(experiment, source.temperature_K) < kMinPower_W_m2);
 }
 
 void drawBeliefs(StudyRandom& random, Experiment& experiment) {
@@ -121,7 +121,7 @@ Experiment drawExperiment(StudyRandom& random, const Experiment& rig) {
     simulation.sensorLag_s = uniform(random, 0.0, kAlarmLag_s);
     simulation.convection_W_m2K = uniform(random, 0.0, kAlarmConvection_W_m2K);
     simulation.faults.clear();
-    for (int attempt = 0; attempt < kMostDraws / kPosesPerSource; ++attempt) {
+    for (int attempt = 0; attempt < kMaxDraws / kPosesPerSource; ++attempt) {
         experiment.objects = rig.objects;
         drawObjects(random, experiment);
         drawSource(random, experiment);

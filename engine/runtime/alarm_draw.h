@@ -37,9 +37,9 @@ inline constexpr double kAlarmRun_s = 1800.0;
 inline constexpr double kAlarmBelief = 4.0; ///< believed rates are wrong within this factor
 inline constexpr double kAlarmConvection_W_m2K = 15.0;
 inline constexpr double kAlarmLag_s = 5.0;
-inline constexpr double kAlarmOffLag_s = 15.0;   ///< of sensors in still air
-inline constexpr double kAlarmLeastRise_K = 5.0; ///< of a target over the room
-inline constexpr double kAlarmMostTarget_K = 363.15;
+inline constexpr double kAlarmOffLag_s = 15.0; ///< of sensors in still air
+inline constexpr double kAlarmMinRise_K = 5.0; ///< of a target over the room
+inline constexpr double kAlarmMaxTarget_K = 363.15;
 
 /// Faults that a run can have, in the order in which they are drawn.
 const std::vector<SimulatedFault>& alarmFaults();

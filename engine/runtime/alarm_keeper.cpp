@@ -12,7 +12,7 @@
 namespace bask {
 namespace {
 
-constexpr int kMostFiles = 16;
+constexpr int kMaxFiles = 16;
 
 /// Held by one process, however that ends.
 class FileLock {
@@ -69,7 +69,7 @@ AlarmKeeper::Before AlarmKeeper::Shared::read() {
     std::vector<std::string> left;
     std::vector<FileLock> locks;
     const std::string named = file;
-    for (int number = 1; number <= kMostFiles; ++number) {
+    for (int number = 1; number <= kMaxFiles; ++number) {
         const std::string each = numbered(named, number);
         std::error_code code;
         if (lock && !std::filesystem::exists(each, code))

@@ -20,15 +20,15 @@
 namespace bask {
 namespace {
 
-constexpr int kReachPoses = 12000;     // sampled for the bound
-constexpr double kBoundStep_s = 0.1;   // of its integration
-constexpr double kMostBound_s = 1.0e6; // targets are below the steady temperature at F = 1, so it ends
+constexpr int kReachPoses = 12000;    // sampled for the bound
+constexpr double kBoundStep_s = 0.1;  // of its integration
+constexpr double kMaxBound_s = 1.0e6; // targets are below the steady temperature at F = 1, so it ends
 
 using Random = StudyRandom;
 
 /// Centroids anywhere in a disk about E, turned anyhow, the circles about the outlines apart.
 std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec>& objects) {
-    for (int attempt = 0; attempt < kMostDraws; ++attempt) {
+    for (int attempt = 0; attempt < kMaxDraws; ++attempt) {
         std::vector<Vector6d> mountings;
         bool apart = true;
         for (std::size_t i = 0; i < objects.size(); ++i) {
@@ -51,7 +51,7 @@ std::vector<Vector6d> drawMountings(Random& random, const std::vector<ObjectSpec
 
 void drawGoal(Random& random, const RigGeometry& geometry, const Experiment& rig, ClosedLoopCase& drawn) {
     const std::vector<HeatRates> rates = trueRates(rig);
-    for (int attempt = 0; attempt < kMostDraws; ++attempt) {
+    for (int attempt = 0; attempt < kMaxDraws; ++attempt) {
         drawn.goal = drawAllowedPose(random, geometry, rig.start);
         const Eigen::VectorXd F = geometry.viewFactors(drawn.goal).F;
         drawn.targets_K.clear();
@@ -115,7 +115,7 @@ double timeToBand_s(const Experiment& rig, std::size_t object, double target_K, 
     if (sign * (edge_K - rig.environment_K) > 0.0 && isOutOfReach(rig, object, edge_K))
         return std::numeric_limits<double>::infinity();
     double before_K = plant.temperature_K(0);
-    for (int step = 0; step * kBoundStep_s < kMostBound_s; ++step) {
+    for (int step = 0; step * kBoundStep_s < kMaxBound_s; ++step) {
         if (sign * plant.temperature_K(0) >= sign * edge_K) {
             if (step == 0)
                 return 0.0;
@@ -358,7 +358,7 @@ std::string closedLoopCsv(const ClosedLoopStudy& study, const std::vector<Closed
         ".\n"
         "# Settled: every true temperature within +-" +
         number(kSettledBand_K) + " K of its target until the end of the run, which lasts " +
-        number(kStudyBounds) + " x bound_s + " + number(kStudyLeastDuration_s) +
+        number(kStudyBounds) + " x bound_s + " + number(kStudyMinDuration_s) +
         " s; settling_s is the last object's.\n"
         "# radiation_s: until the slowest object is within the band at F = 1 from the first moment. bound_s: "
         "at the largest F of any pose within reach at full speed by then. travel_s: from start to goal.\n"

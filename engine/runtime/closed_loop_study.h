@@ -26,7 +26,7 @@ struct ClosedLoopStudy {
 inline constexpr double kStudyRise_K = 2.0;            ///< least height of a target above the environment
 inline constexpr double kStudyMountingRadius_m = 0.06; ///< random mountings: of the centroids about E
 inline constexpr double kStudyBounds = 3.0;            ///< a run lasts this many bounds
-inline constexpr double kStudyLeastDuration_s = 400.0; ///< and this besides
+inline constexpr double kStudyMinDuration_s = 400.0;   ///< and this besides
 
 /// Times below which no controller brings an experiment's objects from the environment's temperature and its
 /// start to their targets; infinite for a target that no view factor holds.
@@ -50,7 +50,7 @@ struct ClosedLoopCase {
     double radiation_s = 0.0; ///< SettlingBound
     double bound_s = 0.0;
     double travel_s = 0.0; ///< straight from start to goal at full speed
-    double duration_s() const { return kStudyBounds * bound_s + kStudyLeastDuration_s; }
+    double duration_s() const { return kStudyBounds * bound_s + kStudyMinDuration_s; }
 };
 
 /// Draw number `index` (from 0): of the study's seed and the index alone, whatever the controller. Throws

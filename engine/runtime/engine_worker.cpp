@@ -71,9 +71,9 @@ bool haveSameSensors(const Experiment& a, const Experiment& b) {
 /// The newest rows, as many as are kept; a tenth is dropped at once, or each one would move all others.
 template <class Row> void append(std::vector<Row>& rows, std::vector<Row>& kept) {
     std::ranges::move(rows, std::back_inserter(kept));
-    if (kept.size() > EngineWorker::kMostKept)
-        kept.erase(kept.begin(), kept.begin() + static_cast<std::ptrdiff_t>(
-                                                    kept.size() - EngineWorker::kMostKept * 9 / 10));
+    if (kept.size() > EngineWorker::kMaxKept)
+        kept.erase(kept.begin(),
+                   kept.begin() + static_cast<std::ptrdiff_t>(kept.size() - EngineWorker::kMaxKept * 9 / 10));
 }
 
 /// It ends something, so it is carried out at once, whatever is under way.

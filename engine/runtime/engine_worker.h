@@ -39,7 +39,7 @@ public:
     static constexpr std::chrono::milliseconds kLastRows{3000};
     /// Rows of each kind that wait for whoever takes snapshots; then the oldest are dropped. An hour at 10
     /// Hz.
-    static constexpr std::size_t kMostKept = 36000;
+    static constexpr std::size_t kMaxKept = 36000;
 
     /// `alarmFile` keeps the alarms over a restart, `deviceFile` which devices were met; empty: nothing does.
     /// `awake` stands still while the computer sleeps.
@@ -58,8 +58,8 @@ public slots:
     void shutdown();
 
 signals:
-    /// At most Underway::kMost wait to be taken, besides the answers to commands: whoever hangs gets the
-    /// newest state, and all samples, events and notes up to kMostKept, when it goes on. `token` is for
+    /// At most Underway::kMax wait to be taken, besides the answers to commands: whoever hangs gets the
+    /// newest state, and all samples, events and notes up to kMaxKept, when it goes on. `token` is for
     /// counting.
     void published(const bask::Snapshot& snapshot, const std::shared_ptr<const int>& token);
     /// A control step of a real rig has begun, so long after it was due; what is longer than a period is

@@ -9,7 +9,7 @@ namespace {
 constexpr double kShare = 0.01; ///< of one reading in the variance
 constexpr int kKnown = 100;     ///< readings until the noise is known
 constexpr int kResting = 5;     ///< more of one value in a row say nothing about the noise
-constexpr int kLeastSame = 20;  ///< readings, whatever their period
+constexpr int kMinSame = 20;    ///< readings, whatever their period
 constexpr double kNoisy = 0.75; ///< deviation over the step: 20 in a row are then less likely than 1e-5
 
 } // namespace
@@ -40,7 +40,7 @@ void QuietWatch::add(double time_s, double value_K) {
 double QuietWatch::quietFor_s() const {
     const bool isNoisy = m_count >= kKnown && m_step_K > 0.0 && std::sqrt(m_variance_K2) >= kNoisy * m_step_K;
     const double same_s = m_time_s - m_since_s;
-    return isNoisy && m_same >= kLeastSame && same_s >= kQuiet_s ? same_s : 0.0;
+    return isNoisy && m_same >= kMinSame && same_s >= kQuiet_s ? same_s : 0.0;
 }
 
 void QuietWatch::confirm() {

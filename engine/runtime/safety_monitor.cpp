@@ -113,7 +113,7 @@ SensorLimits sensorLimits(const Experiment& experiment) {
     }
     for (const HeatRates& rates : nominalRates(hottest, experiment.environment_K))
         limits.largestRates_K_s.push_back(experiment.safety.largestRate_K_s.value_or(
-            std::max(SafetySpec::kLeastRate_K_s, kTimes * rates.lambda1)));
+            std::max(SafetySpec::kMinRate_K_s, kTimes * rates.lambda1)));
     return limits;
 }
 

@@ -11,18 +11,18 @@
 namespace bask {
 namespace {
 
-constexpr double kLeastPlausible_K = 173.15; ///< -100 degC: an open or shorted sensor reads beyond these
-constexpr double kMostPlausible_K = 1273.15;
+constexpr double kMinPlausible_K = 173.15; ///< -100 degC: an open or shorted sensor reads beyond these
+constexpr double kMaxPlausible_K = 1273.15;
 constexpr double kScatter_K = 2.0;    ///< of readings, noise and steps together: less is no jump
 constexpr double kLag_s = 5.0;        ///< of sensors behind their objects
 constexpr double kForgiven_s = 600.0; ///< a sensor that was believed for so long is like new
-constexpr int kMostDoublings = 6;
+constexpr int kMaxDoublings = 6;
 constexpr double kAmbientSpread_K = 2.0;   ///< PT100 class B and noise
 constexpr double kAmbientDistance_K = 5.0; ///< of the mean from the experiment's environment
 
 bool plausible(const Reading& reading) {
-    return reading.valid && std::isfinite(reading.value_K) && reading.value_K > kLeastPlausible_K &&
-           reading.value_K < kMostPlausible_K;
+    return reading.valid && std::isfinite(reading.value_K) && reading.value_K > kMinPlausible_K &&
+           reading.value_K < kMaxPlausible_K;
 }
 
 double mean(const std::vector<Reading>& window) {
@@ -70,7 +70,7 @@ bool SensorChannels::isPossible(std::size_t i, const Reading& reading) const {
         const double largest_K_s = largestRate_K_s(i);
         if (change_K > largest_K_s * since_s)
             return false;
-        if (within == nullptr || change_K <= std::min(largest_K_s, SafetySpec::kLeastRate_K_s) * since_s)
+        if (within == nullptr || change_K <= std::min(largest_K_s, SafetySpec::kMinRate_K_s) * since_s)
             return true;
     }
     const auto isWithin = [&](double value_K) { return within->contain(value_K, kScatter_K); };
@@ -92,7 +92,7 @@ bool SensorChannels::isJump(std::size_t i, const Reading& reading) {
     const bool isFine = isPossible(i, reading);
     channel.agreed = isFine ? channel.agreed + 1 : 0;
     // A loose contact that comes and goes is believed later each time.
-    const int enough = m_limits.jumps << std::clamp(channel.losses - 1, 0, kMostDoublings);
+    const int enough = m_limits.jumps << std::clamp(channel.losses - 1, 0, kMaxDoublings);
     if (isFine && (!channel.isDistrusted || channel.agreed >= enough)) {
         if (channel.isDistrusted)
             channel.lossEnds_s = reading.time_s;

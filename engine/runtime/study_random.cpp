@@ -15,7 +15,7 @@ double uniform(StudyRandom& random, double least, double most) {
 }
 
 Vector6d drawAllowedPose(StudyRandom& random, const RigGeometry& geometry, const Vector6d& rest) {
-    for (int attempt = 0; attempt < kMostDraws; ++attempt) {
+    for (int attempt = 0; attempt < kMaxDraws; ++attempt) {
         Vector6d q = rest;
         for (const int k : geometry.freeCoordinates())
             q[k] = uniform(random, geometry.limits().lower[k], geometry.limits().upper[k]);

@@ -17,6 +17,6 @@ double uniform(StudyRandom& random, double least, double most);
 /// std::invalid_argument where there is none.
 Vector6d drawAllowedPose(StudyRandom& random, const RigGeometry& geometry, const Vector6d& rest);
 
-inline constexpr int kMostDraws = 100000; ///< of a pose or a mounting, before the rig is called unfit
+inline constexpr int kMaxDraws = 100000; ///< of a pose or a mounting, before the rig is called unfit
 
 } // namespace bask

@@ -10,11 +10,11 @@ namespace bask {
 /// A queued signal keeps its arguments until it was delivered: one of them is a token that is counted here.
 class Underway {
 public:
-    static constexpr std::size_t kMost = 2;
+    static constexpr std::size_t kMax = 2;
 
     bool isFull() {
         std::erase_if(m_tokens, [](const auto& token) { return token.expired(); });
-        return m_tokens.size() >= kMost;
+        return m_tokens.size() >= kMax;
     }
     std::shared_ptr<const int> next() {
         auto token = std::make_shared<const int>(0);

@@ -7,7 +7,7 @@ namespace bask {
 namespace {
 
 constexpr double kBin_s = 6.0;
-constexpr double kLeastBin_s = 2.0;
+constexpr double kMinBin_s = 2.0;
 constexpr double kBinsOfLoss = 0.02; // shortest bin, times the shortest time constant that may be
 constexpr std::array<std::size_t, 5> kSpans{2, 5, 10, 20, 40}; // bins that are learnt from
 constexpr double kResting_s = 20.0;                            // the very same value for longer tells nothing
@@ -15,7 +15,7 @@ constexpr double kNoiseShare = 0.05;
 constexpr double kNoiseTimes = 8.0;     // so many deviations more are asked for
 constexpr double kToleranceTimes = 5.0; // deviations of a change that is learnt from: there are hundreds
 constexpr double kTolerance_K = 0.1;    // and besides: steps of a sensor
-constexpr double kMostLaw = 2.4; // where free convection of a bare metal is, by ΔT to the 1.25th up to 50 K
+constexpr double kMaxLaw = 2.4; // where free convection of a bare metal is, by ΔT to the 1.25th up to 50 K
 constexpr double kWrongThen = 0.06; // share of energy and losses, as pose and air change while it learns
 constexpr double kWrongNow = 0.05;  // and from then to now
 constexpr double kRoomUnknown_K = 5.0, kRoomZeroed_K = 0.2;
@@ -29,7 +29,7 @@ double fourth(double x) {
 
 WarmingWatch::WarmingWatch(LossRange losses, double environment_K, double least_K)
     : m_losses(losses), m_environment_K(environment_K), m_least_K(least_K),
-      m_bin_s(std::clamp(kBinsOfLoss / losses.min_1_s, kLeastBin_s, kBin_s)),
+      m_bin_s(std::clamp(kBinsOfLoss / losses.min_1_s, kMinBin_s, kBin_s)),
       m_anything(kFits, HeatFit(losses)), m_fits(m_anything) {}
 
 void WarmingWatch::reset() {
@@ -105,7 +105,7 @@ HeatSpan WarmingWatch::span(const Mark& from, const Mark& to, std::size_t fit, d
     const double linear_K_s = to.linear_K_s - from.linear_K_s;
     const double radiated_K_s = to.radiated_K_s - from.radiated_K_s;
     const auto losses_K_s = [&](std::size_t of) {
-        return linear_K_s + (radiated_K_s - linear_K_s) * kMostLaw * static_cast<double>(of) / kLaws;
+        return linear_K_s + (radiated_K_s - linear_K_s) * kMaxLaw * static_cast<double>(of) / kLaws;
     };
     const double room_K =
         m_zeroed_s ? std::min(kRoomUnknown_K, kRoomZeroed_K + kRoomDrift_K_s * (to.time_s - *m_zeroed_s))
@@ -174,7 +174,7 @@ std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from
     const HeatFit::Change change = expected(fits, from, wrong);
     const double expected_K = change.min_K > 0.0 ? change.min_K : change.max_K < 0.0 ? change.max_K : 0.0;
     const double gained_K = m_now.temperature_K - from.temperature_K;
-    const bool follows = gained_K * expected_K >= kLeastShare * expected_K * expected_K;
+    const bool follows = gained_K * expected_K >= kMinShare * expected_K * expected_K;
     if (follows || std::abs(expected_K) < least_K + kNoiseTimes * m_noise_K)
         return std::nullopt;
     return Unfollowed{expected_K, gained_K, m_now.time_s - from.time_s};

@@ -21,12 +21,12 @@ struct Unfollowed {
 
 /// Learns from an object's readings by how much the estimate of its heating is wrong and how it loses heat,
 /// as HeatFit keeps them: all that explain it. Where all of these ask for a change of one sign, and even the
-/// smallest is enough, and less than kLeastShare of that has come, the object does not follow its heat. Where
+/// smallest is enough, and less than kMinShare of that has come, the object does not follow its heat. Where
 /// one explains what is seen there is no fault. The newest readings are judged, not learnt from: learnt from
 /// is what is older than kJudged_s, and nothing that is the very same value for long.
 class WarmingWatch {
 public:
-    static constexpr double kLeastShare = 0.1;
+    static constexpr double kMinShare = 0.1;
     static constexpr double kLongest_s = 300.0; ///< looked back
     static constexpr double kJudged_s = 90.0;
 

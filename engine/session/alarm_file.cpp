@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kVersion = 1;
-constexpr qint64 kMostAlarmBytes = 1 << 20;
+constexpr qint64 kMaxAlarmBytes = 1 << 20;
 
 Alarm readAlarm(const json& j, const std::string& path, Failure& failure) {
     Alarm alarm;
@@ -68,7 +68,7 @@ Result<std::vector<Alarm>> readAlarms(const std::string& path) {
         return std::vector<Alarm>();
     if (!file.open(QIODevice::ReadOnly))
         return Error(MessageCode::FileUnreadable, path, {file.errorString().toStdString()});
-    const std::string text = file.read(kMostAlarmBytes).toStdString();
+    const std::string text = file.read(kMaxAlarmBytes).toStdString();
     try {
         const json j = json::parse(text);
         Failure failure;

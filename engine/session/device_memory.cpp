@@ -13,7 +13,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMemoryVersion = 1;
-constexpr std::uintmax_t kMostMemoryBytes = 1U << 20;
+constexpr std::uintmax_t kMaxMemoryBytes = 1U << 20;
 
 std::string atUnit(const std::string& key, bool isModbus, int unit) {
     return isModbus ? key + " unit " + std::to_string(unit) : key;
@@ -69,7 +69,7 @@ std::string memoryKey(const HeatSourceDeviceSpec& source) {
 Result<DeviceMemory> readDeviceMemory(const std::string& path) {
     if (!QFile::exists(QString::fromStdString(path)))
         return DeviceMemory();
-    const auto text = readTextFile(path, kMostMemoryBytes);
+    const auto text = readTextFile(path, kMaxMemoryBytes);
     if (!text)
         return text.error();
     if (const auto trouble = checkJsonText(*text))

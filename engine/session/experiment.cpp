@@ -25,12 +25,12 @@ constexpr std::size_t kMaxNameLength = 64;
 constexpr std::size_t kMaxTitleLength = 1000;
 constexpr std::size_t kMaxOutlinePoints = 200'000;
 constexpr double kMaxSourceRadius_m = 10.0;
-constexpr double kLeastRadius_m = 1e-6;
+constexpr double kMinRadius_m = 1e-6;
 constexpr double kMaxPlace_cm = 500.0; // of the robot's workspace and of the source
 constexpr double kSamePlace = 1e-9;    // m, rad
 constexpr double kMaxPicture_px = 16384.0;
 constexpr double kMaxRendered_px = 4096.0; // of a simulated camera, whose pictures are painted one by one
-constexpr double kMostMarkers = 64.0;
+constexpr double kMaxMarkers = 64.0;
 
 void checkPoints(Checker& check, const std::string& where, const std::vector<Eigen::Vector2d>& points) {
     if (points.size() > kMaxOutlinePoints)
@@ -77,10 +77,10 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
     if (!(shapeArea(shape) > 0.0))
         return check.fail(MessageCode::ContourZeroArea, path);
     const double radius_m = shapeRadius(shape);
-    if (!(radius_m <= most_m) || radius_m < kLeastRadius_m)
-        return check.fail(MessageCode::ValueOutOfRange, path,
-                          {"a radius of " + formatNumber(radius_m), formatNumber(kLeastRadius_m),
-                           formatNumber(most_m), "m"});
+    if (!(radius_m <= most_m) || radius_m < kMinRadius_m)
+        return check.fail(
+            MessageCode::ValueOutOfRange, path,
+            {"a radius of " + formatNumber(radius_m), formatNumber(kMinRadius_m), formatNumber(most_m), "m"});
     const auto* fourier = outlineAs<FourierContour>(shape);
     const double uneven = fourier ? unevenShare(*fourier) : 0.0;
     if (uneven > kMaxUneven)
@@ -90,9 +90,9 @@ void checkShape(Checker& check, const std::string& path, const Shape& shape, con
     std::size_t corners = polygon ? polygon->points_m.size() : 0;
     for (const Contour& hole : holesOf(shape))
         corners += hole.points_m.size();
-    if (corners > kMostCorners)
+    if (corners > kMaxCorners)
         check.fail(MessageCode::ValueOutOfRange, path + (polygon ? ".points_m" : ".holes_m"),
-                   {to_string(corners), "3", to_string(kMostCorners), "corners"});
+                   {to_string(corners), "3", to_string(kMaxCorners), "corners"});
 }
 
 /// Coordinates of a pose, lengths within +-most_cm and angles within +-180 degrees, theta_y within +-90 where
@@ -124,8 +124,8 @@ void checkTimeTable(Checker& check, const std::string& path, const TimeTable<T>&
 void checkSource(Checker& check, const Experiment& e) {
     checkShape(check, "source.contour", e.source.shape, e.source.origin, kMaxSourceRadius_m);
     const auto temperature = [&](const std::string& path, double value_K) {
-        check.quantity(path, "temperature", EdgeUnit::Temperature, value_K, kLeastTemperature_degC,
-                       kMostTemperature_degC);
+        check.quantity(path, "temperature", EdgeUnit::Temperature, value_K, kMinTemperature_degC,
+                       kMaxTemperature_degC);
     };
     temperature("source.", e.source.temperature_K);
     checkTimeTable(check, "source.temperature_profile", e.source.temperatureProfile, temperature);
@@ -170,8 +170,8 @@ void checkObject(Checker& check, const std::string& path, const ObjectSpec& obje
     if (object.simulatedMaterial)
         check.parameters(path + ".simulated_material.", materialParameters(), *object.simulatedMaterial);
     checkCoordinates(check, path + ".mounting.", object.mounting, 100.0, false);
-    check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kLeastTemperature_degC,
-                   kMostTemperature_degC);
+    check.quantity(path + ".", "target", EdgeUnit::Temperature, object.target_K, kMinTemperature_degC,
+                   kMaxTemperature_degC);
     check.parameters(path + ".", objectLimitParameters(), object);
     if (object.believedRates)
         check.parameters(path + ".believed_rates.", heatRateParameters(), *object.believedRates);
@@ -295,7 +295,7 @@ void checkVision(Checker& check, const Experiment& e) {
     if (!isMarkerDictionary(vision.dictionary))
         return check.fail(MessageCode::ValueUnknown, "vision.dictionary",
                           {vision.dictionary, markerDictionaries()});
-    check.range("vision.markers", static_cast<double>(vision.markers.size()), 0.0, kMostMarkers, "markers");
+    check.range("vision.markers", static_cast<double>(vision.markers.size()), 0.0, kMaxMarkers, "markers");
     for (std::size_t i = 0; i < vision.markers.size() && !check.failed(); ++i)
         checkCoordinates(check, "vision.markers[" + to_string(i) + "].pose.", vision.markers[i].pose,
                          kMaxPlace_cm, true);
@@ -325,7 +325,7 @@ void checkSafety(Checker& check, const Experiment& e) {
     const SafetySpec& s = e.safety;
     const auto limit = [&](const std::string& path, std::string_view name, double value_K, double least_K) {
         check.quantity(path, name, EdgeUnit::Temperature, value_K,
-                       std::max(kLeastTemperature_degC, celsiusFromKelvin(least_K)), kMostTemperature_degC);
+                       std::max(kMinTemperature_degC, celsiusFromKelvin(least_K)), kMaxTemperature_degC);
     };
     check.parameters("safety.", safetyParameters(), s);
     limit("safety.", "trip", s.trip_K, s.warning_K);

@@ -20,8 +20,8 @@
 namespace bask {
 
 /// Targets and source temperatures that are taken.
-inline constexpr double kLeastTemperature_degC = -50.0;
-inline constexpr double kMostTemperature_degC = 2000.0;
+inline constexpr double kMinTemperature_degC = -50.0;
+inline constexpr double kMaxTemperature_degC = 2000.0;
 
 /// Where a shape came from, kept so that it can be fitted again with other harmonics.
 struct ContourOrigin {
@@ -131,7 +131,7 @@ struct Experiment {
 
 inline constexpr double kMaxObjectRadius_m = 1.0; ///< about the outline's centroid
 inline constexpr int kExperimentFormat = 1;       ///< version written to and accepted from JSON
-inline constexpr std::size_t kMostCorners = 5000; ///< of a polygon: more would make a run slower than life
+inline constexpr std::size_t kMaxCorners = 5000;  ///< of a polygon: more would make a run slower than life
 
 /// Set point of the source at a run time, K.
 double sourceSetPoint_K(const SourceSpec& source, double time_s);

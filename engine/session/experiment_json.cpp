@@ -73,9 +73,9 @@ std::vector<Contour> readHoles(Fields& fields, const std::string& key) {
         return holes;
     if (!j->is_array())
         fields.fail(MessageCode::JsonWrongType, fields.pathOf(key), {"an array", typeName(*j)});
-    else if (j->size() > kMostHoles)
+    else if (j->size() > kMaxHoles)
         fields.fail(MessageCode::HolesTooMany, fields.pathOf(key),
-                    {std::to_string(j->size()), std::to_string(kMostHoles)});
+                    {std::to_string(j->size()), std::to_string(kMaxHoles)});
     for (std::size_t i = 0; i < j->size() && !fields.failure(); ++i)
         holes.push_back(readRing(fields, (*j)[i], key + '[' + std::to_string(i) + ']'));
     return holes;

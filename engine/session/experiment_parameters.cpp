@@ -10,7 +10,7 @@ using enum Loosens;
 
 constexpr double kMaxRate_K_s = 1e5;       // a foil of 10 um before a source of 2000 degC
 constexpr double kMaxLambda2_1_K3s = 1e-7; // and what it radiates
-constexpr ValidRange kAnyTemperature{kLeastTemperature_degC, kMostTemperature_degC};
+constexpr ValidRange kAnyTemperature{kMinTemperature_degC, kMaxTemperature_degC};
 constexpr ValidRange kShare{0.0, 1.0};
 constexpr ValidRange kPositiveShare{0.0, 1.0, true};
 

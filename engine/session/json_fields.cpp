@@ -56,12 +56,12 @@ void Fields::read(const std::string& key, int& out, bool required) {
     const json* j = find(key, required);
     if (j == nullptr)
         return;
-    constexpr int kMost = std::numeric_limits<int>::max();
+    constexpr int kMax = std::numeric_limits<int>::max();
     if (!j->is_number_integer())
         return fail(MessageCode::JsonWrongType, pathOf(key), {"a whole number", typeName(*j)});
     const auto value = j->get<double>();
-    if (std::abs(value) > kMost)
-        return fail(MessageCode::ValueOutOfRange, pathOf(key), {j->dump(), "0", std::to_string(kMost), ""});
+    if (std::abs(value) > kMax)
+        return fail(MessageCode::ValueOutOfRange, pathOf(key), {j->dump(), "0", std::to_string(kMax), ""});
     out = static_cast<int>(value);
 }
 

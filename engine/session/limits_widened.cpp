@@ -95,11 +95,11 @@ void addObjects(Widened& widened, const Experiment& before, const Experiment& af
     }
 }
 
-/// An automatic one is kLeastRate_K_s or more; how much more depends on what is heated.
+/// An automatic one is kMinRate_K_s or more; how much more depends on what is heated.
 void addRate(Widened& widened, const std::optional<double>& before, const std::optional<double>& after) {
     const std::string name = QT_TRANSLATE_NOOP("Parameter", "Fastest plausible change");
     if (after)
-        widened.more(name, before.value_or(SafetySpec::kLeastRate_K_s), *after, "K/s");
+        widened.more(name, before.value_or(SafetySpec::kMinRate_K_s), *after, "K/s");
     else if (before)
         widened.add(name, formatNumber(*before) + " K/s", QT_TRANSLATE_NOOP("Parameter", "automatic"));
 }

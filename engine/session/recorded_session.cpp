@@ -138,7 +138,7 @@ const std::vector<TraceSample>* RecordedSession::block(std::size_t k) {
             m_failed.emplace(k, read.error());
             return nullptr;
         }
-        if (m_blocks.size() < kMostBlocks)
+        if (m_blocks.size() < kMaxBlocks)
             found = m_blocks.insert(m_blocks.end(), Block());
         else
             found = std::ranges::min_element(m_blocks, {}, &Block::used);

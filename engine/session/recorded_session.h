@@ -26,10 +26,10 @@ class SessionTables;
 
 class RecordedSession {
 public:
-    /// Samples read at once and kept; the last kMostBlocks looked at stay in memory. A second after the last
+    /// Samples read at once and kept; the last kMaxBlocks looked at stay in memory. A second after the last
     /// reading the file is let go until the next.
     static constexpr std::size_t kBlock = 256;
-    static constexpr std::size_t kMostBlocks = 160;
+    static constexpr std::size_t kMaxBlocks = 160;
 
     /// On any thread; the methods below on one thread, the one that reads first. A file of version 1 has no
     /// overview and is read whole. Errors: those of readSession, but damage inside may show only where it is

@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::uintmax_t kMostRigBytes = 1u << 20;
+constexpr std::uintmax_t kMaxRigBytes = 1u << 20;
 
 RigSpec readRoot(const json& j, Failure& failure) {
     RigSpec rig;
@@ -52,12 +52,12 @@ Result<RigSpec> rigFromText(const std::string& text) {
 } // namespace
 
 bool isRigFile(const std::string& path) {
-    const auto text = readTextFile(path, kMostRigBytes);
+    const auto text = readTextFile(path, kMaxRigBytes);
     return text && text->substr(0, 1024).find("\"bask-rig\"") != std::string::npos;
 }
 
 Result<RigSpec> readRigFile(const std::string& path) {
-    const auto text = readTextFile(path, kMostRigBytes);
+    const auto text = readTextFile(path, kMaxRigBytes);
     if (!text)
         return text.error();
     if (text->find_first_not_of(" \t\r\n") == std::string::npos)

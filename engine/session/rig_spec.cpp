@@ -9,7 +9,7 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMostText = 1000;
+constexpr std::size_t kMaxText = 1000;
 constexpr double kMaxOrigin_m = 5.0;
 constexpr double kMaxOrigin_rad = 6.2831853071795862;
 
@@ -30,7 +30,7 @@ Result<void> checkPort(const std::string& where, const std::string& port) {
     if (port.empty())
         return Error(MessageCode::JsonMissingKey, where, {"port"});
     const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20; };
-    if (port.size() > kMostText || std::ranges::any_of(port, isControl))
+    if (port.size() > kMaxText || std::ranges::any_of(port, isControl))
         return Error(MessageCode::ValueUnknown, where, {port.substr(0, 20), "a path or a host's name"});
     return {};
 }
@@ -162,8 +162,8 @@ bool hasOneLine(const RigSpec& rig) {
 }
 
 Result<void> checkRig(const RigSpec& rig, std::size_t objects, const std::array<bool, 6>& freeCoordinates) {
-    if (rig.name.size() > kMostText)
-        return outOfRange("name", static_cast<double>(rig.name.size()), 0.0, kMostText, "characters");
+    if (rig.name.size() > kMaxText)
+        return outOfRange("name", static_cast<double>(rig.name.size()), 0.0, kMaxText, "characters");
     if (rig.robot)
         if (const auto fit = checkRobot(*rig.robot, freeCoordinates); !fit)
             return fit;

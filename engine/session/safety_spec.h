@@ -21,7 +21,7 @@ struct SafetySpec {
     double stalePeriods = 3.0;            ///< a reading is used for so many periods
     double heldLimit_s = 15.0;            ///< a lost sensor or source holds so long, then retreat
     /// Faster changes of a reading are no heat; empty: three times what the source can do to the object,
-    /// kLeastRate_K_s at least.
+    /// kMinRate_K_s at least.
     std::optional<double> largestRate_K_s{};
     int jumps = 3;                  ///< readings in a row that are too fast: a sensor fault
     double frozen_s = 30.0;         ///< the very same value for so long, though it must have changed
@@ -33,7 +33,7 @@ struct SafetySpec {
     double leastDisk_MB = 100.0;    ///< free where a recording goes; below it none is begun
 
     static constexpr double kSourceOver_K = 50.0;
-    static constexpr double kLeastRate_K_s = 2.0; ///< a hand on the object
+    static constexpr double kMinRate_K_s = 2.0; ///< a hand on the object
     static constexpr double kSourceGain_K = 2.0;
     bool operator==(const SafetySpec&) const = default;
 };

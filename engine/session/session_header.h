@@ -13,7 +13,7 @@ namespace bask {
 
 inline constexpr const char* kOutcomeInterrupted = "interrupted"; ///< closed by closeInterrupted()
 /// Of an interrupted recording at most this is missing, s: SessionWriter's commitInterval_s.
-inline constexpr double kMostLost_s = 0.5;
+inline constexpr double kMaxLost_s = 0.5;
 
 /// One file of a list.
 struct SessionHeader {

@@ -46,7 +46,7 @@ void HeatRecords::add(const TraceSample& sample) {
         return;
     if (m_seen++ % m_every != 0)
         return;
-    if (size() >= kMost)
+    if (size() >= kMax)
         thin();
     const double strength = power_W_m2(sample.source_K) / power_W_m2(m_source.temperature_K);
     for (std::size_t i = 0; i < m_records.size(); ++i) {

@@ -15,11 +15,11 @@ struct SessionIdentification {
 };
 
 /// What the fits need of a run, gathered sample by sample until Stop, since the heat is off afterwards
-/// whatever the source's temperature. Of a run of more than kMost samples it keeps every second one, of a
+/// whatever the source's temperature. Of a run of more than kMax samples it keeps every second one, of a
 /// longer one every fourth, and so on: the fits rest on windows of a sixteenth of the run.
 class HeatRecords {
 public:
-    static constexpr std::size_t kMost = 1 << 17; // 3.6 h at 10 Hz
+    static constexpr std::size_t kMax = 1 << 17; // 3.6 h at 10 Hz
 
     explicit HeatRecords(const SessionRecord& facts);
     void add(const TraceSample& sample);

@@ -284,13 +284,13 @@ Result<std::unique_ptr<SessionStore>> SessionStore::open(const std::string& path
             foreign = textOf(row[1]) + ' ' + textOf(row[2]);
     });
     // The views have a row for each sample and object: with more objects than a run has they have no end.
-    constexpr int kMostObjects = 6;
+    constexpr int kMaxObjects = 6;
     int objects = 0;
     if (read && foreign.empty() && store->version() > 1)
-        read = store->select("SELECT 1 FROM object LIMIT " + std::to_string(kMostObjects + 1),
+        read = store->select("SELECT 1 FROM object LIMIT " + std::to_string(kMaxObjects + 1),
                              [&](Row) { ++objects; });
-    if (objects > kMostObjects)
-        foreign = "more than " + std::to_string(kMostObjects) + " objects";
+    if (objects > kMaxObjects)
+        foreign = "more than " + std::to_string(kMaxObjects) + " objects";
     if (read && !foreign.empty())
         read = Error(MessageCode::SessionDamaged, path, {"Bask does not make this: " + foreign});
     if (!read)

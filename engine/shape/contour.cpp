@@ -13,7 +13,7 @@ namespace {
 using Eigen::Vector2d;
 using Points = std::vector<Vector2d>;
 
-constexpr std::size_t kLeastVertices = 3;
+constexpr std::size_t kMinVertices = 3;
 constexpr double kLargest_m = 1e6; // beyond it squares and cubes lose their meaning
 constexpr double kFlat = 1e-10;    // width over length under which an outline is a line
 constexpr double kSame = 1e-13;    // neighbours nearer than this times the extent are one point
@@ -159,10 +159,10 @@ Result<Contour> makeContour(std::vector<Vector2d> points_m, const std::string& w
     if (const auto checked = checkCoordinates(points_m, where); !checked)
         return checked.error();
     auto [points, numbers] = withoutRepeats(points_m);
-    if (points.size() < kLeastVertices)
+    if (points.size() < kMinVertices)
         return Error{MessageCode::ContourTooFewPoints,
                      where,
-                     {std::to_string(points.size()), std::to_string(kLeastVertices)}};
+                     {std::to_string(points.size()), std::to_string(kMinVertices)}};
     if (isLine(points))
         return Error{MessageCode::ContourZeroArea, where};
     if (const auto found = findCrossing(points))
@@ -203,10 +203,10 @@ Contour centred(const Contour& contour) {
 Contour simplified(const Contour& contour, double tolerance_m) {
     constexpr int kTries = 8;
     double tolerance = tolerance_m;
-    for (int k = 0; k < kTries && contour.points_m.size() > kLeastVertices && tolerance > 0.0; ++k) {
+    for (int k = 0; k < kTries && contour.points_m.size() > kMinVertices && tolerance > 0.0; ++k) {
         Points points = thinned(contour.points_m, tolerance);
         // Leaving points out can make narrow necks touch: then less is left out.
-        if (points.size() >= kLeastVertices && !isLine(points) && !findCrossing(points) &&
+        if (points.size() >= kMinVertices && !isLine(points) && !findCrossing(points) &&
             signedArea(points) > 0.0)
             return Contour{std::move(points)};
         tolerance *= 0.5;

@@ -13,8 +13,8 @@ namespace bask {
 namespace {
 
 constexpr std::uintmax_t kLargestCsv = std::uintmax_t{64} << 20;
-constexpr std::size_t kMostRows = 1'000'000;
-constexpr std::size_t kLeastPoints = 3;
+constexpr std::size_t kMaxRows = 1'000'000;
+constexpr std::size_t kMinPoints = 3;
 constexpr char kSpaces = ' '; // "delimiter" of columns set apart by white space
 
 struct CsvLine {
@@ -214,10 +214,10 @@ Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& pat
     const std::vector<CsvLine> lines = linesOf(text);
     if (lines.empty())
         return Error{MessageCode::FileEmpty, path};
-    if (lines.size() > kMostRows)
+    if (lines.size() > kMaxRows)
         return Error{MessageCode::FileTooLarge,
                      path,
-                     {std::to_string(lines.size()) + " lines", std::to_string(kMostRows)}};
+                     {std::to_string(lines.size()) + " lines", std::to_string(kMaxRows)}};
 
     const char delimiter = delimiterOf(lines);
     const auto header = fieldsOf(lines.front().text, delimiter);
@@ -236,10 +236,10 @@ Result<OutlineFile> csvOutlines(const std::string& bytes, const std::string& pat
     outline.closed = isClosed(outline.points_m);
     while (outline.points_m.size() > 1 && outline.points_m.front() == outline.points_m.back())
         outline.points_m.pop_back();
-    if (outline.points_m.size() < kLeastPoints)
+    if (outline.points_m.size() < kMinPoints)
         return Error{MessageCode::ContourTooFewPoints,
                      path,
-                     {std::to_string(outline.points_m.size()), std::to_string(kLeastPoints)}};
+                     {std::to_string(outline.points_m.size()), std::to_string(kMinPoints)}};
     OutlineFile file;
     file.outlines.push_back(std::move(outline));
     file.unit = lengthUnitName(*unit);

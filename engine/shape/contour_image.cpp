@@ -18,15 +18,15 @@ namespace bask {
 namespace {
 
 constexpr std::uintmax_t kLargestPicture = std::uintmax_t{256} << 20;
-constexpr std::uint64_t kMostPixels = 64'000'000;
+constexpr std::uint64_t kMaxPixels = 64'000'000;
 constexpr int kLevels = 256;
 
 Result<void> checkPixels(std::uint64_t pixels, const std::string& path) {
     const auto megapixels = [](std::uint64_t n) {
         return formatNumber(static_cast<double>(n) / 1e6) + " megapixels";
     };
-    if (pixels > kMostPixels)
-        return Error{MessageCode::FileTooLarge, path, {megapixels(pixels), megapixels(kMostPixels)}};
+    if (pixels > kMaxPixels)
+        return Error{MessageCode::FileTooLarge, path, {megapixels(pixels), megapixels(kMaxPixels)}};
     return {};
 }
 
@@ -129,7 +129,7 @@ struct TwoLevels {
 // Otsu's split; refused when the two classes explain too little of the picture's variance to be an object and
 // a ground (noise gives 0.64, a clean silhouette above 0.95).
 std::optional<TwoLevels> twoLevels(const cv::Mat1f& values) {
-    constexpr double kLeastExplained = 0.7, kLeastContrast = 0.02;
+    constexpr double kMinExplained = 0.7, kMinContrast = 0.02;
     const Histogram histogram(values);
     if (histogram.width <= 0.0)
         return std::nullopt;
@@ -154,10 +154,10 @@ std::optional<TwoLevels> twoLevels(const cv::Mat1f& values) {
             split = k + 1;
         }
     }
-    if (best < kLeastExplained * variance)
+    if (best < kMinExplained * variance)
         return std::nullopt;
     const TwoLevels levels{histogram.median(0, split), histogram.median(split, kLevels)};
-    return levels.light - levels.dark < kLeastContrast ? std::nullopt : std::optional(levels);
+    return levels.light - levels.dark < kMinContrast ? std::nullopt : std::optional(levels);
 }
 
 // Is most of the picture's frame of positive value?
@@ -220,7 +220,7 @@ cv::Mat1f colourDistance(const cv::Mat& image, const std::array<std::uint8_t, 3>
 // Near the colour picked: within its tolerance, else halfway between those near and those far by Otsu's
 // split, if the near ones have that colour at all.
 std::optional<Field> colourField(const cv::Mat& image, const PickedColour& colour) {
-    constexpr double kMostUnlike = 30.0;
+    constexpr double kMaxUnlike = 30.0;
     constexpr double kUsualTolerance = 20.0; // where the ground has too many colours for two levels
     const cv::Mat1f distance = colourDistance(image, colour.rgb);
     const auto levels = colour.tolerance ? std::nullopt : twoLevels(distance);
@@ -229,7 +229,7 @@ std::optional<Field> colourField(const cv::Mat& image, const PickedColour& colou
         // Farther off counts the same: edges lie in the middle.
         return Field{cv::Mat1f(cv::max(tolerance - distance, -tolerance)), 2.0 * tolerance};
     }
-    if (levels->dark > kMostUnlike)
+    if (levels->dark > kMaxUnlike)
         return std::nullopt;
     return Field{cv::Mat1f(0.5 * (levels->dark + levels->light) - distance), levels->light - levels->dark};
 }
@@ -267,7 +267,7 @@ void paintOver(cv::Mat& image, const FoundMarker& marker) {
 
 Result<PicturePlane> planeOfMarker(cv::Mat& image, const ReferenceMarker& reference, const std::string& path,
                                    std::vector<Message>& warnings) {
-    constexpr double kLeastSide_px = 40.0;
+    constexpr double kMinSide_px = 40.0;
     const Error notFound{MessageCode::MarkerNotFound, path, {reference.dictionary}};
     const std::vector<FoundMarker> markers = findMarkers(greyPicture(image), {reference.dictionary});
     if (markers.empty())
@@ -280,9 +280,9 @@ Result<PicturePlane> planeOfMarker(cv::Mat& image, const ReferenceMarker& refere
     if (markers.size() > 1)
         warnings.push_back({MessageCode::MarkersSeveral,
                             {std::to_string(markers.size()), std::to_string(markers.front().id)}});
-    if (const double side_px = markers.front().side_px(); side_px < kLeastSide_px)
+    if (const double side_px = markers.front().side_px(); side_px < kMinSide_px)
         warnings.push_back(
-            {MessageCode::MarkerTooSmall, {formatNumber(side_px, 3), formatNumber(kLeastSide_px)}});
+            {MessageCode::MarkerTooSmall, {formatNumber(side_px, 3), formatNumber(kMinSide_px)}});
     return *plane;
 }
 

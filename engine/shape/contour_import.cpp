@@ -15,8 +15,8 @@
 namespace bask {
 namespace {
 
-constexpr double kFinest_m = 1e-5;             ///< to which holes are thinned first
-constexpr std::size_t kMostHoleCorners = 4000; ///< of all holes: an experiment takes 5000 with the outline's
+constexpr double kFinest_m = 1e-5;            ///< to which holes are thinned first
+constexpr std::size_t kMaxHoleCorners = 4000; ///< of all holes: an experiment takes 5000 with the outline's
 constexpr double kCoarsest_m = 2e-4;
 
 std::string lowered(std::string text) {
@@ -33,7 +33,7 @@ int takeHoles(const std::vector<FileOutline>& outlines, std::size_t at, PickedOu
         if (outline.holeIn != at)
             continue;
         auto hole = contourOf(outline);
-        if (hole && picked.holes.size() < kMostHoles &&
+        if (hole && picked.holes.size() < kMaxHoles &&
             checkHole(*hole, picked.contour.points_m, picked.holes))
             picked.holes.push_back(std::move(*hole));
         else
@@ -52,7 +52,7 @@ void thinHoles(PickedOutline& picked) {
     const std::vector<Contour> exact = picked.holes;
     const std::size_t before = cornersOf(exact);
     double within_m = 0.0;
-    for (double next_m = kFinest_m; cornersOf(picked.holes) > kMostHoleCorners && next_m <= kCoarsest_m;
+    for (double next_m = kFinest_m; cornersOf(picked.holes) > kMaxHoleCorners && next_m <= kCoarsest_m;
          next_m *= 1.5) {
         within_m = next_m;
         std::ranges::transform(exact, picked.holes.begin(),
@@ -161,7 +161,7 @@ Result<PickedOutline> pickOutline(const OutlineFile& file, std::optional<std::si
     thinHoles(picked);
     if (left > 0)
         picked.warnings.push_back(
-            {MessageCode::HolesLeftOut, {std::to_string(left), std::to_string(kMostHoles)}});
+            {MessageCode::HolesLeftOut, {std::to_string(left), std::to_string(kMaxHoles)}});
     return picked;
 }
 

@@ -14,13 +14,13 @@
 namespace bask {
 namespace {
 
-constexpr std::size_t kMostEntities = 300'000;
-constexpr std::size_t kMostValues = 2'000'000;
-constexpr std::size_t kMostKinds = 20; // told one by one
+constexpr std::size_t kMaxEntities = 300'000;
+constexpr std::size_t kMaxValues = 2'000'000;
+constexpr std::size_t kMaxKinds = 20; // told one by one
 constexpr std::size_t kLongestName = 255;
 constexpr double kLargestNumber = 1e15;
 constexpr int kHighestSplineDegree = 15;
-constexpr double kLeastWeight = 1e-30;
+constexpr double kMinWeight = 1e-30;
 constexpr std::string_view kBinaryMark = "AutoCAD Binary DXF";
 
 constexpr int kName = 2, kLayer = 8, kInvisible = 60, kFlags = 70;
@@ -160,7 +160,7 @@ private:
     }
 
     void leaveOut(const std::string& kind) {
-        const bool told = m_clean.left_out.size() < kMostKinds || m_clean.left_out.contains(kind);
+        const bool told = m_clean.left_out.size() < kMaxKinds || m_clean.left_out.contains(kind);
         ++m_clean.left_out[told ? kind : "..."];
     }
 
@@ -172,10 +172,10 @@ private:
         const bool isInteger = has(m_kind->integers, code) || (drawn && (code == kInvisible || code == 67));
         if (!isName && !isReal && !isInteger)
             return {};
-        if (++m_value_count > kMostValues)
+        if (++m_value_count > kMaxValues)
             return Error{MessageCode::FileTooLarge,
                          m_where,
-                         {std::to_string(m_value_count) + " values", std::to_string(kMostValues)}};
+                         {std::to_string(m_value_count) + " values", std::to_string(kMaxValues)}};
         if (isName) {
             if (value.size() > kLongestName)
                 return damaged(m_lines.number());
@@ -221,10 +221,10 @@ private:
     Result<void> endRecord() {
         if (!m_kind)
             return {};
-        if (m_kind->place == Place::Drawn && ++m_entities > kMostEntities)
+        if (m_kind->place == Place::Drawn && ++m_entities > kMaxEntities)
             return Error{MessageCode::FileTooLarge,
                          m_where,
-                         {std::to_string(m_entities) + " entities", std::to_string(kMostEntities)}};
+                         {std::to_string(m_entities) + " entities", std::to_string(kMaxEntities)}};
         if (isDropped())
             return {};
         m_clean.text += m_type.starts_with('$') ? "9\n" : "0\n";
@@ -276,7 +276,7 @@ private:
         for (const Value& value : m_values) {
             if (value.code == 40)
                 knots.push_back(value.number);
-            positive = positive && (value.code != 41 || value.number > kLeastWeight);
+            positive = positive && (value.code != 41 || value.number > kMinWeight);
         }
         return positive && (weights == 0 || weights == controls) && controls >= order &&
                knots.size() == controls + order && std::ranges::is_sorted(knots) &&

@@ -13,13 +13,13 @@ namespace bask {
 namespace {
 
 constexpr std::uintmax_t kLargestDxf = std::uintmax_t{32} << 20;
-constexpr std::size_t kMostVertices = 500'000;
-constexpr std::size_t kMostPieces = 100'000;
-constexpr std::size_t kMostOutlines = 2'000;
+constexpr std::size_t kMaxVertices = 500'000;
+constexpr std::size_t kMaxPieces = 100'000;
+constexpr std::size_t kMaxOutlines = 2'000;
 constexpr std::size_t kDeepestBlocks = 32;
 constexpr double kLargestScale = 1e15;
 constexpr double kJoinedOfExtent = 1e-6;
-constexpr double kJoinedLeast_m = 1e-9;
+constexpr double kJoinedMin_m = 1e-9;
 
 struct Unit {
     int code; // of $INSUNITS
@@ -50,13 +50,13 @@ public:
                 ++m_hidden;
                 continue;
             }
-            if (++m_drawn > kMostPieces)
-                return tooMany(m_drawn, "pieces", kMostPieces, m_where);
+            if (++m_drawn > kMaxPieces)
+                return tooMany(m_drawn, "pieces", kMaxPieces, m_where);
             const auto done = std::visit([&](const auto& shape) { return draw(shape, map_m); }, entity.shape);
             if (!done)
                 return done;
-            if (m_points > kMostVertices)
-                return tooMany(m_points, "points", kMostVertices, m_where);
+            if (m_points > kMaxVertices)
+                return tooMany(m_points, "points", kMaxVertices, m_where);
         }
         return {};
     }
@@ -70,7 +70,7 @@ private:
         return m_drawing.hidden_layers.contains(entity.layer) && (m_blocks.empty() || entity.layer != "0");
     }
 
-    Flattening flattening() const { return {m_tolerance_m, kMostVertices - m_points}; }
+    Flattening flattening() const { return {m_tolerance_m, kMaxVertices - m_points}; }
 
     Result<void> keep(std::vector<Eigen::Vector2d> points) {
         if (!std::ranges::all_of(points, [](const Eigen::Vector2d& p) { return p.allFinite(); }))
@@ -86,8 +86,7 @@ private:
         if (count < 2)
             return {};
         std::vector<Eigen::Vector2d> points{map_m * line.vertices.front().point}, arc;
-        for (std::size_t k = 0; k < (line.closed ? count : count - 1) && points.size() <= kMostVertices;
-             ++k) {
+        for (std::size_t k = 0; k < (line.closed ? count : count - 1) && points.size() <= kMaxVertices; ++k) {
             const auto& [from, bulge] = line.vertices[k];
             const Eigen::Vector2d& to = line.vertices[(k + 1) % count].point;
             if (std::abs(bulge) > kStraight && from != to) {
@@ -127,8 +126,8 @@ private:
         m_blocks.push_back(&block->second);
         for (int row = 0; row < std::max(1, insert.rows); ++row)
             for (int column = 0; column < std::max(1, insert.columns); ++column) {
-                if (++m_drawn > kMostPieces)
-                    return tooMany(m_drawn, "pieces", kMostPieces, m_where);
+                if (++m_drawn > kMaxPieces)
+                    return tooMany(m_drawn, "pieces", kMaxPieces, m_where);
                 const Eigen::Vector2d shift =
                     insert.turn * insert.spacing.cwiseProduct(Eigen::Vector2d(column, row));
                 const Eigen::Affine2d copy_m = map_m * Eigen::Translation2d(shift) * insert.placement *
@@ -156,8 +155,7 @@ double joined_m(const std::vector<std::vector<Eigen::Vector2d>>& pieces) {
     for (const auto& piece : pieces)
         for (const Eigen::Vector2d& p : piece)
             box.extend(p);
-    return pieces.empty() ? kJoinedLeast_m
-                          : std::max(kJoinedLeast_m, kJoinedOfExtent * box.sizes().maxCoeff());
+    return pieces.empty() ? kJoinedMin_m : std::max(kJoinedMin_m, kJoinedOfExtent * box.sizes().maxCoeff());
 }
 
 // "9 TEXT, 2 HATCH"
@@ -197,8 +195,8 @@ Result<OutlineFile> dxfOutlines(const std::string& bytes, const std::string& whe
     file.outlines = chained(std::move(pieces), join_m);
     if (file.outlines.empty())
         return Error{MessageCode::NoOutline, where};
-    if (file.outlines.size() > kMostOutlines)
-        return tooMany(file.outlines.size(), "outlines", kMostOutlines, where);
+    if (file.outlines.size() > kMaxOutlines)
+        return tooMany(file.outlines.size(), "outlines", kMaxOutlines, where);
     file.arrange();
     return file;
 }

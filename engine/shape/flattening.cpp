@@ -9,8 +9,8 @@ namespace bask {
 namespace {
 
 constexpr double kOfSize = 1.0 / 4000;
-constexpr double kLeastEdgesATurn = 96.0;
-constexpr double kMostEdges = 20'000.0;
+constexpr double kMinEdgesATurn = 96.0;
+constexpr double kMaxEdges = 20'000.0;
 constexpr int kDeepest = 10; // halvings of a spline's first pieces
 constexpr std::size_t kHighestDegree = 15;
 constexpr double kShortestOfSteps = 1e-9; // between fit points
@@ -176,8 +176,8 @@ Spline splineThrough(std::vector<Eigen::Vector2d> points, bool closed, const Eig
 void flatten(const EllipseArc& arc, const Flattening& how, std::vector<Eigen::Vector2d>& points) {
     const double radius = longestRadius(arc.u, arc.v);
     const double step =
-        std::min(std::sqrt(8.0 * how.tolerance / radius), 2.0 * std::numbers::pi / kLeastEdgesATurn);
-    const double edges = std::clamp(std::ceil(std::abs(arc.sweep) / step), 1.0, kMostEdges);
+        std::min(std::sqrt(8.0 * how.tolerance / radius), 2.0 * std::numbers::pi / kMinEdgesATurn);
+    const double edges = std::clamp(std::ceil(std::abs(arc.sweep) / step), 1.0, kMaxEdges);
     for (int k = 0; k <= static_cast<int>(edges); ++k) {
         const double t = arc.begin + arc.sweep * k / edges;
         points.push_back(arc.centre + std::cos(t) * arc.u + std::sin(t) * arc.v);

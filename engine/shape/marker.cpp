@@ -96,13 +96,13 @@ struct Line {
 // in pixels from `middle`; nothing at the picture's border and where there is no such place.
 std::optional<double> halfway(const cv::Mat1b& image, const Eigen::Vector2d& middle,
                               const Eigen::Vector2d& across, double reach) {
-    constexpr double kStep_px = 0.25, kLeastContrast = 20.0;
+    constexpr double kStep_px = 0.25, kMinContrast = 20.0;
     const Eigen::Vector2d ends[] = {middle - reach * across, middle + reach * across};
     for (const Eigen::Vector2d& p : ends)
         if (!(p.x() >= 0.0 && p.y() >= 0.0 && p.x() < image.cols - 1 && p.y() < image.rows - 1))
             return std::nullopt;
     const double black = brightnessAt(image, ends[0]), white = brightnessAt(image, ends[1]);
-    if (white - black < kLeastContrast)
+    if (white - black < kMinContrast)
         return std::nullopt;
     const double half = 0.5 * (black + white);
     double before = black;
@@ -165,8 +165,8 @@ std::array<Eigen::Vector2d, 4> refined(const cv::Mat1b& image, const std::array<
         corners[k] = Eigen::Vector2d(a.offset * b.normal.y() - b.offset * a.normal.y(),
                                      b.offset * a.normal.x() - a.offset * b.normal.x()) /
                      d;
-        constexpr double kMostMove_px = 4.0;
-        if (!((corners[k] - found[k]).norm() < kMostMove_px))
+        constexpr double kMaxMove_px = 4.0;
+        if (!((corners[k] - found[k]).norm() < kMaxMove_px))
             return found;
     }
     return corners;
@@ -193,11 +193,11 @@ cv::Mat1b imageOf(const GreyPicture& picture) {
 // looks like a quadrangle: pictures are made smaller rather than take gigabytes.
 std::vector<FoundMarker> found(const cv::Mat1b& image, const cv::aruco::Dictionary& dictionary,
                                double times) {
-    constexpr double kMostPixels = 16e6;
+    constexpr double kMaxPixels = 16e6;
     std::vector<FoundMarker> markers;
     if (std::min(image.cols, image.rows) < dictionary.markerSize + 4) // OpenCV throws on such
         return markers;
-    times = std::min(times, std::sqrt(kMostPixels / static_cast<double>(image.total())));
+    times = std::min(times, std::sqrt(kMaxPixels / static_cast<double>(image.total())));
     cv::Mat1b looked = image;
     if (times != 1.0)
         cv::resize(image, looked, {}, times, times, times > 1.0 ? cv::INTER_CUBIC : cv::INTER_AREA);
@@ -274,11 +274,11 @@ std::vector<FoundMarker> findMarkers(const GreyPicture& picture, const MarkerDic
 }
 
 std::vector<FoundMarker> findSmallMarkersToo(const GreyPicture& picture, const MarkerDictionary& dictionary) {
-    constexpr int kMostPixels = 4'000'000;
+    constexpr int kMaxPixels = 4'000'000;
     const cv::Mat1b image = imageOf(picture);
     const cv::aruco::Dictionary from = library(dictionary);
     std::vector<FoundMarker> markers = found(image, from, 1);
-    if (picture.width > kMostPixels / std::max(picture.height, 1))
+    if (picture.width > kMaxPixels / std::max(picture.height, 1))
         return markers;
     const auto isNew = [&, known = markers.size()](const FoundMarker& marker) {
         return std::ranges::none_of(markers.begin(), markers.begin() + static_cast<std::ptrdiff_t>(known),

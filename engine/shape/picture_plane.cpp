@@ -70,9 +70,9 @@ std::optional<PicturePlane> PicturePlane::ofSquare(const std::array<Eigen::Vecto
 }
 
 std::optional<Eigen::Vector2d> PicturePlane::toMetres(const Eigen::Vector2d& point_px) const {
-    constexpr double kLeastWeight = 0.05;
+    constexpr double kMinWeight = 0.05;
     const Eigen::Vector3d q = m_toMetres * point_px.homogeneous();
-    if (!(q.z() > kLeastWeight))
+    if (!(q.z() > kMinWeight))
         return std::nullopt;
     return Eigen::Vector2d(q.hnormalized());
 }

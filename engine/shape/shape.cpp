@@ -83,9 +83,9 @@ Result<void> checkHole(const Contour& hole, const std::vector<Eigen::Vector2d>& 
 
 Result<void> checkHoles(const Shape& shape, const std::string& where) {
     const std::vector<Contour>& holes = holesOf(shape);
-    if (holes.size() > kMostHoles)
+    if (holes.size() > kMaxHoles)
         return Error{
-            MessageCode::HolesTooMany, where, {std::to_string(holes.size()), std::to_string(kMostHoles)}};
+            MessageCode::HolesTooMany, where, {std::to_string(holes.size()), std::to_string(kMaxHoles)}};
     if (holes.empty())
         return {};
     const std::vector<Eigen::Vector2d> outline = shapeOutline(shape, kFittingPoints);

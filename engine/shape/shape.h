@@ -42,10 +42,10 @@ template <class T> const T* outlineAs(const Shape& shape) {
     return pierced ? std::get_if<T>(&pierced->outline) : std::get_if<T>(&shape);
 }
 
-inline constexpr std::size_t kMostHoles = 200; ///< in one shape
+inline constexpr std::size_t kMaxHoles = 200; ///< in one shape
 
 /// Whether the holes fit into the shape (a Fourier contour as it is truncated, to a millionth of its size):
-/// simple contours, at most kMostHoles, inside the outline, none touching it or another, none in another.
+/// simple contours, at most kMaxHoles, inside the outline, none touching it or another, none in another.
 /// Errors: HolesTooMany, HoleOutside, HolesMeet, and makeContour's, with `where`[k] as place.
 Result<void> checkHoles(const Shape& shape, const std::string& where = {});
 /// The same of one more hole, in the polygon `outline` beside `others`.

@@ -11,9 +11,9 @@
 namespace bask {
 namespace {
 
-constexpr int kLeastPixels = 64; // a smaller region says nothing of its outline
+constexpr int kMinPixels = 64;   // a smaller region says nothing of its outline
 constexpr int kDustShare = 1000; // nor does one so many times smaller than the largest
-constexpr int kMostSilhouettes = 100;
+constexpr int kMaxSilhouettes = 100;
 
 struct Labels {
     cv::Mat1i of;  // of every pixel
@@ -95,7 +95,7 @@ private:
 
 struct Chosen {
     std::vector<int> labels; // of the silhouettes
-    int leastPixels = kLeastPixels;
+    int leastPixels = kMinPixels;
     int atBorder = 0;
 };
 
@@ -107,10 +107,10 @@ Result<Chosen> choose(const Labels& inside, bool leaveOutBorder, const std::stri
         if (largest == 0 || inside.area(k) > inside.area(largest))
             largest = k;
     }
-    if (largest == 0 || inside.area(largest) < kLeastPixels)
+    if (largest == 0 || inside.area(largest) < kMinPixels)
         return Error{MessageCode::NoSilhouette, where};
     Chosen chosen;
-    chosen.leastPixels = std::max(kLeastPixels, inside.area(largest) / kDustShare);
+    chosen.leastPixels = std::max(kMinPixels, inside.area(largest) / kDustShare);
     for (int k = 1; k < inside.count; ++k) {
         if (inside.area(k) < chosen.leastPixels)
             continue;
@@ -120,7 +120,7 @@ Result<Chosen> choose(const Labels& inside, bool leaveOutBorder, const std::stri
         else
             chosen.labels.push_back(k);
     }
-    if (2 * kept < all || chosen.labels.size() > kMostSilhouettes)
+    if (2 * kept < all || chosen.labels.size() > kMaxSilhouettes)
         return Error{MessageCode::NoSilhouette, where};
     if (leaveOutBorder ? chosen.labels.empty() : inside.atBorder(largest))
         return Error{MessageCode::SilhouetteAtBorder, where};

@@ -17,9 +17,9 @@ namespace {
 using namespace svg;
 
 // What Qt's readers take too long or too much memory for; found by trying.
-constexpr int kMostAttributes = 5'000;   // of one element: QXmlStreamReader compares each with each
-constexpr int kMostDeclarations = 5'000; // and comments
-constexpr int kMostReferences = 2'000;   // where entities are declared: each is up to 4096 characters
+constexpr int kMaxAttributes = 5'000;    // of one element: QXmlStreamReader compares each with each
+constexpr int kMaxDeclarations = 5'000;  // and comments
+constexpr int kMaxReferences = 2'000;    // where entities are declared: each is up to 4096 characters
 constexpr qsizetype kLongPath = 1 << 16; // characters: it may have more parts than QtSvg reads
 
 // QtSvg knows visibility as an attribute only, not in styles.
@@ -305,10 +305,10 @@ bool isTooMuch(const std::string& bytes) {
         attributes = c == '<' ? 0 : attributes + (c == '=');
         defaults += attributeList && (c == '"' || c == '\'');
         references += c == '&' || c == '%';
-        if (attributes > kMostAttributes || defaults > kMostAttributes)
+        if (attributes > kMaxAttributes || defaults > kMaxAttributes)
             return true;
     }
-    return declarations > kMostDeclarations || (entities && references > kMostReferences);
+    return declarations > kMaxDeclarations || (entities && references > kMaxReferences);
 }
 
 } // namespace

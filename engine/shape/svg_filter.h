@@ -24,9 +24,9 @@ struct PlainSvg {
 };
 
 /// Limits on a drawing, beyond which it is refused.
-inline constexpr int kMostSvgElements = 150'000; ///< in the file
-inline constexpr int kMostSvgDrawn = 150'000;    ///< of them, after <use> has multiplied them
-inline constexpr int kMostSvgLevels = 256;       ///< of nesting, <use> included
+inline constexpr int kMaxSvgElements = 150'000; ///< in the file
+inline constexpr int kMaxSvgDrawn = 150'000;    ///< of them, after <use> has multiplied them
+inline constexpr int kMaxSvgLevels = 256;       ///< of nesting, <use> included
 
 /// Errors: XmlBroken, XmlTooDeep, NotSvg, SvgSizeUnusable, DrawingTooFull (the limits above, and what Qt's
 /// readers cannot take in a second: attributes, entities, style sheets, path data; see svg_filter.cpp). A

@@ -79,7 +79,7 @@ private:
         if (!points_m.empty() && points_m.back() == point_m)
             return;
         points_m.push_back(point_m);
-        if (++m_points > kMostSvgPoints)
+        if (++m_points > kMaxSvgPoints)
             refuse({MessageCode::DrawingTooFull, {}});
     }
 
@@ -88,7 +88,7 @@ private:
     void addCurve(const Eigen::Vector2d* b, double tolerance_m, Points& points_m) {
         const double bend_m = std::max((b[0] - 2.0 * b[1] + b[2]).norm(), (b[1] - 2.0 * b[2] + b[3]).norm());
         const double steps =
-            std::clamp(std::ceil(std::sqrt(0.75 * bend_m / tolerance_m)), 1.0, 1.0 * kMostSvgPoints);
+            std::clamp(std::ceil(std::sqrt(0.75 * bend_m / tolerance_m)), 1.0, 1.0 * kMaxSvgPoints);
         for (int k = 1; k <= steps && !m_refusal; ++k) {
             const double t = k / steps, u = 1.0 - t;
             addPoint(k == steps ? b[3]
@@ -108,7 +108,7 @@ private:
         outline.closed = points_m.size() > 2 && (closed || meets);
         outline.region = m_region;
         m_outlines.push_back(std::move(outline));
-        if (m_outlines.size() > kMostSvgOutlines)
+        if (m_outlines.size() > kMaxSvgOutlines)
             refuse({MessageCode::DrawingTooFull, {}});
     }
 
@@ -133,8 +133,8 @@ public:
     Type type() const override { return User; }
 
     void drawPath(const QPainterPath& path) override {
-        if (path.elementCount() > kMostSvgPathParts)
-            m_outlines.refuse({MessageCode::PathTooLong, {}, {std::to_string(kMostSvgPathParts)}});
+        if (path.elementCount() > kMaxSvgPathParts)
+            m_outlines.refuse({MessageCode::PathTooLong, {}, {std::to_string(kMaxSvgPathParts)}});
         paint(path, true, false);
     }
     void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {

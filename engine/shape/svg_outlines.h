@@ -12,9 +12,9 @@ inline constexpr double kSvgTolerance_m = 1e-5; ///< a good choice: 0.01 mm
 
 /// Limits on a drawing, beyond which it is refused; those on its elements are in svg_filter.h.
 inline constexpr std::uintmax_t kLargestSvg = std::uintmax_t{16} << 20; ///< bytes
-inline constexpr int kMostSvgOutlines = 20'000;
-inline constexpr int kMostSvgPoints = 2'000'000;      ///< after flattening
-inline constexpr int kMostSvgPathParts = 32'767;      ///< of one path: QtSvg reads no more
+inline constexpr int kMaxSvgOutlines = 20'000;
+inline constexpr int kMaxSvgPoints = 2'000'000;       ///< after flattening
+inline constexpr int kMaxSvgPathParts = 32'767;       ///< of one path: QtSvg reads no more
 inline constexpr double kLargestSvgOutline_m = 100.0; ///< farthest coordinate
 
 /// What a drawing paints, in metres of its width and height (1 px = 1/96 in), y up with the page's lower left

@@ -12,10 +12,10 @@ namespace bask::svg {
 namespace {
 
 // What Qt's readers take too long or too much memory for; found by trying.
-constexpr double kMostPairs = 3e7;           // of attributes, in all elements
-constexpr qsizetype kMostCss = 1 << 20;      // characters of style sheets
-constexpr double kMostCssWork = 5e6;         // cssParts times elements: QtSvg tries each rule on each
-constexpr double kMostCharacters = 32 << 20; // of path data and points, after <use> has multiplied them
+constexpr double kMaxPairs = 3e7;           // of attributes, in all elements
+constexpr qsizetype kMaxCss = 1 << 20;      // characters of style sheets
+constexpr double kMaxCssWork = 5e6;         // cssParts times elements: QtSvg tries each rule on each
+constexpr double kMaxCharacters = 32 << 20; // of path data and points, after <use> has multiplied them
 
 // Parts of selectors and values, roughly.
 double cssParts(const QString& css) {
@@ -48,7 +48,7 @@ public:
                          {reader.errorString().toStdString(), std::to_string(reader.lineNumber())}};
         static const QRegularExpression kFonts(QStringLiteral(R"(@font-face\s*\{[^}]*\})"));
         m_found.css.remove(kFonts);
-        if (m_found.css.size() > kMostCss || cssParts(m_found.css) * m_elements > kMostCssWork)
+        if (m_found.css.size() > kMaxCss || cssParts(m_found.css) * m_elements > kMaxCssWork)
             return tooFull();
         if (const auto measured = measure(); !measured)
             return measured.error();
@@ -82,11 +82,11 @@ private:
         const QString name = nameOf(reader);
         if (m_open.empty() && name != "svg")
             return Error{MessageCode::NotSvg, m_where};
-        if (m_open.size() >= kMostSvgLevels)
-            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
+        if (m_open.size() >= kMaxSvgLevels)
+            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMaxSvgLevels)}};
         const double attributes = double(reader.attributes().size());
         m_pairs += attributes * attributes;
-        if (++m_elements > kMostSvgElements || m_pairs > kMostPairs)
+        if (++m_elements > kMaxSvgElements || m_pairs > kMaxPairs)
             return tooFull();
         Opened opened = m_open.empty() ? Opened{-1, 0, Opened::Group} : m_open.back();
         if (opened.kind == Opened::Group)
@@ -140,16 +140,16 @@ private:
     // What is drawn from the root, and how deep; finds the uses that lead back to what holds them.
     Result<void> measure() {
         if (!walk(0, 0))
-            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
-        if (m_nodes[0].levels > kMostSvgLevels)
-            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMostSvgLevels)}};
-        if (m_nodes[0].elements > kMostSvgDrawn || m_nodes[0].characters > kMostCharacters)
+            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMaxSvgLevels)}};
+        if (m_nodes[0].levels > kMaxSvgLevels)
+            return Error{MessageCode::XmlTooDeep, m_where, {std::to_string(kMaxSvgLevels)}};
+        if (m_nodes[0].elements > kMaxSvgDrawn || m_nodes[0].characters > kMaxCharacters)
             return tooFull();
         return {};
     }
 
     bool walk(int number, int depth) {
-        if (depth > kMostSvgLevels)
+        if (depth > kMaxSvgLevels)
             return false;
         m_nodes[number].state = Node::Open;
         for (std::size_t k = 0; k < m_nodes[number].parts.size(); ++k) {

@@ -28,7 +28,7 @@ Eigen::Vector2d rayAt(const Lens& lens, const Eigen::Vector2d& pixel, Eigen::Vec
 
 // Where Brown's formula, radially, turns back upon itself: no picture shows more.
 double farthestRay(const Lens& lens) {
-    constexpr double kMost = 8.0, kStep = 0.01; // 83 degrees
+    constexpr double kMax = 8.0, kStep = 0.01; // 83 degrees
     const auto shownRadius = [&](double r) {
         const double r2 = r * r;
         const auto& k = lens.k;
@@ -36,7 +36,7 @@ double farthestRay(const Lens& lens) {
                (1.0 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])));
     };
     double r = 0.0;
-    while (r < kMost && shownRadius(r + kStep) > shownRadius(r))
+    while (r < kMax && shownRadius(r + kStep) > shownRadius(r))
         r += kStep;
     return r;
 }

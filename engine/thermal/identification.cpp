@@ -12,17 +12,17 @@ namespace bask {
 namespace {
 
 constexpr double kRecordWindows = 16.0; ///< into which a record is cut, unless they become too short
-constexpr double kLeastWindow_s = 10.0;
+constexpr double kMinWindow_s = 10.0;
 constexpr double kWindowPeriods = 10.0;
-constexpr std::size_t kLeastReadings = 4; ///< in a window
-constexpr double kLargestGap = 0.25;      ///< between readings, of the window
+constexpr std::size_t kMinReadings = 4; ///< in a window
+constexpr double kLargestGap = 0.25;    ///< between readings, of the window
 constexpr double kOutlierDeviations = 6.0;
-constexpr double kLeastOutlier_K = 0.1; ///< rounding of usual sensors is no outlier
-constexpr int kPasses = 20;             ///< of leaving out
+constexpr double kMinOutlier_K = 0.1; ///< rounding of usual sensors is no outlier
+constexpr int kPasses = 20;           ///< of leaving out
 constexpr double kWorstCondition = 1e6;
-constexpr double kWorstError = 0.25;     ///< standard error over value
-constexpr double kLeastVariation = 0.02; ///< of the view factor, between its 5 % and 95 % quantiles
-constexpr double kSurelyNegative = 3.0;  ///< standard errors below zero
+constexpr double kWorstError = 0.25;    ///< standard error over value
+constexpr double kMinVariation = 0.02;  ///< of the view factor, between its 5 % and 95 % quantiles
+constexpr double kSurelyNegative = 3.0; ///< standard errors below zero
 
 enum Column { kHeating, kCooling, kRest, kConvection };
 
@@ -51,10 +51,10 @@ double windowLength_s(const std::vector<HeatSample>& record) {
     for (std::size_t k = 1; k < record.size(); ++k)
         steps_s.push_back(record[k].time_s - record[k - 1].time_s);
     if (steps_s.empty())
-        return kLeastWindow_s;
+        return kMinWindow_s;
     const double duration_s = record.back().time_s - record.front().time_s;
     return std::max(
-        {duration_s / kRecordWindows, kWindowPeriods * medianOf(std::move(steps_s)), kLeastWindow_s});
+        {duration_s / kRecordWindows, kWindowPeriods * medianOf(std::move(steps_s)), kMinWindow_s});
 }
 
 class Problem {
@@ -136,7 +136,7 @@ Eigen::VectorXd Problem::integrals(std::size_t a, std::size_t b) const {
 }
 
 void Problem::close(Window& window, std::vector<Eigen::VectorXd>& rows) {
-    if (window.readings.size() >= kLeastReadings) {
+    if (window.readings.size() >= kMinReadings) {
         const auto n = static_cast<Eigen::Index>(rows.size());
         window.X.resize(n, static_cast<Eigen::Index>(m_columns.size()));
         window.y.resize(n);
@@ -232,7 +232,7 @@ bool Problem::leaveOut(const Fit& fit) {
         for (const double value : r)
             off_K.push_back(std::abs(value - middle));
     }
-    const double limit_K = std::max({kOutlierDeviations * 1.4826 * medianOf(off_K), kLeastOutlier_K,
+    const double limit_K = std::max({kOutlierDeviations * 1.4826 * medianOf(off_K), kMinOutlier_K,
                                      0.5 * *std::ranges::max_element(off_K)});
     const int before = m_outliers;
     std::size_t i = 0;
@@ -271,7 +271,7 @@ Message verdict(const IdentifiedRates& rates, double variation_F) {
         const double relative = estimate.standardError / std::abs(estimate.value);
         if (relative <= kWorstError)
             continue;
-        if (variation_F < kLeastVariation)
+        if (variation_F < kMinVariation)
             return {MessageCode::IdentificationStill, {formatNumber(variation_F, 2)}};
         return {MessageCode::IdentificationUncertain, {name, percent(relative)}};
     }

@@ -9,13 +9,13 @@
 namespace bask {
 namespace {
 
-constexpr double kMostCoordinate_px = 1e6; // keeps what is far outside of a picture within int
+constexpr double kMaxCoordinate_px = 1e6; // keeps what is far outside of a picture within int
 
 // Where the corners are shown, and a margin for the marker's light surround and for how unsure the pose is.
 PictureRegion regionAbout(const PlacedMarker& marker, const CameraModel& camera, const Pose& X_CP,
                           const Matrix6d& covariance) {
-    constexpr double kLeast_px = 8.0, kOfSide = 0.3, kSpreads = 1.5; // a spread is two deviations
-    Eigen::Vector2d least = Eigen::Vector2d::Constant(kMostCoordinate_px), most = -least;
+    constexpr double kMin_px = 8.0, kOfSide = 0.3, kSpreads = 1.5; // a spread is two deviations
+    Eigen::Vector2d least = Eigen::Vector2d::Constant(kMaxCoordinate_px), most = -least;
     for (const Eigen::Vector3d& p_PQ : marker.corners()) {
         const Eigen::Vector2d shown = shownAt(Lens(camera), Eigen::Vector3d(X_CP * p_PQ));
         least = least.cwiseMin(shown);
@@ -25,9 +25,9 @@ PictureRegion regionAbout(const PlacedMarker& marker, const CameraModel& camera,
     const Matrix6d J = carriedBy(p_CM - X_CP.translation());
     const double unsure_m = spreadOf(J * covariance * J.transpose()).position_m;
     const double margin =
-        kLeast_px + kOfSide * (most - least).maxCoeff() + kSpreads * camera.fx * unsure_m / p_CM.z();
+        kMin_px + kOfSide * (most - least).maxCoeff() + kSpreads * camera.fx * unsure_m / p_CM.z();
     const auto pixel = [](double x) {
-        return static_cast<int>(std::clamp(std::round(x), -kMostCoordinate_px, kMostCoordinate_px));
+        return static_cast<int>(std::clamp(std::round(x), -kMaxCoordinate_px, kMaxCoordinate_px));
     };
     PictureRegion region{pixel(least.x() - margin), pixel(least.y() - margin)};
     region.width = pixel(most.x() + margin) - region.x;

@@ -191,7 +191,7 @@ PoseFilter::PoseFilter(double time_s, const Pose& X_CP, const Matrix6d& covarian
 
 FilterStep PoseFilter::take(double time_s, std::span<const SeenCorner> corners, const CameraModel& camera) {
     constexpr double kFrames = 30.0; // over which the corners' noise is averaged
-    constexpr double kLeastFreedom = 10.0;
+    constexpr double kMinFreedom = 10.0;
     if (corners.size() < 3)
         return {};
     for (const bool mayLeaveOut : {false, true})
@@ -202,7 +202,7 @@ FilterStep PoseFilter::take(double time_s, std::span<const SeenCorner> corners, 
                 continue;
             m_state = best.updated();
             const double freedom = 2.0 * static_cast<double>(best.keptCount()) - 6.0;
-            if (freedom >= kLeastFreedom)
+            if (freedom >= kMinFreedom)
                 m_variance_px2 += (best.squares_px2() / freedom - m_variance_px2) / kFrames;
             m_variance_px2 = std::max(m_variance_px2, kUsualCorner_px * kUsualCorner_px);
             return {true, best.leftOut(), best.cost()};

@@ -70,7 +70,7 @@ Result<PoseReading> VisionThread::read() {
 
 double VisionThread::lead_s() const {
     const std::lock_guard lock(m_mutex);
-    return m_task.follow ? m_looked_s + kMostLead_s - m_clock.now_s() : HUGE_VAL;
+    return m_task.follow ? m_looked_s + kMaxLead_s - m_clock.now_s() : HUGE_VAL;
 }
 
 void VisionThread::run(const std::stop_token& stop) {

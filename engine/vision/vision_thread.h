@@ -31,7 +31,7 @@ public:
     /// Pictures shown have all markers looked for at most so often, which takes longer than following.
     static constexpr double kShow_s = 0.07;
     static constexpr double kCompare_s = 1.0;
-    static constexpr double kMostLead_s = 0.4; ///< of PartTracker::kPredicted_s
+    static constexpr double kMaxLead_s = 0.4; ///< of PartTracker::kPredicted_s
 
     VisionThread(Camera& camera, std::string cameraName, const Clock& clock);
     ~VisionThread() override; ///< waits for the picture that is being looked at

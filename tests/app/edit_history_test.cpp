@@ -95,7 +95,7 @@ TEST_F(EditHistoryTest, KnowsWhichStateIsSaved) {
 // Catches memory that grows for as long as the program runs, and a saved state that is another after steps
 // were dropped.
 TEST_F(EditHistoryTest, TheOldestStepsAreDropped) {
-    const int most = static_cast<int>(EditHistory::kMostSteps);
+    const int most = static_cast<int>(EditHistory::kMaxSteps);
     for (int i = 0; i < most + 10; ++i) {
         edit(EditKind::Start, std::to_string(i));
         if (i == 4 || i == 100)

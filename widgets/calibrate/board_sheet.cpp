@@ -15,7 +15,7 @@ namespace {
 constexpr double kSide_mm = 10.0, kTop_mm = 14.0, kBottom_mm = 20.0; // margins of the pattern
 constexpr double kLetters_mm = 3.5;
 constexpr int kDotsPerInch = 1200;
-constexpr int kMostIds = 10'000; // more than any dictionary has
+constexpr int kMaxIds = 10'000; // more than any dictionary has
 
 struct Pattern {
     std::vector<DarkSquare> squares;
@@ -148,7 +148,7 @@ Result<std::vector<int>> parseIds(const std::string& text) {
         const QStringList ends = part.split('-');
         bool isFirst = false, isLast = false;
         const int first = ends.front().trimmed().toInt(&isFirst), last = ends.back().trimmed().toInt(&isLast);
-        if (ends.size() > 2 || !isFirst || !isLast || first < 0 || last < first || last >= kMostIds)
+        if (ends.size() > 2 || !isFirst || !isLast || first < 0 || last < first || last >= kMaxIds)
             return unreadable;
         for (int id = first; id <= last; ++id)
             if (std::ranges::find(ids, id) == ids.end())

@@ -425,7 +425,7 @@ void CameraPanel::updateEnabled() {
     const std::size_t used = m_collector ? m_collector->coverage().views : 0;
     m_board->setEnabled(m_list->count() == 0);
     m_again->setEnabled(m_list->count() > 0);
-    m_solve->setEnabled(used >= kLeastCalibrationViews && !m_progress->isVisibleTo(this));
+    m_solve->setEnabled(used >= kMinCalibrationViews && !m_progress->isVisibleTo(this));
     m_leaveOut->setVisible(!m_outstanding.empty());
     m_take->setEnabled(m_take->isEnabled() && isCapturing());
 }

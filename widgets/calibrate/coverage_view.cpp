@@ -17,7 +17,7 @@ namespace bask {
 namespace {
 
 constexpr std::array kNames{"coverageX", "coverageY", "coverageSize", "coverageTilt"};
-constexpr int kMostSentences = 2; // more than that nobody does at once
+constexpr int kMaxSentences = 2; // more than that nobody does at once
 
 } // namespace
 
@@ -44,7 +44,7 @@ CoverageView::CoverageView(QWidget* parent)
     m_missing->setWordWrap(true);
     m_missing->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     // Always of one height: what comes and goes would move the buttons.
-    m_missing->setMinimumHeight((1 + kMostSentences) * fontMetrics().lineSpacing());
+    m_missing->setMinimumHeight((1 + kMaxSentences) * fontMetrics().lineSpacing());
     m_map->setObjectName("coverageShown");
     grid->addWidget(m_views, 4, 0, 1, 2);
     grid->addWidget(m_map, 4, 1, 1, 2, Qt::AlignRight);
@@ -80,7 +80,7 @@ void CoverageView::retranslate() {
     m_map->setToolTip(tr("Colours the picture by how many corners were seen where."));
     QStringList sentences;
     for (const Message& message : m_coverage.missing)
-        if (sentences.size() < kMostSentences)
+        if (sentences.size() < kMaxSentences)
             sentences << tr("%1.").arg(sentenceText(message));
     m_missing->setText(sentences.isEmpty() ? tr("This is enough: calibrate.")
                                            : sentences.join(QLatin1Char('\n')));

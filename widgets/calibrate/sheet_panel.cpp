@@ -24,7 +24,7 @@ namespace bask {
 namespace {
 
 // Printers that fit a page to the paper stay within this; A3 on A4 is 71 %.
-constexpr double kLeastMeasured_mm = 60.0, kMostMeasured_mm = 150.0;
+constexpr double kMinMeasured_mm = 60.0, kMaxMeasured_mm = 150.0;
 
 void setLabel(QFormLayout* form, QWidget* field, const QString& text) {
     static_cast<QLabel*>(form->labelForField(field))->setText(text);
@@ -61,7 +61,7 @@ SheetPanel::SheetPanel(QWidget* parent)
     m_problem->setWordWrap(true);
     m_save->setObjectName("sheetSave");
     m_measured->setObjectName("sheetMeasured");
-    m_measured->setRange(kLeastMeasured_mm, kMostMeasured_mm);
+    m_measured->setRange(kMinMeasured_mm, kMaxMeasured_mm);
     m_measured->setSpecialValueText(kNoValue);
     m_measured->setDecimals(2);
     m_measured->setSingleStep(0.1);
@@ -185,8 +185,7 @@ void SheetPanel::saveTo(const QString& path) {
 }
 
 double SheetPanel::scale() const {
-    return m_measured->value() > kLeastMeasured_mm && !m_sheets.empty() ? m_measured->value() / kRuler_mm
-                                                                        : 0.0;
+    return m_measured->value() > kMinMeasured_mm && !m_sheets.empty() ? m_measured->value() / kRuler_mm : 0.0;
 }
 
 void SheetPanel::showTrueLength() {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMark = 18;
 constexpr int kButtonPadding = 8;
-constexpr int kMostText = 420;
+constexpr int kMaxText = 420;
 
 /// It still is so, and nobody has seen it.
 bool isCalling(const AlarmGroup& group) {
@@ -96,7 +96,7 @@ int AlarmButton::widthWithoutText() const {
 
 QSize AlarmButton::sizeHint() const {
     const QFontMetrics metrics(textFont());
-    return {widthBesideText() + std::min(metrics.horizontalAdvance(text()) + 2, kMostText),
+    return {widthBesideText() + std::min(metrics.horizontalAdvance(text()) + 2, kMaxText),
             std::max(metrics.height() + 12, 30)};
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kKindRole = Qt::UserRole;
 constexpr int kTimeRole = Qt::UserRole + 1;
-constexpr int kMostRows = 10000;
+constexpr int kMaxRows = 10000;
 
 int priorityOf(EventKind kind) {
     switch (kind) {
@@ -72,7 +72,7 @@ void EventList::add(double time_s, const QString& text, EventKind kind) {
     item->setData(0, kTimeRole, time_s);
     item->setToolTip(2, text);
     decorate(item);
-    if (m_tree->topLevelItemCount() > kMostRows)
+    if (m_tree->topLevelItemCount() > kMaxRows)
         delete m_tree->takeTopLevelItem(0);
     if (atEnd)
         m_tree->scrollToItem(item);

@@ -19,8 +19,8 @@ namespace {
 constexpr int kIcon = 16;
 constexpr int kPadding = 10;
 constexpr int kArrow = 14;
-constexpr int kHeight = 38;       // of the buttons beside it
-constexpr int kMostCompact = 150; // px
+constexpr int kHeight = 38;      // of the buttons beside it
+constexpr int kMaxCompact = 150; // px
 constexpr int kReasonWidth = 420;
 constexpr double kCaptionSize = 0.82;
 
@@ -211,7 +211,7 @@ QSize RunStateChip::sizeHint() const {
         widest =
             std::max(widest, metrics.horizontalAdvance(chipText(state, state == RunState::NotReady ? 9 : 0)));
     const int whole = widest + kIcon + 3 * kPadding + kArrow;
-    return {m_isCompact ? std::min(whole, kMostCompact) : whole, std::max(2 * metrics.height() + 4, kHeight)};
+    return {m_isCompact ? std::min(whole, kMaxCompact) : whole, std::max(2 * metrics.height() + 4, kHeight)};
 }
 
 void RunStateChip::paintEvent(QPaintEvent*) {

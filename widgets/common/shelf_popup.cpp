@@ -13,7 +13,7 @@ namespace bask {
 namespace {
 
 constexpr int kPopupWidth = 340;
-constexpr int kMostLetters = 120;
+constexpr int kMaxLetters = 120;
 
 } // namespace
 
@@ -24,7 +24,7 @@ ShelfPopup::ShelfPopup(QWidget* parent)
     setFixedWidth(kPopupWidth);
     m_explanation->setWordWrap(true);
     m_reason->setObjectName(QStringLiteral("shelfReason"));
-    m_reason->setMaxLength(kMostLetters);
+    m_reason->setMaxLength(kMaxLetters);
     auto* row = new QHBoxLayout;
     for (std::size_t i = 0; i < m_times.size(); ++i) {
         m_times[i] = new QPushButton(this);

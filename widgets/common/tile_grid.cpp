@@ -11,7 +11,7 @@ namespace bask {
 namespace {
 
 constexpr int kGapOfTiles = 6;
-constexpr int kMostInOneRow = 4;
+constexpr int kMaxInOneRow = 4;
 
 } // namespace
 
@@ -57,7 +57,7 @@ void TileGrid::arrange() {
     const auto count = static_cast<int>(m_tiles.size());
     if (count == 0)
         return;
-    const int wanted = count <= kMostInOneRow ? count : (count + 1) / 2;
+    const int wanted = count <= kMaxInOneRow ? count : (count + 1) / 2;
     const int perRow = std::clamp((width() + kGapOfTiles) / (widest() + kGapOfTiles), 1, wanted);
     if (perRow == m_perRow)
         return;

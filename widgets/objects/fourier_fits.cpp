@@ -25,7 +25,7 @@ struct FourierFits::Work {
     void operator()() const {
         const auto points =
             std::make_shared<Points>(pointsAlong(*outline, contourPerimeter(*outline) / kPointsPerOutline));
-        const auto polygon = std::make_shared<Contour>(simplifiedTo(*outline, kMostCorners));
+        const auto polygon = std::make_shared<Contour>(simplifiedTo(*outline, kMaxCorners));
         tell([points, polygon](FourierFits& fits) {
             fits.m_points = points;
             fits.m_polygon = polygon;

@@ -25,7 +25,7 @@ constexpr double kHandleBeyond_px = 18.0;
 constexpr double kHandleRadius_px = 6.5;
 constexpr double kHandleReach_px = 16.0;
 constexpr double kObjectReach_px = 14.0; ///< about its centre, where the outline is smaller
-constexpr double kGridLeast_px = 18.0;
+constexpr double kGridMin_px = 18.0;
 constexpr double kArrow_px = 16.0;
 
 QPainterPath face_mm(const ObjectSpec& object) {
@@ -48,7 +48,7 @@ double turned_rad(double angle_deg) {
 } // namespace
 
 double gridStep_mm(double pixelsPerMm) {
-    const double least_mm = kGridLeast_px / pixelsPerMm;
+    const double least_mm = kGridMin_px / pixelsPerMm;
     const double below_mm = niceLength(least_mm);
     return below_mm < least_mm ? niceLength(2.501 * below_mm) : below_mm; // 1, 2, 5: the next one
 }

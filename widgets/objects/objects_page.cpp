@@ -488,7 +488,7 @@ void ObjectsPage::commitOutline(const Contour& polygon) {
         return;
     const Contour raw = rawOutline(selected());
     const std::vector<Contour>& holes = rawHoles(selected());
-    std::size_t corners = kMostCorners; // of outline and holes together
+    std::size_t corners = kMaxCorners; // of outline and holes together
     for (const Contour& hole : holes)
         corners -= std::min(corners, hole.points_m.size());
     const auto made = shapeFromOutline(simplifiedTo(polygon, std::max<std::size_t>(corners, 3)), holes, 0);

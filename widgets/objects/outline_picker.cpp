@@ -22,7 +22,7 @@ namespace {
 constexpr double kMargin_px = 18.0;
 constexpr double kHandle_px = 7.0;
 constexpr double kGrab_px = 14.0;
-constexpr double kMostZoom = 40.0;
+constexpr double kMaxZoom = 40.0;
 
 QPointF asPoint(const Eigen::Vector2d& p) {
     return {p.x(), p.y()};
@@ -222,7 +222,7 @@ void OutlinePicker::mouseDoubleClickEvent(QMouseEvent*) {
 
 void OutlinePicker::wheelEvent(QWheelEvent* event) {
     const QPointF place = map().inverted().map(event->position());
-    m_zoom = std::clamp(m_zoom * std::exp2(event->angleDelta().y() / 480.0), 1.0, kMostZoom);
+    m_zoom = std::clamp(m_zoom * std::exp2(event->angleDelta().y() / 480.0), 1.0, kMaxZoom);
     if (m_zoom == 1.0)
         m_pan = {};
     else

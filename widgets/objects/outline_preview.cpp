@@ -20,8 +20,8 @@ namespace {
 constexpr double kMargin = 14.0;
 constexpr int kCurvePoints = 720;
 constexpr int kColours = 32;
-constexpr double kLeastScale_mm = 0.001; // a perfect fit is not coloured by its rounding
-constexpr double kLeastStep = 0.5;       // px: what is shorter is not drawn
+constexpr double kMinScale_mm = 0.001; // a perfect fit is not coloured by its rounding
+constexpr double kMinStep = 0.5;       // px: what is shorter is not drawn
 constexpr double kRawWidth = 4.0;
 constexpr double kSample = 22.0; // of a line, in the legend
 constexpr double kCentroidRadius = 2.5;
@@ -41,7 +41,7 @@ QColor distanceColour(double fraction, bool dark) {
 QPolygonF drawn(const QPolygonF& polygon_mm, const QTransform& map) {
     QPolygonF kept;
     for (const QPointF& p_mm : polygon_mm)
-        if (const QPointF p = map.map(p_mm); kept.isEmpty() || QLineF(kept.back(), p).length() >= kLeastStep)
+        if (const QPointF p = map.map(p_mm); kept.isEmpty() || QLineF(kept.back(), p).length() >= kMinStep)
             kept << p;
     return kept;
 }
@@ -178,7 +178,7 @@ void OutlinePreview::paintDistances(QPainter& painter, const QTransform& map) co
     // What is nearer than half a pixel is drawn as one, with the largest of its distances; stretches of one
     // colour are one line.
     const bool dark = isDark(this);
-    const double perMm = kColours / std::max(m_most_mm, kLeastScale_mm);
+    const double perMm = kColours / std::max(m_most_mm, kMinScale_mm);
     const auto levelOf = [&](double distance_mm) {
         return std::min(static_cast<int>(distance_mm * perMm), kColours - 1);
     };
@@ -194,7 +194,7 @@ void OutlinePreview::paintDistances(QPainter& painter, const QTransform& map) co
         const qsizetype at = k % m_raw_mm.size();
         const QPointF p = map.map(m_raw_mm[at]);
         most_mm = std::max(most_mm, m_distances_mm[static_cast<std::size_t>(at)]);
-        if (at != 0 && QLineF(line.back(), p).length() < kLeastStep)
+        if (at != 0 && QLineF(line.back(), p).length() < kMinStep)
             continue;
         const int next = levelOf(most_mm);
         if (level >= 0 && next != level) {
@@ -291,8 +291,7 @@ void OutlinePreview::paintColourBar(QPainter& painter, const QRectF& area) const
         painter.drawText(QRectF(0.0, bottom - line, area.right(), line), Qt::AlignRight | Qt::AlignVCenter,
                          text);
     };
-    label(area.top() + line,
-          tr("%1 mm").arg(QLocale().toString(std::max(m_most_mm, kLeastScale_mm), 'f', 3)));
+    label(area.top() + line, tr("%1 mm").arg(QLocale().toString(std::max(m_most_mm, kMinScale_mm), 'f', 3)));
     label(area.bottom(), tr("0 mm"));
 }
 

@@ -15,7 +15,7 @@
 namespace bask {
 namespace {
 
-constexpr int kMostPoints =
+constexpr int kMaxPoints =
     1600; ///< stretches in a picture; more would want more blocks than a recorded run keeps
 
 constexpr std::size_t kFineStretch = 3; // px
@@ -179,7 +179,7 @@ double TracePlot::Canvas::factor(int series) const {
 /// Gives the lines the points of the visible time.
 void TracePlot::Canvas::updatePoints() {
     const QCPRange range = xAxis->range();
-    const int width = std::clamp(axisRect()->width(), 1, kMostPoints);
+    const int width = std::clamp(axisRect()->width(), 1, kMaxPoints);
     if (!m_pointsAreOld && range == m_pointsRange && width == m_pointsWidth)
         return;
     // Where the overview is nearly as fine as the screen, the samples are read when the picture rests.

@@ -66,7 +66,7 @@ void TraceColumns::reset(std::size_t objects) {
     m_objects = objects;
     m_columns.resize(objects);
     m_targets.resize(objects);
-    m_overview = TraceOverview(objects, kMostStretches);
+    m_overview = TraceOverview(objects, kMaxStretches);
 }
 
 void TraceColumns::show(std::shared_ptr<RecordedSession> run) {
@@ -88,8 +88,8 @@ template <class Each> void TraceColumns::eachColumn(Each each) {
 }
 
 void TraceColumns::dropOldRows() {
-    constexpr std::size_t kAtOnce = kMostRows / 4;
-    if (m_keepsAll || m_time_s.size() < kMostRows + kAtOnce)
+    constexpr std::size_t kAtOnce = kMaxRows / 4;
+    if (m_keepsAll || m_time_s.size() < kMaxRows + kAtOnce)
         return;
     eachColumn([](std::vector<double>& column) {
         column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(kAtOnce));

@@ -19,13 +19,13 @@ struct SpeedLimits {
     double rotation_rad_s = 0.1;
 };
 
-/// Samples of one run in the order of time. Of a run that goes on, the newest kMostRows are kept, older ones
-/// as an overview of at most kMostStretches: a plot takes no more than about 12 MB however long it runs. A
+/// Samples of one run in the order of time. Of a run that goes on, the newest kMaxRows are kept, older ones
+/// as an overview of at most kMaxStretches: a plot takes no more than about 12 MB however long it runs. A
 /// recorded run is read as it is looked at.
 class TraceColumns {
 public:
-    static constexpr std::size_t kMostRows = 32768; ///< an hour at 9 Hz
-    static constexpr std::size_t kMostStretches = 16384;
+    static constexpr std::size_t kMaxRows = 32768; ///< an hour at 9 Hz
+    static constexpr std::size_t kMaxStretches = 16384;
 
     /// Starts again with this number of objects; more in a sample are left out, missing ones are NaN.
     void reset(std::size_t objects);

@@ -234,7 +234,7 @@ void RecipePanel::showButtons() {
     m_file->setEnabled(!isOn);
     m_save->setEnabled(!isOn && m_view.isModified);
     m_saveAs->setEnabled(rows > 0);
-    m_add->setEnabled(!isOn && rows < static_cast<int>(kMostRecipeSteps));
+    m_add->setEnabled(!isOn && rows < static_cast<int>(kMaxRecipeSteps));
     m_edit->setEnabled(!isOn && row >= 0);
     m_remove->setEnabled(!isOn && row >= 0);
     m_up->setEnabled(!isOn && row > 0);

@@ -65,8 +65,8 @@ RecipeStepDialog::RecipeStepDialog(const RecipeStep& step, const QStringList& ob
     if (!step.object.empty())
         m_object->setEditText(QString::fromStdString(step.object));
     m_temperature->setTemperatureUnit(unit);
-    m_temperature->setRange_K(kelvinFromCelsius(kLeastTemperature_degC),
-                              kelvinFromCelsius(kMostTemperature_degC));
+    m_temperature->setRange_K(kelvinFromCelsius(kMinTemperature_degC),
+                              kelvinFromCelsius(kMaxTemperature_degC));
     m_temperature->setValue_K(step.temperature_K);
     m_otherwise->addItem(tr("End the recipe"), false);
     m_otherwise->addItem(tr("Go on with the next step"), true);

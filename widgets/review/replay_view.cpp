@@ -286,7 +286,7 @@ void ReplayView::showScene() {
 
 bool ReplayView::addOverlay(std::shared_ptr<RecordedSession> run) {
     const auto same = [&](const RecordedSession& other) { return other.facts().path == run->facts().path; };
-    if (!m_run || same(*m_run) || static_cast<int>(m_overlays.size()) >= kMostOverlays ||
+    if (!m_run || same(*m_run) || static_cast<int>(m_overlays.size()) >= kMaxOverlays ||
         std::ranges::any_of(m_overlays, [&](const Overlay& overlay) { return same(*overlay.run); }))
         return false;
     m_overlays.push_back({std::move(run), {}});

@@ -31,7 +31,7 @@ class ReplayView : public QWidget {
     Q_OBJECT
 
 public:
-    static constexpr int kMostOverlays = 4;
+    static constexpr int kMaxOverlays = 4;
 
     explicit ReplayView(QWidget* parent = nullptr);
     ~ReplayView() override;

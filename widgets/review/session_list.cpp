@@ -336,7 +336,7 @@ void SessionList::showSelected() {
     m_message->say(MessageBar::Kind::Note,
                    tr("The recording has no end: Bask or the computer went down. Saved: %1, until %2 after "
                       "Start; at most the last %3 s before it went down are missing.")
-                       .arg(saved, formatDuration(session->end_s), QLocale().toString(kMostLost_s)),
+                       .arg(saved, formatDuration(session->end_s), QLocale().toString(kMaxLost_s)),
                    tr("Close it properly"), false);
 }
 

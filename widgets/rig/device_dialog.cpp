@@ -26,8 +26,8 @@
 namespace bask {
 namespace {
 
-constexpr int kMostChannel = 63; ///< of a stream
-constexpr qint64 kMostProfile = 1 << 20;
+constexpr int kMaxChannel = 63; ///< of a stream
+constexpr qint64 kMaxProfile = 1 << 20;
 
 std::vector<AxisSpec> usualAxes(RobotDriver driver) {
     if (driver == RobotDriver::Grbl)
@@ -177,7 +177,7 @@ void DeviceDialog::buildUse() {
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         auto* field = new QSpinBox(m_channelsPart);
         field->setObjectName(QStringLiteral("channel.%1").arg(i));
-        field->setRange(0, kMostChannel);
+        field->setRange(0, kMaxChannel);
         field->setAccessibleName(QString::fromStdString(m_objects[i]));
         channels->addWidget(new QLabel(QString::fromStdString(m_objects[i]), m_channelsPart),
                             static_cast<int>(i), 0);
@@ -271,7 +271,7 @@ void DeviceDialog::useProfileFile(const QString& path) {
     };
     if (!file.open(QIODevice::ReadOnly))
         return fail({MessageCode::FileUnreadable, {file.errorString().toStdString()}});
-    if (file.size() > kMostProfile)
+    if (file.size() > kMaxProfile)
         return fail({MessageCode::FileTooLarge, {std::to_string(file.size() >> 20) + " MiB", "1 MiB"}});
     const auto profile = modbusProfileFromJson(file.readAll().toStdString(), {});
     if (!profile)
@@ -465,7 +465,7 @@ void DeviceDialog::showParts() {
     sayNotTried();
     const int last = isModbus() && profile >= 0
                          ? std::max(0, m_profiles[static_cast<std::size_t>(profile)].channels - 1)
-                         : kMostChannel;
+                         : kMaxChannel;
     for (QSpinBox* channel : m_channels)
         channel->setMaximum(last);
     retranslateParts();

@@ -26,7 +26,7 @@ HeatPanel::HeatPanel(QWidget* parent)
     m_state->setObjectName("heatState");
     m_state->setWordWrap(true);
     for (QuantitySpinBox* field : {m_setPoint, m_typed}) {
-        field->setRange_K(kLeastTemperature_degC + kZeroCelsius_K, kMostTemperature_degC + kZeroCelsius_K);
+        field->setRange_K(kMinTemperature_degC + kZeroCelsius_K, kMaxTemperature_degC + kZeroCelsius_K);
         field->setMinimumWidth(110);
     }
     m_setPointLabel->setBuddy(m_setPoint);

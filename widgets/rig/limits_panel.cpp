@@ -49,8 +49,7 @@ QDoubleSpinBox* LimitsPanel::number(const QString& name, double least, double mo
 
 QWidget* LimitsPanel::buildSource() {
     auto* part = new QWidget(this);
-    m_setPoint->setRange_K(kelvinFromCelsius(kLeastTemperature_degC),
-                           kelvinFromCelsius(kMostTemperature_degC));
+    m_setPoint->setRange_K(kelvinFromCelsius(kMinTemperature_degC), kelvinFromCelsius(kMaxTemperature_degC));
     const Apply setPoint = [](Experiment& e, double value_K) { e.source.temperature_K = value_K; };
     connect(m_setPoint, &QuantitySpinBox::valueEdited_K, this,
             [this, setPoint](double value_K) { edit(m_setPoint, setPoint, value_K); });

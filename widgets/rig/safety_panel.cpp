@@ -85,7 +85,7 @@ void SafetyPanel::showValues() {
             if (parameter.name == std::string_view("source_trip"))
                 form->setAutomatic(parameter, sourceTrip_K, sourceTrip_K);
             else if (parameter.name == std::string_view("largest_rate"))
-                form->setAutomatic(parameter, {}, SafetySpec::kLeastRate_K_s);
+                form->setAutomatic(parameter, {}, SafetySpec::kMinRate_K_s);
             form->setValue(parameter, parameter.get(m_experiment.safety));
         }
     QStringList own;

@@ -20,11 +20,11 @@ namespace {
 constexpr double kPadding = 12.0; ///< between the view's edge and anything
 constexpr double kTick = 5.0;
 constexpr double kBarWidth = 12.0;
-constexpr double kLeastAxis = 40.0;       ///< a shorter axis is seen end on and left out
-constexpr double kLeastForValues = 480.0; ///< in a narrower view labels are names only
+constexpr double kMinAxis = 40.0;       ///< a shorter axis is seen end on and left out
+constexpr double kMinForValues = 480.0; ///< in a narrower view labels are names only
 constexpr double kAnyCost = std::numeric_limits<double>::infinity();
-constexpr QSizeF kLeastForBar{320.0, 200.0};
-constexpr QSizeF kLeastForText{120.0, 90.0};
+constexpr QSizeF kMinForBar{320.0, 200.0};
+constexpr QSizeF kMinForText{120.0, 90.0};
 
 double lengthOf(QPointF p) {
     return std::hypot(p.x(), p.y());
@@ -127,7 +127,7 @@ QMarginsF SceneOverlay::margins(const QFont& font, QSizeF size) {
     const QFontMetricsF metrics(smaller(font));
     const double label = metrics.horizontalAdvance(QStringLiteral("\u221200"));
     const double line = metrics.height();
-    const bool bar = size.width() >= kLeastForBar.width() && size.height() >= kLeastForBar.height();
+    const bool bar = size.width() >= kMinForBar.width() && size.height() >= kMinForBar.height();
     const double right = bar ? 2.0 * kPadding + kBarWidth + 2.0 * label + 16.0 : kPadding + label;
     return {kPadding + kTick + 4.0 + label, kPadding + line + 6.0, right,
             kPadding + kTick + 4.0 + 2.0 * line};
@@ -135,8 +135,7 @@ QMarginsF SceneOverlay::margins(const QFont& font, QSizeF size) {
 
 void SceneOverlay::paint(QPainter& painter, QSizeF size, const QPalette& palette,
                          const Projection& projection, const OverlayContent& content) {
-    if (size.width() < kLeastForText.width() || size.height() < kLeastForText.height() ||
-        content.frame.isEmpty())
+    if (size.width() < kMinForText.width() || size.height() < kMinForText.height() || content.frame.isEmpty())
         return;
     const bool dark = isDark(palette);
     const QFont small = smaller(painter.font());
@@ -153,7 +152,7 @@ void SceneOverlay::paint(QPainter& painter, QSizeF size, const QPalette& palette
                 palette.color(QPalette::Base),
                 QFontMetricsF(small)};
     m_layout.begin(QRectF(QPointF(0.0, 0.0), size).adjusted(6.0, 6.0, -6.0, -6.0));
-    if (content.hasBar && size.width() >= kLeastForBar.width() && size.height() >= kLeastForBar.height())
+    if (content.hasBar && size.width() >= kMinForBar.width() && size.height() >= kMinForBar.height())
         paintBar(frame);
     paintAxes(frame);
     paintLabels(frame);
@@ -167,7 +166,7 @@ void SceneOverlay::paintAxes(Frame& frame) {
 void SceneOverlay::paintAxis(Frame& frame, int axis) {
     const AxisLine line = outerEdge(frame.content.frame, frame.projection, axis);
     const double length = lengthOf(line.to - line.from);
-    if (length < kLeastAxis)
+    if (length < kMinAxis)
         return;
     QPainter& painter = frame.painter;
     painter.setPen(QPen(frame.line, 1.0));
@@ -273,7 +272,7 @@ void SceneOverlay::paintLabels(Frame& frame) {
     bold.setBold(true);
     for (std::size_t i = 0; i < anchors.size(); ++i) {
         SceneLabel label = frame.content.labels[i];
-        if (frame.size.width() < kLeastForValues)
+        if (frame.size.width() < kMinForValues)
             label.value.clear();
         double width =
             QFontMetricsF(bold).horizontalAdvance(label.text) + (label.colour.isValid() ? 14.0 : 0.0) + 14.0;

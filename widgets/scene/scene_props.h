@@ -50,7 +50,7 @@ public:
     void setObjectColour(std::size_t index, const QColor& colour);
     /// Of the objects' fillings, 0 to 1: objects that are not there, but could be.
     void setObjectOpacity(double opacity);
-    /// Uploads one trail of at most Trail::kMostPoints points.
+    /// Uploads one trail of at most Trail::kMaxPoints points.
     void setTrail(std::size_t index, const Trail& trail, const TemperatureColour& colour);
 
 private:

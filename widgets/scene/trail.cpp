@@ -29,13 +29,13 @@ void Trail::append(const Point& point) {
     if (!m_kept.empty() && !differs(m_kept.back(), point))
         return;
     m_kept.push_back(point);
-    if (m_kept.size() > kMostPoints)
+    if (m_kept.size() > kMaxPoints)
         thin();
 }
 
 void Trail::thin() {
     // At least a quarter goes each time, so that the work is spread over many appends.
-    while (m_kept.size() > kMostPoints - kMostPoints / 4) {
+    while (m_kept.size() > kMaxPoints - kMaxPoints / 4) {
         m_tolerance_m *= 2.0;
         m_tolerance_K *= 2.0;
         std::size_t count = 1;

@@ -17,7 +17,7 @@ public:
         double temperature_K = 0.0;                     ///< NaN: not known
     };
 
-    static constexpr std::size_t kMostPoints = 4096;
+    static constexpr std::size_t kMaxPoints = 4096;
     static constexpr double kTolerance_m = 2.5e-4;
     static constexpr double kTolerance_K = 0.25;
 

@@ -26,8 +26,8 @@
 namespace bask {
 namespace {
 
-constexpr int kLeastSide = 230;
-constexpr int kMostSide = 560;
+constexpr int kMinSide = 230;
+constexpr int kMaxSide = 560;
 constexpr QSize kPicture(480, 480);
 constexpr double kPictureScale = 2.0;
 
@@ -194,9 +194,9 @@ void PairsView::arrange() {
     const int count = static_cast<int>(m_maps.size());
     const int gap = m_grid->spacing();
     const int wide = m_scroll->width() - m_scroll->verticalScrollBar()->sizeHint().width();
-    int columns = std::clamp((wide + gap) / (kLeastSide + gap), 1, count);
+    int columns = std::clamp((wide + gap) / (kMinSide + gap), 1, count);
     int side = (wide + gap) / columns - gap;
-    for (int c = columns, best = kLeastSide; c >= 1; --c) {
+    for (int c = columns, best = kMinSide; c >= 1; --c) {
         const int rows = (count + c - 1) / c;
         const int whole = std::min((wide + gap) / c, (m_scroll->height() + gap) / rows) - gap;
         if (whole < best)
@@ -204,7 +204,7 @@ void PairsView::arrange() {
         best = side = whole;
         columns = c;
     }
-    side = std::clamp(side, kLeastSide, kMostSide);
+    side = std::clamp(side, kMinSide, kMaxSide);
     for (int i = 0; i < count; ++i) {
         ReachMap* map = m_maps[static_cast<std::size_t>(i)];
         map->setFixedSize(side, side);

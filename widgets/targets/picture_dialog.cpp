@@ -13,7 +13,7 @@
 namespace bask {
 namespace {
 
-constexpr int kMostFrame_px = 2000; // nine of them are in memory, and make one sheet
+constexpr int kMaxFrame_px = 2000; // nine of them are in memory, and make one sheet
 
 } // namespace
 
@@ -25,12 +25,12 @@ PictureDialog::PictureDialog(const QString& title, QSize size, int most, QWidget
     m_width->setObjectName("pictureWidth");
     m_height->setObjectName("pictureHeight");
     for (QSpinBox* side : {m_width, m_height}) {
-        side->setRange(kLeast_px, most);
+        side->setRange(kMin_px, most);
         side->setSingleStep(10);
         side->setSuffix(tr(" px"));
         connect(side, &QSpinBox::valueChanged, this, &PictureDialog::findSize);
     }
-    const QSize least(kLeast_px, kLeast_px);
+    const QSize least(kMin_px, kMin_px);
     const QSize view = size.boundedTo({most, most}).expandedTo(least);
     const auto add = [this, most](const QString& name, QSize offered) {
         if (std::max(offered.width(), offered.height()) <= most)
@@ -62,7 +62,7 @@ QSize PictureDialog::size_px() const {
 }
 
 std::optional<PictureDialog::Order> PictureDialog::askPicture(QSize size, QWidget* parent) {
-    PictureDialog dialog(tr("Save the picture"), size, kMost_px, parent);
+    PictureDialog dialog(tr("Save the picture"), size, kMax_px, parent);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     const QString path =
@@ -71,7 +71,7 @@ std::optional<PictureDialog::Order> PictureDialog::askPicture(QSize size, QWidge
 }
 
 std::optional<PictureDialog::Order> PictureDialog::askAnimation(QSize size, QWidget* parent) {
-    PictureDialog dialog(tr("Save the animation"), size, kMostFrame_px, parent);
+    PictureDialog dialog(tr("Save the animation"), size, kMaxFrame_px, parent);
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     const QString path = QFileDialog::getExistingDirectory(parent, tr("Folder for the pictures"));

@@ -16,7 +16,7 @@ class PictureDialog : public QDialog {
     Q_OBJECT
 
 public:
-    static constexpr int kLeast_px = 100, kMost_px = 8192;
+    static constexpr int kMin_px = 100, kMax_px = 8192;
 
     /// Starts with `size`, which leads the list as the view's; `most` bounds either side.
     PictureDialog(const QString& title, QSize size, int most, QWidget* parent);

@@ -30,7 +30,7 @@ namespace bask {
 namespace {
 
 constexpr int kRowHeight = 44;
-constexpr int kLeastTableWidth = 620;
+constexpr int kMinTableWidth = 620;
 constexpr int kLinesPerRow = 4; // of the grid: a rule, the target, its bar, words
 constexpr int kColumns = 6;
 constexpr double kSameTarget_K = 1e-6;
@@ -115,7 +115,7 @@ TargetsPage::TargetsPage(QWidget* parent)
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setFocusPolicy(Qt::NoFocus);
-    scroll->setMinimumWidth(kLeastTableWidth);
+    scroll->setMinimumWidth(kMinTableWidth);
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     m_surfaces = new SurfacesView(this);
@@ -198,8 +198,7 @@ void TargetsPage::addRow(int index) {
     made.target->setMinimumWidth(120);
     made.bar->setSeries(index);
     made.name->setBuddy(made.target);
-    made.target->setRange_K(kelvinFromCelsius(kLeastTemperature_degC),
-                            kelvinFromCelsius(kMostTemperature_degC));
+    made.target->setRange_K(kelvinFromCelsius(kMinTemperature_degC), kelvinFromCelsius(kMaxTemperature_degC));
     connect(made.target, &QuantitySpinBox::valueTyped_K, this,
             [this, row](double target_K) { tryTarget(row, target_K); });
     connect(made.target, &QuantitySpinBox::valueEdited_K, this,

@@ -154,7 +154,7 @@ TEST(NormBounded, FindsTheOnlyPointThereIs) {
 
 TEST(NormBounded, RefusesMoreBoundsThanItHasRoomFor) {
     EXPECT_THROW((void)solveNormBounded(SmallMatrix::Identity(1, 1), SmallVector::Zero(1),
-                                        SmallRows::Zero(kMostRows, 1), RowVector::Zero(kMostRows),
+                                        SmallRows::Zero(kMaxRows, 1), RowVector::Zero(kMaxRows),
                                         {normOf(0, 1, 1)}),
                  std::invalid_argument);
 }

@@ -259,18 +259,18 @@ TEST(VideoCamera, GoesInTimeWhileItHangsAndIsBounded) {
     auto script = std::make_shared<Script>();
     script->hangs = true;
     const int before = VideoCamera::hanging();
-    for (int k = 0; k < VideoCamera::kMostHanging + 2; ++k) {
+    for (int k = 0; k < VideoCamera::kMaxHanging + 2; ++k) {
         auto camera = std::make_unique<VideoCamera>("scripted", kClock, openerOf(script));
-        const int hung = std::min(k + 1, VideoCamera::kMostHanging - before);
+        const int hung = std::min(k + 1, VideoCamera::kMaxHanging - before);
         EXPECT_TRUE(waitUntil([&] { return script->hung == hung; }));
-        if (k >= VideoCamera::kMostHanging - before) {
+        if (k >= VideoCamera::kMaxHanging - before) {
             EXPECT_EQ(codeOf(*camera), MessageCode::CameraNotOpened);
         }
         const double begin_s = kClock.now_s();
         camera.reset();
         EXPECT_LT(kClock.now_s() - begin_s, 1.0);
     }
-    EXPECT_LE(VideoCamera::hanging(), VideoCamera::kMostHanging);
+    EXPECT_LE(VideoCamera::hanging(), VideoCamera::kMaxHanging);
     script->hangs = false;
     script->release.set_value();
     EXPECT_TRUE(waitUntil([&] { return VideoCamera::hanging() == before; }));

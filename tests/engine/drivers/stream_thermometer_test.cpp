@@ -134,8 +134,8 @@ TEST_F(StreamThermometerTest, aPulledCableIsToldAndFoundAgain) {
 /// Against the simulated device in each of its formats.
 class StreamDeviceTest : public testing::TestWithParam<StreamFormat> {
 protected:
-    static constexpr int kMost = 3;
-    int channels() const { return GetParam() == StreamFormat::Sketch ? 1 : kMost; }
+    static constexpr int kMax = 3;
+    int channels() const { return GetParam() == StreamFormat::Sketch ? 1 : kMax; }
     void run(double time_s) {
         for (double t = 0.0; t < time_s - 1e-9; t += 0.005) {
             m_thermometer.work();

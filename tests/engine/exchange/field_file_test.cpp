@@ -132,7 +132,7 @@ TEST_F(FieldFile, aFourthAxisIsOneArrayAStep) {
     EXPECT_EQ(wordsIn(image, "axis_names").back(), "theta_z");
     EXPECT_EQ(wordsIn(image, "held_names"), (Words{"x", "theta_y"}));
 
-    axes[3] = {kThetaZ, 0.0, 1e-3, kMostFourthAxisSamples + 1};
+    axes[3] = {kThetaZ, 0.0, 1e-3, kMaxFourthAxisSamples + 1};
     const auto refused = checkFieldFile(path("other.vti"), axes);
     ASSERT_FALSE(refused);
     EXPECT_EQ(refused.error().code(), MessageCode::FieldTooLarge);

@@ -183,7 +183,7 @@ TEST_F(SessionVtk, AnEmptyRunHasOutlinesAtItsStartAndFields) {
 TEST_F(SessionVtk, LongRunsAreThinnedForTheOutlinesOnly) {
     exported(recordOf(1001));
     EXPECT_EQ(poly("trajectories.vtp")->GetNumberOfPoints(), 2002);
-    EXPECT_EQ(QDir(m_folder.filePath("outlines")).entryList(QDir::Files).size(), kMostOutlineSteps);
+    EXPECT_EQ(QDir(m_folder.filePath("outlines")).entryList(QDir::Files).size(), kMaxOutlineSteps);
     EXPECT_NEAR(poly("outlines/0199.vtp")->GetPoint(0)[0], 0.1, 1e-9) << "source";
 }
 

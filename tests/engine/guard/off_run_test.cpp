@@ -120,7 +120,7 @@ TEST(GuardLog, ItWaitsForNoFile) {
 TEST(OffRun, AStepThatIsTooLongIsRefused) {
     EXPECT_THROW(offWrite(std::string(65, 'x'), {}, 0, 0), std::invalid_argument);
     OffProgram program;
-    for (std::size_t i = 0; i < OffProgram::kMostSteps; ++i)
+    for (std::size_t i = 0; i < OffProgram::kMaxSteps; ++i)
         add(program, offWrite("x", {}, 0, 0));
     EXPECT_THROW(add(program, offWrite("x", {}, 0, 0)), std::invalid_argument);
 }

@@ -66,7 +66,7 @@ void expectSinglesAgree(const FieldRequest& asked) {
 void walkCombinations(std::vector<FieldAxis>& axes) {
     if (!axes.empty())
         expectSinglesAgree(request(axes));
-    if (axes.size() == kMostAxes)
+    if (axes.size() == kMaxAxes)
         return;
     for (int c = 0; c < 6; ++c) {
         const auto coordinate = static_cast<Coordinate>(c);
@@ -321,11 +321,11 @@ TEST(FieldSampler, refusesWhatIsNoGrid) {
 
 // Catches: an absurd grid that takes all memory, or a count that overflows into a small one.
 TEST(FieldSampler, refusesHugeGridsBeforeTakingMemory) {
-    const FieldAxis most{kX, 0.0, 1e-9, kMostAxisSamples};
-    const auto with = [&](Coordinate c) { return FieldAxis{c, 0.0, 1e-9, kMostAxisSamples}; };
+    const FieldAxis most{kX, 0.0, 1e-9, kMaxAxisSamples};
+    const auto with = [&](Coordinate c) { return FieldAxis{c, 0.0, 1e-9, kMaxAxisSamples}; };
     expectRefused(request({most, with(kY), with(kZ), with(kThetaX)}), MessageCode::FieldTooLarge,
                   "1e+20 samples, more than the 100000000");
-    expectRefused(request({{kX, 0.0, 1e-9, kMostAxisSamples + 1}}), MessageCode::FieldTooLarge,
+    expectRefused(request({{kX, 0.0, 1e-9, kMaxAxisSamples + 1}}), MessageCode::FieldTooLarge,
                   "x: 100001 samples, more than the 100000");
     expectRefused(request({{kX, 0.0, 1e-9, std::numeric_limits<int>::max()}}), MessageCode::FieldTooLarge,
                   "2147483647");

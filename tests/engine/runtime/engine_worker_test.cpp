@@ -121,7 +121,7 @@ TEST(EngineWorker, AWindowThatHangsGetsTheNewestAndEveryRow) {
     const int taken = rig.snapshots;
     std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // it hangs, for thirty snapshots
     QCoreApplication::processEvents();
-    EXPECT_LE(rig.snapshots - taken, static_cast<int>(Underway::kMost));
+    EXPECT_LE(rig.snapshots - taken, static_cast<int>(Underway::kMax));
     ASSERT_TRUE(rig.waitFor([&] { return rig.last.runTime_s > before_s + 20.0; }));
     EXPECT_TRUE(rig.inOrder);
     // Start falls between two steps of the rig.
@@ -138,7 +138,7 @@ TEST(EngineWorker, AWindowThatHangsGetsTwoPicturesAndThenTheNewest) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1500)); // it hangs
     const double hung_s = rig.view->frame->time_s;
     QCoreApplication::processEvents();
-    EXPECT_LE(rig.views - taken, static_cast<int>(Underway::kMost));
+    EXPECT_LE(rig.views - taken, static_cast<int>(Underway::kMax));
     EXPECT_TRUE(rig.waitFor([&] { return rig.view->frame->time_s > hung_s + 1.0; }, 5000));
 }
 

@@ -115,7 +115,7 @@ TEST(SessionIdentification, OfALongRunItKeepsSomeSamplesAndFindsTheSameRates) {
     const IdentifiedRates some = identifySession(*session).front();
     ASSERT_TRUE(some.usable());
     // The same run, so many samples in the place of each that they are too many.
-    const auto times = static_cast<int>(5 * HeatRecords::kMost / 2 / once.size() + 1);
+    const auto times = static_cast<int>(5 * HeatRecords::kMax / 2 / once.size() + 1);
     HeatRecords records(*session);
     for (std::size_t k = 0; k + 1 < once.size(); ++k)
         for (int j = 0; j < times; ++j) {
@@ -130,8 +130,8 @@ TEST(SessionIdentification, OfALongRunItKeepsSomeSamplesAndFindsTheSameRates) {
             }
             records.add(sample);
         }
-    EXPECT_LE(records.size(), HeatRecords::kMost);
-    EXPECT_GE(records.size(), HeatRecords::kMost / 2);
+    EXPECT_LE(records.size(), HeatRecords::kMax);
+    EXPECT_GE(records.size(), HeatRecords::kMax / 2);
     const IdentifiedRates all = records.identify().front();
     ASSERT_TRUE(all.usable()) << describe(all.reason);
     EXPECT_NEAR(all.lambda1.value / some.lambda1.value, 1.0, 0.02);

@@ -62,7 +62,7 @@ TEST(OutlineFile, PickedWithTheHolesThatFit) {
     sieve.arrange();
     const auto most = pickOutline(sieve, std::nullopt, "");
     ASSERT_TRUE(most);
-    EXPECT_EQ(most->holes.size(), kMostHoles);
+    EXPECT_EQ(most->holes.size(), kMaxHoles);
     EXPECT_EQ(most->warnings.back(), (Message{MessageCode::HolesLeftOut, {"10", "200"}}));
 }
 

@@ -82,7 +82,7 @@ TEST(Shape, HolesMustFit) {
         EXPECT_EQ(codeOf(outline, {square(0.1), square(0.3)}), MessageCode::HolesMeet);
         EXPECT_EQ(codeOf(outline, {{{{0.0, 0.0}, {0.1, 0.1}, {0.1, 0.0}, {0.0, 0.1}}}}),
                   MessageCode::ContourCrossing);
-        EXPECT_EQ(codeOf(outline, std::vector<Contour>(kMostHoles + 1, square(0.01))),
+        EXPECT_EQ(codeOf(outline, std::vector<Contour>(kMaxHoles + 1, square(0.01))),
                   MessageCode::HolesTooMany);
     }
     EXPECT_EQ(codeOf(Disk{1.0}, {square(0.1, 0.85)}), MessageCode::None);

@@ -227,7 +227,7 @@ TEST_F(ObjectsPageTest, AnOutlineOfManyPointsIsThinnedAsAPolygon) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return use->isEnabled(); }, 120000));
     QTest::keyClick(use, Qt::Key_Space);
     ASSERT_EQ(edited.count(), 1);
-    EXPECT_LE(std::get<Contour>(last().objects[1].shape).points_m.size(), kMostCorners);
+    EXPECT_LE(std::get<Contour>(last().objects[1].shape).points_m.size(), kMaxCorners);
     EXPECT_EQ(last().objects[1].origin.outline, fine);
     EXPECT_TRUE(validate(last()).ok());
     EXPECT_TRUE(residual().contains("from 20000 to")) << residual().toStdString();

@@ -89,7 +89,7 @@ TEST(TraceColumns, ARunThatGoesOnStaysSmallAndKeepsItsExtremes) {
     columns.reset(1);
     for (int k = 0; k < kMany; ++k)
         columns.append({manyAt(k)});
-    EXPECT_LE(columns.rows(), TraceColumns::kMostRows * 5 / 4);
+    EXPECT_LE(columns.rows(), TraceColumns::kMaxRows * 5 / 4);
     EXPECT_EQ(columns.lastTime_s(), 0.1 * (kMany - 1));
     EXPECT_EQ(columns.value(Quantity::Temperature, 0, columns.rows() - 1),
               manyAt(kMany - 1).objects[0].measured_K);

@@ -35,7 +35,7 @@ TEST(Trail, ThirtyThousandSamplesStaySmallAndTrue) {
         const double angle = 0.01 * i;
         trail.append({{0.2 * std::cos(angle), 0.2 * std::sin(angle), 0.3 - 1e-5 * i}, 300.0 + 0.001 * i});
     }
-    EXPECT_LE(trail.kept().size(), Trail::kMostPoints);
+    EXPECT_LE(trail.kept().size(), Trail::kMaxPoints);
     ASSERT_GE(trail.kept().size(), 1000U);
     for (std::size_t i = 1; i < trail.kept().size(); ++i)
         EXPECT_LT((trail.kept()[i].p_RO - trail.kept()[i - 1].p_RO).norm(), 0.04);
@@ -47,11 +47,11 @@ TEST(Trail, JumpsBetweenTwoPlacesStayBounded) {
     Trail trail;
     for (int i = 0; i < 30000; ++i)
         trail.append({{i % 2 == 0 ? -10.0 : 10.0, 0.0, 0.1}, 300.0});
-    EXPECT_LE(trail.kept().size(), Trail::kMostPoints);
+    EXPECT_LE(trail.kept().size(), Trail::kMaxPoints);
     trail.clear();
     for (int i = 0; i < 30000; ++i)
         trail.append({{0.0, 0.0, 0.1}, i % 2 == 0 ? 300.0 : std::numeric_limits<double>::quiet_NaN()});
-    EXPECT_LE(trail.kept().size(), Trail::kMostPoints);
+    EXPECT_LE(trail.kept().size(), Trail::kMaxPoints);
 }
 
 // Catches a gap in the readings that is painted over with the last colour, and one that adds a point a

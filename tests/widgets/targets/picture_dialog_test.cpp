@@ -13,7 +13,7 @@ namespace bask {
 namespace {
 
 struct PictureDialogTest : testing::Test {
-    PictureDialog dialog{QStringLiteral("Save"), {1400, 1000}, PictureDialog::kMost_px, nullptr};
+    PictureDialog dialog{QStringLiteral("Save"), {1400, 1000}, PictureDialog::kMax_px, nullptr};
     QComboBox* sizes = dialog.findChild<QComboBox*>("pictureSize");
     QSpinBox* width = dialog.findChild<QSpinBox*>("pictureWidth");
     QSpinBox* height = dialog.findChild<QSpinBox*>("pictureHeight");
