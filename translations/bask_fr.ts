@@ -75,23 +75,23 @@
     <name>Controller</name>
     <message>
         <source>Level servo</source>
-        <translation type="unfinished">Asservissement de niveau</translation>
+        <translation>Asservissement de niveau</translation>
     </message>
     <message>
         <source>Moves to the view factor each object needs; learns the rates on the way.</source>
-        <translation type="unfinished">Rejoint le facteur de forme dont chaque objet a besoin&#xa0;; apprend les vitesses en chemin.</translation>
+        <translation>Rejoint le facteur de forme dont chaque objet a besoin&#xa0;; apprend les vitesses en chemin.</translation>
     </message>
     <message>
         <source>Model-based</source>
-        <translation type="unfinished">À modèle</translation>
+        <translation>À modèle</translation>
     </message>
     <message>
         <source>Adaptive</source>
-        <translation type="unfinished">Adaptatif</translation>
+        <translation>Adaptatif</translation>
     </message>
     <message>
         <source>The paper&apos;s law with adapted heat rates.</source>
-        <translation type="unfinished">La loi de l’article à coefficients thermiques adaptés.</translation>
+        <translation>La loi de l’article à coefficients thermiques adaptés.</translation>
     </message>
     <message>
         <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
@@ -1439,115 +1439,115 @@
     <name>Parameter</name>
     <message>
         <source>Objects: warning</source>
-        <translation type="unfinished">Objets : avertissement</translation>
+        <translation>Objets : avertissement</translation>
     </message>
     <message>
         <source>A run holds, and a priority 2 alarm is given</source>
-        <translation type="unfinished">L’essai se met en pause, avec une alarme de priorité 2</translation>
+        <translation>L’essai se met en pause, avec une alarme de priorité 2</translation>
     </message>
     <message>
         <source>Objects: trip</source>
-        <translation type="unfinished">Objets : déclenchement</translation>
+        <translation>Objets : déclenchement</translation>
     </message>
     <message>
         <source>Heat off and retreat. What object, paint and sensor bear.</source>
-        <translation type="unfinished">Chauffage coupé et retrait. Ce que supportent l’objet, la peinture et le capteur.</translation>
+        <translation>Chauffage coupé et retrait. Ce que supportent l’objet, la peinture et le capteur.</translation>
     </message>
     <message>
         <source>Source: trip</source>
-        <translation type="unfinished">Source : déclenchement</translation>
+        <translation>Source : déclenchement</translation>
     </message>
     <message>
         <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
-        <translation type="unfinished">Chauffage coupé et retrait. Automatique : 50 K au-dessus de la consigne la plus haute.</translation>
+        <translation>Chauffage coupé et retrait. Automatique : 50 K au-dessus de la consigne la plus haute.</translation>
     </message>
     <message>
         <source>Periods a reading is good for</source>
-        <translation type="unfinished">Périodes de validité d’une mesure</translation>
+        <translation>Périodes de validité d’une mesure</translation>
     </message>
     <message>
         <source>A sensor without a newer one is lost; also the source and its place</source>
-        <translation type="unfinished">Un capteur sans mesure plus récente est perdu ; de même la source et sa position</translation>
+        <translation>Un capteur sans mesure plus récente est perdu ; de même la source et sa position</translation>
     </message>
     <message>
         <source>Longest hold</source>
-        <translation type="unfinished">Pause la plus longue</translation>
+        <translation>Pause la plus longue</translation>
     </message>
     <message>
         <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
-        <translation type="unfinished">Un capteur ou une source perdus mettent l’essai en pause aussi longtemps, puis il finit par un retrait</translation>
+        <translation>Un capteur ou une source perdus mettent l’essai en pause aussi longtemps, puis il finit par un retrait</translation>
     </message>
     <message>
         <source>Fastest plausible change</source>
-        <translation type="unfinished">Variation plausible maximale</translation>
+        <translation>Variation plausible maximale</translation>
     </message>
     <message>
         <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
-        <translation type="unfinished">Plus vite, c’est un saut et non de la chaleur. Automatique : trois fois ce que la source peut faire à l’objet, 2 K/s au moins.</translation>
+        <translation>Plus vite, c’est un saut et non de la chaleur. Automatique : trois fois ce que la source peut faire à l’objet, 2 K/s au moins.</translation>
     </message>
     <message>
         <source>Jumps in a row</source>
-        <translation type="unfinished">Sauts de suite</translation>
+        <translation>Sauts de suite</translation>
     </message>
     <message>
         <source>So many readings that are too fast are a sensor fault</source>
-        <translation type="unfinished">Autant de mesures trop rapides sont un défaut du capteur</translation>
+        <translation>Autant de mesures trop rapides sont un défaut du capteur</translation>
     </message>
     <message>
         <source>Frozen sensor after</source>
-        <translation type="unfinished">Capteur figé après</translation>
+        <translation>Capteur figé après</translation>
     </message>
     <message>
         <source>The very same reading for so long, though the object must have changed</source>
-        <translation type="unfinished">La même mesure aussi longtemps, alors que l’objet a dû changer</translation>
+        <translation>La même mesure aussi longtemps, alors que l’objet a dû changer</translation>
     </message>
     <message>
         <source>Change that must be seen</source>
-        <translation type="unfinished">Variation à constater</translation>
+        <translation>Variation à constater</translation>
     </message>
     <message>
         <source>An object that must have changed by so much and did not does not follow its heat</source>
-        <translation type="unfinished">Un objet qui aurait dû varier d’autant et ne l’a pas fait ne suit pas sa chaleur</translation>
+        <translation>Un objet qui aurait dû varier d’autant et ne l’a pas fait ne suit pas sa chaleur</translation>
     </message>
     <message>
         <source>Sensors apart when cold</source>
-        <translation type="unfinished">Écart des capteurs à froid</translation>
+        <translation>Écart des capteurs à froid</translation>
     </message>
     <message>
         <source>Sensors of a cold rig that differ by more are told</source>
-        <translation type="unfinished">Les capteurs d’un banc froid qui diffèrent de plus sont signalés</translation>
+        <translation>Les capteurs d’un banc froid qui diffèrent de plus sont signalés</translation>
     </message>
     <message>
         <source>Source: time to gain 2 K</source>
-        <translation type="unfinished">Source : temps pour gagner 2 K</translation>
+        <translation>Source : temps pour gagner 2 K</translation>
     </message>
     <message>
         <source>A source that is too cold and no nearer after so long does not heat</source>
-        <translation type="unfinished">Une source trop froide qui ne s’est pas rapprochée après ce temps ne chauffe pas</translation>
+        <translation>Une source trop froide qui ne s’est pas rapprochée après ce temps ne chauffe pas</translation>
     </message>
     <message>
         <source>Source: near its set point</source>
-        <translation type="unfinished">Source : près de sa consigne</translation>
+        <translation>Source : près de sa consigne</translation>
     </message>
     <message>
         <source>Within this the source is not too cold</source>
-        <translation type="unfinished">À moins de cet écart, la source n’est pas trop froide</translation>
+        <translation>À moins de cet écart, la source n’est pas trop froide</translation>
     </message>
     <message>
         <source>Source: warming unasked</source>
-        <translation type="unfinished">Source : chauffe non demandée</translation>
+        <translation>Source : chauffe non demandée</translation>
     </message>
     <message>
         <source>More warming with the heat off is an alarm</source>
-        <translation type="unfinished">Chauffer davantage, chauffage coupé, est une alarme</translation>
+        <translation>Chauffer davantage, chauffage coupé, est une alarme</translation>
     </message>
     <message>
         <source>Least room on the disk</source>
-        <translation type="unfinished">Place minimale sur le disque</translation>
+        <translation>Place minimale sur le disque</translation>
     </message>
     <message>
         <source>With less no recording is begun</source>
-        <translation type="unfinished">Avec moins, aucun enregistrement ne commence</translation>
+        <translation>Avec moins, aucun enregistrement ne commence</translation>
     </message>
     <message>
         <source>Warning</source>
@@ -1559,35 +1559,35 @@
     </message>
     <message>
         <source>Emittance</source>
-        <translation type="unfinished">Émissivité</translation>
+        <translation>Émissivité</translation>
     </message>
     <message>
         <source>Absorptance</source>
-        <translation type="unfinished">Absorptivité</translation>
+        <translation>Absorptivité</translation>
     </message>
     <message>
         <source>Specific heat</source>
-        <translation type="unfinished">Chaleur massique</translation>
+        <translation>Chaleur massique</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished">Masse volumique</translation>
+        <translation>Masse volumique</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished">Épaisseur</translation>
+        <translation>Épaisseur</translation>
     </message>
     <message>
         <source>Infill</source>
-        <translation type="unfinished">Remplissage</translation>
+        <translation>Remplissage</translation>
     </message>
     <message>
         <source>Largest speed</source>
-        <translation type="unfinished">Plus grande vitesse</translation>
+        <translation>Plus grande vitesse</translation>
     </message>
     <message>
         <source>Largest turning speed</source>
-        <translation type="unfinished">Plus grande vitesse de rotation</translation>
+        <translation>Plus grande vitesse de rotation</translation>
     </message>
     <message>
         <source>Largest acceleration</source>
@@ -1599,11 +1599,11 @@
     </message>
     <message>
         <source>Clearance to the source</source>
-        <translation type="unfinished">Distance de garde à la source</translation>
+        <translation>Distance de garde à la source</translation>
     </message>
     <message>
         <source>Least distance of any point of an object from the source&apos;s plane</source>
-        <translation type="unfinished">Plus petite distance de tout point d’un objet au plan de la source</translation>
+        <translation>Plus petite distance de tout point d’un objet au plan de la source</translation>
     </message>
     <message>
         <source>Largest mounting radius</source>
@@ -1615,7 +1615,7 @@
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished">automatique</translation>
+        <translation>automatique</translation>
     </message>
     <message>
         <source>heat without a watchdog</source>
@@ -1631,59 +1631,59 @@
     </message>
     <message>
         <source>Time constant</source>
-        <translation type="unfinished">Constante de temps</translation>
+        <translation>Constante de temps</translation>
     </message>
     <message>
         <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
-        <translation type="unfinished">Vitesse voulue = écart / constante de temps&#xa0;: plus courte, plus rapide et plus brusque.</translation>
+        <translation>Vitesse voulue = écart / constante de temps&#xa0;: plus courte, plus rapide et plus brusque.</translation>
     </message>
     <message>
         <source>Integral time</source>
-        <translation type="unfinished">Temps intégral</translation>
+        <translation>Temps intégral</translation>
     </message>
     <message>
         <source>Of the slow integral action near the target.</source>
-        <translation type="unfinished">De l’action intégrale lente près de la consigne.</translation>
+        <translation>De l’action intégrale lente près de la consigne.</translation>
     </message>
     <message>
         <source>Damping D</source>
-        <translation type="unfinished">Amortissement D</translation>
+        <translation>Amortissement D</translation>
     </message>
     <message>
         <source>Stiffness K</source>
-        <translation type="unfinished">Raideur K</translation>
+        <translation>Raideur K</translation>
     </message>
     <message>
         <source>Weight of the error μ</source>
-        <translation type="unfinished">Poids de l’écart μ</translation>
+        <translation>Poids de l’écart μ</translation>
     </message>
     <message>
         <source>ζ = v + μ Δτ</source>
-        <translation type="unfinished">ζ = v + μ Δτ</translation>
+        <translation>ζ = v + μ Δτ</translation>
     </message>
     <message>
         <source>Feedback K</source>
-        <translation type="unfinished">Rétroaction K</translation>
+        <translation>Rétroaction K</translation>
     </message>
     <message>
         <source>Of ζ in the velocity command</source>
-        <translation type="unfinished">De ζ dans la commande de vitesse</translation>
+        <translation>De ζ dans la commande de vitesse</translation>
     </message>
     <message>
         <source>Adaptation γ₁</source>
-        <translation type="unfinished">Adaptation γ₁</translation>
+        <translation>Adaptation γ₁</translation>
     </message>
     <message>
         <source>Speed at which 1/λ₁ is adapted</source>
-        <translation type="unfinished">Rapidité d’adaptation de 1/λ₁</translation>
+        <translation>Rapidité d’adaptation de 1/λ₁</translation>
     </message>
     <message>
         <source>Adaptation γ₂</source>
-        <translation type="unfinished">Adaptation γ₂</translation>
+        <translation>Adaptation γ₂</translation>
     </message>
     <message>
         <source>Speed at which λ₂/λ₁ is adapted</source>
-        <translation type="unfinished">Rapidité d’adaptation de λ₂/λ₁</translation>
+        <translation>Rapidité d’adaptation de λ₂/λ₁</translation>
     </message>
     <message>
         <source>dv/dt = −D v − K Δτ</source>
@@ -4374,22 +4374,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Limites de mouvement</translation>
     </message>
     <message>
-        <source>Largest speed</source>
-        <translation>Plus grande vitesse</translation>
-    </message>
-    <message>
-        <source>Largest turning speed</source>
-        <translation>Plus grande vitesse de rotation</translation>
-    </message>
-    <message>
-        <source>Clearance to the source</source>
-        <translation>Distance de garde à la source</translation>
-    </message>
-    <message>
-        <source>Least distance of any point of an object from the source&apos;s plane</source>
-        <translation>Plus petite distance de tout point d’un objet au plan de la source</translation>
-    </message>
-    <message>
         <source>%1: %2 instead of %3</source>
         <translation>%1 : %2 au lieu de %3</translation>
     </message>
@@ -4987,30 +4971,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Préréglage</translation>
     </message>
     <message>
-        <source>Emittance</source>
-        <translation>Émissivité</translation>
-    </message>
-    <message>
-        <source>Absorptance</source>
-        <translation>Absorptivité</translation>
-    </message>
-    <message>
-        <source>Specific heat</source>
-        <translation>Chaleur massique</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>Masse volumique</translation>
-    </message>
-    <message>
-        <source>Thickness</source>
-        <translation>Épaisseur</translation>
-    </message>
-    <message>
-        <source>Infill</source>
-        <translation>Remplissage</translation>
-    </message>
-    <message>
         <source>x</source>
         <translation>x</translation>
     </message>
@@ -5041,22 +5001,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source> cm</source>
         <translation> cm</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> J/(kg·K)</source>
-        <translation> J/(kg·K)</translation>
-    </message>
-    <message>
-        <source> kg/m³</source>
-        <translation> kg/m³</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source> °</source>
@@ -5503,15 +5447,15 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <name>bask::ParameterForm</name>
     <message>
         <source>automatic</source>
-        <translation type="unfinished">automatique</translation>
+        <translation>automatique</translation>
     </message>
     <message>
         <source>%1: %2 instead of %3</source>
-        <translation type="unfinished">%1 : %2 au lieu de %3</translation>
+        <translation>%1 : %2 au lieu de %3</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation type="unfinished">Automatique</translation>
+        <translation>Automatique</translation>
     </message>
     <message>
         <source>%1: automatic</source>

@@ -75,23 +75,23 @@
     <name>Controller</name>
     <message>
         <source>Level servo</source>
-        <translation type="unfinished">等值面伺服</translation>
+        <translation>等值面伺服</translation>
     </message>
     <message>
         <source>Moves to the view factor each object needs; learns the rates on the way.</source>
-        <translation type="unfinished">运动到每个物体所需的角系数；途中学习热速率。</translation>
+        <translation>运动到每个物体所需的角系数；途中学习热速率。</translation>
     </message>
     <message>
         <source>Model-based</source>
-        <translation type="unfinished">基于模型</translation>
+        <translation>基于模型</translation>
     </message>
     <message>
         <source>Adaptive</source>
-        <translation type="unfinished">自适应</translation>
+        <translation>自适应</translation>
     </message>
     <message>
         <source>The paper&apos;s law with adapted heat rates.</source>
-        <translation type="unfinished">论文的控制律，热速率自适应。</translation>
+        <translation>论文的控制律，热速率自适应。</translation>
     </message>
     <message>
         <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
@@ -1439,115 +1439,115 @@
     <name>Parameter</name>
     <message>
         <source>Objects: warning</source>
-        <translation type="unfinished">物体：警告</translation>
+        <translation>物体：警告</translation>
     </message>
     <message>
         <source>A run holds, and a priority 2 alarm is given</source>
-        <translation type="unfinished">运行进入保持，并发出优先级 2 的报警</translation>
+        <translation>运行进入保持，并发出优先级 2 的报警</translation>
     </message>
     <message>
         <source>Objects: trip</source>
-        <translation type="unfinished">物体：跳闸</translation>
+        <translation>物体：跳闸</translation>
     </message>
     <message>
         <source>Heat off and retreat. What object, paint and sensor bear.</source>
-        <translation type="unfinished">关闭加热并撤离。按物体、涂层和传感器所能承受的温度设定。</translation>
+        <translation>关闭加热并撤离。按物体、涂层和传感器所能承受的温度设定。</translation>
     </message>
     <message>
         <source>Source: trip</source>
-        <translation type="unfinished">热源：跳闸</translation>
+        <translation>热源：跳闸</translation>
     </message>
     <message>
         <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
-        <translation type="unfinished">关闭加热并撤离。自动：比最高设定值高 50 K。</translation>
+        <translation>关闭加热并撤离。自动：比最高设定值高 50 K。</translation>
     </message>
     <message>
         <source>Periods a reading is good for</source>
-        <translation type="unfinished">读数有效的周期数</translation>
+        <translation>读数有效的周期数</translation>
     </message>
     <message>
         <source>A sensor without a newer one is lost; also the source and its place</source>
-        <translation type="unfinished">超过此时间没有更新的传感器即视为失联；热源及其位置亦然</translation>
+        <translation>超过此时间没有更新的传感器即视为失联；热源及其位置亦然</translation>
     </message>
     <message>
         <source>Longest hold</source>
-        <translation type="unfinished">最长保持时间</translation>
+        <translation>最长保持时间</translation>
     </message>
     <message>
         <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
-        <translation type="unfinished">失去传感器或热源时，运行保持这么久，然后撤离并结束</translation>
+        <translation>失去传感器或热源时，运行保持这么久，然后撤离并结束</translation>
     </message>
     <message>
         <source>Fastest plausible change</source>
-        <translation type="unfinished">最快合理变化</translation>
+        <translation>最快合理变化</translation>
     </message>
     <message>
         <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
-        <translation type="unfinished">更快的读数是跳变，而非受热所致。自动：热源使物体所能达到的变化的三倍，至少 2 K/s。</translation>
+        <translation>更快的读数是跳变，而非受热所致。自动：热源使物体所能达到的变化的三倍，至少 2 K/s。</translation>
     </message>
     <message>
         <source>Jumps in a row</source>
-        <translation type="unfinished">连续跳变次数</translation>
+        <translation>连续跳变次数</translation>
     </message>
     <message>
         <source>So many readings that are too fast are a sensor fault</source>
-        <translation type="unfinished">过快的读数达到此数即为传感器故障</translation>
+        <translation>过快的读数达到此数即为传感器故障</translation>
     </message>
     <message>
         <source>Frozen sensor after</source>
-        <translation type="unfinished">传感器冻结判定时间</translation>
+        <translation>传感器冻结判定时间</translation>
     </message>
     <message>
         <source>The very same reading for so long, though the object must have changed</source>
-        <translation type="unfinished">物体本应变化，而读数在此时间内完全相同</translation>
+        <translation>物体本应变化，而读数在此时间内完全相同</translation>
     </message>
     <message>
         <source>Change that must be seen</source>
-        <translation type="unfinished">必须见到的变化</translation>
+        <translation>必须见到的变化</translation>
     </message>
     <message>
         <source>An object that must have changed by so much and did not does not follow its heat</source>
-        <translation type="unfinished">物体本应变化这么多却没有变化，即为不随加热而变</translation>
+        <translation>物体本应变化这么多却没有变化，即为不随加热而变</translation>
     </message>
     <message>
         <source>Sensors apart when cold</source>
-        <translation type="unfinished">冷态时传感器间差异</translation>
+        <translation>冷态时传感器间差异</translation>
     </message>
     <message>
         <source>Sensors of a cold rig that differ by more are told</source>
-        <translation type="unfinished">冷态装置中差异超过此值的传感器会被指出</translation>
+        <translation>冷态装置中差异超过此值的传感器会被指出</translation>
     </message>
     <message>
         <source>Source: time to gain 2 K</source>
-        <translation type="unfinished">热源：升温 2 K 的时间</translation>
+        <translation>热源：升温 2 K 的时间</translation>
     </message>
     <message>
         <source>A source that is too cold and no nearer after so long does not heat</source>
-        <translation type="unfinished">热源温度过低，且经过此时间仍未接近设定值，即为不加热</translation>
+        <translation>热源温度过低，且经过此时间仍未接近设定值，即为不加热</translation>
     </message>
     <message>
         <source>Source: near its set point</source>
-        <translation type="unfinished">热源：接近设定值</translation>
+        <translation>热源：接近设定值</translation>
     </message>
     <message>
         <source>Within this the source is not too cold</source>
-        <translation type="unfinished">在此范围内，热源不算温度过低</translation>
+        <translation>在此范围内，热源不算温度过低</translation>
     </message>
     <message>
         <source>Source: warming unasked</source>
-        <translation type="unfinished">热源：擅自升温</translation>
+        <translation>热源：擅自升温</translation>
     </message>
     <message>
         <source>More warming with the heat off is an alarm</source>
-        <translation type="unfinished">加热关闭时升温超过此值即报警</translation>
+        <translation>加热关闭时升温超过此值即报警</translation>
     </message>
     <message>
         <source>Least room on the disk</source>
-        <translation type="unfinished">磁盘最小剩余空间</translation>
+        <translation>磁盘最小剩余空间</translation>
     </message>
     <message>
         <source>With less no recording is begun</source>
-        <translation type="unfinished">少于此值时不开始记录</translation>
+        <translation>少于此值时不开始记录</translation>
     </message>
     <message>
         <source>Warning</source>
@@ -1559,35 +1559,35 @@
     </message>
     <message>
         <source>Emittance</source>
-        <translation type="unfinished">发射率</translation>
+        <translation>发射率</translation>
     </message>
     <message>
         <source>Absorptance</source>
-        <translation type="unfinished">吸收率</translation>
+        <translation>吸收率</translation>
     </message>
     <message>
         <source>Specific heat</source>
-        <translation type="unfinished">比热容</translation>
+        <translation>比热容</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished">密度</translation>
+        <translation>密度</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished">厚度</translation>
+        <translation>厚度</translation>
     </message>
     <message>
         <source>Infill</source>
-        <translation type="unfinished">填充率</translation>
+        <translation>填充率</translation>
     </message>
     <message>
         <source>Largest speed</source>
-        <translation type="unfinished">最大速度</translation>
+        <translation>最大速度</translation>
     </message>
     <message>
         <source>Largest turning speed</source>
-        <translation type="unfinished">最大转动速度</translation>
+        <translation>最大转动速度</translation>
     </message>
     <message>
         <source>Largest acceleration</source>
@@ -1599,11 +1599,11 @@
     </message>
     <message>
         <source>Clearance to the source</source>
-        <translation type="unfinished">与热源的间距</translation>
+        <translation>与热源的间距</translation>
     </message>
     <message>
         <source>Least distance of any point of an object from the source&apos;s plane</source>
-        <translation type="unfinished">物体上任意一点到热源平面的最小距离</translation>
+        <translation>物体上任意一点到热源平面的最小距离</translation>
     </message>
     <message>
         <source>Largest mounting radius</source>
@@ -1615,7 +1615,7 @@
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished">自动</translation>
+        <translation>自动</translation>
     </message>
     <message>
         <source>heat without a watchdog</source>
@@ -1631,59 +1631,59 @@
     </message>
     <message>
         <source>Time constant</source>
-        <translation type="unfinished">时间常数</translation>
+        <translation>时间常数</translation>
     </message>
     <message>
         <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
-        <translation type="unfinished">期望变化率 = 误差 / 时间常数：越短则越快、越不平稳。</translation>
+        <translation>期望变化率 = 误差 / 时间常数：越短则越快、越不平稳。</translation>
     </message>
     <message>
         <source>Integral time</source>
-        <translation type="unfinished">积分时间</translation>
+        <translation>积分时间</translation>
     </message>
     <message>
         <source>Of the slow integral action near the target.</source>
-        <translation type="unfinished">目标附近缓慢积分作用的时间。</translation>
+        <translation>目标附近缓慢积分作用的时间。</translation>
     </message>
     <message>
         <source>Damping D</source>
-        <translation type="unfinished">阻尼 D</translation>
+        <translation>阻尼 D</translation>
     </message>
     <message>
         <source>Stiffness K</source>
-        <translation type="unfinished">刚度 K</translation>
+        <translation>刚度 K</translation>
     </message>
     <message>
         <source>Weight of the error μ</source>
-        <translation type="unfinished">误差权重 μ</translation>
+        <translation>误差权重 μ</translation>
     </message>
     <message>
         <source>ζ = v + μ Δτ</source>
-        <translation type="unfinished">ζ = v + μ Δτ</translation>
+        <translation>ζ = v + μ Δτ</translation>
     </message>
     <message>
         <source>Feedback K</source>
-        <translation type="unfinished">反馈 K</translation>
+        <translation>反馈 K</translation>
     </message>
     <message>
         <source>Of ζ in the velocity command</source>
-        <translation type="unfinished">速度指令中 ζ 的系数</translation>
+        <translation>速度指令中 ζ 的系数</translation>
     </message>
     <message>
         <source>Adaptation γ₁</source>
-        <translation type="unfinished">自适应 γ₁</translation>
+        <translation>自适应 γ₁</translation>
     </message>
     <message>
         <source>Speed at which 1/λ₁ is adapted</source>
-        <translation type="unfinished">1/λ₁ 的自适应速度</translation>
+        <translation>1/λ₁ 的自适应速度</translation>
     </message>
     <message>
         <source>Adaptation γ₂</source>
-        <translation type="unfinished">自适应 γ₂</translation>
+        <translation>自适应 γ₂</translation>
     </message>
     <message>
         <source>Speed at which λ₂/λ₁ is adapted</source>
-        <translation type="unfinished">λ₂/λ₁ 的自适应速度</translation>
+        <translation>λ₂/λ₁ 的自适应速度</translation>
     </message>
     <message>
         <source>dv/dt = −D v − K Δτ</source>
@@ -4369,22 +4369,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>运动限值</translation>
     </message>
     <message>
-        <source>Largest speed</source>
-        <translation>最大速度</translation>
-    </message>
-    <message>
-        <source>Largest turning speed</source>
-        <translation>最大转动速度</translation>
-    </message>
-    <message>
-        <source>Clearance to the source</source>
-        <translation>与热源的间距</translation>
-    </message>
-    <message>
-        <source>Least distance of any point of an object from the source&apos;s plane</source>
-        <translation>物体上任意一点到热源平面的最小距离</translation>
-    </message>
-    <message>
         <source>%1: %2 instead of %3</source>
         <translation>%1：%2，而不是 %3</translation>
     </message>
@@ -4982,30 +4966,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>预设</translation>
     </message>
     <message>
-        <source>Emittance</source>
-        <translation>发射率</translation>
-    </message>
-    <message>
-        <source>Absorptance</source>
-        <translation>吸收率</translation>
-    </message>
-    <message>
-        <source>Specific heat</source>
-        <translation>比热容</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>密度</translation>
-    </message>
-    <message>
-        <source>Thickness</source>
-        <translation>厚度</translation>
-    </message>
-    <message>
-        <source>Infill</source>
-        <translation>填充率</translation>
-    </message>
-    <message>
         <source>x</source>
         <translation>x</translation>
     </message>
@@ -5036,22 +4996,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source> cm</source>
         <translation> cm</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> J/(kg·K)</source>
-        <translation> J/(kg·K)</translation>
-    </message>
-    <message>
-        <source> kg/m³</source>
-        <translation> kg/m³</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source> °</source>
@@ -5497,15 +5441,15 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <name>bask::ParameterForm</name>
     <message>
         <source>automatic</source>
-        <translation type="unfinished">自动</translation>
+        <translation>自动</translation>
     </message>
     <message>
         <source>%1: %2 instead of %3</source>
-        <translation type="unfinished">%1：%2，而不是 %3</translation>
+        <translation>%1：%2，而不是 %3</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation type="unfinished">自动</translation>
+        <translation>自动</translation>
     </message>
     <message>
         <source>%1: automatic</source>

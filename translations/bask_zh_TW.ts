@@ -75,23 +75,23 @@
     <name>Controller</name>
     <message>
         <source>Level servo</source>
-        <translation type="unfinished">等值面伺服</translation>
+        <translation>等值面伺服</translation>
     </message>
     <message>
         <source>Moves to the view factor each object needs; learns the rates on the way.</source>
-        <translation type="unfinished">運動到每個物體所需的角係數；途中學習熱速率。</translation>
+        <translation>運動到每個物體所需的角係數；途中學習熱速率。</translation>
     </message>
     <message>
         <source>Model-based</source>
-        <translation type="unfinished">基於模型</translation>
+        <translation>基於模型</translation>
     </message>
     <message>
         <source>Adaptive</source>
-        <translation type="unfinished">自適應</translation>
+        <translation>自適應</translation>
     </message>
     <message>
         <source>The paper&apos;s law with adapted heat rates.</source>
-        <translation type="unfinished">論文的控制律，熱速率自適應。</translation>
+        <translation>論文的控制律，熱速率自適應。</translation>
     </message>
     <message>
         <source>The paper&apos;s law with known heat rates: dv/dt = −D v − K Δτ.</source>
@@ -1439,115 +1439,115 @@
     <name>Parameter</name>
     <message>
         <source>Objects: warning</source>
-        <translation type="unfinished">物體：警告</translation>
+        <translation>物體：警告</translation>
     </message>
     <message>
         <source>A run holds, and a priority 2 alarm is given</source>
-        <translation type="unfinished">運轉進入保持，並發出優先順序 2 的警報</translation>
+        <translation>運轉進入保持，並發出優先順序 2 的警報</translation>
     </message>
     <message>
         <source>Objects: trip</source>
-        <translation type="unfinished">物體：跳脫</translation>
+        <translation>物體：跳脫</translation>
     </message>
     <message>
         <source>Heat off and retreat. What object, paint and sensor bear.</source>
-        <translation type="unfinished">關閉加熱並撤離。按物體、塗層和感測器所能承受的溫度設定。</translation>
+        <translation>關閉加熱並撤離。按物體、塗層和感測器所能承受的溫度設定。</translation>
     </message>
     <message>
         <source>Source: trip</source>
-        <translation type="unfinished">熱源：跳脫</translation>
+        <translation>熱源：跳脫</translation>
     </message>
     <message>
         <source>Heat off and retreat. Automatic: 50 K over the highest set point.</source>
-        <translation type="unfinished">關閉加熱並撤離。自動：比最高設定值高 50 K。</translation>
+        <translation>關閉加熱並撤離。自動：比最高設定值高 50 K。</translation>
     </message>
     <message>
         <source>Periods a reading is good for</source>
-        <translation type="unfinished">讀數有效的週期數</translation>
+        <translation>讀數有效的週期數</translation>
     </message>
     <message>
         <source>A sensor without a newer one is lost; also the source and its place</source>
-        <translation type="unfinished">超過此時間沒有更新的感測器即視為失聯；熱源及其位置亦然</translation>
+        <translation>超過此時間沒有更新的感測器即視為失聯；熱源及其位置亦然</translation>
     </message>
     <message>
         <source>Longest hold</source>
-        <translation type="unfinished">最長保持時間</translation>
+        <translation>最長保持時間</translation>
     </message>
     <message>
         <source>A lost sensor or source holds the run so long, then it ends with a retreat</source>
-        <translation type="unfinished">失去感測器或熱源時，運轉保持這麼久，然後撤離並結束</translation>
+        <translation>失去感測器或熱源時，運轉保持這麼久，然後撤離並結束</translation>
     </message>
     <message>
         <source>Fastest plausible change</source>
-        <translation type="unfinished">最快合理變化</translation>
+        <translation>最快合理變化</translation>
     </message>
     <message>
         <source>Faster readings are a jump, and no heat. Automatic: three times what the source can do to the object, 2 K/s at least.</source>
-        <translation type="unfinished">更快的讀數是跳變，而非受熱所致。自動：熱源使物體所能達到的變化的三倍，至少 2 K/s。</translation>
+        <translation>更快的讀數是跳變，而非受熱所致。自動：熱源使物體所能達到的變化的三倍，至少 2 K/s。</translation>
     </message>
     <message>
         <source>Jumps in a row</source>
-        <translation type="unfinished">連續跳變次數</translation>
+        <translation>連續跳變次數</translation>
     </message>
     <message>
         <source>So many readings that are too fast are a sensor fault</source>
-        <translation type="unfinished">過快的讀數達到此數即為感測器故障</translation>
+        <translation>過快的讀數達到此數即為感測器故障</translation>
     </message>
     <message>
         <source>Frozen sensor after</source>
-        <translation type="unfinished">感測器凍結判定時間</translation>
+        <translation>感測器凍結判定時間</translation>
     </message>
     <message>
         <source>The very same reading for so long, though the object must have changed</source>
-        <translation type="unfinished">物體本應變化，而讀數在此時間內完全相同</translation>
+        <translation>物體本應變化，而讀數在此時間內完全相同</translation>
     </message>
     <message>
         <source>Change that must be seen</source>
-        <translation type="unfinished">必須見到的變化</translation>
+        <translation>必須見到的變化</translation>
     </message>
     <message>
         <source>An object that must have changed by so much and did not does not follow its heat</source>
-        <translation type="unfinished">物體本應變化這麼多卻沒有變化，即為不隨加熱而變</translation>
+        <translation>物體本應變化這麼多卻沒有變化，即為不隨加熱而變</translation>
     </message>
     <message>
         <source>Sensors apart when cold</source>
-        <translation type="unfinished">冷態時感測器間差異</translation>
+        <translation>冷態時感測器間差異</translation>
     </message>
     <message>
         <source>Sensors of a cold rig that differ by more are told</source>
-        <translation type="unfinished">冷態實驗台中差異超過此值的感測器會被指出</translation>
+        <translation>冷態實驗台中差異超過此值的感測器會被指出</translation>
     </message>
     <message>
         <source>Source: time to gain 2 K</source>
-        <translation type="unfinished">熱源：升溫 2 K 的時間</translation>
+        <translation>熱源：升溫 2 K 的時間</translation>
     </message>
     <message>
         <source>A source that is too cold and no nearer after so long does not heat</source>
-        <translation type="unfinished">熱源溫度過低，且經過此時間仍未接近設定值，即為不加熱</translation>
+        <translation>熱源溫度過低，且經過此時間仍未接近設定值，即為不加熱</translation>
     </message>
     <message>
         <source>Source: near its set point</source>
-        <translation type="unfinished">熱源：接近設定值</translation>
+        <translation>熱源：接近設定值</translation>
     </message>
     <message>
         <source>Within this the source is not too cold</source>
-        <translation type="unfinished">在此範圍內，熱源不算溫度過低</translation>
+        <translation>在此範圍內，熱源不算溫度過低</translation>
     </message>
     <message>
         <source>Source: warming unasked</source>
-        <translation type="unfinished">熱源：擅自升溫</translation>
+        <translation>熱源：擅自升溫</translation>
     </message>
     <message>
         <source>More warming with the heat off is an alarm</source>
-        <translation type="unfinished">加熱關閉時升溫超過此值即警報</translation>
+        <translation>加熱關閉時升溫超過此值即警報</translation>
     </message>
     <message>
         <source>Least room on the disk</source>
-        <translation type="unfinished">磁碟最小剩餘空間</translation>
+        <translation>磁碟最小剩餘空間</translation>
     </message>
     <message>
         <source>With less no recording is begun</source>
-        <translation type="unfinished">少於此值時不開始記錄</translation>
+        <translation>少於此值時不開始記錄</translation>
     </message>
     <message>
         <source>Warning</source>
@@ -1559,35 +1559,35 @@
     </message>
     <message>
         <source>Emittance</source>
-        <translation type="unfinished">發射率</translation>
+        <translation>發射率</translation>
     </message>
     <message>
         <source>Absorptance</source>
-        <translation type="unfinished">吸收率</translation>
+        <translation>吸收率</translation>
     </message>
     <message>
         <source>Specific heat</source>
-        <translation type="unfinished">比熱</translation>
+        <translation>比熱</translation>
     </message>
     <message>
         <source>Density</source>
-        <translation type="unfinished">密度</translation>
+        <translation>密度</translation>
     </message>
     <message>
         <source>Thickness</source>
-        <translation type="unfinished">厚度</translation>
+        <translation>厚度</translation>
     </message>
     <message>
         <source>Infill</source>
-        <translation type="unfinished">填充率</translation>
+        <translation>填充率</translation>
     </message>
     <message>
         <source>Largest speed</source>
-        <translation type="unfinished">最大速度</translation>
+        <translation>最大速度</translation>
     </message>
     <message>
         <source>Largest turning speed</source>
-        <translation type="unfinished">最大轉動速度</translation>
+        <translation>最大轉動速度</translation>
     </message>
     <message>
         <source>Largest acceleration</source>
@@ -1599,11 +1599,11 @@
     </message>
     <message>
         <source>Clearance to the source</source>
-        <translation type="unfinished">與熱源的間距</translation>
+        <translation>與熱源的間距</translation>
     </message>
     <message>
         <source>Least distance of any point of an object from the source&apos;s plane</source>
-        <translation type="unfinished">物體上任意一點到熱源平面的最小距離</translation>
+        <translation>物體上任意一點到熱源平面的最小距離</translation>
     </message>
     <message>
         <source>Largest mounting radius</source>
@@ -1615,7 +1615,7 @@
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished">自動</translation>
+        <translation>自動</translation>
     </message>
     <message>
         <source>heat without a watchdog</source>
@@ -1631,59 +1631,59 @@
     </message>
     <message>
         <source>Time constant</source>
-        <translation type="unfinished">時間常數</translation>
+        <translation>時間常數</translation>
     </message>
     <message>
         <source>Wanted rate = error / time constant: shorter is faster and rougher.</source>
-        <translation type="unfinished">期望變化率 = 誤差 / 時間常數：越短則越快、越不平穩。</translation>
+        <translation>期望變化率 = 誤差 / 時間常數：越短則越快、越不平穩。</translation>
     </message>
     <message>
         <source>Integral time</source>
-        <translation type="unfinished">積分時間</translation>
+        <translation>積分時間</translation>
     </message>
     <message>
         <source>Of the slow integral action near the target.</source>
-        <translation type="unfinished">目標附近緩慢積分作用的時間。</translation>
+        <translation>目標附近緩慢積分作用的時間。</translation>
     </message>
     <message>
         <source>Damping D</source>
-        <translation type="unfinished">阻尼 D</translation>
+        <translation>阻尼 D</translation>
     </message>
     <message>
         <source>Stiffness K</source>
-        <translation type="unfinished">剛性 K</translation>
+        <translation>剛性 K</translation>
     </message>
     <message>
         <source>Weight of the error μ</source>
-        <translation type="unfinished">誤差權重 μ</translation>
+        <translation>誤差權重 μ</translation>
     </message>
     <message>
         <source>ζ = v + μ Δτ</source>
-        <translation type="unfinished">ζ = v + μ Δτ</translation>
+        <translation>ζ = v + μ Δτ</translation>
     </message>
     <message>
         <source>Feedback K</source>
-        <translation type="unfinished">回饋 K</translation>
+        <translation>回饋 K</translation>
     </message>
     <message>
         <source>Of ζ in the velocity command</source>
-        <translation type="unfinished">速度指令中 ζ 的係數</translation>
+        <translation>速度指令中 ζ 的係數</translation>
     </message>
     <message>
         <source>Adaptation γ₁</source>
-        <translation type="unfinished">自適應 γ₁</translation>
+        <translation>自適應 γ₁</translation>
     </message>
     <message>
         <source>Speed at which 1/λ₁ is adapted</source>
-        <translation type="unfinished">1/λ₁ 的自適應速度</translation>
+        <translation>1/λ₁ 的自適應速度</translation>
     </message>
     <message>
         <source>Adaptation γ₂</source>
-        <translation type="unfinished">自適應 γ₂</translation>
+        <translation>自適應 γ₂</translation>
     </message>
     <message>
         <source>Speed at which λ₂/λ₁ is adapted</source>
-        <translation type="unfinished">λ₂/λ₁ 的自適應速度</translation>
+        <translation>λ₂/λ₁ 的自適應速度</translation>
     </message>
     <message>
         <source>dv/dt = −D v − K Δτ</source>
@@ -4369,22 +4369,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>運動限值</translation>
     </message>
     <message>
-        <source>Largest speed</source>
-        <translation>最大速度</translation>
-    </message>
-    <message>
-        <source>Largest turning speed</source>
-        <translation>最大轉動速度</translation>
-    </message>
-    <message>
-        <source>Clearance to the source</source>
-        <translation>與熱源的間距</translation>
-    </message>
-    <message>
-        <source>Least distance of any point of an object from the source&apos;s plane</source>
-        <translation>物體上任意一點到熱源平面的最小距離</translation>
-    </message>
-    <message>
         <source>%1: %2 instead of %3</source>
         <translation>%1：%2，而不是 %3</translation>
     </message>
@@ -4982,30 +4966,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>預設</translation>
     </message>
     <message>
-        <source>Emittance</source>
-        <translation>發射率</translation>
-    </message>
-    <message>
-        <source>Absorptance</source>
-        <translation>吸收率</translation>
-    </message>
-    <message>
-        <source>Specific heat</source>
-        <translation>比熱</translation>
-    </message>
-    <message>
-        <source>Density</source>
-        <translation>密度</translation>
-    </message>
-    <message>
-        <source>Thickness</source>
-        <translation>厚度</translation>
-    </message>
-    <message>
-        <source>Infill</source>
-        <translation>填充率</translation>
-    </message>
-    <message>
         <source>x</source>
         <translation>x</translation>
     </message>
@@ -5036,22 +4996,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source> cm</source>
         <translation> cm</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source> J/(kg·K)</source>
-        <translation> J/(kg·K)</translation>
-    </message>
-    <message>
-        <source> kg/m³</source>
-        <translation> kg/m³</translation>
-    </message>
-    <message>
-        <source> %</source>
-        <translation> %</translation>
     </message>
     <message>
         <source> °</source>
@@ -5497,15 +5441,15 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <name>bask::ParameterForm</name>
     <message>
         <source>automatic</source>
-        <translation type="unfinished">自動</translation>
+        <translation>自動</translation>
     </message>
     <message>
         <source>%1: %2 instead of %3</source>
-        <translation type="unfinished">%1：%2，而不是 %3</translation>
+        <translation>%1：%2，而不是 %3</translation>
     </message>
     <message>
         <source>Automatic</source>
-        <translation type="unfinished">自動</translation>
+        <translation>自動</translation>
     </message>
     <message>
         <source>%1: automatic</source>

@@ -22,6 +22,7 @@ struct Unit {
 namespace unit {
 
 inline constexpr Unit kNone{};
+inline constexpr Unit kShareInPercent{"", "", "%", 100.0};
 inline constexpr Unit kSeconds{"s", "s", "s"};
 inline constexpr Unit kPerSecond{"1_s", "1/s", "1/s"};
 inline constexpr Unit kPerSecond2{"1_s2", "1/s2", "1/s\u00b2"};

@@ -59,7 +59,7 @@ constexpr Parameter<Material> kMaterial[]{
     {{"specific_heat", kSpecificHeat, {0.0, 1e5, true}, Never, QT_TRANSLATE_NOOP("Parameter", "Specific heat"), "", 1, kRequired}, &Material::specificHeat_J_kgK},
     {{"density", kDensity, {0.0, 3e4, true}, Never, QT_TRANSLATE_NOOP("Parameter", "Density"), "", 1, kRequired}, &Material::density_kg_m3},
     {{"thickness", kMillimetres, {0.0, 100.0, true}, Never, QT_TRANSLATE_NOOP("Parameter", "Thickness"), "", 2, kRequired}, &Material::thickness_m},
-    {{"infill", kNone, kPositiveShare, Never, QT_TRANSLATE_NOOP("Parameter", "Infill"), "", 3}, &Material::infill},
+    {{"infill", kShareInPercent, kPositiveShare, Never, QT_TRANSLATE_NOOP("Parameter", "Infill"), "", 1}, &Material::infill},
 };
 
 constexpr Parameter<HeatRates> kHeatRates[]{

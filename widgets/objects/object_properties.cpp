@@ -2,6 +2,8 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
+#include "widgets/common/number_field.h"
+#include "widgets/common/parameter_form.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/common/theme.h"
 #include "widgets/objects/material_presets.h"
@@ -22,11 +24,6 @@ namespace {
 
 constexpr double kCmPerM = 100.0;
 constexpr int kTyped = -1; ///< entry of the preset list for values that match none
-
-void setQuietly(QDoubleSpinBox* field, double value) {
-    const QSignalBlocker block(field);
-    field->setValue(value);
-}
 
 /// Four digits; "7.621 x 10^-11" with a true multiplication sign and superscripts where there would be many
 /// zeros.
@@ -67,7 +64,7 @@ ObjectProperties::ObjectProperties(QWidget* parent) : QWidget(parent) {
 }
 
 QDoubleSpinBox* ObjectProperties::number(const char* name, double least, double most, int decimals,
-                                         double step, void (*apply)(ObjectSpec&, double)) {
+                                         double step, std::function<void(ObjectSpec&, double)> apply) {
     auto* field = new QDoubleSpinBox(this);
     field->setObjectName(QString::fromLatin1(name));
     field->setRange(least, most);
@@ -78,6 +75,21 @@ QDoubleSpinBox* ObjectProperties::number(const char* name, double least, double 
     connect(field, &QDoubleSpinBox::valueChanged, this, [this, apply](double value) {
         edit([apply, value](ObjectSpec& object) { apply(object, value); });
     });
+    return field;
+}
+
+QDoubleSpinBox* ObjectProperties::materialField(const Parameter<Material>& parameter) {
+    const double scale = parameter.unit.symbolPerSi;
+    const auto shown = [&](double written) {
+        return scale * (parameter.unit.edge ? toSi(written, *parameter.unit.edge) : written);
+    };
+    QDoubleSpinBox* field =
+        number(parameterObjectName(parameter).toLatin1(), shown(parameter.range.min),
+               shown(parameter.range.max), parameter.decimals, 1.0,
+               [&parameter, scale](ObjectSpec& o, double v) { parameter.set(o.material, v / scale); });
+    field->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    if (*parameter.unit.symbol != '\0')
+        field->setSuffix(QChar(0x00a0) + QString::fromUtf8(parameter.unit.symbol));
     return field;
 }
 
@@ -118,16 +130,8 @@ void ObjectProperties::build() {
             return;
         edit([index](S& o) { o.material = withPreset(o.material, static_cast<std::size_t>(index)); });
     });
-    m_emittance = number("emittance", 0.01, 1.0, 3, 0.01, [](S& o, double v) { o.material.emittance = v; });
-    m_absorptance =
-        number("absorptance", 0.01, 1.0, 3, 0.01, [](S& o, double v) { o.material.absorptance = v; });
-    m_specificHeat = number("specificHeat", 1.0, 20000.0, 1, 10.0,
-                            [](S& o, double v) { o.material.specificHeat_J_kgK = v; });
-    m_density =
-        number("density", 1.0, 30000.0, 1, 10.0, [](S& o, double v) { o.material.density_kg_m3 = v; });
-    m_thickness =
-        number("thickness", 0.01, 100.0, 2, 0.1, [](S& o, double v) { o.material.thickness_m = v / 1000.0; });
-    m_infill = number("infill", 1.0, 100.0, 1, 5.0, [](S& o, double v) { o.material.infill = v / 100.0; });
+    for (const Parameter<Material>& parameter : materialParameters())
+        m_material.emplace_back(&parameter, materialField(parameter));
     m_mountX = number("mountX", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kX] = v / kCmPerM; });
     m_mountY = number("mountY", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kY] = v / kCmPerM; });
     m_mountZ = number("mountZ", -100.0, 100.0, 2, 0.5, [](S& o, double v) { o.mounting[kZ] = v / kCmPerM; });
@@ -171,15 +175,11 @@ void ObjectProperties::build() {
     row += 2;
     layout->addWidget(m_presetSource, row, 0, 1, 2);
     row += 1;
-    field(m_emittance, 0);
-    field(m_absorptance, 1);
-    row += 2;
-    field(m_specificHeat, 0);
-    field(m_density, 1);
-    row += 2;
-    field(m_thickness, 0);
-    field(m_infill, 1);
-    row += 2;
+    for (std::size_t i = 0; i < m_material.size(); ++i) { // two a row
+        field(m_material[i].second, static_cast<int>(i % 2));
+        if (i % 2 == 1 || i + 1 == m_material.size())
+            row += 2;
+    }
     field(m_heatCapacity, 0);
     field(m_timeConstant, 1);
     row += 2;
@@ -274,12 +274,8 @@ void ObjectProperties::showObject() {
             caption.label->setVisible(disk != nullptr);
     if (disk != nullptr)
         setQuietly(m_radius, disk->radius_m * kCmPerM);
-    setQuietly(m_emittance, material.emittance);
-    setQuietly(m_absorptance, material.absorptance);
-    setQuietly(m_specificHeat, material.specificHeat_J_kgK);
-    setQuietly(m_density, material.density_kg_m3);
-    setQuietly(m_thickness, material.thickness_m * 1000.0);
-    setQuietly(m_infill, material.infill * 100.0);
+    for (const auto& [parameter, field] : m_material)
+        setQuietly(field, parameter->get(material).value() * parameter->unit.symbolPerSi);
     setQuietly(m_mountX, m_object.mounting[kX] * kCmPerM);
     setQuietly(m_mountY, m_object.mounting[kY] * kCmPerM);
     setQuietly(m_mountZ, m_object.mounting[kZ] * kCmPerM);
@@ -334,19 +330,13 @@ void ObjectProperties::refreshTexts() {
     m_headings[0]->setText(tr("Object"));
     m_headings[1]->setText(tr("Material"));
     m_headings[2]->setText(tr("Mounting on the end-effector"));
-    const std::initializer_list<std::pair<QWidget*, QString>> captions{
+    std::vector<std::pair<QWidget*, QString>> captions{
         {m_name, tr("Name")},
         {m_target, tr("Target")},
         {m_radius, tr("Radius")},
         {m_area, tr("Area")},
         {m_perimeter, tr("Perimeter")},
         {m_preset, tr("Preset")},
-        {m_emittance, tr("Emittance")},
-        {m_absorptance, tr("Absorptance")},
-        {m_specificHeat, tr("Specific heat")},
-        {m_density, tr("Density")},
-        {m_thickness, tr("Thickness")},
-        {m_infill, tr("Infill")},
         {m_heatCapacity, tr("Heat capacity")},
         {m_timeConstant, tr("Time constant")},
         {m_lambda1, QStringLiteral("\u03bb\u2081")},
@@ -357,6 +347,8 @@ void ObjectProperties::refreshTexts() {
         {m_mountZ, tr("z")},
         {m_mountRotation, tr("Rotation about z")},
     };
+    for (const auto& [parameter, field] : m_material)
+        captions.emplace_back(field, parameterLabel(*parameter));
     const QPalette caption = captionPalette(palette());
     for (const auto& [field, text] : captions) {
         field->setAccessibleName(text);
@@ -379,10 +371,6 @@ void ObjectProperties::refreshTexts() {
     m_mountZ->setAccessibleName(tr("Mounting z"));
     for (QDoubleSpinBox* field : {m_radius, m_mountX, m_mountY, m_mountZ})
         field->setSuffix(tr(" cm"));
-    m_thickness->setSuffix(tr(" mm"));
-    m_specificHeat->setSuffix(tr(" J/(kg\u00b7K)"));
-    m_density->setSuffix(tr(" kg/m\u00b3"));
-    m_infill->setSuffix(tr(" %"));
     m_mountRotation->setSuffix(tr(" \u00b0"));
     m_showing = true;
     showPresets();

@@ -3,7 +3,7 @@
 // edge only.
 
 #include "engine/base/units.h"
-#include "engine/session/experiment.h"
+#include "engine/session/experiment_parameters.h"
 
 #include <QWidget>
 
@@ -46,7 +46,8 @@ private:
     void build();
     QLabel* heading(QGridLayout* layout, int row);
     QDoubleSpinBox* number(const char* name, double least, double most, int decimals, double step,
-                           void (*apply)(ObjectSpec&, double));
+                           std::function<void(ObjectSpec&, double)> apply);
+    QDoubleSpinBox* materialField(const Parameter<Material>& parameter);
     void edit(const std::function<void(ObjectSpec&)>& change);
     void showObject();
     void showDerived();
@@ -64,12 +65,7 @@ private:
     QLabel* m_area;
     QLabel* m_perimeter;
     QComboBox* m_preset;
-    QDoubleSpinBox* m_emittance;
-    QDoubleSpinBox* m_absorptance;
-    QDoubleSpinBox* m_specificHeat;
-    QDoubleSpinBox* m_density;
-    QDoubleSpinBox* m_thickness;
-    QDoubleSpinBox* m_infill;
+    std::vector<std::pair<const Parameter<Material>*, QDoubleSpinBox*>> m_material; ///< in the table's order
     QLabel* m_presetSource;
     QLabel* m_heatCapacity;
     QLabel* m_timeConstant;

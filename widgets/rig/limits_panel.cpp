@@ -1,9 +1,11 @@
 #include "widgets/rig/limits_panel.h"
 
 #include "engine/base/units.h"
+#include "engine/session/experiment_parameters.h"
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/number_field.h"
+#include "widgets/common/parameter_form.h"
 #include "widgets/common/quantity_spin_box.h"
 #include "widgets/rig/coordinate_words.h"
 
@@ -14,14 +16,18 @@
 #include <QLabel>
 
 namespace bask {
+namespace {
+
+constexpr std::array<std::string_view, 3> kMotion{"max_speed", "max_rotation", "clearance"};
+
+} // namespace
 
 LimitsPanel::LimitsPanel(QWidget* parent)
     : QWidget(parent), m_sourceTitle(boldLabel(this)), m_workspaceTitle(boldLabel(this)),
       m_speedTitle(boldLabel(this)), m_measuredLabel(new QLabel(this)), m_measured(new QLabel(this)),
       m_setPointLabel(new QLabel(this)), m_emittanceLabel(new QLabel(this)),
       m_setPoint(new QuantitySpinBox(this)), m_lowerLabel(new QLabel(this)), m_upperLabel(new QLabel(this)),
-      m_maxSpeedLabel(new QLabel(this)), m_maxRotationLabel(new QLabel(this)),
-      m_clearanceLabel(new QLabel(this)) {
+      m_motion(new ParameterForm({}, this)) {
     m_measured->setObjectName("measuredSource");
     m_setPoint->setObjectName("sourceSetPoint");
     auto* layout = new QVBoxLayout(this);
@@ -34,7 +40,8 @@ LimitsPanel::LimitsPanel(QWidget* parent)
     layout->addWidget(buildWorkspace());
     layout->addSpacing(6);
     layout->addWidget(m_speedTitle);
-    layout->addWidget(buildSpeeds());
+    buildMotion();
+    layout->addWidget(m_motion);
     layout->addStretch(1);
     retranslate();
 }
@@ -90,23 +97,18 @@ QWidget* LimitsPanel::buildWorkspace() {
     return part;
 }
 
-QWidget* LimitsPanel::buildSpeeds() {
-    auto* part = new QWidget(this);
-    m_maxSpeed = number("maxSpeed", 0.0, 1e5, 2, QStringLiteral("\u00a0mm/s"),
-                        [](Experiment& e, double v) { e.robot.maxSpeed_m_s = v / kMmPerM; });
-    m_maxRotation = number("maxRotation", 0.0, 570.0, 2, QStringLiteral("\u00b0/s"),
-                           [](Experiment& e, double v) { e.robot.maxRotation_rad_s = radFromDeg(v); });
-    m_clearance = number("clearance", 0.0, 1000.0, 2, QStringLiteral("\u00a0mm"),
-                         [](Experiment& e, double v) { e.robot.clearance_m = v / kMmPerM; });
-    auto* form = new QFormLayout(part);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(m_maxSpeedLabel, m_maxSpeed);
-    form->addRow(m_maxRotationLabel, m_maxRotation);
-    form->addRow(m_clearanceLabel, m_clearance);
-    m_maxSpeedLabel->setBuddy(m_maxSpeed);
-    m_maxRotationLabel->setBuddy(m_maxRotation);
-    m_clearanceLabel->setBuddy(m_clearance);
-    return part;
+void LimitsPanel::buildMotion() {
+    for (const Parameter<RobotLimits>& parameter : robotParameters())
+        if (std::ranges::find(kMotion, parameter.name) != kMotion.end())
+            m_motion->addRow(parameter, false);
+    connect(m_motion, &ParameterForm::edited, this,
+            [this](const ParameterFacts* facts, std::optional<double> si, const QString& words) {
+                Experiment changed = m_experiment;
+                for (const Parameter<RobotLimits>& parameter : robotParameters())
+                    if (&parameter == facts)
+                        parameter.set(changed.robot, si);
+                emit edited(changed, words);
+            });
 }
 
 void LimitsPanel::edit(QDoubleSpinBox* field, const Apply& apply, double value) {
@@ -133,6 +135,7 @@ void LimitsPanel::setMeasured(double source_K) {
 void LimitsPanel::setEditable(bool editable) {
     for (QAbstractSpinBox* field : findChildren<QAbstractSpinBox*>())
         field->setEnabled(editable);
+    m_motion->setEditable(editable);
 }
 
 void LimitsPanel::setTemperatureUnit(TemperatureUnit unit) {
@@ -152,9 +155,8 @@ void LimitsPanel::showValues() {
         for (QWidget* part : std::initializer_list<QWidget*>{m_names[i], m_lower[i], m_upper[i]})
             part->setVisible(robot.free[i]);
     }
-    setQuietly(m_maxSpeed, robot.maxSpeed_m_s * kMmPerM);
-    setQuietly(m_maxRotation, degFromRad(robot.maxRotation_rad_s));
-    setQuietly(m_clearance, robot.clearance_m * kMmPerM);
+    for (const Parameter<RobotLimits>& parameter : robotParameters())
+        m_motion->setValue(parameter, parameter.get(robot));
 }
 
 void LimitsPanel::retranslate() {
@@ -173,13 +175,6 @@ void LimitsPanel::retranslate() {
         m_upper[i]->setAccessibleName(tr("Largest %1").arg(coordinateWord(k)));
     }
     m_speedTitle->setText(tr("Limits of motion"));
-    m_maxSpeedLabel->setText(tr("Largest speed"));
-    m_maxRotationLabel->setText(tr("Largest turning speed"));
-    m_clearanceLabel->setText(tr("Clearance to the source"));
-    m_maxSpeed->setAccessibleName(m_maxSpeedLabel->text());
-    m_maxRotation->setAccessibleName(m_maxRotationLabel->text());
-    m_clearance->setAccessibleName(m_clearanceLabel->text());
-    m_clearance->setToolTip(tr("Least distance of any point of an object from the source's plane"));
 }
 
 void LimitsPanel::changeEvent(QEvent* event) {

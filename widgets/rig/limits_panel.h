@@ -14,6 +14,7 @@ class QLabel;
 
 namespace bask {
 
+class ParameterForm;
 class QuantitySpinBox;
 
 /// Each change is one `edited`; fields show what setExperiment gave last. Object names: "measuredSource",
@@ -43,7 +44,7 @@ private:
                            const QString& suffix, const Apply& apply);
     QWidget* buildSource();
     QWidget* buildWorkspace();
-    QWidget* buildSpeeds();
+    void buildMotion();
     void edit(QDoubleSpinBox* field, const Apply& apply, double value);
     void showValues();
     void retranslate();
@@ -58,8 +59,7 @@ private:
     QLabel *m_lowerLabel, *m_upperLabel;
     std::array<QLabel*, 6> m_names{};
     std::array<QDoubleSpinBox*, 6> m_lower{}, m_upper{};
-    QLabel *m_maxSpeedLabel, *m_maxRotationLabel, *m_clearanceLabel;
-    QDoubleSpinBox *m_maxSpeed = nullptr, *m_maxRotation = nullptr, *m_clearance = nullptr;
+    ParameterForm* m_motion; ///< speeds and clearance
 };
 
 } // namespace bask
