@@ -154,7 +154,8 @@ TEST_F(RecipeCommand, looserLimitsOfARealRigAreRefusedUnasked) {
          {QStringList{"--recipe", path, "--live"}, QStringList{experiment, "--live"}}) {
         const auto done = run(arguments);
         EXPECT_EQ(done.code, kExitBadInput) << done.err;
-        EXPECT_NE(done.err.find("rotation: 0.2 rad/s instead of 0.1 rad/s"), std::string::npos) << done.err;
+        EXPECT_NE(done.err.find("Largest turning speed: 0.2 rad/s instead of 0.1 rad/s"), std::string::npos)
+            << done.err;
         EXPECT_NE(done.err.find("--accept-limits"), std::string::npos) << done.err;
     }
 }
