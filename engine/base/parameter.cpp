@@ -1,5 +1,7 @@
 #include "engine/base/parameter.h"
 
+#include <cctype>
+
 namespace bask {
 
 std::string siUnit(const Unit& unit) {
@@ -38,6 +40,10 @@ std::string keyOf(const ParameterFacts& facts) {
 
 double written(const ParameterFacts& facts, double si) {
     return facts.unit.edge ? fromSi(si, *facts.unit.edge).value : si;
+}
+
+double fromWritten(const ParameterFacts& facts, double value) {
+    return facts.unit.edge ? toSi(value, *facts.unit.edge) : value;
 }
 
 } // namespace bask

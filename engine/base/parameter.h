@@ -45,6 +45,8 @@ struct ParameterFacts {
 std::string keyOf(const ParameterFacts& facts);
 /// The value as people write it in a file, from SI.
 double written(const ParameterFacts& facts, double si);
+/// And back.
+double fromWritten(const ParameterFacts& facts, double value);
 
 template <class Spec> struct Parameter : ParameterFacts {
     std::variant<double Spec::*, int Spec::*, std::optional<double> Spec::*> member;
@@ -67,5 +69,14 @@ template <class Spec> struct Parameter : ParameterFacts {
 };
 
 template <class Spec> using ParameterTable = std::span<const Parameter<Spec>>;
+
+/// Sets the parameter with these facts; no effect if it is not in the table.
+template <class Spec>
+void setParameter(ParameterTable<Spec> table, const ParameterFacts* facts, Spec& spec,
+                  std::optional<double> si) {
+    for (const Parameter<Spec>& parameter : table)
+        if (&parameter == facts)
+            parameter.set(spec, si);
+}
 
 } // namespace bask

@@ -21,6 +21,21 @@ constexpr double kWrongNow = 0.05;  // and from then to now
 constexpr double kRoomUnknown_K = 5.0, kRoomZeroed_K = 0.2;
 constexpr double kRoomDrift_K_s = 2.0 / 3600.0;
 
+/// Between which it is by any of the fits.
+template <class SpanOf> HeatFit::Change ofAll(const std::vector<HeatFit>& fits, SpanOf spanOf) {
+    HeatFit::Change change{1e300, -1e300};
+    for (std::size_t fit = 0; fit < fits.size(); ++fit) {
+        const HeatFit::Change byOne = fits[fit].expected(spanOf(fit));
+        change = {std::min(change.min_K, byOne.min_K), std::max(change.max_K, byOne.max_K)};
+    }
+    return change;
+}
+
+/// That it amounts to at least, with its sign; 0 where it may be either.
+double smallest_K(const HeatFit::Change& change) {
+    return change.min_K > 0.0 ? change.min_K : std::min(change.max_K, 0.0);
+}
+
 double fourth(double x) {
     return x * x * x * x;
 }
@@ -161,18 +176,12 @@ double WarmingWatch::sameFor_s() const {
 }
 
 HeatFit::Change WarmingWatch::expected(const Fits& fits, const Mark& from, double wrong) const {
-    HeatFit::Change change{1e300, -1e300};
-    for (std::size_t fit = 0; fit < fits.size(); ++fit) {
-        const HeatFit::Change byOne = fits[fit].expected(span(from, m_now, fit, wrong));
-        change = {std::min(change.min_K, byOne.min_K), std::max(change.max_K, byOne.max_K)};
-    }
-    return change;
+    return ofAll(fits, [&](std::size_t fit) { return span(from, m_now, fit, wrong); });
 }
 
 std::optional<Unfollowed> WarmingWatch::worst(const Fits& fits, const Mark& from, double least_K,
                                               double wrong) const {
-    const HeatFit::Change change = expected(fits, from, wrong);
-    const double expected_K = change.min_K > 0.0 ? change.min_K : change.max_K < 0.0 ? change.max_K : 0.0;
+    const double expected_K = smallest_K(expected(fits, from, wrong));
     const double gained_K = m_now.temperature_K - from.temperature_K;
     const bool follows = gained_K * expected_K >= kMinShare * expected_K * expected_K;
     if (follows || std::abs(expected_K) < least_K + kNoiseTimes * m_noise_K)
@@ -199,13 +208,10 @@ std::optional<Unfollowed> WarmingWatch::bent(const Fits& fits, const Mark& middl
     for (std::size_t k = 0; k < kLags_s.size(); ++k)
         bend_K[k] =
             middle.energy_K[k] - m_same.energy_K[k] - share * (m_now.energy_K[k] - m_same.energy_K[k]);
-    HeatFit::Change change{1e300, -1e300};
-    for (std::size_t fit = 0; fit < fits.size(); ++fit) {
+    const double expected_K = smallest_K(ofAll(fits, [&](std::size_t fit) {
         const auto [min_K, max_K] = std::minmax(bend_K[fit / kLaws], bend_K[fit / kLaws + 1]);
-        const HeatFit::Change byOne = fits[fit].expected({min_K, max_K});
-        change = {std::min(change.min_K, byOne.min_K), std::max(change.max_K, byOne.max_K)};
-    }
-    const double expected_K = change.min_K > 0.0 ? change.min_K : std::min(change.max_K, 0.0);
+        return HeatSpan{min_K, max_K};
+    }));
     if ((1.0 - kWrongNow) * std::abs(expected_K) < least_K + kNoiseTimes * m_noise_K)
         return std::nullopt;
     return Unfollowed{expected_K, 0.0, m_now.time_s - m_same.time_s};

@@ -14,10 +14,6 @@
 namespace bask {
 namespace {
 
-double fromWritten(const ParameterFacts& facts, double value) {
-    return facts.unit.edge ? toSi(value, *facts.unit.edge) : value;
-}
-
 bool isTemperature(const ParameterFacts& facts) {
     return facts.unit.edge == EdgeUnit::Temperature;
 }

@@ -80,12 +80,9 @@ QDoubleSpinBox* ObjectProperties::number(const char* name, double least, double 
 
 QDoubleSpinBox* ObjectProperties::materialField(const Parameter<Material>& parameter) {
     const double scale = parameter.unit.symbolPerSi;
-    const auto shown = [&](double written) {
-        return scale * (parameter.unit.edge ? toSi(written, *parameter.unit.edge) : written);
-    };
     QDoubleSpinBox* field =
-        number(parameterObjectName(parameter).toLatin1(), shown(parameter.range.min),
-               shown(parameter.range.max), parameter.decimals, 1.0,
+        number(parameterObjectName(parameter).toLatin1(), scale * fromWritten(parameter, parameter.range.min),
+               scale * fromWritten(parameter, parameter.range.max), parameter.decimals, 1.0,
                [&parameter, scale](ObjectSpec& o, double v) { parameter.set(o.material, v / scale); });
     field->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     if (*parameter.unit.symbol != '\0')

@@ -104,9 +104,7 @@ void LimitsPanel::buildMotion() {
     connect(m_motion, &ParameterForm::edited, this,
             [this](const ParameterFacts* facts, std::optional<double> si, const QString& words) {
                 Experiment changed = m_experiment;
-                for (const Parameter<RobotLimits>& parameter : robotParameters())
-                    if (&parameter == facts)
-                        parameter.set(changed.robot, si);
+                setParameter(robotParameters(), facts, changed.robot, si);
                 emit edited(changed, words);
             });
 }

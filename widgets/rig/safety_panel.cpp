@@ -52,9 +52,7 @@ void SafetyPanel::addRows() {
     }
     const auto take = [this](const ParameterFacts* facts, std::optional<double> si, const QString& words) {
         Experiment changed = m_experiment;
-        for (const Parameter<SafetySpec>& parameter : safetyParameters())
-            if (&parameter == facts)
-                parameter.set(changed.safety, si);
+        setParameter(safetyParameters(), facts, changed.safety, si);
         emit edited(changed, words);
     };
     for (ParameterForm* form : {m_usual, m_seldom})

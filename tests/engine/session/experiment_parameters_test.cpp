@@ -71,10 +71,6 @@ std::vector<Placed> everyParameter() {
     return out;
 }
 
-double fromWritten(const ParameterFacts& facts, double value) {
-    return facts.unit.edge ? toSi(value, *facts.unit.edge) : value;
-}
-
 /// Another valid value than the experiment's.
 double another(const Placed& placed, const Experiment& e) {
     const double now = written(*placed.facts, placed.get(e).value_or(placed.facts->range.max));
