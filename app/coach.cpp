@@ -20,7 +20,7 @@ constexpr std::array<Place, Coach::kSteps> kPlaces{{{Page::Objects, "harmonicsSl
                                                     {Page::Targets, "useNearest"},
                                                     {Page::Run, "armButton"},
                                                     {Page::Run, "startButton"},
-                                                    {Page::Run, "plot.temperature"},
+                                                    {Page::Run, "plot.measured_K"},
                                                     {Page::Run, "controllerPanel"},
                                                     {Page::Run, "toolsMenu"},
                                                     {Page::Run, "alarmButton"},

@@ -39,7 +39,7 @@ struct ShownPage {
                 plot->redraw();
         QCoreApplication::processEvents();
     }
-    TracePlot* plot() { return page.findChild<TracePlot*>(QStringLiteral("reviewTemperature")); }
+    TracePlot* plot() { return page.findChild<TracePlot*>(QStringLiteral("review.measured_K")); }
 };
 
 void openReview(benchmark::State& state) {

@@ -72,6 +72,61 @@
     </message>
 </context>
 <context>
+    <name>Column</name>
+    <message>
+        <source>Temperature</source>
+        <translation>Température</translation>
+    </message>
+    <message>
+        <source>Temperatures</source>
+        <translation>Températures</translation>
+    </message>
+    <message>
+        <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
+        <translation>Températures mesurées. En tirets : les consignes ; en gris : la bande de %1 autour d’elles. Interruptions : pas de mesure valable. Les numéros aux lignes pointillées sont ceux du tableau des événements.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Écart</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Écarts</translation>
+    </message>
+    <message>
+        <source>Measured temperature minus target, within %1; grey: the band.</source>
+        <translation>Température mesurée moins consigne, entre %1 ; en gris : la bande.</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>Vitesses</translation>
+    </message>
+    <message>
+        <source>View factor</source>
+        <translation>Facteur de forme</translation>
+    </message>
+    <message>
+        <source>View factors</source>
+        <translation>Facteurs de forme</translation>
+    </message>
+    <message>
+        <source>View factor of the source from each object.</source>
+        <translation>Facteur de forme de la source vue de chaque objet.</translation>
+    </message>
+    <message>
+        <source>Estimated λ₁</source>
+        <translation>λ₁ estimé</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>Estimations</translation>
+    </message>
+</context>
+<context>
     <name>Controller</name>
     <message>
         <source>Level servo</source>
@@ -6132,18 +6187,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Scène 3D de l’essai : source, objets et leurs trajets</translation>
     </message>
     <message>
-        <source>Command speed</source>
-        <translation>Vitesse commandée</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>Écarts</translation>
-    </message>
-    <message>
-        <source>Estimates</source>
-        <translation>Estimations</translation>
-    </message>
-    <message>
         <source>Further traces and the scene</source>
         <translation>Autres courbes et scène</translation>
     </message>
@@ -6152,20 +6195,12 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Superposé :</translation>
     </message>
     <message>
-        <source>Rates</source>
-        <translation>Vitesses</translation>
-    </message>
-    <message>
         <source>Scene</source>
         <translation>Scène</translation>
     </message>
     <message>
         <source>Take %1 away</source>
         <translation>Retirer %1</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>Facteurs de forme</translation>
     </message>
 </context>
 <context>
@@ -6722,26 +6757,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Montrer de nouveau les derniers échantillons et les suivre.</translation>
     </message>
     <message>
-        <source>Errors</source>
-        <translation>Écarts</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>Facteurs de forme</translation>
-    </message>
-    <message>
-        <source>Command speed</source>
-        <translation>Vitesse commandée</translation>
-    </message>
-    <message>
-        <source>Rates</source>
-        <translation>Vitesses</translation>
-    </message>
-    <message>
-        <source>Estimates</source>
-        <translation>Estimations</translation>
-    </message>
-    <message>
         <source>Further traces</source>
         <translation>Autres courbes</translation>
     </message>
@@ -6950,10 +6965,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Terminé par un défaut.</translation>
     </message>
     <message>
-        <source>Errors</source>
-        <translation>Écarts</translation>
-    </message>
-    <message>
         <source>Experiment without a title</source>
         <translation>Expérience sans titre</translation>
     </message>
@@ -7004,14 +7015,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Material</source>
         <translation>Matériau</translation>
-    </message>
-    <message>
-        <source>Measured temperature minus target, within %1; grey: the band.</source>
-        <translation>Température mesurée moins consigne, entre %1 ; en gris : la bande.</translation>
-    </message>
-    <message>
-        <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
-        <translation>Températures mesurées. En tirets : les consignes ; en gris : la bande de %1 autour d’elles. Interruptions : pas de mesure valable. Les numéros aux lignes pointillées sont ceux du tableau des événements.</translation>
     </message>
     <message>
         <source>Metrics</source>
@@ -7186,10 +7189,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>Température (%1)</translation>
     </message>
     <message>
-        <source>Temperatures</source>
-        <translation>Températures</translation>
-    </message>
-    <message>
         <source>The checksum is of the file without the log beside it.</source>
         <translation>La somme de contrôle est celle du fichier sans le journal à côté de lui.</translation>
     </message>
@@ -7216,14 +7215,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>View factor needed</source>
         <translation>Facteur de forme requis</translation>
-    </message>
-    <message>
-        <source>View factor of the source from each object.</source>
-        <translation>Facteur de forme de la source vue de chaque objet.</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>Facteurs de forme</translation>
     </message>
     <message>
         <source>Warning, trip</source>
@@ -8374,10 +8365,6 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <translation>%1 °/s</translation>
     </message>
     <message>
-        <source>%1 K/s</source>
-        <translation>%1 K/s</translation>
-    </message>
-    <message>
         <source>Time since start (h:min:s)</source>
         <translation>Temps depuis le démarrage (h:min:s)</translation>
     </message>
@@ -8386,29 +8373,8 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
         <translation>Temps depuis le démarrage (min:s)</translation>
     </message>
     <message>
-        <source>Temperature (%1)</source>
-        <translation>Température (%1)</translation>
-    </message>
-    <message>
-        <source>Error (%1)</source>
-        <comment>measured minus target</comment>
-        <translation>Écart (%1)</translation>
-    </message>
-    <message>
-        <source>View factor</source>
-        <translation>Facteur de forme</translation>
-    </message>
-    <message>
-        <source>Rate (%1/min)</source>
-        <translation>Vitesse (%1/min)</translation>
-    </message>
-    <message>
         <source>Speed (% of limit)</source>
         <translation>Vitesse (% de la limite)</translation>
-    </message>
-    <message>
-        <source>Estimated λ₁ (K/s)</source>
-        <translation>λ₁ estimé (K/s)</translation>
     </message>
     <message>
         <source>Plot against time: %1</source>
@@ -8437,6 +8403,15 @@ C’est un arrêt logiciel, et non un arrêt d’urgence de sécurité.</transla
     <message>
         <source>Time since Start (s)</source>
         <translation>Temps depuis le démarrage (s)</translation>
+    </message>
+    <message>
+        <source>Command speed</source>
+        <translation>Vitesse commandée</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>quantity and unit</comment>
+        <translation>%1 (%2)</translation>
     </message>
 </context>
 <context>

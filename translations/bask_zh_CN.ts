@@ -72,6 +72,61 @@
     </message>
 </context>
 <context>
+    <name>Column</name>
+    <message>
+        <source>Temperature</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Temperatures</source>
+        <translation>温度</translation>
+    </message>
+    <message>
+        <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
+        <translation>测量温度。虚线：目标；灰色：其周围 %1 的容差带。间断处：没有有效读数。点线处的编号与事件表中的编号一致。</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>误差</translation>
+    </message>
+    <message>
+        <source>Measured temperature minus target, within %1; grey: the band.</source>
+        <translation>测量温度减目标，在 %1 以内；灰色：容差带。</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>变化率</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>变化率</translation>
+    </message>
+    <message>
+        <source>View factor</source>
+        <translation>角系数</translation>
+    </message>
+    <message>
+        <source>View factors</source>
+        <translation>角系数</translation>
+    </message>
+    <message>
+        <source>View factor of the source from each object.</source>
+        <translation>各物体对热源的角系数。</translation>
+    </message>
+    <message>
+        <source>Estimated λ₁</source>
+        <translation>估计的 λ₁</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>估计值</translation>
+    </message>
+</context>
+<context>
     <name>Controller</name>
     <message>
         <source>Level servo</source>
@@ -6124,18 +6179,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>运行的三维场景：热源、物体及其路径</translation>
     </message>
     <message>
-        <source>Command speed</source>
-        <translation>速度指令</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>误差</translation>
-    </message>
-    <message>
-        <source>Estimates</source>
-        <translation>估计值</translation>
-    </message>
-    <message>
         <source>Further traces and the scene</source>
         <translation>其他曲线与场景</translation>
     </message>
@@ -6144,20 +6187,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>叠加：</translation>
     </message>
     <message>
-        <source>Rates</source>
-        <translation>变化率</translation>
-    </message>
-    <message>
         <source>Scene</source>
         <translation>场景</translation>
     </message>
     <message>
         <source>Take %1 away</source>
         <translation>移除 %1</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>角系数</translation>
     </message>
 </context>
 <context>
@@ -6714,26 +6749,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>重新显示最新采样并跟随它们。</translation>
     </message>
     <message>
-        <source>Errors</source>
-        <translation>误差</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>角系数</translation>
-    </message>
-    <message>
-        <source>Command speed</source>
-        <translation>速度指令</translation>
-    </message>
-    <message>
-        <source>Rates</source>
-        <translation>变化率</translation>
-    </message>
-    <message>
-        <source>Estimates</source>
-        <translation>估计值</translation>
-    </message>
-    <message>
         <source>Further traces</source>
         <translation>更多曲线</translation>
     </message>
@@ -6942,10 +6957,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>因故障结束。</translation>
     </message>
     <message>
-        <source>Errors</source>
-        <translation>误差</translation>
-    </message>
-    <message>
         <source>Experiment without a title</source>
         <translation>无标题的实验</translation>
     </message>
@@ -6996,14 +7007,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Material</source>
         <translation>材料</translation>
-    </message>
-    <message>
-        <source>Measured temperature minus target, within %1; grey: the band.</source>
-        <translation>测量温度减目标，在 %1 以内；灰色：容差带。</translation>
-    </message>
-    <message>
-        <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
-        <translation>测量温度。虚线：目标；灰色：其周围 %1 的容差带。间断处：没有有效读数。点线处的编号与事件表中的编号一致。</translation>
     </message>
     <message>
         <source>Metrics</source>
@@ -7178,10 +7181,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>温度（%1）</translation>
     </message>
     <message>
-        <source>Temperatures</source>
-        <translation>温度</translation>
-    </message>
-    <message>
         <source>The checksum is of the file without the log beside it.</source>
         <translation>校验和仅针对该文件，不含其旁的日志。</translation>
     </message>
@@ -7208,14 +7207,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>View factor needed</source>
         <translation>所需的角系数</translation>
-    </message>
-    <message>
-        <source>View factor of the source from each object.</source>
-        <translation>各物体对热源的角系数。</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>角系数</translation>
     </message>
     <message>
         <source>Warning, trip</source>
@@ -8356,10 +8347,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>%1 °/s</translation>
     </message>
     <message>
-        <source>%1 K/s</source>
-        <translation>%1 K/s</translation>
-    </message>
-    <message>
         <source>Time since start (h:min:s)</source>
         <translation>自开始以来的时间（时:分:秒）</translation>
     </message>
@@ -8368,29 +8355,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>自开始以来的时间（分:秒）</translation>
     </message>
     <message>
-        <source>Temperature (%1)</source>
-        <translation>温度（%1）</translation>
-    </message>
-    <message>
-        <source>Error (%1)</source>
-        <comment>measured minus target</comment>
-        <translation>误差（%1）</translation>
-    </message>
-    <message>
-        <source>View factor</source>
-        <translation>角系数</translation>
-    </message>
-    <message>
-        <source>Rate (%1/min)</source>
-        <translation>变化率（%1/min）</translation>
-    </message>
-    <message>
         <source>Speed (% of limit)</source>
         <translation>速度（占限值的 %）</translation>
-    </message>
-    <message>
-        <source>Estimated λ₁ (K/s)</source>
-        <translation>估计的 λ₁（K/s）</translation>
     </message>
     <message>
         <source>Plot against time: %1</source>
@@ -8419,6 +8385,15 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Time since Start (s)</source>
         <translation>自开始以来的时间（s）</translation>
+    </message>
+    <message>
+        <source>Command speed</source>
+        <translation>速度指令</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>quantity and unit</comment>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 <context>

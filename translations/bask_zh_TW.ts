@@ -72,6 +72,61 @@
     </message>
 </context>
 <context>
+    <name>Column</name>
+    <message>
+        <source>Temperature</source>
+        <translation>溫度</translation>
+    </message>
+    <message>
+        <source>Temperatures</source>
+        <translation>溫度</translation>
+    </message>
+    <message>
+        <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
+        <translation>測量溫度。虛線：目標；灰色：其周圍 %1 的容差帶。間斷處：沒有有效讀數。點線處的編號與事件表中的編號一致。</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>誤差</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>誤差</translation>
+    </message>
+    <message>
+        <source>Measured temperature minus target, within %1; grey: the band.</source>
+        <translation>測量溫度減目標，在 %1 以內；灰色：容差帶。</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>變化率</translation>
+    </message>
+    <message>
+        <source>Rates</source>
+        <translation>變化率</translation>
+    </message>
+    <message>
+        <source>View factor</source>
+        <translation>角係數</translation>
+    </message>
+    <message>
+        <source>View factors</source>
+        <translation>角係數</translation>
+    </message>
+    <message>
+        <source>View factor of the source from each object.</source>
+        <translation>各物體對熱源的角係數。</translation>
+    </message>
+    <message>
+        <source>Estimated λ₁</source>
+        <translation>估計的 λ₁</translation>
+    </message>
+    <message>
+        <source>Estimates</source>
+        <translation>估計值</translation>
+    </message>
+</context>
+<context>
     <name>Controller</name>
     <message>
         <source>Level servo</source>
@@ -6124,18 +6179,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>運轉的三維場景：熱源、物體及其路徑</translation>
     </message>
     <message>
-        <source>Command speed</source>
-        <translation>速度指令</translation>
-    </message>
-    <message>
-        <source>Errors</source>
-        <translation>誤差</translation>
-    </message>
-    <message>
-        <source>Estimates</source>
-        <translation>估計值</translation>
-    </message>
-    <message>
         <source>Further traces and the scene</source>
         <translation>其他曲線與場景</translation>
     </message>
@@ -6144,20 +6187,12 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>疊加：</translation>
     </message>
     <message>
-        <source>Rates</source>
-        <translation>變化率</translation>
-    </message>
-    <message>
         <source>Scene</source>
         <translation>場景</translation>
     </message>
     <message>
         <source>Take %1 away</source>
         <translation>移除 %1</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>角係數</translation>
     </message>
 </context>
 <context>
@@ -6714,26 +6749,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>重新顯示最新取樣並跟隨它們。</translation>
     </message>
     <message>
-        <source>Errors</source>
-        <translation>誤差</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>角係數</translation>
-    </message>
-    <message>
-        <source>Command speed</source>
-        <translation>速度指令</translation>
-    </message>
-    <message>
-        <source>Rates</source>
-        <translation>變化率</translation>
-    </message>
-    <message>
-        <source>Estimates</source>
-        <translation>估計值</translation>
-    </message>
-    <message>
         <source>Further traces</source>
         <translation>更多曲線</translation>
     </message>
@@ -6942,10 +6957,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>因故障結束。</translation>
     </message>
     <message>
-        <source>Errors</source>
-        <translation>誤差</translation>
-    </message>
-    <message>
         <source>Experiment without a title</source>
         <translation>無標題的實驗</translation>
     </message>
@@ -6996,14 +7007,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Material</source>
         <translation>材料</translation>
-    </message>
-    <message>
-        <source>Measured temperature minus target, within %1; grey: the band.</source>
-        <translation>測量溫度減目標，在 %1 以內；灰色：容差帶。</translation>
-    </message>
-    <message>
-        <source>Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid reading. The numbers at dotted lines are those of the table of events.</source>
-        <translation>測量溫度。虛線：目標；灰色：其周圍 %1 的容差帶。間斷處：沒有有效讀數。點線處的編號與事件表中的編號一致。</translation>
     </message>
     <message>
         <source>Metrics</source>
@@ -7178,10 +7181,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>溫度（%1）</translation>
     </message>
     <message>
-        <source>Temperatures</source>
-        <translation>溫度</translation>
-    </message>
-    <message>
         <source>The checksum is of the file without the log beside it.</source>
         <translation>總和檢查碼僅針對該檔案，不含其旁的日誌。</translation>
     </message>
@@ -7208,14 +7207,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>View factor needed</source>
         <translation>所需的角係數</translation>
-    </message>
-    <message>
-        <source>View factor of the source from each object.</source>
-        <translation>各物體對熱源的角係數。</translation>
-    </message>
-    <message>
-        <source>View factors</source>
-        <translation>角係數</translation>
     </message>
     <message>
         <source>Warning, trip</source>
@@ -8356,10 +8347,6 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>%1 °/s</translation>
     </message>
     <message>
-        <source>%1 K/s</source>
-        <translation>%1 K/s</translation>
-    </message>
-    <message>
         <source>Time since start (h:min:s)</source>
         <translation>自開始以來的時間（時:分:秒）</translation>
     </message>
@@ -8368,29 +8355,8 @@ This is a software stop, not a safety-rated emergency stop.</source>
         <translation>自開始以來的時間（分:秒）</translation>
     </message>
     <message>
-        <source>Temperature (%1)</source>
-        <translation>溫度（%1）</translation>
-    </message>
-    <message>
-        <source>Error (%1)</source>
-        <comment>measured minus target</comment>
-        <translation>誤差（%1）</translation>
-    </message>
-    <message>
-        <source>View factor</source>
-        <translation>角係數</translation>
-    </message>
-    <message>
-        <source>Rate (%1/min)</source>
-        <translation>變化率（%1/min）</translation>
-    </message>
-    <message>
         <source>Speed (% of limit)</source>
         <translation>速度（佔限值的 %）</translation>
-    </message>
-    <message>
-        <source>Estimated λ₁ (K/s)</source>
-        <translation>估計的 λ₁（K/s）</translation>
     </message>
     <message>
         <source>Plot against time: %1</source>
@@ -8419,6 +8385,15 @@ This is a software stop, not a safety-rated emergency stop.</source>
     <message>
         <source>Time since Start (s)</source>
         <translation>自開始以來的時間（s）</translation>
+    </message>
+    <message>
+        <source>Command speed</source>
+        <translation>速度指令</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>quantity and unit</comment>
+        <translation>%1（%2）</translation>
     </message>
 </context>
 <context>

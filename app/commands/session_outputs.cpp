@@ -42,9 +42,9 @@ Result<std::vector<std::string>> exportFigures(const SessionRecord& session, con
     if (!files)
         return files.error();
     const RunFigures figures(session, unit);
-    for (const RunFigure figure : kRunFigures)
+    for (const RunFigure figure : runFigures())
         for (const FigureFormat format : kFigureFormats) {
-            const std::string name = std::string(runFigureStem(figure)) + figureEnding(format);
+            const std::string name = runFigureStem(figure) + figureEnding(format);
             auto done = checkOwn(files->target(name), kRunFigureMark, "a figure drawn by Bask");
             if (done)
                 done = files->write(name, figures.draw(figure, format).toStdString());

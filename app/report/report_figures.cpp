@@ -4,11 +4,13 @@
 #include "widgets/common/display.h"
 #include "widgets/plots/figure_paths.h"
 #include "widgets/plots/figure_traces.h"
+#include "widgets/plots/quantity_words.h"
 
 #include <QCoreApplication>
 #include <QLocale>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 namespace bask {
@@ -53,51 +55,55 @@ std::vector<int> markedEvents(const std::vector<TraceEvent>& events) {
     return numbers;
 }
 
-const char* runFigureStem(RunFigure figure) {
-    switch (figure) {
-    case RunFigure::Temperatures:
-        return "temperatures";
-    case RunFigure::Errors:
-        return "errors";
-    case RunFigure::Speed:
-        return "speed";
-    case RunFigure::ViewFactors:
-        return "view_factors";
-    case RunFigure::Trajectories:
+std::vector<RunFigure> runFigures() {
+    std::vector<RunFigure> figures{Quantity::Temperature, Quantity::Error, Quantity::Speed};
+    for (const Quantity quantity : furtherQuantities())
+        if (quantity != Quantity::Error && !quantityCaption(quantity).isEmpty())
+            figures.emplace_back(quantity);
+    figures.emplace_back(std::nullopt);
+    return figures;
+}
+
+std::string runFigureStem(RunFigure figure) {
+    if (!figure)
         return "trajectory";
-    }
-    return "";
+    if (*figure == Quantity::Speed)
+        return "speed";
+    const ObjectColumn* const column = plottedColumn(*figure);
+    std::string stem = column != nullptr ? column->title : plottedRunColumn(*figure)->title;
+    std::ranges::transform(stem, stem.begin(), [](unsigned char c) {
+        return c == ' ' ? '_' : static_cast<char>(std::tolower(c));
+    });
+    return stem;
 }
 
 QString runFigureCaption(RunFigure figure, const SessionRecord& session, TemperatureUnit unit) {
-    switch (figure) {
-    case RunFigure::Temperatures:
+    const auto plusMinus = [&](double difference_K, int decimals) {
+        return QStringLiteral("\u00b1") + formatDifference(difference_K, unit, decimals).mid(1);
+    };
+    if (!figure)
         return FigureText::tr(
-                   "Measured temperatures. Dashed: targets; grey: the band of %1 about them. Gaps: no valid "
-                   "reading. The numbers at dotted lines are those of the table of events.")
-            .arg(QStringLiteral("\u00b1") + formatDifference(kSettledBand_K, unit).mid(1));
-    case RunFigure::Errors:
-        return FigureText::tr("Measured temperature minus target, within %1; grey: the band.")
-            .arg(QStringLiteral("\u00b1") + formatDifference(kErrorsWithin_K, unit, 0).mid(1));
-    case RunFigure::Speed:
+            "Trajectories of the objects' centres over the source until Stop, from the ring to the dot, "
+            "coloured by temperature; black: the source.");
+    switch (*figure) {
+    case Quantity::Temperature:
+        return quantityCaption(*figure).arg(plusMinus(kSettledBand_K, 1));
+    case Quantity::Error:
+        return quantityCaption(*figure).arg(plusMinus(kErrorsWithin_K, 0));
+    case Quantity::Speed:
         return FigureText::tr(
                    "Commanded speed of the end-effector as a share of its limits: %1 mm/s and %2 \u00b0/s.")
             .arg(QLocale().toString(1e3 * session.experiment.robot.maxSpeed_m_s, 'g', 3),
                  QLocale().toString(degFromRad(session.experiment.robot.maxRotation_rad_s), 'g', 3));
-    case RunFigure::ViewFactors:
-        return FigureText::tr("View factor of the source from each object.");
-    case RunFigure::Trajectories:
-        return FigureText::tr(
-            "Trajectories of the objects' centres over the source until Stop, from the ring to the dot, "
-            "coloured by temperature; black: the source.");
+    default:
+        return quantityCaption(*figure);
     }
-    return {};
 }
 
 struct RunFigures::Impl {
     const SessionRecord& session;
     TemperatureUnit unit;
-    TraceColumns columns;
+    TraceStore store;
     QStringList names;
     QList<FigureMoment> moments;
     QString note;
@@ -116,7 +122,7 @@ struct RunFigures::Impl {
             const double most = displayDifference(kErrorsWithin_K, unit);
             figure.yRange = FigureRange{-most, most};
         }
-        return traceFigure(figure, columns, format, kRunFigureMark);
+        return traceFigure(figure, store, format, kRunFigureMark);
     }
 
     FigurePath path(const std::vector<TraceSample>& samples, std::size_t i) const {
@@ -165,16 +171,16 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
     : m_impl(new Impl{session, unit, {}, {}, {}, {}}) {
     for (const ObjectSpec& object : session.experiment.objects)
         m_impl->names << QString::fromStdString(object.name);
-    m_impl->columns.reset(session.experiment.objects.size());
-    m_impl->columns.keepAll();
-    m_impl->columns.append(session.samples);
+    m_impl->store.reset(session.experiment.objects.size());
+    m_impl->store.keepAll();
+    m_impl->store.append(session.samples);
     const std::vector<int> numbers = markedEvents(session.events);
     double labelled_s = -1e300; // numbers that would overlap are left out, lines are not
     for (std::size_t k = 0; k < numbers.size(); ++k) {
         if (numbers[k] == 0)
             continue;
         const double time_s = session.events[k].time_s;
-        const bool hasRoom = time_s - labelled_s > kLabelRoom * m_impl->columns.lastTime_s();
+        const bool hasRoom = time_s - labelled_s > kLabelRoom * m_impl->store.lastTime_s();
         m_impl->moments << FigureMoment{time_s, hasRoom ? QString::number(numbers[k]) : QString()};
         labelled_s = hasRoom ? time_s : labelled_s;
     }
@@ -189,19 +195,11 @@ RunFigures::RunFigures(const SessionRecord& session, TemperatureUnit unit)
 RunFigures::~RunFigures() = default;
 
 QByteArray RunFigures::draw(RunFigure figure, FigureFormat format) const {
-    switch (figure) {
-    case RunFigure::Temperatures:
-        return m_impl->traces(FigureText::tr("Temperatures"), Quantity::Temperature, format);
-    case RunFigure::Errors:
-        return m_impl->traces(FigureText::tr("Errors"), Quantity::Error, format);
-    case RunFigure::Speed:
-        return m_impl->traces(FigureText::tr("Commanded speed"), Quantity::Speed, format);
-    case RunFigure::ViewFactors:
-        return m_impl->traces(FigureText::tr("View factors"), Quantity::ViewFactor, format);
-    case RunFigure::Trajectories:
+    if (!figure)
         return m_impl->trajectories(format);
-    }
-    return {};
+    return m_impl->traces(*figure == Quantity::Speed ? FigureText::tr("Commanded speed")
+                                                     : quantityTitle(*figure),
+                          *figure, format);
 }
 
 } // namespace bask

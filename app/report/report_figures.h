@@ -1,25 +1,28 @@
 #pragma once
-// The figures of a recorded run: temperatures, errors, speed, view factors, trajectories.
+// The figures of a recorded run: quantities against time, trajectories.
 
 #include "engine/base/units.h"
 #include "engine/session/session_file.h"
+#include "engine/session/trace_overview.h"
 #include "widgets/plots/figure_format.h"
 
 #include <QByteArray>
 #include <QString>
 
-#include <array>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 namespace bask {
 
-enum class RunFigure { Temperatures, Errors, Speed, ViewFactors, Trajectories };
-inline constexpr std::array kRunFigures{RunFigure::Temperatures, RunFigure::Errors, RunFigure::Speed,
-                                        RunFigure::ViewFactors, RunFigure::Trajectories};
+/// A quantity against time; empty: the trajectories.
+using RunFigure = std::optional<Quantity>;
+/// All, in the order of the report.
+std::vector<RunFigure> runFigures();
 
 /// "temperatures": a file's name without its ending, the same in every language.
-const char* runFigureStem(RunFigure figure);
+std::string runFigureStem(RunFigure figure);
 /// What is to be seen, in a sentence or two.
 QString runFigureCaption(RunFigure figure, const SessionRecord& session, TemperatureUnit unit);
 

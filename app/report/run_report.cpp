@@ -86,11 +86,11 @@ QString body(const RunReportInput& input, bool isPaper) {
         text += QStringLiteral("<h2%1>%2</h2>\n")
                     .arg(isPaper ? QStringLiteral(" style=\"page-break-before:always\"") : QString(),
                          Words::tr("Traces and trajectories").toHtmlEscaped());
-        for (const RunFigure figure : kRunFigures) {
+        for (const RunFigure figure : runFigures()) {
             const QString caption = runFigureCaption(figure, session, input.unit).toHtmlEscaped();
             text +=
                 QStringLiteral("<div><img src=\"figure:%1\" alt=\"%2\"%3></div>\n<p class=\"quiet\">%2</p>\n")
-                    .arg(QLatin1String(runFigureStem(figure)), caption,
+                    .arg(QString::fromStdString(runFigureStem(figure)), caption,
                          isPaper ? QStringLiteral(" width=\"%1\"").arg(static_cast<int>(kWidth)) : QString());
         }
     }
@@ -114,10 +114,10 @@ public:
         m_document.setPageSize({kWidth, kHeight});
         if (!input.session.samples.empty()) {
             const RunFigures figures(input.session, input.unit);
-            for (const RunFigure figure : kRunFigures)
+            for (const RunFigure figure : runFigures())
                 m_document.addResource(
                     QTextDocument::ImageResource,
-                    QUrl(QStringLiteral("figure:%1").arg(QLatin1String(runFigureStem(figure)))),
+                    QUrl(QStringLiteral("figure:%1").arg(QString::fromStdString(runFigureStem(figure)))),
                     QImage::fromData(figures.draw(figure, FigureFormat::Png)));
         }
         m_document.setHtml(body(input, true));
@@ -164,10 +164,11 @@ QByteArray runReportHtml(const RunReportInput& input) {
     QString text = body(input, false);
     if (!input.session.samples.empty()) {
         const RunFigures figures(input.session, input.unit);
-        for (const RunFigure figure : kRunFigures)
-            text.replace(QStringLiteral("src=\"figure:%1\"").arg(QLatin1String(runFigureStem(figure))),
-                         QStringLiteral("src=\"data:image/png;base64,%1\"")
-                             .arg(QString::fromLatin1(figures.draw(figure, FigureFormat::Png).toBase64())));
+        for (const RunFigure figure : runFigures())
+            text.replace(
+                QStringLiteral("src=\"figure:%1\"").arg(QString::fromStdString(runFigureStem(figure))),
+                QStringLiteral("src=\"data:image/png;base64,%1\"")
+                    .arg(QString::fromLatin1(figures.draw(figure, FigureFormat::Png).toBase64())));
     }
     return (QStringLiteral(
                 "<!DOCTYPE html>\n<html lang=\"%1\">\n<head>\n<meta charset=\"utf-8\">\n"

@@ -145,8 +145,7 @@ private:
         m_file.group(source + "/surface", "NXsensor");
         m_file.text(source + "/surface/name", "source");
         m_file.text(source + "/surface/measurement", "temperature");
-        log(source + "/surface/value_log", "K", "measured temperature of the source",
-            [](const TraceSample& s) { return s.source_K; });
+        runLogs("heat_source/");
         poseLogs(source, [](const TraceSample& s) { return s.source; });
 
         const std::string robot = "/entry/instrument/robot";
@@ -156,15 +155,25 @@ private:
         m_file.text(robot + "/description",
                     "moves the objects before the source: their view factors set their heat");
         poseLogs(robot, [](const TraceSample& s) { return s.coordinates; });
-        for (int k = 0; k < 6; ++k)
-            log(robot + (k < 3 ? "/v" : "/w") + "xyz"[k % 3], k < 3 ? "m/s" : "rad/s",
-                "commanded, axes of the robot's base", [k](const TraceSample& s) { return s.twist[k]; });
-        log(robot + "/smallest_singular_value", "1", "of the interaction matrix",
-            [](const TraceSample& s) { return s.smallestSingularValue; });
-        flagLog(robot + "/limits",
-                "that held the command back: 0 none, else 1 + 2 speed + 4 rotation + 8 acceleration + "
-                "16 angular acceleration + 32 clearance + 64, 128 ... 2048 workspace x, y ... theta_z",
-                [](const TraceSample& s) { return s.limits.bits; });
+        runLogs("robot/");
+    }
+
+    /// Columns of the run below a group of the instrument.
+    void runLogs(const std::string& group) {
+        for (const RunColumn& column : kRunColumns)
+            if (column.nexus && std::string(column.nexus->path).starts_with(group))
+                columnLog("/entry/instrument", column,
+                          [](const TraceSample& s) -> const TraceSample& { return s; });
+    }
+
+    template <class Row, class RowOf>
+    void columnLog(const std::string& group, const SampleColumn<Row>& column, const RowOf& rowOf) {
+        const std::string path = group + '/' + column.nexus->path;
+        const auto value = [&](const TraceSample& s) { return column.value.get(rowOf(s)); };
+        if (column.isWhole)
+            flagLog(path, column.nexus->description, value);
+        else
+            log(path, siUnit(column.unit), column.nexus->description, value);
     }
 
     void sample(std::size_t i) {
@@ -189,26 +198,18 @@ private:
         m_file.text(sensor + "/name", "sensor of " + object.name);
         m_file.text(sensor + "/attached_to", object.name);
         m_file.text(sensor + "/measurement", "temperature");
-        beginLog(sensor + "/value_log", "measured temperature");
-        m_file.link("/entry/temperatures/" + numbered("measured_", i), sensor + "/value_log/value");
-        log(sensor + "/value_deriv1_log", "K/s", "rate by the estimator",
-            [i](const TraceSample& s) { return s.objects[i].rate_K_s; });
-        flagLog(sensor + "/valid_log", "1 where the reading is fresh and plausible",
-                [i](const TraceSample& s) { return s.objects[i].valid; });
-
-        log(group + "/temperature_estimate", "K", "temperature by the estimator",
-            [i](const TraceSample& s) { return s.objects[i].estimated_K; });
-        log(group + "/temperature_target", "K", "target",
-            [i](const TraceSample& s) { return s.objects[i].target_K; });
-        if (m_session.simulated)
-            log(group + "/temperature_true", "K", "the simulated object's own temperature",
-                [i](const TraceSample& s) { return s.objects[i].true_K; });
-        log(group + "/view_factor", "1", "view factor of the source from the object",
-            [i](const TraceSample& s) { return s.objects[i].viewFactor; });
-        log(group + "/lambda1", "K/s", "the controller's belief",
-            [i](const TraceSample& s) { return s.objects[i].lambda1; });
-        log(group + "/lambda2", "1/(K^3 s)", "the controller's belief",
-            [i](const TraceSample& s) { return s.objects[i].lambda2; });
+        for (const ObjectColumn& column : kObjectColumns) {
+            if (!column.nexus || (column.isOfPlant && !m_session.simulated))
+                continue;
+            if (column.plot == Quantity::Temperature) { // is in NXdata already
+                const std::string path = group + '/' + column.nexus->path;
+                beginLog(path, column.nexus->description);
+                m_file.link("/entry/temperatures/" + numbered("measured_", i), path + "/value");
+                continue;
+            }
+            columnLog(group, column,
+                      [i](const TraceSample& s) -> const ObjectSample& { return s.objects[i]; });
+        }
     }
 
     /// The laws are no classic PID: the terms that there are, by what they act on, and the rest by name.

@@ -32,23 +32,6 @@ std::vector<std::string> objectNames(const Experiment& experiment) {
     return names;
 }
 
-/// A column of the objects' trajectories.
-struct ObjectColumn {
-    const char* name;
-    double (*of)(const TraceSample&, const ObjectSample&);
-};
-
-constexpr ObjectColumn kObjectColumns[]{
-    {"measured_K", [](const TraceSample&, const ObjectSample& o) { return o.measured_K; }},
-    {"estimated_K", [](const TraceSample&, const ObjectSample& o) { return o.estimated_K; }},
-    {"target_K", [](const TraceSample&, const ObjectSample& o) { return o.target_K; }},
-    {"error_K", [](const TraceSample&, const ObjectSample& o) { return o.measured_K - o.target_K; }},
-    {"view_factor", [](const TraceSample&, const ObjectSample& o) { return o.viewFactor; }},
-    {"reading_valid", [](const TraceSample&, const ObjectSample& o) { return o.valid ? 1.0 : 0.0; }},
-    {"time_s", [](const TraceSample& s, const ObjectSample&) { return s.time_s; }},
-    {"true_K", [](const TraceSample&, const ObjectSample& o) { return o.true_K; }},
-};
-
 void addRings(PolyLines& poly, const Shape& shape, const Pose& X_RO) {
     for (const std::vector<Eigen::Vector2d>& ring : shapeRings(thinned(shape), kOutlinePoints)) {
         const std::size_t first = poly.points.size();
@@ -66,9 +49,13 @@ PolyLines objectTrajectories(const SessionRecord& session) {
     poly.title = "Trajectories of the objects' centres in the robot's base, m";
     poly.words = {{"object_names", objectNames(session.experiment)}};
     const auto& objects = session.experiment.objects;
-    const std::size_t columns = std::size(kObjectColumns) - (session.simulated ? 0 : 1);
-    for (std::size_t c = 0; c < columns; ++c)
-        poly.pointData.push_back({kObjectColumns[c].name, {}});
+    std::vector<const ObjectColumn*> columns;
+    for (const ObjectColumn& column : kObjectColumns)
+        if (column.vtk != nullptr && (session.simulated || !column.isOfPlant)) {
+            columns.push_back(&column);
+            poly.pointData.push_back({column.vtk, {}});
+        }
+    PolyArray time{"time_s", {}};
     PolyArray number{"object", {}};
     for (std::size_t i = 0; i < objects.size() && !session.samples.empty(); ++i) {
         const Eigen::Vector3d p_EO = poseFromCoordinates(objects[i].mounting).translation();
@@ -76,10 +63,12 @@ PolyLines objectTrajectories(const SessionRecord& session) {
         number.values.push_back(static_cast<double>(i + 1));
         for (const TraceSample& sample : session.samples) {
             poly.points.push_back(poseFromCoordinates(sample.coordinates) * p_EO);
-            for (std::size_t c = 0; c < columns; ++c)
-                poly.pointData[c].values.push_back(kObjectColumns[c].of(sample, sample.objects[i]));
+            time.values.push_back(sample.time_s);
+            for (std::size_t c = 0; c < columns.size(); ++c)
+                poly.pointData[c].values.push_back(columns[c]->value.get(sample.objects[i]));
         }
     }
+    poly.pointData.push_back(time);
     poly.lineData = {number};
     return poly;
 }
@@ -88,7 +77,10 @@ PolyLines endEffectorTrajectory(const SessionRecord& session) {
     PolyLines poly;
     poly.title = "Trajectory of the end-effector's origin in the robot's base, m";
     PolyArray time{"time_s", {}}, velocity{"velocity_m_s", {}, 3}, rotation{"angular_velocity_rad_s", {}, 3},
-        source{"source_K", {}}, limits{"limits", {}}, quaternion{"quaternion_wxyz", {}, 4};
+        quaternion{"quaternion_wxyz", {}, 4};
+    for (const RunColumn& column : kRunColumns)
+        if (column.vtk != nullptr)
+            poly.pointData.push_back({column.vtk, {}});
     for (const TraceSample& sample : session.samples) {
         const Pose X_RE = poseFromCoordinates(sample.coordinates);
         poly.points.push_back(X_RE.translation());
@@ -97,15 +89,18 @@ PolyLines endEffectorTrajectory(const SessionRecord& session) {
             velocity.values.push_back(sample.twist[k]);
             rotation.values.push_back(sample.twist[3 + k]);
         }
-        source.values.push_back(sample.source_K);
-        limits.values.push_back(sample.limits.bits);
+        std::size_t c = 0;
+        for (const RunColumn& column : kRunColumns)
+            if (column.vtk != nullptr)
+                poly.pointData[c++].values.push_back(column.value.get(sample));
         const Eigen::Quaterniond q(X_RE.linear());
         for (const double part : {q.w(), q.x(), q.y(), q.z()})
             quaternion.values.push_back(part);
     }
     if (!session.samples.empty())
         poly.lines.push_back(lineOf(0, session.samples.size()));
-    poly.pointData = {time, velocity, rotation, source, limits, quaternion};
+    poly.pointData.insert(poly.pointData.begin(), {time, velocity, rotation});
+    poly.pointData.push_back(quaternion);
     return poly;
 }
 

@@ -62,7 +62,10 @@ Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string
     if (!facts)
         return facts.error();
     session->m_facts = std::move(*facts);
-    auto done = session->readOverview(**store, SessionTables(session->m_facts));
+    const auto tables = SessionTables::of(**store, session->m_facts);
+    if (!tables)
+        return tables.error();
+    auto done = session->readOverview(**store, *tables);
     if (done)
         done = session->readTargets(**store);
     if (!done)
@@ -74,15 +77,16 @@ Result<std::shared_ptr<RecordedSession>> RecordedSession::open(const std::string
 Result<void> RecordedSession::readOverview(const SessionStore& store, const SessionTables& tables) {
     m_overview = TraceOverview(m_facts.experiment.objects.size());
     bool isSound = true;
-    const auto done = store.select(
-        "SELECT last_step, extremes FROM overview ORDER BY last_step", [&](SessionStore::Row row) {
-            const auto* last = std::get_if<std::int64_t>(&row[0]);
-            const auto* extremes = std::get_if<SqlBlob>(&row[1]);
-            const std::size_t before = m_overview.samples();
-            isSound = isSound && last != nullptr && extremes != nullptr &&
-                      std::cmp_equal(*last, before + kSamplesPerOverviewRow) &&
-                      m_overview.addBytes(extremes->bytes) && std::cmp_equal(*last, m_overview.samples());
-        });
+    const auto done = store.select("SELECT last_step, extremes FROM overview ORDER BY last_step",
+                                   [&](SessionStore::Row row) {
+                                       const auto* last = std::get_if<std::int64_t>(&row[0]);
+                                       const auto* extremes = std::get_if<SqlBlob>(&row[1]);
+                                       const std::size_t before = m_overview.samples();
+                                       isSound = isSound && last != nullptr && extremes != nullptr &&
+                                                 std::cmp_equal(*last, before + kSamplesPerOverviewRow) &&
+                                                 m_overview.addBytes(extremes->bytes, tables.quantities()) &&
+                                                 std::cmp_equal(*last, m_overview.samples());
+                                   });
     if (!done)
         return done;
     if (!isSound)
@@ -155,10 +159,13 @@ Result<std::vector<TraceSample>> RecordedSession::readBlock(std::size_t k) {
     const auto store = m_reader->open(m_facts.path);
     if (!store)
         return store.error();
+    const auto tables = SessionTables::of(**store, m_facts);
+    if (!tables)
+        return tables.error();
     const std::size_t first = k * kBlock, last = std::min(first + kBlock, size());
     std::vector<TraceSample> samples;
     samples.reserve(last - first);
-    const auto done = readSteps(**store, SessionTables(m_facts), m_facts.path, first + 1, last,
+    const auto done = readSteps(**store, *tables, m_facts.path, first + 1, last,
                                 [&](const TraceSample& sample) { samples.push_back(sample); });
     if (!done)
         return done.error();

@@ -150,34 +150,48 @@ Result<void> writeTables(const SessionStore& store, const std::vector<std::strin
     return {};
 }
 
+/// A number, temperatures in degC.
+template <class Row> SqlValue cellOf(const SampleColumn<Row>& column, const Row& row) {
+    const double value = column.value.get(row);
+    if (column.isWhole)
+        return static_cast<std::int64_t>(value);
+    return sqlNumber(column.unit.edge == EdgeUnit::Temperature ? celsiusFromKelvin(value) : value);
+}
+
+template <class Row> std::string headerOf(const SampleColumn<Row>& column) {
+    const bool isTemperature = column.unit.edge == EdgeUnit::Temperature;
+    return std::string(column.csv) + " (" + (isTemperature ? "degC" : siUnit(column.unit)) + ')';
+}
+
+bool isInTraces(const ObjectColumn& column, const SessionRecord& facts) {
+    return column.csv != nullptr && (facts.simulated || !column.isOfPlant);
+}
+
 /// The traces of all objects side by side, a row a sample. Looks at the whole file: nothing is left of an
 /// export of one that is damaged.
 Result<void> writeTraces(const SessionRecord& facts, CsvFile& file) {
-    std::vector<SqlValue> row;
-    for (const char* name : {"time (s)", "source (degC)", "x (m)", "y (m)", "z (m)", "theta_x (rad)",
-                             "theta_y (rad)", "theta_z (rad)"})
-        row.emplace_back(std::string(name));
-    for (const ObjectSpec& object : facts.experiment.objects) {
-        for (const char* name : {" measured (degC)", " estimate (degC)", " target (degC)", " error (K)",
-                                 " rate (K/s)", " view factor (1)", " reading valid (1)"})
-            row.emplace_back(object.name + name);
-        if (facts.simulated)
-            row.emplace_back(object.name + " true (degC)");
-    }
+    std::vector<SqlValue> row{std::string("time (s)")};
+    for (const RunColumn& column : kRunColumns)
+        if (column.csv != nullptr)
+            row.emplace_back(headerOf(column));
+    for (std::size_t k = 0; k < kCoordinateNames.size(); ++k)
+        row.emplace_back(std::string(kCoordinateNames[k]) + (k < 3 ? " (m)" : " (rad)"));
+    for (const ObjectSpec& object : facts.experiment.objects)
+        for (const ObjectColumn& column : kObjectColumns)
+            if (isInTraces(column, facts))
+                row.emplace_back(object.name + ' ' + headerOf(column));
     file.add(row);
     const auto read = readSamples(facts.path, [&](const TraceSample& sample) {
-        row = {sqlNumber(sample.time_s), sqlNumber(celsiusFromKelvin(sample.source_K))};
+        row = {sqlNumber(sample.time_s)};
+        for (const RunColumn& column : kRunColumns)
+            if (column.csv != nullptr)
+                row.push_back(cellOf(column, sample));
         for (int k = 0; k < 6; ++k)
             row.push_back(sqlNumber(sample.coordinates[k]));
-        for (const ObjectSample& o : sample.objects) {
-            for (const double value :
-                 {celsiusFromKelvin(o.measured_K), celsiusFromKelvin(o.estimated_K),
-                  celsiusFromKelvin(o.target_K), o.measured_K - o.target_K, o.rate_K_s, o.viewFactor})
-                row.push_back(sqlNumber(value));
-            row.emplace_back(std::int64_t{o.valid});
-            if (facts.simulated)
-                row.push_back(sqlNumber(celsiusFromKelvin(o.true_K)));
-        }
+        for (const ObjectSample& object : sample.objects)
+            for (const ObjectColumn& column : kObjectColumns)
+                if (isInTraces(column, facts))
+                    row.push_back(cellOf(column, object));
         file.add(row);
     });
     return read ? file.end() : read;

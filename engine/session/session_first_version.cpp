@@ -84,45 +84,52 @@ private:
         return done;
     }
 
+    /// Names of a table's columns, which were all there already, and what each fills.
+    template <class Sample, std::size_t N>
+    static std::string columnsOf(const std::string& table, const std::array<SampleColumn<Sample>, N>& all,
+                                 std::vector<const SampleColumn<Sample>*>& out) {
+        std::string names;
+        for (const SampleColumn<Sample>& column : all)
+            if (column.stored.place > 0 && column.stored.view == table && !column.stored.isLater) {
+                names += std::string(names.empty() ? "" : ", ") + column.nameInView();
+                out.push_back(&column);
+            }
+        return names;
+    }
+    template <class Sample>
+    static void fill(const std::vector<const SampleColumn<Sample>*>& columns, Sample& sample, Row row) {
+        for (std::size_t k = 0; k < columns.size(); ++k)
+            columns[k]->value.set(sample, numberOf(row[k]));
+    }
+
     Result<void> objects() {
-        auto done = eachObject("sample", "measured_K, estimated_K, rate_K_s, target_K, view_factor",
-                               [](ObjectSample& object, Row row) {
-                                   object.measured_K = numberOf(row[0]);
-                                   object.estimated_K = numberOf(row[1]);
-                                   object.rate_K_s = numberOf(row[2]);
-                                   object.target_K = numberOf(row[3]);
-                                   object.viewFactor = numberOf(row[4]);
-                               });
-        if (done)
-            done = eachObject("object_state", "lambda1_K_s, lambda2_1_K3s, reading_valid",
-                              [](ObjectSample& object, Row row) {
-                                  object.lambda1 = numberOf(row[0]);
-                                  object.lambda2 = numberOf(row[1]);
-                                  object.valid = numberOf(row[2]) == 1.0;
-                              });
-        if (done && m_record.simulated)
-            done = eachObject("truth", "temperature_K",
-                              [](ObjectSample& object, Row row) { object.true_K = numberOf(row[0]); });
-        return done;
+        for (const std::string& table : storedViews(kObjectColumns)) {
+            if (table == "truth" && !m_record.simulated)
+                continue;
+            std::vector<const ObjectColumn*> columns;
+            const std::string names = columnsOf(table, kObjectColumns, columns);
+            auto done =
+                eachObject(table, names, [&](ObjectSample& object, Row row) { fill(columns, object, row); });
+            if (!done)
+                return done;
+        }
+        return {};
     }
 
     Result<void> rig() {
-        auto done = eachSample(
-            "motion",
-            "vx_m_s, vy_m_s, vz_m_s, wx_rad_s, wy_rad_s, wz_rad_s, smallest_singular_value, limited",
-            [](TraceSample& sample, Row row) {
-                for (int k = 0; k < 6; ++k)
-                    sample.twist[k] = numberOf(row[static_cast<std::size_t>(k)]);
-                sample.smallestSingularValue = numberOf(row[6]);
-                sample.limits = limitsOf(row[7]);
-            });
-        if (done)
-            done = eachSample("source", "temperature_K",
-                              [](TraceSample& sample, Row row) { sample.source_K = numberOf(row[0]); });
+        for (const std::string& table : storedViews(kRunColumns)) {
+            std::vector<const RunColumn*> columns;
+            const std::string names = columnsOf(table, kRunColumns, columns);
+            auto done =
+                eachSample(table, names, [&](TraceSample& sample, Row row) { fill(columns, sample, row); });
+            if (!done)
+                return done;
+        }
+        Result<void> done;
         const auto tables = m_store.tables();
         if (!tables)
             return tables.error();
-        if (done && std::ranges::find(*tables, "source_pose") != tables->end()) // later than the first files
+        if (std::ranges::find(*tables, "source_pose") != tables->end()) // later than the first files
             done = eachSample("source_pose", kPoseColumns, [](TraceSample& sample, Row row) {
                 sample.source = coordinatesOfColumns(row);
             });

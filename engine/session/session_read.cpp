@@ -50,10 +50,12 @@ Result<SessionRecord> readAll(const std::string& path,
         return record;
     if ((*store)->version() < 2)
         done = readFirstVersion(**store, *record);
-    else
+    else if (const auto tables = SessionTables::of(**store, *record))
         done = readSteps(
-            **store, SessionTables(*record), path, 1, kLast,
-            [&](const TraceSample& sample) { take(*record, sample); }, stop);
+            **store, *tables, path, 1, kLast, [&](const TraceSample& sample) { take(*record, sample); },
+            stop);
+    else
+        done = tables.error();
     if (!done)
         return done.error();
     return record;

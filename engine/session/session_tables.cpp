@@ -1,7 +1,9 @@
 #include "engine/session/session_tables.h"
 
 #include "engine/base/pose.h"
+#include "engine/session/trace_overview.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -23,24 +25,32 @@ constexpr const char* kMadeLast[] = {
 };
 
 constexpr std::array kPose{"x_m", "y_m", "z_m", "qw", "qx", "qy", "qz"};
-constexpr std::array kMotion{
-    "vx_m_s", "vy_m_s", "vz_m_s", "wx_rad_s", "wy_rad_s", "wz_rad_s", "smallest_singular_value"};
-constexpr std::array kObject{"measured_K",  "estimated_K",   "rate_K_s",      "target_K",     "view_factor",
-                             "lambda1_K_s", "lambda2_1_K3s", "reading_valid", "temperature_K"};
-constexpr std::size_t kObjectColumns = kObject.size();
-constexpr std::size_t kValid = 7; ///< of them
+/// Columns of `step`: number, time, pose, those of the run, the source's pose, those of each object.
+constexpr std::size_t kNumber = 0, kTime = 1, kPoseAt = 2;
 
-/// Columns of `step` before the objects'.
-enum Column : std::size_t {
-    kNumber,
-    kTime,
-    kPoseAt,
-    kMotionAt = kPoseAt + 7,
-    kLimited = kMotionAt + 7,
-    kSourceTemperature,
-    kSourceAt,
-    kObjectsAt = kSourceAt + 7,
-};
+/// Columns that are stored, in their places.
+template <class Row, std::size_t N>
+std::vector<const SampleColumn<Row>*> storedColumns(const std::array<SampleColumn<Row>, N>& all) {
+    std::vector<const SampleColumn<Row>*> out;
+    for (const SampleColumn<Row>& column : all)
+        if (column.stored.place > 0)
+            out.push_back(&column);
+    std::ranges::sort(out, {}, [](const SampleColumn<Row>* column) { return column->stored.place; });
+    return out;
+}
+
+const std::vector<const RunColumn*>& runColumns() {
+    static const auto kStored = storedColumns(kRunColumns);
+    return kStored;
+}
+const std::vector<const ObjectColumn*>& objectColumns() {
+    static const auto kStored = storedColumns(kObjectColumns);
+    return kStored;
+}
+
+std::size_t columnCount(std::size_t objects) {
+    return kPoseAt + 2 * kPose.size() + runColumns().size() + objects * objectColumns().size();
+}
 
 /// The shortest text that reads back as the same number.
 std::string digits(double value) {
@@ -59,44 +69,33 @@ std::array<double, 7> columnsOfPose(const Vector6d& x) {
     return {x[0], x[1], x[2], q.w(), q.x(), q.y(), q.z()};
 }
 
-/// Names and, where `typed`, types of all columns of `step`.
-std::string columnList(std::size_t objects, bool typed) {
-    const char* const real = typed ? " REAL" : "";
-    const char* const whole = typed ? " INTEGER NOT NULL" : "";
-    std::string out = typed ? "number INTEGER PRIMARY KEY, time_s REAL NOT NULL" : "number, time_s";
-    const auto add = [&](const std::string& name, const char* type) { out += ", " + name + type; };
-    for (const char* name : kPose)
-        add(name, real);
-    for (const char* name : kMotion)
-        add(name, real);
-    add("limited", whole);
-    add("source_K", real);
-    for (const char* name : kPose)
-        add(std::string("source_") + name, real);
-    for (std::size_t i = 0; i < objects; ++i)
-        for (std::size_t k = 0; k < kObjectColumns; ++k)
-            add(columnOf(kObject[k], i), k == kValid ? whole : real);
-    return out;
-}
-
-/// A view with one row a sample and object: columns kObject[first, last).
-std::string objectView(const char* name, std::size_t first, std::size_t last, std::size_t objects,
-                       const char* condition = "") {
-    std::string out = std::string("CREATE VIEW ") + name + " AS SELECT time_s, name AS object";
-    for (std::size_t k = first; k < last; ++k) {
+/// A view with one row a sample and object.
+std::string objectView(const std::string& name, std::size_t objects, bool simulated) {
+    std::string out = "CREATE VIEW " + name + " AS SELECT time_s, name AS object";
+    bool isOfPlant = true;
+    for (const ObjectColumn* column : objectColumns()) {
+        if (column->stored.view != name)
+            continue;
+        isOfPlant = isOfPlant && column->isOfPlant;
         out += ", CASE object.number";
         for (std::size_t i = 0; i < objects; ++i)
-            out += " WHEN " + std::to_string(i + 1) + " THEN " + columnOf(kObject[k], i);
-        out += std::string(" END AS ") + kObject[k];
+            out += " WHEN " + std::to_string(i + 1) + " THEN " + columnOf(column->nameInView(), i);
+        out += std::string(" END AS ") + column->nameInView();
     }
-    return out + " FROM step CROSS JOIN object" + condition; // in this order: samples, then objects
+    out += " FROM step CROSS JOIN object"; // in this order: samples, then objects
+    return isOfPlant && !simulated ? out + " WHERE 0" : out;
 }
 
-template <class Names> std::string rigView(const char* name, const Names& columns) {
-    std::string out = std::string("CREATE VIEW ") + name + " AS SELECT time_s";
+std::string rigView(const std::string& name, const std::vector<std::string>& columns) {
+    std::string out = "CREATE VIEW " + name + " AS SELECT time_s";
     for (const std::string& column : columns)
         out += ", " + column;
     return out + " FROM step";
+}
+
+template <class Row> SqlValue cellOf(const SampleColumn<Row>& column, const Row& row) {
+    const double value = column.value.get(row);
+    return column.isWhole ? SqlValue(static_cast<std::int64_t>(value)) : sqlNumber(value);
 }
 
 } // namespace
@@ -107,68 +106,117 @@ SessionTables::SessionTables(const Experiment& experiment, bool simulated)
         m_names.push_back(object.name);
 }
 
+Result<SessionTables> SessionTables::of(const SessionStore& store, const SessionRecord& facts) {
+    const auto found = store.columns("step");
+    if (!found)
+        return found.error();
+    SessionTables out(facts.experiment, facts.simulated);
+    const auto isMissing = [&](const auto* column, const std::string& name) {
+        return column->stored.isLater && std::ranges::find(*found, name) == found->end();
+    };
+    for (const RunColumn* column : runColumns())
+        if (isMissing(column, column->key))
+            out.m_absent.insert(column->key);
+    for (const ObjectColumn* column : objectColumns())
+        if (isMissing(column, columnOf(column->nameInView(), 0)))
+            out.m_absent.insert(column->key);
+    return out;
+}
+
+bool SessionTables::isAbsent(const std::string& key) const {
+    return m_absent.contains(key);
+}
+
+std::size_t SessionTables::quantities() const {
+    std::size_t count = 0;
+    for (; count < quantityCount(); ++count) {
+        const ObjectColumn* const ofObjects = plottedColumn(static_cast<Quantity>(count));
+        const RunColumn* const ofRun = plottedRunColumn(static_cast<Quantity>(count));
+        if ((ofObjects != nullptr && isAbsent(ofObjects->key)) || (ofRun != nullptr && isAbsent(ofRun->key)))
+            break;
+    }
+    return count;
+}
+
+/// Names of all columns of `step`, with their types to make it, or NULL for what the file lacks to read it.
+std::string SessionTables::columnList(bool typed) const {
+    const char* const real = typed ? " REAL" : "";
+    const char* const whole = typed ? " INTEGER NOT NULL" : "";
+    std::string out = typed ? "number INTEGER PRIMARY KEY, time_s REAL NOT NULL" : "number, time_s";
+    const auto add = [&](const std::string& name, const char* type) { out += ", " + name + type; };
+    const auto addColumn = [&](const auto* column, const std::string& name) {
+        add(isAbsent(column->key) ? "NULL" : name, column->isWhole ? whole : real);
+    };
+    for (const char* name : kPose)
+        add(name, real);
+    for (const RunColumn* column : runColumns())
+        addColumn(column, column->key);
+    for (const char* name : kPose)
+        add(std::string("source_") + name, real);
+    for (std::size_t i = 0; i < m_names.size(); ++i)
+        for (const ObjectColumn* column : objectColumns())
+            addColumn(column, columnOf(column->nameInView(), i));
+    return out;
+}
+
 std::vector<std::string> SessionTables::create() const {
     std::vector<std::string> out(std::begin(kMadeFirst), std::end(kMadeFirst));
     for (std::size_t i = 0; i < m_names.size(); ++i)
         out.push_back("INSERT INTO object VALUES(" + std::to_string(i + 1) + ", " + sqlText(m_names[i]) +
                       ')');
-    out.push_back("CREATE TABLE step(" + columnList(m_names.size(), true) + ')');
+    out.push_back("CREATE TABLE step(" + columnList(true) + ')');
 
-    out.push_back(objectView("sample", 0, 5, m_names.size()));
-    out.push_back(objectView("object_state", 5, 8, m_names.size()));
-    out.push_back(objectView("truth", 8, 9, m_names.size(), m_simulated ? "" : " WHERE 0"));
-    const std::vector<std::string> pose(kPose.begin(), kPose.end());
-    std::vector<std::string> motion(kMotion.begin(), kMotion.end()), sourcePose;
-    motion.emplace_back("limited");
+    for (const std::string& view : storedViews(kObjectColumns))
+        out.push_back(objectView(view, m_names.size(), m_simulated));
+    out.push_back(rigView("pose", {kPose.begin(), kPose.end()}));
+    for (const std::string& view : storedViews(kRunColumns)) {
+        std::vector<std::string> columns;
+        for (const RunColumn* column : runColumns())
+            if (column->stored.view == view)
+                columns.push_back(column->stored.name == nullptr
+                                      ? column->key
+                                      : std::string(column->key) + " AS " + column->stored.name);
+        out.push_back(rigView(view, columns));
+    }
+    std::vector<std::string> sourcePose;
     const auto source = columnsOfPose(m_source);
     for (std::size_t k = 0; k < kPose.size(); ++k)
         sourcePose.push_back(std::string("ifnull(source_") + kPose[k] + ", " + digits(source[k]) + ") AS " +
                              kPose[k]);
-    out.push_back(rigView("pose", pose));
-    out.push_back(rigView("motion", motion));
-    out.push_back(rigView("source", std::vector<std::string>{"source_K AS temperature_K"}));
     out.push_back(rigView("source_pose", sourcePose));
     out.insert(out.end(), std::begin(kMadeLast), std::end(kMadeLast));
     return out;
 }
 
 std::string SessionTables::insertStep() const {
-    const std::size_t columns = kObjectsAt + kObjectColumns * m_names.size();
     std::string out = "INSERT INTO step VALUES(?";
-    for (std::size_t k = 1; k < columns; ++k)
+    for (std::size_t k = 1; k < columnCount(m_names.size()); ++k)
         out += ", ?";
     return out + ')';
 }
 
 std::vector<SqlValue> SessionTables::stepRow(std::int64_t number, const TraceSample& sample) const {
     std::vector<SqlValue> row;
-    row.reserve(kObjectsAt + kObjectColumns * m_names.size());
+    row.reserve(columnCount(m_names.size()));
     row.emplace_back(number);
     row.push_back(sqlNumber(sample.time_s));
     for (const double value : columnsOfPose(sample.coordinates))
         row.push_back(sqlNumber(value));
-    for (int k = 0; k < 6; ++k)
-        row.push_back(sqlNumber(sample.twist[k]));
-    row.push_back(sqlNumber(sample.smallestSingularValue));
-    row.emplace_back(std::int64_t{sample.limits.bits});
-    row.push_back(sqlNumber(sample.source_K));
+    for (const RunColumn* column : runColumns())
+        row.push_back(cellOf(*column, sample));
     if (sample.source == m_source)
         row.resize(row.size() + kPose.size());
     else
         for (const double value : columnsOfPose(sample.source))
             row.push_back(sqlNumber(value));
-    for (const ObjectSample& o : sample.objects) {
-        for (const double value :
-             {o.measured_K, o.estimated_K, o.rate_K_s, o.target_K, o.viewFactor, o.lambda1, o.lambda2})
-            row.push_back(sqlNumber(value));
-        row.emplace_back(std::int64_t{o.valid});
-        row.push_back(m_simulated ? sqlNumber(o.true_K) : SqlValue());
-    }
+    for (const ObjectSample& object : sample.objects)
+        for (const ObjectColumn* column : objectColumns())
+            row.push_back(column->isOfPlant && !m_simulated ? SqlValue() : cellOf(*column, object));
     return row;
 }
 
 std::string SessionTables::selectSteps() const {
-    return "SELECT " + columnList(m_names.size(), false) + " FROM step";
+    return "SELECT " + columnList(false) + " FROM step";
 }
 
 std::int64_t SessionTables::numberOfStep(SessionStore::Row row) {
@@ -180,24 +228,16 @@ TraceSample SessionTables::sampleOf(SessionStore::Row row) const {
     TraceSample sample;
     sample.time_s = numberOf(row[kTime]);
     sample.coordinates = coordinatesOfColumns(row.subspan(kPoseAt));
-    for (int k = 0; k < 6; ++k)
-        sample.twist[k] = numberOf(row[kMotionAt + static_cast<std::size_t>(k)]);
-    sample.smallestSingularValue = numberOf(row[kMotionAt + 6]);
-    sample.limits = limitsOf(row[kLimited]);
-    sample.source_K = numberOf(row[kSourceTemperature]);
-    const bool isAsInExperiment = std::holds_alternative<std::monostate>(row[kSourceAt]);
-    sample.source = isAsInExperiment ? m_source : coordinatesOfColumns(row.subspan(kSourceAt));
+    std::size_t at = kPoseAt + kPose.size();
+    for (const RunColumn* column : runColumns())
+        column->value.set(sample, numberOf(row[at++]));
+    const bool isAsInExperiment = std::holds_alternative<std::monostate>(row[at]);
+    sample.source = isAsInExperiment ? m_source : coordinatesOfColumns(row.subspan(at));
+    at += kPose.size();
     sample.objects.resize(m_names.size());
-    for (std::size_t i = 0; i < m_names.size(); ++i) {
-        ObjectSample& o = sample.objects[i];
-        const auto columns = row.subspan(kObjectsAt + kObjectColumns * i, kObjectColumns);
-        std::size_t k = 0;
-        for (double* value :
-             {&o.measured_K, &o.estimated_K, &o.rate_K_s, &o.target_K, &o.viewFactor, &o.lambda1, &o.lambda2})
-            *value = numberOf(columns[k++]);
-        o.valid = numberOf(columns[kValid]) == 1.0;
-        o.true_K = numberOf(columns[kValid + 1]);
-    }
+    for (ObjectSample& object : sample.objects)
+        for (const ObjectColumn* column : objectColumns())
+            column->value.set(object, numberOf(row[at++]));
     return sample;
 }
 
@@ -208,13 +248,6 @@ Vector6d coordinatesOfColumns(SessionStore::Row columns) {
                                numberOf(columns[6]));
     X.linear() = q.normalized().toRotationMatrix();
     return coordinatesFromPose(X);
-}
-
-ActiveLimits limitsOf(const SqlValue& value) {
-    const double bits = numberOf(value);
-    ActiveLimits limits;
-    limits.bits = bits >= 0.0 && bits < 4096.0 ? static_cast<unsigned>(bits) : 0U;
-    return limits;
 }
 
 } // namespace bask

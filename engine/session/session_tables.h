@@ -6,6 +6,7 @@
 #include "engine/session/session_store.h"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,9 @@ inline constexpr std::size_t kSamplesPerOverviewRow = 512; // three rows fill a 
 class SessionTables {
 public:
     SessionTables(const Experiment& experiment, bool simulated);
-    explicit SessionTables(const SessionRecord& facts) : SessionTables(facts.experiment, facts.simulated) {}
+    /// Of a file, which may lack columns that came later than it: those are read as unknown. Errors: the file
+    /// cannot be read.
+    static Result<SessionTables> of(const SessionStore& store, const SessionRecord& facts);
 
     /// Statements that make all tables and views of a new file.
     std::vector<std::string> create() const;
@@ -29,15 +32,20 @@ public:
     static std::int64_t numberOfStep(SessionStore::Row row);
     TraceSample sampleOf(SessionStore::Row row) const;
 
+    /// Quantities that have all their columns: those of the file's overview.
+    std::size_t quantities() const;
+
 private:
+    bool isAbsent(const std::string& key) const;
+    std::string columnList(bool typed) const;
+
     std::vector<std::string> m_names; ///< of the objects
+    std::set<std::string> m_absent;   ///< keys of columns that the file lacks
     Vector6d m_source;                ///< pose in the experiment: not stored again
     bool m_simulated;                 ///< there is a truth to be stored
 };
 
 /// Coordinates of columns x_m, y_m, z_m, qw, qx, qy, qz.
 Vector6d coordinatesOfColumns(SessionStore::Row columns);
-/// A number that is no set of limits is none.
-ActiveLimits limitsOf(const SqlValue& value);
 
 } // namespace bask

@@ -2,39 +2,13 @@
 // Rows of a run, as recorded, shown and exported.
 
 #include "engine/base/message.h"
-#include "engine/base/pose.h"
-#include "engine/control/robot_limits.h"
+#include "engine/session/trace_sample.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace bask {
-
-/// One object at one sample. A value that is not known yet or not valid is NaN (NULL in the file).
-struct ObjectSample {
-    double measured_K = 0.0;
-    double estimated_K = 0.0;
-    double rate_K_s = 0.0;
-    double target_K = 0.0;
-    double viewFactor = 0.0;
-    double lambda1 = 0.0; ///< the controller's present belief, K/s; NaN if it has none
-    double lambda2 = 0.0; ///< 1/(K3 s)
-    double true_K = 0.0;  ///< the simulated plant's own temperature; NaN on a real rig
-    bool valid = false;   ///< measured_K is a fresh, plausible reading
-};
-
-/// One sample of a run.
-struct TraceSample {
-    double time_s = 0.0;                     ///< since Start
-    std::vector<ObjectSample> objects;       ///< in the experiment's order
-    Vector6d coordinates = Vector6d::Zero(); ///< end-effector in R, m and rad
-    Vector6d twist = Vector6d::Zero();       ///< commanded, R axes, m/s and rad/s
-    double source_K = 0.0;                   ///< measured
-    Vector6d source = Vector6d::Zero();      ///< coordinates of X_RS as the controllers take them, m and rad
-    double smallestSingularValue = 0.0;      ///< of the interaction matrix, rotation scaled
-    ActiveLimits limits;                     ///< that held the command back
-};
 
 /// Something that happened.
 struct TraceEvent {

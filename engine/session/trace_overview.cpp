@@ -13,8 +13,32 @@ static_assert(std::endian::native == std::endian::little,
               "the file's numbers are taken as they lie in memory");
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-constexpr std::array kOfObjects{Quantity::Temperature, Quantity::Error, Quantity::ViewFactor, Quantity::Rate,
-                                Quantity::Strength};
+
+constexpr auto kIsPlotted = [](const auto& column) { return column.plot.has_value(); };
+constexpr std::size_t kQuantities = 1 + // the speed, which is no column
+                                    std::ranges::count_if(kObjectColumns, kIsPlotted) +
+                                    std::ranges::count_if(kRunColumns, kIsPlotted);
+
+/// Where a quantity's values are; both null: the speed.
+struct PlottedAs {
+    const ObjectColumn* ofObjects = nullptr;
+    const RunColumn* ofRun = nullptr;
+};
+
+constexpr std::array<PlottedAs, kQuantities> kPlottedAs = [] {
+    std::array<PlottedAs, kQuantities> out{};
+    for (const ObjectColumn& column : kObjectColumns)
+        if (column.plot)
+            out.at(static_cast<std::size_t>(*column.plot)).ofObjects = &column;
+    for (const RunColumn& column : kRunColumns)
+        if (column.plot)
+            out.at(static_cast<std::size_t>(*column.plot)).ofRun = &column;
+    return out;
+}();
+
+const PlottedAs& plottedAs(Quantity quantity) {
+    return kPlottedAs.at(static_cast<std::size_t>(quantity));
+}
 
 double finiteOrNaN(double value) {
     return std::isfinite(value) ? value : kNaN;
@@ -33,28 +57,44 @@ template <class T> T take(std::string_view& bytes) {
 
 } // namespace
 
+const ObjectColumn* plottedColumn(Quantity quantity) {
+    return plottedAs(quantity).ofObjects;
+}
+
+const RunColumn* plottedRunColumn(Quantity quantity) {
+    return plottedAs(quantity).ofRun;
+}
+
+std::size_t quantityCount() {
+    return kQuantities;
+}
+
 std::size_t seriesCount(Quantity quantity, std::size_t objects) {
-    return quantity == Quantity::Speed ? 2 : objects;
+    if (plottedColumn(quantity) != nullptr)
+        return objects;
+    return plottedRunColumn(quantity) != nullptr ? 1 : 2;
+}
+
+std::size_t lineCount(std::size_t objects, std::size_t quantities) {
+    std::size_t count = 0;
+    for (std::size_t q = 0; q < quantities; ++q)
+        count += seriesCount(static_cast<Quantity>(q), objects);
+    return count;
+}
+
+std::size_t lineIndex(Quantity quantity, std::size_t series, std::size_t objects) {
+    return lineCount(objects, static_cast<std::size_t>(quantity)) + series;
 }
 
 double plottedValue(const TraceSample& sample, Quantity quantity, std::size_t series) {
-    if (quantity == Quantity::Speed)
-        return finiteOrNaN(series == 0 ? sample.twist.head<3>().norm() : sample.twist.tail<3>().norm());
-    if (series >= sample.objects.size())
-        return kNaN;
-    const ObjectSample& object = sample.objects[series];
-    switch (quantity) {
-    case Quantity::ViewFactor:
-        return finiteOrNaN(object.viewFactor);
-    case Quantity::Strength:
-        return finiteOrNaN(object.lambda1);
-    case Quantity::Rate:
-        return object.valid ? finiteOrNaN(object.rate_K_s) : kNaN;
-    case Quantity::Error:
-        return object.valid ? finiteOrNaN(object.measured_K - object.target_K) : kNaN;
-    default:
-        return object.valid ? finiteOrNaN(object.measured_K) : kNaN;
+    if (const ObjectColumn* column = plottedColumn(quantity)) {
+        if (series >= sample.objects.size() || (column->isReading && !sample.objects[series].valid))
+            return kNaN;
+        return finiteOrNaN(column->value.get(sample.objects[series]));
     }
+    if (const RunColumn* column = plottedRunColumn(quantity))
+        return finiteOrNaN(column->value.get(sample));
+    return finiteOrNaN(series == 0 ? sample.twist.head<3>().norm() : sample.twist.tail<3>().norm());
 }
 
 void Extremes::include(float value) {
@@ -68,14 +108,7 @@ void Extremes::include(const Extremes& other) {
 }
 
 TraceOverview::TraceOverview(std::size_t objects, std::size_t most)
-    : m_objects(objects), m_most(std::max<std::size_t>(most, 2)) {}
-
-std::size_t TraceOverview::line(Quantity quantity, std::size_t series) const {
-    if (quantity == Quantity::Speed)
-        return 5 * m_objects + series;
-    const auto at = std::ranges::find(kOfObjects, quantity) - kOfObjects.begin();
-    return static_cast<std::size_t>(at) * m_objects + series;
-}
+    : m_objects(objects), m_lines(lineCount(objects)), m_most(std::max<std::size_t>(most, 2)) {}
 
 void TraceOverview::add(const TraceSample& sample) {
     if (m_samples % m_perStretch == 0) {
@@ -89,11 +122,11 @@ void TraceOverview::add(const TraceSample& sample) {
     ++m_samples;
     m_spans.back().to_s = sample.time_s;
     Extremes* const open = &m_extremes[m_extremes.size() - lines()];
-    for (std::size_t q = 0; q < kOfObjects.size(); ++q)
-        for (std::size_t i = 0; i < m_objects; ++i)
-            open[q * m_objects + i].include(static_cast<float>(plottedValue(sample, kOfObjects[q], i)));
-    for (std::size_t i = 0; i < 2; ++i)
-        open[5 * m_objects + i].include(static_cast<float>(plottedValue(sample, Quantity::Speed, i)));
+    for (std::size_t q = 0, line = 0; q < quantityCount(); ++q) {
+        const auto quantity = static_cast<Quantity>(q);
+        for (std::size_t i = 0; i < seriesCount(quantity, m_objects); ++i)
+            open[line++].include(static_cast<float>(plottedValue(sample, quantity, i)));
+    }
 }
 
 /// Joins two stretches each; the last of an odd number stays alone and is filled up.
@@ -119,7 +152,7 @@ std::size_t TraceOverview::stretchAt(double time_s) const {
 }
 
 const Extremes& TraceOverview::extremes(Quantity quantity, std::size_t series, std::size_t stretch) const {
-    return m_extremes[stretch * lines() + line(quantity, series)];
+    return m_extremes[stretch * lines() + lineIndex(quantity, series, m_objects)];
 }
 
 bool TraceOverview::hasValues(Quantity quantity) const {
@@ -141,14 +174,17 @@ std::string TraceOverview::bytes() const {
     return out;
 }
 
-bool TraceOverview::addBytes(std::string_view bytes) {
-    const std::size_t size = sizeof(Span) + lines() * sizeof(Extremes);
+bool TraceOverview::addBytes(std::string_view bytes, std::size_t quantities) {
+    const std::size_t stored = lineCount(m_objects, quantities);
+    const std::size_t size = sizeof(Span) + stored * sizeof(Extremes);
     if (m_samples % m_perStretch != 0 || m_perStretch != kStretch || bytes.size() % size != 0)
         return false;
     while (!bytes.empty()) {
         m_spans.push_back(take<Span>(bytes));
-        for (std::size_t j = 0; j < lines(); ++j)
-            m_extremes.push_back(take<Extremes>(bytes));
+        m_extremes.resize(m_extremes.size() + lines());
+        Extremes* const added = &m_extremes[m_extremes.size() - lines()];
+        for (std::size_t j = 0; j < stored; ++j)
+            added[j] = take<Extremes>(bytes);
         m_samples += kStretch;
     }
     return true;

@@ -12,18 +12,18 @@
 
 namespace bask {
 
-/// What a trace plot shows against time.
-enum class Quantity {
-    Temperature, ///< measured, with target and tolerance band
-    Error,       ///< measured minus target
-    ViewFactor,
-    Rate,     ///< dT/dt
-    Speed,    ///< commanded; two series: translation and rotation
-    Strength, ///< the controller's estimate of lambda1, K/s
-};
-
-/// Lines that a quantity has: one an object, two for the speed.
+/// The column of objects that a quantity shows; null: it is of the run.
+const ObjectColumn* plottedColumn(Quantity quantity);
+/// The same of the run's columns; null for the speed, which has two lines made from six.
+const RunColumn* plottedRunColumn(Quantity quantity);
+/// All quantities.
+std::size_t quantityCount();
+/// Lines that a quantity has: one an object, one of the run, or two for the speed.
 std::size_t seriesCount(Quantity quantity, std::size_t objects);
+/// Lines of all quantities together, or of the first ones.
+std::size_t lineCount(std::size_t objects, std::size_t quantities = quantityCount());
+/// Index of a line among all.
+std::size_t lineIndex(Quantity quantity, std::size_t series, std::size_t objects);
 /// Value of a line in SI (K, K/s, 1, m/s and rad/s); NaN where it is unknown or the reading was invalid.
 double plottedValue(const TraceSample& sample, Quantity quantity, std::size_t series);
 
@@ -61,20 +61,20 @@ public:
     const Extremes& extremes(Quantity quantity, std::size_t series, std::size_t stretch) const;
     bool hasValues(Quantity quantity) const; ///< any line, ever
 
-    /// Full stretches as bytes, and back: as docs/session-format.md says. False for bytes that are no whole
-    /// stretches, or after one that is not full.
+    /// Full stretches as bytes, and back: as docs/session-format.md says. Bytes of before the last quantities
+    /// came have the first ones only. False for bytes that are no whole stretches, or after one that is not
+    /// full.
     std::string bytes() const;
-    bool addBytes(std::string_view bytes);
+    bool addBytes(std::string_view bytes, std::size_t quantities = quantityCount());
 
 private:
     struct Span {
         double from_s = 0.0, to_s = 0.0;
     };
-    std::size_t lines() const { return 5 * m_objects + 2; }
-    std::size_t line(Quantity quantity, std::size_t series) const;
+    std::size_t lines() const { return m_lines; }
     void halve();
 
-    std::size_t m_objects;
+    std::size_t m_objects, m_lines;
     std::size_t m_most;
     std::size_t m_samples = 0;
     std::size_t m_perStretch = kStretch;

@@ -37,7 +37,7 @@ protected:
 
     void addNote(const char* text) {
         window->pages().show(Page::Run);
-        auto* plot = find<QWidget>("plot.temperature");
+        auto* plot = find<QWidget>("plot.measured_K");
         plot->setFocus();
         QTest::keyClick(plot, Qt::Key_N);
         auto* edit = find<QLineEdit>("noteEdit");
@@ -80,7 +80,7 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
     click("stopRunButton");
     ASSERT_TRUE(waitForState(RunState::Stopped));
     EXPECT_FALSE(window->lastSnapshot().heatOn);
-    auto* live = find<TracePlot>("plot.temperature");
+    auto* live = find<TracePlot>("plot.measured_K");
     ASSERT_EQ(live->seriesCount(), 3);
     const QList<QPointF> liveCurve = live->seriesPoints(2);
     EXPECT_EQ(static_cast<std::size_t>(liveCurve.size()), samples.size());
@@ -110,7 +110,7 @@ TEST_F(EndToEndTest, ARunSettlesIsSavedAndIsTheSameWhenOpenedAgain) {
     EXPECT_EQ(record->outcome, "settled");
 
     // And what a person sees of it.
-    auto* again = find<TracePlot>("reviewTemperature");
+    auto* again = find<TracePlot>("review.measured_K");
     const QList<QPointF> curve = again->seriesPoints(2);
     ASSERT_EQ(curve.size(), liveCurve.size());
     for (qsizetype k = 0; k < curve.size(); ++k)

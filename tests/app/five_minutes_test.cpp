@@ -116,7 +116,7 @@ TEST_F(FiveMinutesTest, AsTheyAreTold) {
     ASSERT_TRUE(waitForState(RunState::Settled));
     EXPECT_TRUE(waitFor([this] { return trueError_K() <= kSettledBand_K; }));
     step(Step::Note, [this] {
-        auto* plot = find<QWidget>("plot.temperature");
+        auto* plot = find<QWidget>("plot.measured_K");
         QTest::keyClick(plot, Qt::Key_N);
         auto* edit = find<QLineEdit>("noteEdit");
         QTest::keyClicks(edit, QStringLiteral("door was open"));

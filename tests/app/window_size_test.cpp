@@ -154,7 +154,7 @@ TEST_F(WindowSizeTest, TheWheelDoesOneThing) {
     QScrollBar* bar = scrollOf(speed)->verticalScrollBar();
     find<QWidget>("stopButton")->setFocus();
     bar->setValue(0);
-    for (const char* name : {"runScene", "plot.temperature"}) {
+    for (const char* name : {"runScene", "plot.measured_K"}) {
         turnWheel(find<QWidget>(name), -120);
         EXPECT_EQ(bar->value(), 0) << name;
     }

@@ -23,7 +23,8 @@ def messages(path):
 def collected(lupdate):
     sources = [path for folder in ("app", "widgets") for path in sorted((ROOT / folder).rglob("*.[hc]*"))
                if path.suffix in (".h", ".cpp")]
-    sources += [path for path in sorted((ROOT / "engine").rglob("*.cpp")) if "QT_TRANSLATE_NOOP" in path.read_text()]
+    sources += [path for path in sorted((ROOT / "engine").rglob("*"))
+                if path.suffix in (".cpp", ".h") and "QT_TRANSLATE_NOOP" in path.read_text()]
     with tempfile.TemporaryDirectory() as folder:
         fresh = Path(folder) / "fresh.ts"
         subprocess.run([lupdate, "-silent", "-I", ROOT, *sources, "-ts", fresh], check=True, stderr=subprocess.DEVNULL)

@@ -3,6 +3,7 @@
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
 #include "widgets/plots/figure_style.h"
+#include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
 
 #include <algorithm>
@@ -27,38 +28,20 @@ TimeUnit timeUnit(double end_s) {
     return {3600.0, TracePlot::tr("Time since Start (h)")};
 }
 
-QString valueLabel(const TraceFigure& figure) {
-    switch (figure.quantity) {
-    case Quantity::Temperature:
-        return TracePlot::tr("Temperature (%1)").arg(temperatureUnitSymbol(figure.unit));
-    case Quantity::Error:
-        return TracePlot::tr("Error (%1)", "measured minus target").arg(differenceUnitSymbol(figure.unit));
-    case Quantity::ViewFactor:
-        return TracePlot::tr("View factor");
-    case Quantity::Rate:
-        return TracePlot::tr("Rate (%1/min)").arg(differenceUnitSymbol(figure.unit));
-    case Quantity::Speed:
-        return TracePlot::tr("Speed (% of limit)");
-    case Quantity::Strength:
-        return TracePlot::tr("Estimated \u03bb\u2081 (K/s)");
-    }
-    return {};
-}
-
 class TraceDrawing {
 public:
-    TraceDrawing(QCustomPlot& plot, const TraceFigure& figure, const TraceColumns& columns)
-        : m_plot(plot), m_figure(figure), m_columns(columns), m_time(timeUnit(columns.lastTime_s())) {}
+    TraceDrawing(QCustomPlot& plot, const TraceFigure& figure, const TraceStore& traces)
+        : m_plot(plot), m_figure(figure), m_traces(traces), m_time(timeUnit(traces.lastTime_s())) {}
 
     void draw() {
         m_plot.setBackground(Qt::white);
         styleAxis(m_plot.xAxis, m_time.label);
-        styleAxis(m_plot.yAxis, valueLabel(m_figure));
+        styleAxis(m_plot.yAxis, quantityAxis(m_figure.quantity, m_figure.unit));
         m_plot.axisRect()->setMinimumMargins({12, 4, 20, 0});
         if (m_figure.quantity == Quantity::Temperature)
-            for (std::size_t i = 0; i < m_columns.objects(); ++i)
+            for (std::size_t i = 0; i < m_traces.objects(); ++i)
                 addTarget(i);
-        for (std::size_t i = 0; i < seriesCount(m_figure.quantity, m_columns.objects()); ++i)
+        for (std::size_t i = 0; i < seriesCount(m_figure.quantity, m_traces.objects()); ++i)
             addSeries(i);
         setRanges();
         if (m_figure.quantity == Quantity::Error)
@@ -71,23 +54,16 @@ public:
 
 private:
     double displayed(double value, std::size_t series) const {
-        switch (m_figure.quantity) {
-        case Quantity::Temperature:
-            return displayTemperature(value, m_figure.unit);
-        case Quantity::Error:
-            return displayDifference(value, m_figure.unit);
-        case Quantity::Rate:
-            return 60.0 * displayDifference(value, m_figure.unit);
-        case Quantity::Speed:
+        if (m_figure.quantity == Quantity::Speed)
             return 100.0 * value /
                    (series == 0 ? m_figure.limits.translation_m_s : m_figure.limits.rotation_rad_s);
-        default:
-            return value;
-        }
+        return displayedQuantity(value, m_figure.quantity, m_figure.unit);
     }
 
+    bool isOfRun() const { return plottedColumn(m_figure.quantity) == nullptr; }
+
     QPen pen(std::size_t series) const {
-        if (m_figure.quantity != Quantity::Speed)
+        if (!isOfRun())
             return seriesPen(static_cast<int>(series), false, 1.6);
         QPen line(series == 0 ? themePalette(false).color(QPalette::Text) : accentColor(false), 1.4);
         if (series == 1)
@@ -97,9 +73,9 @@ private:
 
     void addSeries(std::size_t series) {
         int reads = std::numeric_limits<int>::max();
-        const double from_s = m_columns.rows() > 0 ? m_columns.time_s(0) : 0.0;
-        const TraceColumns::Line line =
-            m_columns.line(m_figure.quantity, series, from_s, m_columns.lastTime_s(), kLinePixels, reads);
+        const double from_s = m_traces.rows() > 0 ? m_traces.time_s(0) : 0.0;
+        const TraceStore::Line line =
+            m_traces.line(m_figure.quantity, series, from_s, m_traces.lastTime_s(), kLinePixels, reads);
         QVector<QCPGraphData> data;
         data.reserve(static_cast<qsizetype>(line.values.size()));
         for (std::size_t k = 0; k < line.values.size(); ++k) {
@@ -111,10 +87,8 @@ private:
         graph->data()->set(data, true);
         graph->setPen(pen(series));
         graph->setAdaptiveSampling(true);
-        if (m_figure.quantity == Quantity::Speed)
-            graph->setName(series == 0 ? TracePlot::tr("translation") : TracePlot::tr("rotation"));
-        else
-            graph->setName(m_figure.names.value(static_cast<qsizetype>(series)));
+        graph->setName(isOfRun() ? quantitySeries(m_figure.quantity, series)
+                                 : m_figure.names.value(static_cast<qsizetype>(series)));
     }
 
     QCPGraph* addSteps(const std::vector<std::pair<double, double>>& steps, double shift_K) {
@@ -124,17 +98,17 @@ private:
         for (const auto& [time_s, target_K] : steps)
             graph->addData(time_s / m_time.length_s, displayed(target_K + shift_K, 0));
         if (!steps.empty())
-            graph->addData(m_columns.lastTime_s() / m_time.length_s,
+            graph->addData(m_traces.lastTime_s() / m_time.length_s,
                            displayed(steps.back().second + shift_K, 0));
         return graph;
     }
 
     /// Dashed, with its band; dashes of objects with one target take turns.
     void addTarget(std::size_t object) {
-        const auto& steps = m_columns.targetSteps(object);
+        const auto& steps = m_traces.targetSteps(object);
         bool isShaded = false; // with an object of the same targets
         for (std::size_t other = 0; other < object && !isShaded; ++other)
-            isShaded = m_columns.targetSteps(other) == steps;
+            isShaded = m_traces.targetSteps(other) == steps;
         if (!isShaded) {
             QCPGraph* low = addSteps(steps, -m_figure.band_K);
             QCPGraph* high = addSteps(steps, m_figure.band_K);
@@ -145,7 +119,7 @@ private:
         }
         QPen line(seriesColor(static_cast<int>(object), false), 1.1);
         line.setCapStyle(Qt::FlatCap);
-        line.setDashPattern({5.0, std::max(4.0, 5.0 * (static_cast<double>(m_columns.objects()) - 1.0))});
+        line.setDashPattern({5.0, std::max(4.0, 5.0 * (static_cast<double>(m_traces.objects()) - 1.0))});
         line.setDashOffset(5.0 * static_cast<double>(object));
         addSteps(steps, 0.0)->setPen(line);
         for (const auto& step : steps)
@@ -161,10 +135,10 @@ private:
     }
 
     void setRanges() {
-        const double end = std::max(m_columns.lastTime_s() / m_time.length_s, 1e-3);
+        const double end = std::max(m_traces.lastTime_s() / m_time.length_s, 1e-3);
         m_plot.xAxis->setRange(0.0, 1.01 * end);
-        if (m_columns.rows() > 0 && m_columns.time_s(0) < 0.0)
-            m_plot.xAxis->setRangeLower(m_columns.time_s(0) / m_time.length_s);
+        if (m_traces.rows() > 0 && m_traces.time_s(0) < 0.0)
+            m_plot.xAxis->setRangeLower(m_traces.time_s(0) / m_time.length_s);
         FigureRange needed = m_least <= m_most ? FigureRange{m_least, m_most} : FigureRange{};
         if (m_figure.quantity == Quantity::Speed)
             needed = {0.0, std::max(needed.most, 100.0)};
@@ -192,17 +166,17 @@ private:
 
     QCustomPlot& m_plot;
     const TraceFigure& m_figure;
-    const TraceColumns& m_columns;
+    const TraceStore& m_traces;
     TimeUnit m_time;
     double m_least = 1e300, m_most = -1e300;
 };
 
 } // namespace
 
-QByteArray traceFigure(const TraceFigure& figure, const TraceColumns& columns, FigureFormat format,
+QByteArray traceFigure(const TraceFigure& figure, const TraceStore& traces, FigureFormat format,
                        const QString& comment) {
     QCustomPlot plot;
-    TraceDrawing(plot, figure, columns).draw();
+    TraceDrawing(plot, figure, traces).draw();
     return pictureOf(plot, figure.size_px, format, comment);
 }
 

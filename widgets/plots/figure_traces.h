@@ -5,7 +5,7 @@
 #include "engine/base/units.h"
 #include "widgets/plots/figure_format.h"
 #include "widgets/plots/figure_png.h"
-#include "widgets/plots/trace_columns.h"
+#include "widgets/plots/trace_store.h"
 
 #include <QStringList>
 
@@ -31,7 +31,7 @@ struct TraceFigure {
 
 /// Names and units of the axes are in the window's language. Readings that were not valid leave gaps.
 /// `comment` is stored in the file as its description. Long runs keep their extremes.
-QByteArray traceFigure(const TraceFigure& figure, const TraceColumns& columns, FigureFormat format,
+QByteArray traceFigure(const TraceFigure& figure, const TraceStore& traces, FigureFormat format,
                        const QString& comment);
 
 } // namespace bask

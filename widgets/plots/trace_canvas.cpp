@@ -2,6 +2,7 @@
 
 #include "widgets/common/display.h"
 #include "widgets/common/theme.h"
+#include "widgets/plots/quantity_words.h"
 
 #include <QLabel>
 #include <QLocale>
@@ -94,7 +95,7 @@ void TracePlot::Canvas::setLimits(const SpeedLimits& wanted) {
 }
 
 void TracePlot::Canvas::clearData() {
-    columns.reset(static_cast<std::size_t>(names.size()));
+    traces->reset(static_cast<std::size_t>(names.size()));
     clearMarkers();
     pinCursor(std::nullopt);
     hideCursor();
@@ -108,27 +109,20 @@ void TracePlot::Canvas::clearData() {
 
 void TracePlot::Canvas::setRun(std::shared_ptr<RecordedSession> run) {
     clearData();
-    columns.show(std::move(run));
+    traces->show(std::move(run));
     rebuild();
 }
 
 QString TracePlot::Canvas::seriesName(int series) const {
-    if (quantity == Quantity::Speed)
-        return series == 0 ? TracePlot::tr("translation") : TracePlot::tr("rotation");
-    return names.value(series);
+    return isOfRun() ? quantitySeries(quantity, static_cast<std::size_t>(series)) : names.value(series);
+}
+
+bool TracePlot::Canvas::isOfRun() const {
+    return plottedColumn(quantity) == nullptr;
 }
 
 double TracePlot::Canvas::displayed(double value) const {
-    switch (quantity) {
-    case Quantity::Temperature:
-        return displayTemperature(value, unit);
-    case Quantity::Error:
-        return displayDifference(value, unit);
-    case Quantity::Rate:
-        return displayDifference(value, unit) * 60.0;
-    default:
-        return value;
-    }
+    return displayedQuantity(value, quantity, unit);
 }
 
 void TracePlot::Canvas::rebuild() {
@@ -141,7 +135,7 @@ void TracePlot::Canvas::rebuild() {
         removeItem(label);
     m_labels.clear();
 
-    const auto count = static_cast<int>(bask::seriesCount(quantity, columns.objects()));
+    const auto count = static_cast<int>(bask::seriesCount(quantity, traces->objects()));
     if (quantity == Quantity::Temperature) {
         for (int i = 0; i < count; ++i) {
             m_bandLow << addGraph();
@@ -183,23 +177,23 @@ void TracePlot::Canvas::updatePoints() {
     if (!m_pointsAreOld && range == m_pointsRange && width == m_pointsWidth)
         return;
     // Where the overview is nearly as fine as the screen, the samples are read when the picture rests.
-    const bool isFine = std::cmp_greater(columns.samplesBetween(range.lower, range.upper) * kFineStretch,
+    const bool isFine = std::cmp_greater(traces->samplesBetween(range.lower, range.upper) * kFineStretch,
                                          width * TraceOverview::kStretch);
     int reads = isFine && range != m_pointsRange ? 0 : m_readsPerFrame;
     m_pointsRange = range;
     m_pointsWidth = width;
     for (int i = 0; i < m_series.size(); ++i)
-        fillGraph(m_series[i], columns, i, reads);
+        fillGraph(m_series[i], *traces, i, reads);
     for (const Overlay& overlay : overlays)
         for (int i = 0; i < overlay.graphs.size(); ++i)
-            fillGraph(overlay.graphs[i], overlay.columns, i, reads);
+            fillGraph(overlay.graphs[i], overlay.traces, i, reads);
     m_pointsAreOld = false;
     m_isUnread = reads < 0;
     if (m_isUnread)
         schedule();
 }
 
-void TracePlot::Canvas::fillGraph(QCPGraph* graph, const TraceColumns& from, int series, int& reads) const {
+void TracePlot::Canvas::fillGraph(QCPGraph* graph, const TraceStore& from, int series, int& reads) const {
     const auto line = from.line(quantity, static_cast<std::size_t>(series), m_pointsRange.lower,
                                 m_pointsRange.upper, static_cast<std::size_t>(m_pointsWidth), reads);
     QVector<QCPGraphData> points(static_cast<qsizetype>(line.values.size()));
@@ -216,8 +210,11 @@ void TracePlot::Canvas::readAll() {
 }
 
 void TracePlot::Canvas::append(const std::vector<TraceSample>& samples) {
-    if (columns.append(samples) == columns.rows())
-        return;
+    if (traces->append(samples) != traces->rows())
+        showNewSamples();
+}
+
+void TracePlot::Canvas::showNewSamples() {
     m_pointsAreOld = true;
     schedule();
 }
@@ -225,7 +222,7 @@ void TracePlot::Canvas::append(const std::vector<TraceSample>& samples) {
 /// Targets are steps that reach to the newest sample; objects with the same steps share one band.
 void TracePlot::Canvas::updateTargets() {
     for (qsizetype i = 0; i < m_targets.size(); ++i) {
-        const auto& steps = columns.targetSteps(static_cast<std::size_t>(i));
+        const auto& steps = traces->targetSteps(static_cast<std::size_t>(i));
         QVector<double> keys, values, low, high;
         for (const auto& [time_s, target_K] : steps) {
             keys << time_s;
@@ -238,7 +235,7 @@ void TracePlot::Canvas::updateTargets() {
         m_targets[i]->setData(keys, values, true);
         bool shared = false;
         for (qsizetype j = 0; j < i; ++j)
-            shared = shared || columns.targetSteps(static_cast<std::size_t>(j)) == steps;
+            shared = shared || traces->targetSteps(static_cast<std::size_t>(j)) == steps;
         const double band = displayDifference(kSettledBand_K, unit);
         for (double value : std::as_const(values)) {
             low << value - band;
@@ -271,10 +268,9 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
     }
     const double kelvin = displayDifference(1.0, unit);
     double smallest = 0.0;
-    switch (quantity) {
-    case Quantity::Temperature:
-        for (std::size_t i = 0; i < columns.objects(); ++i) {
-            const auto& steps = columns.targetSteps(i);
+    if (quantity == Quantity::Temperature)
+        for (std::size_t i = 0; i < traces->objects(); ++i) {
+            const auto& steps = traces->targetSteps(i);
             for (std::size_t k = 0; k < steps.size(); ++k) {
                 const bool over = k + 1 < steps.size() && steps[k + 1].first < time.lower;
                 if (!over && steps[k].first <= time.upper) {
@@ -283,30 +279,28 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
                 }
             }
         }
+    switch (quantityShownAs(quantity)) {
+    case ShownAs::Temperature:
         smallest = 2.0 * kelvin;
         break;
-    case Quantity::Error:
+    case ShownAs::Difference:
         include(-1.0 * kelvin);
         include(1.0 * kelvin);
         break;
-    case Quantity::Rate:
+    case ShownAs::RatePerMinute:
         include(0.0);
         smallest = 2.0 * kelvin;
         break;
-    case Quantity::Speed:
+    case ShownAs::Number:
         include(0.0);
-        include(100.0);
-        break;
-    case Quantity::ViewFactor:
-        include(0.0);
-        smallest = 0.1;
-        break;
-    case Quantity::Strength:
-        include(0.0);
+        if (quantity == Quantity::Speed)
+            include(100.0);
+        if (quantity == Quantity::ViewFactor)
+            smallest = 0.1;
         break;
     }
     if (!(low <= high)) // nothing to show yet
-        return quantity == Quantity::Temperature
+        return quantityShownAs(quantity) == ShownAs::Temperature
                    ? std::pair{displayTemperature(293.15, unit), displayTemperature(323.15, unit)}
                    : std::pair{0.0, 1.0};
     if (high - low < smallest) {
@@ -319,48 +313,25 @@ std::pair<double, double> TracePlot::Canvas::wantedValueRange() const {
     return {fromZero ? 0.0 : low - 0.06 * span, high + 0.06 * span};
 }
 
-QString TracePlot::Canvas::valueText(double si) const {
-    switch (quantity) {
-    case Quantity::Temperature:
-        return formatTemperature(si, unit);
-    case Quantity::Error:
-        return formatDifference(si, unit);
-    case Quantity::Rate:
-        return formatRate(si, unit);
-    case Quantity::ViewFactor:
-        return std::isfinite(si) ? QLocale().toString(si, 'f', 3) : kNoValue;
-    default:
-        return std::isfinite(si) ? QLocale().toString(si, 'g', 3) : kNoValue;
-    }
-}
-
 QString TracePlot::Canvas::readout(double time_s, std::optional<double> reference_s) const {
-    const std::size_t row = columns.nearestRow(time_s);
-    if (row >= columns.rows())
+    const std::size_t row = traces->nearestRow(time_s);
+    if (row >= traces->rows())
         return {};
-    QStringList parts{formatDuration(columns.time_s(row))};
+    QStringList parts{formatDuration(traces->time_s(row))};
     std::optional<std::size_t> from;
     if (reference_s) {
-        from = columns.nearestRow(*reference_s);
+        from = traces->nearestRow(*reference_s);
         parts[0] +=
-            QStringLiteral(" (\u0394 %1)").arg(formatDuration(columns.time_s(row) - columns.time_s(*from)));
+            QStringLiteral(" (\u0394 %1)").arg(formatDuration(traces->time_s(row) - traces->time_s(*from)));
     }
     for (int i = 0; i < m_series.size(); ++i) {
-        const double value = columns.value(quantity, static_cast<std::size_t>(i), row);
-        QString text;
-        if (quantity == Quantity::Speed && std::isfinite(value))
-            text = i == 0 ? TracePlot::tr("%1 cm/s").arg(QLocale().toString(value * 100.0, 'f', 2))
-                          : TracePlot::tr("%1 °/s").arg(QLocale().toString(degFromRad(value), 'f', 2));
-        else
-            text = quantity == Quantity::Strength && std::isfinite(value)
-                       ? TracePlot::tr("%1 K/s").arg(valueText(value))
-                       : valueText(value);
+        const auto series = static_cast<std::size_t>(i);
+        const double value = traces->value(quantity, series, row);
+        QString text = quantityText(value, quantity, series, unit);
         if (from && quantity != Quantity::Speed) {
-            const double change =
-                displayed(value) - displayed(columns.value(quantity, static_cast<std::size_t>(i), *from));
+            const double change = displayed(value) - displayed(traces->value(quantity, series, *from));
             if (std::isfinite(change))
-                text += QStringLiteral(" (\u0394 %1)")
-                            .arg(formatSigned(change, quantity == Quantity::ViewFactor ? 3 : 1));
+                text += QStringLiteral(" (\u0394 %1)").arg(formatSigned(change, quantityDecimals(quantity)));
         }
         parts << QStringLiteral("%1 %2").arg(seriesName(i), text);
     }

@@ -23,13 +23,14 @@ public:
     void setObjects(const QStringList& names);
     void setQuantity(Quantity quantity);
     void append(const std::vector<TraceSample>& samples);
+    void showNewSamples();
     void setRun(std::shared_ptr<RecordedSession> run);
     void clearData();
     void setUnit(TemperatureUnit unit);
     void setLimits(const SpeedLimits& limits);
     void rebuild(); ///< series, texts, pens and points anew
     double displayed(double value) const;
-    QString valueText(double si) const;
+    bool isOfRun() const; ///< the quantity: its lines are not the objects'
     QString seriesName(int series) const;
     QString readout(double time_s, std::optional<double> reference_s) const;
     double factor(int series) const; ///< of displayed() values
@@ -75,7 +76,7 @@ public:
     TemperatureUnit unit = TemperatureUnit::Celsius;
     SpeedLimits limits;
     QStringList names;
-    TraceColumns columns;
+    std::shared_ptr<TraceStore> traces = std::make_shared<TraceStore>(); ///< may be others' too
     bool dark = false;
     bool follow = true;
     double window_s = 0.0;
@@ -93,7 +94,7 @@ public:
     struct Overlay {
         QString mark;
         QStringList objects;
-        TraceColumns columns;
+        TraceStore traces;
         QList<QCPGraph*> graphs;
         QList<QCPItemText*> labels;
     };
@@ -106,7 +107,7 @@ protected:
 private:
     void updatePoints();
     void removeOverlayItems();
-    void fillGraph(QCPGraph* graph, const TraceColumns& from, int series, int& reads) const;
+    void fillGraph(QCPGraph* graph, const TraceStore& from, int series, int& reads) const;
     void updateTargets();
     void updateEmptyText();
     void fitMargins();

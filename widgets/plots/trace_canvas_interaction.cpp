@@ -56,7 +56,7 @@ void TracePlot::Canvas::connectInteraction() {
     connect(this, &QCustomPlot::mouseRelease, this, [this](const QMouseEvent* event) {
         if ((event->pos() - m_pressed).manhattanLength() > 4 || !axisRect()->rect().contains(event->pos()))
             return;
-        if (event->button() == Qt::LeftButton && columns.rows() > 0) {
+        if (event->button() == Qt::LeftButton && traces->rows() > 0) {
             const double clicked_s = xAxis->pixelToCoord(event->pos().x());
             pinCursor(clicked_s);
             emit owner->momentClicked(clicked_s);
@@ -70,7 +70,7 @@ void TracePlot::Canvas::connectInteraction() {
         setFollow(true);
     });
     connect(this, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) {
-        if (axisRect()->rect().contains(event->pos()) && columns.rows() > 0)
+        if (axisRect()->rect().contains(event->pos()) && traces->rows() > 0)
             showCursor(xAxis->pixelToCoord(event->pos().x()));
         else
             hideCursor();
@@ -221,10 +221,10 @@ bool TracePlot::Canvas::handleKey(const QKeyEvent* event) {
 }
 
 void TracePlot::Canvas::showCursor(double time_s) {
-    const std::size_t row = columns.nearestRow(time_s);
-    if (row >= columns.rows())
+    const std::size_t row = traces->nearestRow(time_s);
+    if (row >= traces->rows())
         return hideCursor();
-    m_cursor_s = columns.time_s(row);
+    m_cursor_s = traces->time_s(row);
     if (!std::isfinite(*m_cursor_s)) // of a damaged file
         return hideCursor();
     m_cursor->start->setCoords(*m_cursor_s, 1.0);

@@ -1,5 +1,6 @@
 // Pens, texts, line-end labels and markers of a trace plot.
 
+#include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_canvas.h"
 
 #include "widgets/common/display.h"
@@ -38,7 +39,7 @@ QColor withAlpha(QColor color, int alpha) {
 
 QPen TracePlot::Canvas::penOfSeries(int series) const {
     const bool isPlain = !overlays.empty(); // dashes tell the runs apart then
-    if (quantity != Quantity::Speed)
+    if (!isOfRun())
         return isPlain ? QPen(seriesColor(series, dark), 1.8) : seriesPen(series, dark, 1.8);
     QPen pen(series == 0 ? palette().color(QPalette::Text) : accentColor(dark), 1.6);
     if (series == 1 && !isPlain)
@@ -109,21 +110,7 @@ void TracePlot::Canvas::restyle(bool darkGround) {
 }
 
 QString TracePlot::Canvas::axisText() const {
-    switch (quantity) {
-    case Quantity::Temperature:
-        return TracePlot::tr("Temperature (%1)").arg(temperatureUnitSymbol(unit));
-    case Quantity::Error:
-        return TracePlot::tr("Error (%1)", "measured minus target").arg(differenceUnitSymbol(unit));
-    case Quantity::ViewFactor:
-        return TracePlot::tr("View factor");
-    case Quantity::Rate:
-        return TracePlot::tr("Rate (%1/min)").arg(differenceUnitSymbol(unit));
-    case Quantity::Speed:
-        return TracePlot::tr("Speed (% of limit)");
-    case Quantity::Strength:
-        return TracePlot::tr("Estimated \u03bb\u2081 (K/s)");
-    }
-    return {};
+    return quantityAxis(quantity, unit);
 }
 
 void TracePlot::Canvas::retranslate() {
@@ -143,7 +130,7 @@ void TracePlot::Canvas::retranslate() {
 /// moved it is plain where samples stand close, and always plain and thin where they are denser than pixels.
 void TracePlot::Canvas::fitPensToDensity() {
     const QCPRange time = xAxis->range();
-    const std::size_t visible = columns.samplesBetween(time.lower, time.upper);
+    const std::size_t visible = traces->samplesBetween(time.lower, time.upper);
     const int width = std::max(1, axisRect()->width());
     // Of overlays the dashes tell the runs apart.
     const int most = overlays.empty() || m_rest.isActive() ? width : 4 * width;
@@ -184,15 +171,16 @@ void TracePlot::Canvas::fitMargins() {
 
 void TracePlot::Canvas::updateEmptyText() {
     QString text;
-    if (columns.rows() == 0) {
+    if (traces->rows() == 0) {
         text = TracePlot::tr("No samples yet. Traces begin with Start.");
-    } else if (quantity == Quantity::Strength && !columns.hasValues(quantity)) {
+    } else if (quantity == Quantity::Strength && !traces->hasValues(quantity)) {
         text = TracePlot::tr("This controller does not estimate \u03bb\u2081.");
     }
     m_empty->setText(inLines(text, font(), axisRect()->width()));
     m_empty->setVisible(!text.isEmpty());
     m_errorBand->setVisible(quantity == Quantity::Error);
-    m_reference->setVisible(quantity == Quantity::Error || quantity == Quantity::Rate ||
+    const ShownAs shown = quantityShownAs(quantity);
+    m_reference->setVisible(shown == ShownAs::Difference || shown == ShownAs::RatePerMinute ||
                             quantity == Quantity::Speed);
 }
 

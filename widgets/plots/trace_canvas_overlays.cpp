@@ -15,9 +15,9 @@ constexpr int kLongestName = 100; // px, in front of the run's mark
 } // namespace
 
 double TracePlot::Canvas::lastTime_s() const {
-    double last_s = columns.lastTime_s();
+    double last_s = traces->lastTime_s();
     for (const Overlay& overlay : overlays)
-        last_s = std::max(last_s, overlay.columns.lastTime_s());
+        last_s = std::max(last_s, overlay.traces.lastTime_s());
     return last_s;
 }
 
@@ -25,7 +25,7 @@ void TracePlot::Canvas::addOverlay(const QString& mark, std::shared_ptr<Recorded
     Overlay overlay{mark, {}, {}, {}, {}};
     for (const ObjectSpec& object : run->facts().experiment.objects)
         overlay.objects << QString::fromStdString(object.name);
-    overlay.columns.show(std::move(run));
+    overlay.traces.show(std::move(run));
     overlays.push_back(std::move(overlay));
     rebuild();
 }
@@ -72,10 +72,10 @@ void TracePlot::Canvas::styleOverlays(Density density) {
     for (std::size_t k = 0; k < overlays.size(); ++k) {
         const Overlay& overlay = overlays[k];
         for (int i = 0; i < overlay.graphs.size(); ++i) {
-            const QString name = quantity == Quantity::Speed ? seriesName(i) : overlay.objects.value(i);
+            const QString name = isOfRun() ? seriesName(i) : overlay.objects.value(i);
             const auto same = static_cast<int>(names.indexOf(name)); // in the run underneath
             QPen pen(seriesColor(same >= 0 ? same : i, dark), 1.4);
-            if (quantity == Quantity::Speed)
+            if (isOfRun())
                 pen.setColor(i == 0 ? palette().color(QPalette::Text) : accentColor(dark));
             pen.setCapStyle(Qt::FlatCap);
             if (density == Density::Loose)

@@ -39,13 +39,22 @@ Quantity TracePlot::quantity() const {
 void TracePlot::setSpeedLimits(const SpeedLimits& limits) {
     m_canvas->setLimits(limits);
 }
+void TracePlot::setStore(std::shared_ptr<TraceStore> store) {
+    m_canvas->traces = std::move(store);
+    m_canvas->rebuild();
+}
+
+void TracePlot::showNewSamples() {
+    m_canvas->showNewSamples();
+}
+
 void TracePlot::append(const std::vector<TraceSample>& samples) {
     m_canvas->append(samples);
 }
 
 void TracePlot::setSamples(const std::vector<TraceSample>& samples) {
     m_canvas->clearData();
-    m_canvas->columns.keepAll();
+    m_canvas->traces->keepAll();
     m_canvas->append(samples);
 }
 
@@ -103,7 +112,7 @@ void TracePlot::setFollowWindow_s(double window_s) {
 
 double TracePlot::behind_s() const {
     return m_canvas->follow ? 0.0
-                            : std::max(0.0, m_canvas->columns.lastTime_s() - m_canvas->xAxis->range().upper);
+                            : std::max(0.0, m_canvas->traces->lastTime_s() - m_canvas->xAxis->range().upper);
 }
 
 void TracePlot::setTimeRange(double from_s, double to_s) {
@@ -131,7 +140,7 @@ double TracePlot::visibleHighest() const {
 }
 
 int TracePlot::seriesCount() const {
-    return static_cast<int>(bask::seriesCount(m_canvas->quantity, m_canvas->columns.objects()));
+    return static_cast<int>(bask::seriesCount(m_canvas->quantity, m_canvas->traces->objects()));
 }
 
 QString TracePlot::seriesName(int series) const {
@@ -141,7 +150,7 @@ QString TracePlot::seriesName(int series) const {
 QList<QPointF> TracePlot::seriesPoints(int series) const {
     constexpr double kEver = std::numeric_limits<double>::infinity();
     int reads = std::numeric_limits<int>::max();
-    const auto line = m_canvas->columns.line(m_canvas->quantity, static_cast<std::size_t>(series), -kEver,
+    const auto line = m_canvas->traces->line(m_canvas->quantity, static_cast<std::size_t>(series), -kEver,
                                              kEver, std::numeric_limits<std::size_t>::max(), reads);
     QList<QPointF> points;
     for (std::size_t k = 0; k < line.values.size(); ++k)

@@ -4,7 +4,7 @@
 
 #include "engine/base/units.h"
 #include "engine/session/trace.h"
-#include "widgets/plots/trace_columns.h"
+#include "widgets/plots/trace_store.h"
 
 #include <QPointF>
 #include <QStringList>
@@ -21,7 +21,7 @@ class RecordedSession;
 /// Ctrl+wheel or the wheel over the value axis: zoom values; drag: move; double click: whole picture, live
 /// again. Pointing reads the values at a moment, a click pins the first of two cursors. Keys: arrows, +, -,
 /// Home (whole run), End (live), Esc. Invalid samples leave a gap. Where samples are denser than pixels their
-/// extremes are drawn. Memory stays bounded however long a run goes on (TraceColumns). Redraws at most 33
+/// extremes are drawn. Memory stays bounded however long a run goes on (TraceStore). Redraws at most 33
 /// times a second, and only while visible. Object name "tracePlot" unless given another; the drawing area
 /// inside is "tracePlotCanvas".
 class TracePlot : public QWidget {
@@ -37,6 +37,10 @@ public:
     Quantity quantity() const;
     void setSpeedLimits(const SpeedLimits& limits);
 
+    /// Shows the traces of `store`, which other plots may show too, with as many lines as it has objects.
+    /// Whoever appends to it says so to each by showNewSamples().
+    void setStore(std::shared_ptr<TraceStore> store);
+    void showNewSamples();
     void append(const std::vector<TraceSample>& samples); ///< samples not later than the last are left out
     void setSamples(const std::vector<TraceSample>& samples); ///< a whole run, shown whole
     /// A recorded run of any length, shown whole; its samples are read when they are looked at. Its objects

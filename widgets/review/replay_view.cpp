@@ -4,6 +4,7 @@
 #include "widgets/common/object_tile.h"
 #include "widgets/common/theme.h"
 #include "widgets/common/tile_grid.h"
+#include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/review/transport_bar.h"
 #include "widgets/scene/scene_view.h"
@@ -74,16 +75,13 @@ ReplayView::ReplayView(QWidget* parent)
     auto* stack = new QSplitter(Qt::Vertical, this);
     stack->setChildrenCollapsible(false);
     stack->setHandleWidth(kGap);
-    stack->addWidget(makePlot(Quantity::Temperature, "reviewTemperature"));
+    stack->addWidget(makePlot(Quantity::Temperature));
     m_tabs = new QTabWidget(stack);
     m_tabs->setObjectName(QStringLiteral("reviewTabs"));
     m_tabs->setDocumentMode(true);
     m_tabs->setUsesScrollButtons(true);
-    m_tabs->addTab(makePlot(Quantity::Error, "reviewError"), QString());
-    m_tabs->addTab(makePlot(Quantity::ViewFactor, "reviewViewFactor"), QString());
-    m_tabs->addTab(makePlot(Quantity::Speed, "reviewSpeed"), QString());
-    m_tabs->addTab(makePlot(Quantity::Rate, "reviewRate"), QString());
-    m_tabs->addTab(makePlot(Quantity::Strength, "reviewStrength"), QString());
+    for (const Quantity quantity : furtherQuantities())
+        m_tabs->addTab(makePlot(quantity), QString());
     m_sceneTab = new QWidget(m_tabs);
     (new QVBoxLayout(m_sceneTab))->setContentsMargins(0, 0, 0, 0);
     m_tabs->addTab(m_sceneTab, QString());
@@ -108,9 +106,9 @@ ReplayView::ReplayView(QWidget* parent)
 
 ReplayView::~ReplayView() = default;
 
-TracePlot* ReplayView::makePlot(Quantity quantity, const char* name) {
+TracePlot* ReplayView::makePlot(Quantity quantity) {
     auto* plot = new TracePlot(quantity, this);
-    plot->setObjectName(QLatin1String(name));
+    plot->setObjectName(QStringLiteral("review.") + quantityKey(quantity));
     plot->setMarkerTextsVisible(quantity == Quantity::Temperature);
     m_plots.push_back({plot, false});
     return plot;
@@ -364,10 +362,9 @@ void ReplayView::setTemperatureUnit(TemperatureUnit unit) {
 }
 
 void ReplayView::retranslate() {
-    const QString tabs[] = {tr("Errors"), tr("View factors"), tr("Command speed"),
-                            tr("Rates"),  tr("Estimates"),    tr("Scene")};
-    for (int i = 0; i < m_tabs->count(); ++i)
-        m_tabs->setTabText(i, tabs[i]);
+    for (int i = 0; i + 1 < m_tabs->count(); ++i)
+        m_tabs->setTabText(i, quantityTitle(m_plots[static_cast<std::size_t>(i) + 1].plot->quantity()));
+    m_tabs->setTabText(m_tabs->count() - 1, tr("Scene"));
     m_tabs->setAccessibleName(tr("Further traces and the scene"));
     if (m_scene != nullptr)
         m_scene->setAccessibleName(tr("3-D scene of the run: source, objects and their paths"));

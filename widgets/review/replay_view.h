@@ -22,11 +22,10 @@ class TileGrid;
 class SceneView;
 class TracePlot;
 class TransportBar;
-enum class Quantity;
 
-/// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "reviewTemperature", "reviewError",
-/// "reviewViewFactor", "reviewSpeed", "reviewRate", "reviewStrength", their tabs "reviewTabs"; "reviewScene"
-/// once it was looked at; a button to take an overlay away "overlay.<letter>".
+/// Object names: those of TransportBar; tiles "reviewTile.<i>"; plots "review." and the key of their column
+/// or "speed" ("review.measured_K"), their tabs "reviewTabs"; "reviewScene" once it was looked at; a button
+/// to take an overlay away "overlay.<letter>".
 class ReplayView : public QWidget {
     Q_OBJECT
 
@@ -72,7 +71,7 @@ private:
         QString mark;
     };
 
-    TracePlot* makePlot(Quantity quantity, const char* name);
+    TracePlot* makePlot(Quantity quantity);
     void connectPlots();
     void fill(Plot& plot);
     void fillShown();

@@ -90,8 +90,9 @@ void RunPage::apply(const Snapshot& snapshot) {
         beginTrace();
     m_runId = snapshot.runId;
     if (!snapshot.newSamples.empty()) {
+        m_traces->append(snapshot.newSamples);
         for (TracePlot* plot : m_plots)
-            plot->append(snapshot.newSamples);
+            plot->showNewSamples();
         m_scene->appendSamples(snapshot.newSamples);
     }
     addMarkers(snapshot.newEvents, snapshot.newNotes);

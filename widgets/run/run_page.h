@@ -4,7 +4,7 @@
 #include "engine/base/units.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/session/experiment.h"
-#include "widgets/plots/trace_columns.h"
+#include "widgets/plots/trace_store.h"
 
 #include <QWidget>
 
@@ -28,9 +28,9 @@ class SceneView;
 class TracePlot;
 
 /// Shows what snapshots say and never anything else. Object names: "runPage"; tiles "objectTile.<i>"; plots
-/// "plot.temperature", "plot.error", "plot.viewFactor", "plot.speed", "plot.rate", "plot.strength", their
-/// tabs "plotTabs"; "followLive", "followWindow", "jumpToLive"; "runScene", "viewTop", "viewSide",
-/// "viewIsometric"; "activeLimits"; "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
+/// "plot." and the key of their column or "speed" ("plot.measured_K"), their tabs "plotTabs"; "followLive",
+/// "followWindow", "jumpToLive"; "runScene", "viewTop", "viewSide", "viewIsometric"; "activeLimits";
+/// "controllerPanel" (see there); "noteEdit", "noteAdd"; "simulationSpeed".
 class RunPage : public QWidget {
     Q_OBJECT
 public:
@@ -61,7 +61,7 @@ protected:
 private:
     QWidget* makePlots();
     QWidget* makeSide();
-    TracePlot* makePlot(Quantity quantity, const char* name);
+    TracePlot* makePlot(Quantity quantity);
     void connectPlots();
     void setFollow(bool follow);
     void showBehind();
@@ -82,6 +82,7 @@ private:
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     TileGrid* m_tiles = nullptr;
+    std::shared_ptr<TraceStore> m_traces = std::make_shared<TraceStore>(); ///< what all plots show
     std::vector<TracePlot*> m_plots; ///< temperature first, then the tabs' in order
     QTabWidget* m_tabs = nullptr;
     QCheckBox* m_follow = nullptr;

@@ -2,6 +2,7 @@
 
 #include "widgets/common/theme.h"
 #include "widgets/common/tile_grid.h"
+#include "widgets/plots/quantity_words.h"
 #include "widgets/plots/trace_plot.h"
 #include "widgets/run/controller_panel.h"
 #include "widgets/run/run_page.h"
@@ -75,9 +76,10 @@ QSize RunPage::minimumSizeHint() const {
     return {860, layout()->minimumSize().height()};
 }
 
-TracePlot* RunPage::makePlot(Quantity quantity, const char* name) {
+TracePlot* RunPage::makePlot(Quantity quantity) {
     auto* plot = new TracePlot(quantity, this);
-    plot->setObjectName(QLatin1String(name));
+    plot->setObjectName(QStringLiteral("plot.") + quantityKey(quantity));
+    plot->setStore(m_traces);
     plot->setMarkerTextsVisible(quantity == Quantity::Temperature);
     m_plots.push_back(plot);
     return plot;
@@ -107,16 +109,13 @@ QWidget* RunPage::makePlots() {
     stack->setObjectName(QStringLiteral("plotSplitter"));
     stack->setChildrenCollapsible(false);
     stack->setHandleWidth(kGap);
-    stack->addWidget(makePlot(Quantity::Temperature, "plot.temperature"));
+    stack->addWidget(makePlot(Quantity::Temperature));
     m_tabs = new QTabWidget(stack);
     m_tabs->setObjectName(QStringLiteral("plotTabs"));
     m_tabs->setDocumentMode(true);
     m_tabs->setUsesScrollButtons(true);
-    m_tabs->addTab(makePlot(Quantity::Error, "plot.error"), QString());
-    m_tabs->addTab(makePlot(Quantity::ViewFactor, "plot.viewFactor"), QString());
-    m_tabs->addTab(makePlot(Quantity::Speed, "plot.speed"), QString());
-    m_tabs->addTab(makePlot(Quantity::Rate, "plot.rate"), QString());
-    m_tabs->addTab(makePlot(Quantity::Strength, "plot.strength"), QString());
+    for (const Quantity quantity : furtherQuantities())
+        m_tabs->addTab(makePlot(quantity), QString());
     stack->addWidget(m_tabs);
     stack->setSizes({330, 230});
     stack->setStretchFactor(0, 3);
@@ -245,10 +244,8 @@ void RunPage::retranslateUi() {
     m_jump->setText(tr("Jump to live"));
     m_jump->setAccessibleName(m_jump->text());
     m_jump->setToolTip(tr("Show the newest samples again and follow them."));
-    const QString tabs[] = {tr("Errors"), tr("View factors"), tr("Command speed"), tr("Rates"),
-                            tr("Estimates")};
     for (int i = 0; i < m_tabs->count(); ++i)
-        m_tabs->setTabText(i, tabs[i]);
+        m_tabs->setTabText(i, quantityTitle(m_plots[static_cast<std::size_t>(i) + 1]->quantity()));
     m_tabs->setAccessibleName(tr("Further traces"));
 
     m_sceneLabel->setText(tr("Scene"));

@@ -265,14 +265,14 @@ TEST_F(ReviewPageTest, WithoutATruthTheEstimateCounts) {
 // Catches traces that are not those of the record.
 TEST_F(ReviewPageTest, TracesAreThoseOfTheRun) {
     show(record());
-    auto* plot = child<TracePlot>("reviewTemperature");
+    auto* plot = child<TracePlot>("review.measured_K");
     ASSERT_GE(plot->seriesCount(), 3);
     EXPECT_EQ(plot->seriesName(0), "circle");
     EXPECT_EQ(plot->seriesPoints(0).size(), 201);
     EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);
     EXPECT_TRUE(plot->markerTexts().contains("door opened"));
     EXPECT_TRUE(plot->markerTexts().contains("New gains")) << "as on the Run page";
-    EXPECT_GE(child<TracePlot>("reviewError")->seriesCount(), 3);
+    EXPECT_GE(child<TracePlot>("review.error_K")->seriesCount(), 3);
 }
 
 // Catches events and notes out of order or missing.
@@ -290,7 +290,7 @@ TEST_F(ReviewPageTest, UnitSwitch) {
     show(record());
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(cell(0, 1).toStdString(), "313.2 K");
-    EXPECT_NEAR(child<TracePlot>("reviewTemperature")->seriesPoints(0).last().y(), 313.15, 0.2);
+    EXPECT_NEAR(child<TracePlot>("review.measured_K")->seriesPoints(0).last().y(), 313.15, 0.2);
 }
 
 // Catches a run of an empty file, and buttons that ask for the wrong thing.
@@ -351,21 +351,21 @@ TEST_F(ReviewPageTest, ASeekMovesAllToThatMoment) {
     EXPECT_LT(timer.elapsed(), 10'000) << "ten seeks with what they draw";
     EXPECT_EQ(child<QLabel>("replayTime")->text(), "0:40 / 3:20");
     EXPECT_EQ(child<QSlider>("replaySlider")->value(), 40'000);
-    EXPECT_EQ(child<TracePlot>("reviewTemperature")->position_s(), 40.0);
+    EXPECT_EQ(child<TracePlot>("review.measured_K")->position_s(), 40.0);
     const double then_K = std::round((313.15 - 15.0 * std::exp(-40 / 18.0)) * 10.0) / 10.0;
     auto* tile = child<QWidget>("reviewTile.0");
     EXPECT_EQ(tile->findChild<QLabel*>("tileTemperature")->text(),
               formatTemperature(then_K, TemperatureUnit::Celsius));
     child<QSlider>("replaySlider")->setValue(60'000);
-    EXPECT_EQ(child<TracePlot>("reviewError")->position_s(), 60.0);
-    emit child<TracePlot>("reviewTemperature")->momentClicked(75.0);
+    EXPECT_EQ(child<TracePlot>("review.error_K")->position_s(), 60.0);
+    emit child<TracePlot>("review.measured_K")->momentClicked(75.0);
     EXPECT_EQ(page.replay()->position_s(), 75.0);
 }
 
 // Catches events and notes that cannot be gone to, and a zoomed plot that stays behind.
 TEST_F(ReviewPageTest, AClickInTheListGoesToThatMoment) {
     show(record());
-    auto* plot = child<TracePlot>("reviewTemperature");
+    auto* plot = child<TracePlot>("review.measured_K");
     emit plot->timeRangeChosen(100.0, 120.0);
     auto* tree = child<QTreeWidget>("eventListTree");
     emit tree->itemClicked(tree->topLevelItem(2), 2);
@@ -373,7 +373,7 @@ TEST_F(ReviewPageTest, AClickInTheListGoesToThatMoment) {
     EXPECT_LE(plot->visibleFrom_s(), 45.0);
     EXPECT_GE(plot->visibleTo_s(), 45.0);
     EXPECT_NEAR(plot->visibleTo_s() - plot->visibleFrom_s(), 20.0, 1e-6) << "as far zoomed in as before";
-    EXPECT_EQ(child<TracePlot>("reviewError")->visibleFrom_s(), plot->visibleFrom_s());
+    EXPECT_EQ(child<TracePlot>("review.error_K")->visibleFrom_s(), plot->visibleFrom_s());
 }
 
 // Catches Space that does nothing, a replay that goes on unseen, and one that does not advance.
@@ -388,7 +388,7 @@ TEST_F(ReviewPageTest, SpacePlaysAndPauses) {
     QTest::keyClick(&page, Qt::Key_Space);
     EXPECT_EQ(play->text(), "Pause");
     ASSERT_TRUE(test::waitFor([this] { return page.replay()->position_s() > 20.0; }));
-    EXPECT_GT(child<TracePlot>("reviewTemperature")->position_s().value_or(0.0), 0.0);
+    EXPECT_GT(child<TracePlot>("review.measured_K")->position_s().value_or(0.0), 0.0);
     QTest::keyClick(&page, Qt::Key_Space);
     const double there_s = page.replay()->position_s();
     QTest::qWait(60);
@@ -436,7 +436,7 @@ TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
     for (TraceSample& sample : evening.samples)
         sample.time_s *= 2.0;
     const auto other = opened(evening);
-    auto* plot = child<TracePlot>("reviewTemperature");
+    auto* plot = child<TracePlot>("review.measured_K");
     ASSERT_TRUE(page.replay()->addOverlay(other));
     EXPECT_FALSE(page.replay()->addOverlay(other)) << "it is there";
     EXPECT_FALSE(page.replay()->addOverlay(opened(record()))) << "it is the open one";
@@ -444,7 +444,7 @@ TEST_F(ReviewPageTest, FurtherRunsAreLaidOverAndTakenAway) {
     EXPECT_EQ(plot->visibleTo_s(), 400.0) << "the longer run is in view";
     EXPECT_EQ(plot->seriesPoints(0).last().x(), 200.0);
     child<QTabWidget>("reviewTabs")->setCurrentIndex(2);
-    EXPECT_EQ(child<TracePlot>("reviewSpeed")->overlayLabels().size(), 2);
+    EXPECT_EQ(child<TracePlot>("review.speed")->overlayLabels().size(), 2);
     page.setTemperatureUnit(TemperatureUnit::Kelvin);
     EXPECT_EQ(plot->overlayLabels().size(), 3);
     evening.path = "night.bask";
@@ -468,7 +468,7 @@ TEST_F(ReviewPageTest, ReadsOfALongRunWhatIsLookedAtOnly) {
     session.path = "other.bask";
     const auto other = opened(session);
     ASSERT_TRUE(page.replay()->addOverlay(other));
-    auto* plot = child<TracePlot>("reviewTemperature");
+    auto* plot = child<TracePlot>("review.measured_K");
     plot->redraw();
     EXPECT_EQ(text("factDuration"), "49:59");
     EXPECT_GT(plot->visibleHighest(), 350.0 - 273.15) << "the spike is in the picture";
@@ -501,7 +501,7 @@ TEST_F(ReviewPageTest, ADamagedStretchIsToldOnceAndTheRestShown) {
     EXPECT_EQ(temperature->text(), QString(QChar(0x2014)));
     ASSERT_EQ(failed.count(), 1);
     EXPECT_EQ(failed.first().first().value<Error>().code(), MessageCode::SessionDamaged);
-    auto* plot = child<TracePlot>("reviewTemperature");
+    auto* plot = child<TracePlot>("review.measured_K");
     plot->setTimeRange(140.0, 160.0);
     plot->redraw();
     EXPECT_GT(plot->visibleHighest(), 39.0) << "by the overview";
@@ -522,14 +522,14 @@ TEST_F(ReviewPageTest, ShowsAnInterruptedRunAndOneOfTheFirstVersion) {
     session.outcome.clear();
     show(session);
     EXPECT_TRUE(text("factOutcome").startsWith("Interrupted"));
-    EXPECT_EQ(child<TracePlot>("reviewTemperature")->seriesPoints(0).size(), 201);
+    EXPECT_EQ(child<TracePlot>("review.measured_K")->seriesPoints(0).size(), 201);
     session = record();
     session.path = "first.bask";
     const std::string path = written(session);
     ASSERT_TRUE(test::makeFirstVersion(path));
     page.setSession(RecordedSession::open(path).value(), sentences());
     EXPECT_EQ(text("sessionFile"), "first.bask");
-    EXPECT_EQ(child<TracePlot>("reviewTemperature")->seriesPoints(0).size(), 201);
+    EXPECT_EQ(child<TracePlot>("review.measured_K")->seriesPoints(0).size(), 201);
     page.replay()->seek(199.0);
     EXPECT_EQ(child<QWidget>("reviewTile.0")->findChild<QLabel*>("tileTemperature")->text(),
               formatTemperature(session.samples[199].objects[0].measured_K, TemperatureUnit::Celsius));

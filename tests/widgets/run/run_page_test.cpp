@@ -131,12 +131,12 @@ TEST(RunPage, ShowsWhatTheSnapshotSays) {
     EXPECT_EQ(shown.tileText(1, "tileName"), QStringLiteral("bunny"));
     EXPECT_TRUE(shown.tileText(1, "tileTarget").startsWith(QStringLiteral("40.0")));
     for (const char* name :
-         {"plot.temperature", "plot.error", "plot.viewFactor", "plot.rate", "plot.strength"})
+         {"plot.measured_K", "plot.error_K", "plot.view_factor", "plot.rate_K_s", "plot.lambda1_K_s"})
         EXPECT_EQ(shown.child<TracePlot>(name)->seriesPoints(2).size(), 60) << name;
 
     shown.page.setTemperatureUnit(TemperatureUnit::Fahrenheit);
     EXPECT_TRUE(shown.tileText(1, "tileTarget").startsWith(QStringLiteral("104.0")));
-    EXPECT_EQ(shown.child<TracePlot>("plot.temperature")->valueAxisLabel(),
+    EXPECT_EQ(shown.child<TracePlot>("plot.measured_K")->valueAxisLabel(),
               QStringLiteral("Temperature (°F)"));
 }
 
@@ -170,7 +170,7 @@ TEST(RunPage, ANewRunBeginsANewTrace) {
     Snapshot first = snapshotOf(likeARun(60));
     first.newNotes = {{30.0, "lamp moved"}};
     shown.page.apply(first);
-    auto* plot = shown.child<TracePlot>("plot.temperature");
+    auto* plot = shown.child<TracePlot>("plot.measured_K");
     EXPECT_EQ(plot->markerTexts(), QStringList{QStringLiteral("lamp moved")});
     Snapshot second = snapshotOf(likeARun(5));
     second.runId = 2;
@@ -183,8 +183,8 @@ TEST(RunPage, ANewRunBeginsANewTrace) {
 TEST(RunPage, PlotsMoveTogetherAndJumpBackToLive) {
     Shown shown;
     shown.page.apply(snapshotOf(likeARun(200)));
-    auto* temperature = shown.child<TracePlot>("plot.temperature");
-    auto* error = shown.child<TracePlot>("plot.error");
+    auto* temperature = shown.child<TracePlot>("plot.measured_K");
+    auto* error = shown.child<TracePlot>("plot.error_K");
     auto* follow = shown.child<QCheckBox>("followLive");
     auto* jump = shown.child<QPushButton>("jumpToLive");
     EXPECT_TRUE(follow->isChecked());
@@ -263,7 +263,7 @@ TEST(RunPage, NothingIsClippedInALongLanguage) {
         QCoreApplication::processEvents();
         EXPECT_TRUE(shown.child<QTabWidget>("plotTabs")->tabText(0).endsWith(QLatin1Char('x')));
         EXPECT_TRUE(shown.child<QLabel>("tileState")->text().endsWith(QLatin1Char('x')));
-        EXPECT_TRUE(shown.child<TracePlot>("plot.error")->valueAxisLabel().contains(QStringLiteral(")x")));
+        EXPECT_TRUE(shown.child<TracePlot>("plot.error_K")->valueAxisLabel().contains(QStringLiteral(")x")));
         shown.page.resize(1100, 560);
         QCoreApplication::processEvents();
         for (const QLabel* label : shown.page.findChildren<QLabel*>()) {

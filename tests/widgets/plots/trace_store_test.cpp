@@ -1,4 +1,4 @@
-#include "widgets/plots/trace_columns.h"
+#include "widgets/plots/trace_store.h"
 
 #include <gtest/gtest.h>
 
@@ -23,8 +23,8 @@ TraceSample sampleAt(double time_s, double measured_K, double target_K, bool val
 
 } // namespace
 
-TEST(TraceColumns, InvalidReadingsAreNotNumbers) {
-    TraceColumns columns;
+TEST(TraceStore, InvalidReadingsAreNotNumbers) {
+    TraceStore columns;
     columns.reset(1);
     columns.append(
         {sampleAt(1, 300, 313, true), sampleAt(2, 0, 313, false), sampleAt(3, INFINITY, 313, true)});
@@ -39,8 +39,8 @@ TEST(TraceColumns, InvalidReadingsAreNotNumbers) {
 }
 
 // Catches samples delivered twice, and objects the experiment does not have.
-TEST(TraceColumns, TimeGrowsAndObjectsMayBeMissing) {
-    TraceColumns columns;
+TEST(TraceStore, TimeGrowsAndObjectsMayBeMissing) {
+    TraceStore columns;
     columns.reset(2);
     EXPECT_EQ(columns.append({sampleAt(1, 300, 313), sampleAt(1, 301, 313), sampleAt(0.5, 301, 313)}), 0u);
     EXPECT_EQ(columns.rows(), 1u);
@@ -51,8 +51,8 @@ TEST(TraceColumns, TimeGrowsAndObjectsMayBeMissing) {
     EXPECT_TRUE(columns.targetSteps(1).empty());
 }
 
-TEST(TraceColumns, NearestRow) {
-    TraceColumns columns;
+TEST(TraceStore, NearestRow) {
+    TraceStore columns;
     columns.reset(1);
     EXPECT_EQ(columns.nearestRow(3.0), 0u);
     columns.append({sampleAt(1, 300, 313), sampleAt(2, 300, 313), sampleAt(4, 300, 313)});
@@ -73,7 +73,7 @@ TraceSample manyAt(int k) {
     return sampleAt(0.1 * k, k == kSpike ? 400.0 : 300.0 + 5.0 * std::sin(1e-4 * k), 313.0);
 }
 
-double greatest(const TraceColumns::Line& line) {
+double greatest(const TraceStore::Line& line) {
     double out = -1.0;
     for (const double value : line.values)
         out = std::fmax(out, value);
@@ -84,12 +84,12 @@ double greatest(const TraceColumns::Line& line) {
 
 // Catches memory that grows with a run that goes on, extremes that are not drawn, and lines with more points
 // than pixels can show.
-TEST(TraceColumns, ARunThatGoesOnStaysSmallAndKeepsItsExtremes) {
-    TraceColumns columns;
+TEST(TraceStore, ARunThatGoesOnStaysSmallAndKeepsItsExtremes) {
+    TraceStore columns;
     columns.reset(1);
     for (int k = 0; k < kMany; ++k)
         columns.append({manyAt(k)});
-    EXPECT_LE(columns.rows(), TraceColumns::kMaxRows * 5 / 4);
+    EXPECT_LE(columns.rows(), TraceStore::kMaxRows * 5 / 4);
     EXPECT_EQ(columns.lastTime_s(), 0.1 * (kMany - 1));
     EXPECT_EQ(columns.value(Quantity::Temperature, 0, columns.rows() - 1),
               manyAt(kMany - 1).objects[0].measured_K);
@@ -117,8 +117,8 @@ TEST(TraceColumns, ARunThatGoesOnStaysSmallAndKeepsItsExtremes) {
 }
 
 // Catches a falling line drawn as a saw.
-TEST(TraceColumns, AFallingLineFalls) {
-    TraceColumns columns;
+TEST(TraceStore, AFallingLineFalls) {
+    TraceStore columns;
     columns.reset(1);
     for (int k = 0; k < 16'000; ++k)
         columns.append({sampleAt(k, 400.0 - 0.001 * k, 313.0)});
@@ -131,8 +131,8 @@ TEST(TraceColumns, AFallingLineFalls) {
 
 // Catches a view between samples and overview that draws far more points than pixels, or loses what is
 // narrower than one, or lets the picture flicker when it is moved.
-TEST(TraceColumns, SamplesDenserThanPixelsAreDrawnByTheirExtremes) {
-    TraceColumns columns;
+TEST(TraceStore, SamplesDenserThanPixelsAreDrawnByTheirExtremes) {
+    TraceStore columns;
     columns.reset(1);
     columns.keepAll();
     std::vector<TraceSample> samples;

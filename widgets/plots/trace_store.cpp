@@ -1,4 +1,4 @@
-#include "widgets/plots/trace_columns.h"
+#include "widgets/plots/trace_store.h"
 
 #include "engine/session/recorded_session.h"
 
@@ -12,13 +12,13 @@ namespace {
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
-void add(TraceColumns::Line& line, double time_s, double value) {
+void add(TraceStore::Line& line, double time_s, double value) {
     line.times_s.push_back(time_s);
     line.values.push_back(value);
 }
 
 /// Least and greatest value of a stretch.
-void addPair(TraceColumns::Line& line, double from_s, double to_s, double least, double greatest) {
+void addPair(TraceStore::Line& line, double from_s, double to_s, double least, double greatest) {
     // Goes on with the nearer one: a falling line falls.
     if (!line.values.empty() &&
         std::abs(line.values.back() - greatest) < std::abs(line.values.back() - least))
@@ -32,7 +32,7 @@ void addPair(TraceColumns::Line& line, double from_s, double to_s, double least,
 /// moved.
 class Samples {
 public:
-    Samples(TraceColumns::Line& line, std::size_t count, std::size_t pixels)
+    Samples(TraceStore::Line& line, std::size_t count, std::size_t pixels)
         : m_line(line), m_group(count / 2 > pixels ? 1 + (count - 1) / pixels : 1) {}
 
     void add(std::size_t row, double time_s, double value) {
@@ -54,49 +54,42 @@ public:
     }
 
 private:
-    TraceColumns::Line& m_line;
+    TraceStore::Line& m_line;
     std::size_t m_group, m_count = 0;
     double m_from_s = 0.0, m_to_s = 0.0, m_least = kNaN, m_greatest = kNaN;
 };
 
 } // namespace
 
-void TraceColumns::reset(std::size_t objects) {
-    *this = TraceColumns();
+void TraceStore::reset(std::size_t objects) {
+    *this = TraceStore();
     m_objects = objects;
-    m_columns.resize(objects);
+    m_lines.resize(lineCount(objects));
     m_targets.resize(objects);
     m_overview = TraceOverview(objects, kMaxStretches);
 }
 
-void TraceColumns::show(std::shared_ptr<RecordedSession> run) {
+void TraceStore::show(std::shared_ptr<RecordedSession> run) {
     reset(run->overview().objects());
     m_run = std::move(run);
 }
 
-const TraceOverview& TraceColumns::overview() const {
+const TraceOverview& TraceStore::overview() const {
     return m_run ? m_run->overview() : m_overview;
 }
 
-template <class Each> void TraceColumns::eachColumn(Each each) {
-    for (auto* column : {&m_time_s, &m_translation_m_s, &m_rotation_rad_s})
-        each(*column);
-    for (ObjectColumns& object : m_columns)
-        for (auto* column :
-             {&object.measured_K, &object.error_K, &object.viewFactor, &object.rate_K_s, &object.lambda1})
-            each(*column);
-}
-
-void TraceColumns::dropOldRows() {
+void TraceStore::dropOldRows() {
     constexpr std::size_t kAtOnce = kMaxRows / 4;
     if (m_keepsAll || m_time_s.size() < kMaxRows + kAtOnce)
         return;
-    eachColumn([](std::vector<double>& column) {
-        column.erase(column.begin(), column.begin() + static_cast<std::ptrdiff_t>(kAtOnce));
-    });
+    const auto drop = [](std::vector<double>& values) {
+        values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(kAtOnce));
+    };
+    drop(m_time_s);
+    std::ranges::for_each(m_lines, drop);
 }
 
-std::size_t TraceColumns::append(const std::vector<TraceSample>& samples) {
+std::size_t TraceStore::append(const std::vector<TraceSample>& samples) {
     dropOldRows();
     const std::size_t first = rows();
     for (const TraceSample& sample : samples) {
@@ -104,15 +97,10 @@ std::size_t TraceColumns::append(const std::vector<TraceSample>& samples) {
             continue;
         m_overview.add(sample);
         m_time_s.push_back(sample.time_s);
-        m_translation_m_s.push_back(plottedValue(sample, Quantity::Speed, 0));
-        m_rotation_rad_s.push_back(plottedValue(sample, Quantity::Speed, 1));
+        for (std::size_t q = 0, line = 0; q < quantityCount(); ++q)
+            for (std::size_t i = 0; i < seriesCount(static_cast<Quantity>(q), m_objects); ++i)
+                m_lines[line++].push_back(plottedValue(sample, static_cast<Quantity>(q), i));
         for (std::size_t i = 0; i < m_objects; ++i) {
-            ObjectColumns& columns = m_columns[i];
-            columns.measured_K.push_back(plottedValue(sample, Quantity::Temperature, i));
-            columns.error_K.push_back(plottedValue(sample, Quantity::Error, i));
-            columns.viewFactor.push_back(plottedValue(sample, Quantity::ViewFactor, i));
-            columns.rate_K_s.push_back(plottedValue(sample, Quantity::Rate, i));
-            columns.lambda1.push_back(plottedValue(sample, Quantity::Strength, i));
             const double target_K = i < sample.objects.size() ? sample.objects[i].target_K : kNaN;
             auto& steps = m_targets[i];
             if (std::isfinite(target_K) && (steps.empty() || steps.back().second != target_K))
@@ -122,59 +110,41 @@ std::size_t TraceColumns::append(const std::vector<TraceSample>& samples) {
     return first;
 }
 
-std::size_t TraceColumns::rows() const {
+std::size_t TraceStore::rows() const {
     return m_run ? m_run->size() : m_time_s.size();
 }
 
-double TraceColumns::lastTime_s() const {
+double TraceStore::lastTime_s() const {
     return overview().lastTime_s();
 }
 
-double TraceColumns::time_s(std::size_t row) const {
+double TraceStore::time_s(std::size_t row) const {
     if (!m_run)
         return m_time_s[row];
     const auto* block = m_run->block(row / RecordedSession::kBlock);
     return block == nullptr ? kNaN : (*block)[row % RecordedSession::kBlock].time_s;
 }
 
-const std::vector<double>& TraceColumns::column(Quantity quantity, std::size_t series) const {
-    if (quantity == Quantity::Speed)
-        return series == 0 ? m_translation_m_s : m_rotation_rad_s;
-    const ObjectColumns& columns = m_columns[series];
-    switch (quantity) {
-    case Quantity::Error:
-        return columns.error_K;
-    case Quantity::ViewFactor:
-        return columns.viewFactor;
-    case Quantity::Rate:
-        return columns.rate_K_s;
-    case Quantity::Strength:
-        return columns.lambda1;
-    default:
-        return columns.measured_K;
-    }
-}
-
-double TraceColumns::value(Quantity quantity, std::size_t series, std::size_t row) const {
+double TraceStore::value(Quantity quantity, std::size_t series, std::size_t row) const {
     if (!m_run)
-        return column(quantity, series)[row];
+        return values(quantity, series)[row];
     const auto* block = m_run->block(row / RecordedSession::kBlock);
     return block == nullptr ? kNaN : plottedValue((*block)[row % RecordedSession::kBlock], quantity, series);
 }
 
-const std::vector<std::pair<double, double>>& TraceColumns::targetSteps(std::size_t object) const {
+const std::vector<std::pair<double, double>>& TraceStore::targetSteps(std::size_t object) const {
     return m_run ? m_run->targetSteps(object) : m_targets[object];
 }
 
 /// First row not before the time; kNowhere where the file cannot be read.
-std::size_t TraceColumns::lowerRow(double time_s) const {
+std::size_t TraceStore::lowerRow(double time_s) const {
     if (!m_run)
         return static_cast<std::size_t>(std::ranges::lower_bound(m_time_s, time_s) - m_time_s.begin());
     const auto found = m_run->lowerIndex(time_s);
     return found ? *found : kNowhere;
 }
 
-std::size_t TraceColumns::nearestRow(double at_s) const {
+std::size_t TraceStore::nearestRow(double at_s) const {
     const std::size_t found = lowerRow(at_s);
     if (rows() == 0 || found == kNowhere)
         return rows();
@@ -182,14 +152,14 @@ std::size_t TraceColumns::nearestRow(double at_s) const {
     return after > 0 && at_s - time_s(after - 1) < time_s(after) - at_s ? after - 1 : after;
 }
 
-std::size_t TraceColumns::samplesBetween(double from_s, double to_s) const {
+std::size_t TraceStore::samplesBetween(double from_s, double to_s) const {
     const TraceOverview& all = overview();
     return (all.stretchAt(to_s) - std::min(all.stretchAt(from_s), all.stretchAt(to_s))) *
            all.samplesPerStretch();
 }
 
-TraceColumns::Line TraceColumns::line(Quantity quantity, std::size_t series, double from_s, double to_s,
-                                      std::size_t pixels, int& reads) const {
+TraceStore::Line TraceStore::line(Quantity quantity, std::size_t series, double from_s, double to_s,
+                                  std::size_t pixels, int& reads) const {
     const TraceOverview& all = overview();
     Line line;
     if (all.stretches() == 0 || pixels == 0)
@@ -211,22 +181,22 @@ TraceColumns::Line TraceColumns::line(Quantity quantity, std::size_t series, dou
     return line;
 }
 
-void TraceColumns::addRows(Line& line, Quantity quantity, std::size_t series, double from_s, double to_s,
-                           std::size_t pixels) const {
-    const std::vector<double>& values = column(quantity, series);
+void TraceStore::addRows(Line& line, Quantity quantity, std::size_t series, double from_s, double to_s,
+                         std::size_t pixels) const {
+    const std::vector<double>& all = values(quantity, series);
     const std::size_t first = lowerRow(from_s);
     std::size_t last = first;
     while (last < m_time_s.size() && m_time_s[last] <= to_s)
         ++last;
     Samples samples(line, last - first, pixels);
     for (std::size_t row = first; row < last; ++row)
-        samples.add(row, m_time_s[row], values[row]);
+        samples.add(row, m_time_s[row], all[row]);
     samples.end();
 }
 
 /// Samples [first, last) of the recorded run.
-void TraceColumns::addBlocks(Line& line, Quantity quantity, std::size_t series, std::size_t first,
-                             std::size_t last, std::size_t pixels, int& reads) const {
+void TraceStore::addBlocks(Line& line, Quantity quantity, std::size_t series, std::size_t first,
+                           std::size_t last, std::size_t pixels, int& reads) const {
     constexpr std::size_t kBlock = RecordedSession::kBlock;
     const std::size_t each = overview().samplesPerStretch();
     Samples samples(line, last - first, pixels);
@@ -249,8 +219,8 @@ void TraceColumns::addBlocks(Line& line, Quantity quantity, std::size_t series, 
 }
 
 /// Stretches [first, last), so many at once.
-void TraceColumns::addStretches(Line& line, Quantity quantity, std::size_t series, std::size_t first,
-                                std::size_t last, std::size_t group) const {
+void TraceStore::addStretches(Line& line, Quantity quantity, std::size_t series, std::size_t first,
+                              std::size_t last, std::size_t group) const {
     const TraceOverview& all = overview();
     for (std::size_t k = first; k < last; k += group) {
         const std::size_t end = std::min(k + group, last);

@@ -22,7 +22,7 @@ struct SpeedLimits {
 /// Samples of one run in the order of time. Of a run that goes on, the newest kMaxRows are kept, older ones
 /// as an overview of at most kMaxStretches: a plot takes no more than about 12 MB however long it runs. A
 /// recorded run is read as it is looked at.
-class TraceColumns {
+class TraceStore {
 public:
     static constexpr std::size_t kMaxRows = 32768; ///< an hour at 9 Hz
     static constexpr std::size_t kMaxStretches = 16384;
@@ -65,11 +65,9 @@ public:
               int& reads) const;
 
 private:
-    struct ObjectColumns {
-        std::vector<double> measured_K, error_K, viewFactor, rate_K_s, lambda1;
-    };
-    template <class Each> void eachColumn(Each each);
-    const std::vector<double>& column(Quantity quantity, std::size_t series) const;
+    const std::vector<double>& values(Quantity quantity, std::size_t series) const {
+        return m_lines[lineIndex(quantity, series, m_objects)];
+    }
     const TraceOverview& overview() const;
     std::size_t lowerRow(double time_s) const;
     void dropOldRows();
@@ -82,8 +80,8 @@ private:
 
     std::size_t m_objects = 0;
     bool m_keepsAll = false;
-    std::vector<double> m_time_s, m_translation_m_s, m_rotation_rad_s;
-    std::vector<ObjectColumns> m_columns;
+    std::vector<double> m_time_s;
+    std::vector<std::vector<double>> m_lines; ///< in the order of lineIndex()
     std::vector<std::vector<std::pair<double, double>>> m_targets;
     TraceOverview m_overview;
     std::shared_ptr<RecordedSession> m_run;
