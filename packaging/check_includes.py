@@ -170,7 +170,7 @@ QCUSTOMPLOT_FOLDERS = {("widgets", "plots")}
 SYSTEM_HEADER = re.compile(r"(unistd|dirent|fcntl|signal|pthread|immintrin|sched|errno|termios|poll|spawn|syslog)\.h|(sys|netinet|asm)/[a-z_]+\.h")
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-QT_NAME = re.compile(r"\bQ(?:t(?=::)|[A-Z]\w*)")
+QT_NAME = re.compile(r"\b(?!QT_TRANSLATE_NOOP\b)Q(?:t(?=::)|[A-Z]\w*)")  # that one macro is of engine/base/translated.h
 ENGINE_HEADER_TYPES = [
     (re.compile(r"\bcv::"), "an OpenCV type"),
     (re.compile(r"\bceres::"), "a Ceres type"),
