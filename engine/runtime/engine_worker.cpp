@@ -1,10 +1,7 @@
 #include "engine/runtime/engine_worker.h"
 
 #include "engine/base/message_code.h"
-#include "engine/devices/video_camera.h"
 #include "engine/drivers/heater_guard.h"
-#include "engine/runtime/fault_script.h"
-#include "engine/runtime/real_rig.h"
 #include "engine/runtime/rig_setup.h"
 
 #include <QDeadlineTimer>
@@ -34,38 +31,8 @@ constexpr int kLongestStep_ms = 50; ///< of the rig, between looks at the comman
 template <class... Ts> struct Overloaded : Ts... { using Ts::operator()...; };
 template <class... Ts> Overloaded(Ts...) -> Overloaded<Ts...>;
 
-TriedDevice triedState(RealRig& rig) {
-    TriedDevice out;
-    const auto states = rig.devices();
-    if (states.empty())
-        return out;
-    out.state = states.front();
-    const auto add = [&](const Reading& reading) {
-        out.temperatures_K.push_back(reading.valid ? reading.value_K : std::nan(""));
-    };
-    if (out.state.role == DeviceRole::Robot) {
-        if (const auto state = rig.robot().state())
-            out.coordinates = state->coordinates;
-    } else if (out.state.role == DeviceRole::Thermometer) {
-        if (const auto readings = rig.thermometer().read())
-            std::ranges::for_each(*readings, add);
-    } else if (out.state.role == DeviceRole::HeatSource) {
-        if (const auto reading = rig.heatSource().read())
-            add(*reading);
-    }
-    return out;
-}
-
 double utc_s() {
     return std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count();
-}
-
-/// Offsets that were found with one experiment hold for the other.
-bool haveSameSensors(const Experiment& a, const Experiment& b) {
-    if (a.objects.size() != b.objects.size() || a.environment_K != b.environment_K ||
-        a.rig.has_value() != b.rig.has_value())
-        return false;
-    return a.rig ? a.rig->thermometer == b.rig->thermometer : a.simulation == b.simulation;
 }
 
 /// The newest rows, as many as are kept; a tenth is dropped at once, or each one would move all others.
@@ -94,86 +61,14 @@ bool isBegin(const Command& command) {
 
 } // namespace
 
-struct EngineWorker::Kept {
-    std::unique_ptr<RealRig> rig;
-    std::unique_ptr<VisionThread> watcher; ///< of its camera
-};
-
-struct EngineWorker::Session {
-    /// By the camera where the experiment has what that takes.
-    struct Tracker final : SourceTracker {
-        explicit Tracker(Session& owner) : session(owner) {}
-        Result<PoseReading> read() override {
-            if (session.vision && session.loop.experiment().vision.followsSource())
-                return session.vision->read();
-            if (session.simulated)
-                return session.simulated->sourceTracker().read();
-            return PoseReading();
-        }
-        Session& session;
-    };
-
-    /// On that rig, or on a simulated one.
-    Session(const Experiment& experiment, const Clock& wall, Kept kept)
-        : steady(wall),
-          simulated(kept.rig ? nullptr : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
-          real(std::move(kept.rig)), vision(std::move(kept.watcher)), tracker(*this),
-          loop(experiment, devices(), clock()), script(experiment.simulation.faults) {
-        Camera* camera = simulated ? &simulated->camera() : real->camera();
-        if (camera != nullptr && !vision)
-            vision = std::make_unique<VisionThread>(*camera, simulated ? "simulated" : experiment.rig->camera,
-                                                    clock());
-        if (!real)
-            return;
-        real->setGuard([this](const Vector6d& from, const Vector6d& to) { return loop.mayStep(from, to); });
-        real->limitSpeed(experiment.robot);
-    }
-
-    const Clock& clock() const { return simulated ? simulated->clock() : steady; }
-    RigDevices devices() {
-        if (!simulated)
-            return {real->robot(), real->thermometer(), real->heatSource(), {}, &tracker, true};
-        return {simulated->robot(), simulated->thermometer(), simulated->heatSource(),
-                [this] { return simulated->trueTemperatures_K(); }, &tracker};
-    }
-
-    const Clock& steady;
-    std::unique_ptr<SimulatedRig> simulated; ///< this or the next
-    std::unique_ptr<RealRig> real;
-    std::unique_ptr<VisionThread> vision; ///< where there is a camera
-    Tracker tracker;
-    ServoLoop loop;
-    FaultScript script;
-};
-
-struct EngineWorker::RealCamera {
-    explicit RealCamera(const std::string& name) : camera(name, clock), vision(camera, name, clock) {}
-    SteadyClock clock;
-    VideoCamera camera;
-    VisionThread vision;
-};
-
-/// It may be closed after the engine has ended.
-struct EngineWorker::Trial {
-    Trial(const RigSpec& spec, const DeviceMemory& memory) : rig(spec, clock, memory) {}
-    SteadyClock clock;
-    RealRig rig;
-};
-
 EngineWorker::EngineWorker(std::string alarmFile, std::string deviceFile, std::unique_ptr<Clock> awake)
     : m_awakeClock(std::move(awake)), m_suspend(m_steady, *m_awakeClock),
       m_guardLog(alarmFile.empty()
                      ? std::string()
                      : (std::filesystem::absolute(alarmFile).parent_path() / "guard.log").string()),
-      m_keeper(std::move(alarmFile)), m_deviceFile(std::move(deviceFile)) {
+      m_keeper(std::move(alarmFile)), m_devices(std::move(deviceFile)), m_cameras(m_closer) {
     // Here and not on the engine's thread: no disk is to hold that up.
     (void)guardProgram();
-    if (!m_deviceFile.empty()) {
-        if (auto met = readDeviceMemory(m_deviceFile))
-            m_devices = std::move(*met);
-        else
-            m_deviceProblem = met.error().message;
-    }
     qRegisterMetaType<bask::Command>();
     qRegisterMetaType<bask::Snapshot>();
     qRegisterMetaType<std::shared_ptr<const bask::VisionView>>();
@@ -187,8 +82,8 @@ void EngineWorker::start() {
     connect(m_timer, &QTimer::timeout, this, &EngineWorker::onTimer);
     m_wall.start();
     m_timer->start(kTimer_ms);
-    if (m_deviceProblem != Message{})
-        tell(m_deviceProblem);
+    if (m_devices.problem() != Message{})
+        tell(m_devices.problem());
     publish();
 }
 
@@ -206,11 +101,11 @@ void EngineWorker::shutdown() {
 
 // First of all the rig is made safe. Its last words take a moment, in which events are processed; one that
 // works on under another experiment needs none.
-EngineWorker::Kept EngineWorker::closeSession(bool isRigKept) {
+KeptRig EngineWorker::closeSession(bool isRigKept) {
     m_isClosing = true;
     if (m_isEnding)
         dropBegun();
-    Kept kept;
+    KeptRig kept;
     if (m_session) {
         m_session->loop.makeSafe();
         if (m_session->real && !isRigKept && !m_session->real->sayLastWords())
@@ -226,7 +121,7 @@ EngineWorker::Kept EngineWorker::closeSession(bool isRigKept) {
     m_session.reset();
     m_isClosing = false;
     if (m_isEnding) {
-        letGo(std::move(m_camera));
+        m_cameras.close();
         waitForFiles();
     }
     return kept;
@@ -236,17 +131,7 @@ EngineWorker::Kept EngineWorker::closeSession(bool isRigKept) {
 void EngineWorker::waitForFiles() {
     const QDeadlineTimer deadline(kLastRows);
     const auto left = [&] { return std::chrono::milliseconds(deadline.remainingTime()); };
-    std::vector<std::string> unsaved;
-    for (const auto& recorder : m_ending) {
-        auto finished = recorder->finished();
-        while (!finished && !deadline.hasExpired()) {
-            QThread::msleep(2);
-            finished = recorder->finished();
-        }
-        if (!finished || !*finished)
-            unsaved.push_back(recorder->path() +
-                              (finished ? ": " + describe(finished->error()) : ": the disk does not answer"));
-    }
+    std::vector<std::string> unsaved = m_recordings.unsaved(kLastRows);
     if (!m_keeper.wait(left()))
         unsaved.emplace_back("the list of alarms: the disk does not answer");
     (void)m_closer.wait(left());
@@ -263,11 +148,9 @@ void EngineWorker::tellHeatNotOff() {
     m_isHeatLeft = m_isEnding;
     const TraceEvent event{m_session->loop.runTime_s(), message};
     m_pending.newEvents.push_back(event);
-    if (m_writer) {
-        LoopRecord rows;
-        rows.events = {event};
-        (void)m_writer->add(rows); // it is about to be closed
-    }
+    LoopRecord rows;
+    rows.events = {event};
+    (void)m_recordings.add(std::move(rows)); // it is about to be closed
     std::vector<AlarmCondition> conditions = m_session->loop.alarmConditions();
     conditions.insert(conditions.begin(), {messageName(message.code), message, 1});
     if (m_alarms.update(utc_s(), conditions))
@@ -299,9 +182,7 @@ void EngineWorker::dropBegun() {
     if (m_judging)
         m_judging->stop.request_stop();
     m_judging.reset();
-    if (m_arming)
-        m_arming->finish("stopped"); // by a thread that nobody waits for, once the file is there
-    m_arming.reset();
+    m_recordings.dropBegun();
     std::erase_if(m_waiting, isBegin);
 }
 
@@ -352,17 +233,17 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     const bool isSameRig =
         m_session && m_session->real && experiment.rig && m_session->real->isFor(experiment);
     const auto known = isSameRig ? std::optional(m_session->loop.knowledge()) : std::nullopt;
-    const bool isRecordEnded = m_session && m_session->loop.isCooling() && m_writer;
-    Kept kept = closeSession(isSameRig);
+    const bool isRecordEnded = m_session && m_session->loop.isCooling() && m_recordings.isOn();
+    KeptRig kept = closeSession(isSameRig);
     if (m_isEnding)
         return {};
     if (!experiment.rig)
         kept = {};
     else if (!kept.rig)
-        kept.rig = std::make_unique<RealRig>(experiment, m_steady, m_guardLog, m_devices);
+        kept.rig = std::make_unique<RealRig>(experiment, m_steady, m_guardLog, m_devices.memory());
     else if (!isSameRig)
-        kept.rig->change(experiment, m_devices);
-    m_session = std::make_unique<Session>(experiment, m_steady, std::move(kept));
+        kept.rig->change(experiment, m_devices.memory());
+    m_session = std::make_unique<EngineSession>(experiment, m_steady, std::move(kept));
     m_alarms.use(m_session->real != nullptr);
     ++m_loadId;
     if (isRecordEnded)
@@ -375,7 +256,7 @@ Result<void> EngineWorker::load(const Experiment& experiment) {
     m_worked_s = m_session->clock().now_s();
     m_nextTick_s = m_worked_s + experiment.sampling.period_s;
     m_timer->setInterval(m_session->real ? kRealTimer_ms : kTimer_ms);
-    watch(m_watch);
+    m_cameras.watchOn(*m_session);
     if (known)
         tick(); // its alarms go on
     return {};
@@ -386,50 +267,18 @@ Result<void> EngineWorker::setVision(const VisionSpec& vision) {
         return set;
     if (m_session->simulated)
         m_session->simulated->simulatedCamera().setMarkers(markerLayout(vision));
-    setTask();
+    m_cameras.setTask(*m_session);
     return {};
 }
 
 bool EngineWorker::isInUse() const {
-    return m_session->loop.running() || m_session->loop.state() == RunState::Armed;
-}
-
-void EngineWorker::watch(const WatchCamera& wanted) {
-    m_watch = wanted;
-    m_isBoardOut = !isInUse();
-    if (m_session->simulated)
-        m_session->simulated->simulatedCamera().setBoard(
-            wanted.show && !m_camera && m_isBoardOut ? wanted.board : std::nullopt);
-    setTask();
-}
-
-void EngineWorker::setTask() {
-    const Experiment& experiment = m_session->loop.experiment();
-    const VisionSpec& vision = experiment.vision;
-    VisionTask task;
-    task.layout = markerLayout(vision);
-    task.camera = vision.camera;
-    if (vision.cameraPose)
-        task.X_RC = poseFromCoordinates(*vision.cameraPose);
-    task.follow = experiment.source.tracked && vision.followsSource();
-    if (m_isBoardOut)
-        task.board = m_watch.board;
-    task.show = m_watch.show && !m_camera;
-    if (m_session->vision)
-        m_session->vision->setTask(task);
-    if (m_camera) {
-        task.follow = false;
-        task.show = m_watch.show;
-        m_camera->vision.setTask(task);
-    }
+    return m_session->isInUse();
 }
 
 Result<void> EngineWorker::choose(const std::string& camera) {
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
-    letGo(std::move(m_camera));
-    m_camera = camera.empty() ? nullptr : std::make_unique<RealCamera>(camera);
-    watch(m_watch);
+    m_cameras.choose(*m_session, camera);
     return {};
 }
 
@@ -438,9 +287,9 @@ Result<void> EngineWorker::choose(const std::string& camera) {
 void EngineWorker::endTrial() {
     if (!m_tried)
         return;
-    letGo(m_tried->rig.takeCamera());
+    letGo(m_tried->takeCamera());
     const bool isLive = m_session && (m_session->loop.heatOn() || m_session->loop.isMoving() || isInUse());
-    if (isLive && m_tried->rig.mayEndElsewhere())
+    if (isLive && m_tried->mayEndElsewhere())
         letGo(std::move(m_tried));
     m_tried.reset();
 }
@@ -456,24 +305,8 @@ Result<void> EngineWorker::tryDevice(const RigSpec& rig) {
     if (isInUse())
         return Error(MessageCode::SessionAlreadyRunning, {});
     if (rig.robot || rig.thermometer || rig.source || !rig.camera.empty())
-        m_tried = std::make_unique<Trial>(rig, m_devices);
+        m_tried = std::make_unique<DeviceTrial>(rig, m_devices.memory());
     return {};
-}
-
-/// The first one that is met at its place is remembered.
-void EngineWorker::rememberDevices() {
-    bool isNew = false;
-    for (const auto& [key, device] : m_session->real->met())
-        if (m_devices.emplace(key, device).second)
-            isNew = true;
-    if (isNew)
-        keepDevices();
-}
-
-/// On a thread of its own: a disk may hang.
-void EngineWorker::keepDevices() {
-    if (!m_deviceFile.empty())
-        m_system.post([devices = m_devices, file = m_deviceFile] { (void)writeDeviceMemory(devices, file); });
 }
 
 Result<void> EngineWorker::accept(DeviceRole role) {
@@ -486,15 +319,13 @@ Result<void> EngineWorker::accept(DeviceRole role) {
     for (const RigDeviceState& device : m_session->real->devices())
         if (device.role == role)
             port = device.port;
-    m_session->real->forget(role, m_devices);
-    keepDevices();
+    m_devices.forget(*m_session->real, role, m_system);
     m_pending.newEvents.push_back({m_session->loop.runTime_s(), {MessageCode::EventDeviceAccepted, {port}}});
     return load(experiment);
 }
 
 void EngineWorker::handOnView() {
-    const bool isOwn = !m_camera && m_session && m_session->vision;
-    auto view = m_camera ? m_camera->vision.newest() : isOwn ? m_session->vision->newest() : nullptr;
+    auto view = m_cameras.newest(m_session.get());
     if (view == m_view || (view && m_views.isFull()))
         return;
     m_view = std::move(view);
@@ -507,9 +338,8 @@ Result<void> EngineWorker::armWith(const std::string& recordingPath) {
     if (const auto may = loop.mayArm(); !may)
         return may;
     if (!recordingPath.empty()) {
-        m_arming = std::make_unique<SessionRecorder>(recordingPath, loop.experiment(),
-                                                     m_session->simulated != nullptr,
-                                                     loop.experiment().safety.leastDisk_MB);
+        m_recordings.begin(recordingPath, loop.experiment(), m_session->simulated != nullptr,
+                           loop.experiment().safety.leastDisk_MB);
         return {};
     }
     return armNow();
@@ -527,16 +357,15 @@ Result<void> EngineWorker::armNow() {
 
 /// Arm is answered once the file is there.
 void EngineWorker::finishArming() {
-    auto done = m_arming ? m_arming->made() : std::nullopt;
+    auto done = m_recordings.made();
     if (!done)
         return;
-    auto recorder = std::move(m_arming);
     if (*done)
         *done = armNow();
     if (*done)
-        m_writer = std::move(recorder);
+        m_recordings.takeBegun();
     else
-        recorder->finish("stopped");
+        m_recordings.dropBegun();
     answer(*done);
 }
 
@@ -595,7 +424,7 @@ Result<void> EngineWorker::apply(const Command& command) {
             [](const AcknowledgeAll&) { return Result<void>(); },
             [](const ShelveAlarm&) { return Result<void>(); },
             [](const UnshelveAlarm&) { return Result<void>(); },
-            [&](const WatchCamera& wanted) { return watch(wanted), Result<void>(); },
+            [&](const WatchCamera& wanted) { return m_cameras.watch(*m_session, wanted), Result<void>(); },
             [&](const ChooseCamera& camera) { return choose(camera.name); },
             [&](const SetVision& set) { return setVision(set.vision); },
             [&](const MoveTo& move) { return loop.moveTo(move.coordinates); },
@@ -701,14 +530,10 @@ void EngineWorker::hearBackground() {
     if (isReady(m_diskFree_MB)) {
         const auto free_MB = m_diskFree_MB.get();
         if (m_session)
-            m_session->loop.setDiskFree_MB(m_writer ? free_MB : std::nullopt);
+            m_session->loop.setDiskFree_MB(m_recordings.isOn() ? free_MB : std::nullopt);
     }
-    std::erase_if(m_ending, [this](const std::unique_ptr<SessionRecorder>& recorder) {
-        const auto finished = recorder->finished();
-        if (finished && !*finished)
-            tellUnfinished(finished->error());
-        return finished.has_value();
-    });
+    for (const Error& failure : m_recordings.takeFailures())
+        tellUnfinished(failure);
     finishArming();
     finishJudging();
 }
@@ -724,10 +549,10 @@ void EngineWorker::tellUnfinished(const Error& error) {
 
 void EngineWorker::watchDisk() {
     m_sinceDisk_s = 0.0;
-    if (!m_writer)
+    if (!m_recordings.isOn())
         m_session->loop.setDiskFree_MB({});
     else if (!m_diskFree_MB.valid()) // a disk that has not answered is not asked again
-        m_diskFree_MB = m_system.ask([file = m_writer->path()] { return diskFree_MB(file); });
+        m_diskFree_MB = m_system.ask([file = m_recordings.path()] { return diskFree_MB(file); });
 }
 
 /// Kept from it while there is heat; what it slept nevertheless is told.
@@ -750,7 +575,7 @@ void EngineWorker::onTimer() {
     m_wall.restart();
     try {
         if (m_tried)
-            m_tried->rig.work();
+            m_tried->work();
     } catch (const std::exception& exception) {
         tell({MessageCode::ReasonInternalFault, {exception.what()}});
         endTrial();
@@ -763,8 +588,7 @@ void EngineWorker::onTimer() {
             watchDisk();
         try {
             watchSleep();
-            if (m_watch.board && m_isBoardOut == isInUse())
-                watch(m_watch);
+            m_cameras.followRun(*m_session);
             if (m_session->simulated)
                 advanceSimulated(wall_s);
             else
@@ -841,7 +665,7 @@ void EngineWorker::workReal() {
     m_lateSteps += static_cast<std::uint64_t>(behind);
     m_nextTick_s += (1.0 + behind) * period_s;
     tick();
-    rememberDevices();
+    m_devices.remember(*m_session->real, m_system);
     m_session->real->work(); // what the tick has asked for goes out now
 }
 
@@ -863,24 +687,16 @@ void EngineWorker::record() {
     if (!m_session)
         return;
     LoopRecord rows = m_session->loop.takeRecord();
-    if (m_writer) {
-        const Result<void> result = m_writer->add(rows);
-        if (!result) {
-            m_writer.reset();
-            m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(result.error())}});
-        }
-    }
+    if (m_recordings.isOn())
+        if (const auto added = m_recordings.add(rows); !added)
+            m_session->loop.stopFor({MessageCode::ReasonRecorderFailed, {describe(added.error())}});
     append(rows.samples, m_pending.newSamples);
     append(rows.events, m_pending.newEvents);
     append(rows.notes, m_pending.newNotes);
 }
 
 void EngineWorker::closeRecording() {
-    if (!m_writer)
-        return;
-    const std::string outcome = m_session ? m_session->loop.outcome() : std::string();
-    m_writer->finish(outcome.empty() ? "stopped" : outcome);
-    m_ending.push_back(std::move(m_writer));
+    m_recordings.close(m_session ? m_session->loop.outcome() : std::string());
 }
 
 void EngineWorker::publish() {
@@ -893,56 +709,16 @@ void EngineWorker::publish() {
     snapshot.lateSteps = m_lateSteps;
     snapshot.alarms = m_alarms.alarms();
     if (m_session) {
-        const ServoLoop& loop = m_session->loop;
-        snapshot.state = loop.state();
-        snapshot.reasons = loop.reasons();
-        snapshot.remedy = loop.remedy();
-        snapshot.pending = loop.pending();
-        snapshot.canRetreat = loop.keepsFromRetreat().code == MessageCode::None;
-        snapshot.runTime_s = loop.runTime_s();
-        snapshot.clock_s = m_session->clock().now_s();
-        snapshot.latest = loop.latest();
-        snapshot.simulated = m_session->simulated != nullptr;
-        snapshot.place = loop.placeState();
-        snapshot.placeAge_s = loop.placeAge_s();
-        if (m_session->simulated && snapshot.place != PlaceState::Unknown) // it tells nobody then
-            snapshot.latest.coordinates = m_session->simulated->simulatedRobot().coordinates();
-        if (m_session->real)
-            snapshot.devices = m_session->real->devices();
-        snapshot.sampleTime_s = loop.sampleTime_s();
-        snapshot.sampleAge_s = m_session->clock().now_s() - loop.sampleTime_s();
-        for (std::size_t i = 0; i < loop.experiment().objects.size(); ++i) {
-            snapshot.sensors.push_back(loop.sensorTrust(i));
-            snapshot.readingAges_s.push_back(loop.readingAge_s(i));
-            snapshot.toldReadings_K.push_back(loop.toldReading_K(i));
-        }
-        snapshot.source_K = loop.source_K();
-        snapshot.sourceAge_s = loop.sourceAge_s();
-        snapshot.heat = loop.heatState();
-        snapshot.heatOn = loop.heatOn();
-        snapshot.isMoving = loop.isMoving();
-        snapshot.tracking = loop.tracking();
-        snapshot.robotAlarm = loop.robotAlarm();
-        snapshot.isPlaceSure = loop.isPlaceSure();
-        snapshot.heatSetPoint_K = loop.heatSetPoint_K();
-        snapshot.isSourceByHand = m_session->real && m_session->real->heatSource().isByHand();
-        snapshot.zeroing = loop.zeroing();
-        if (const auto zero = loop.findZero(); !zero)
-            snapshot.zeroProblem = zero.error().message;
-        snapshot.controller = loop.experiment().controller;
-        for (const ObjectSpec& object : loop.experiment().objects)
-            snapshot.targets_K.push_back(object.target_K);
+        m_session->tell(snapshot);
     } else {
         snapshot.state = RunState::NotReady;
         snapshot.reasons.push_back({MessageCode::ReasonNoExperiment, {}});
     }
     if (m_tried)
-        snapshot.tried = triedState(m_tried->rig);
-    if (const SessionRecorder* writer = m_writer           ? m_writer.get()
-                                        : m_ending.empty() ? nullptr
-                                                           : m_ending.back().get()) {
-        snapshot.recordingPath = writer->path();
-        snapshot.recordedRows = writer->rows();
+        snapshot.tried = m_tried->state();
+    if (const SessionRecorder* recorder = m_recordings.newest()) {
+        snapshot.recordingPath = recorder->path();
+        snapshot.recordedRows = recorder->rows();
     }
     m_publishedState = snapshot.state;
     m_sincePublished_s = 0.0;

@@ -7,13 +7,13 @@
 #include "engine/runtime/alarm_keeper.h"
 #include "engine/runtime/alarm_log.h"
 #include "engine/runtime/background_thread.h"
+#include "engine/runtime/camera_watch.h"
 #include "engine/runtime/command.h"
-#include "engine/runtime/servo_loop.h"
-#include "engine/runtime/session_recorder.h"
+#include "engine/runtime/engine_session.h"
+#include "engine/runtime/met_devices.h"
+#include "engine/runtime/recordings.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/runtime/underway.h"
-#include "engine/session/device_memory.h"
-#include "engine/vision/vision_thread.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -27,8 +27,6 @@ Q_DECLARE_METATYPE(bask::Snapshot)
 Q_DECLARE_METATYPE(std::shared_ptr<const bask::VisionView>)
 
 namespace bask {
-
-class RealRig;
 
 /// Lives on a QThread; every slot is called through queued connections. Rig and loop are made, used and
 /// deleted there. What touches a file, or may wait in the system, is done on other threads.
@@ -69,11 +67,6 @@ signals:
     void looked(const std::shared_ptr<const bask::VisionView>& view, const std::shared_ptr<const int>& token);
 
 private:
-    /// The rig with its loop, which is made anew with each experiment.
-    struct Session;
-    /// What stays from one session to the next.
-    struct Kept;
-
     void onTimer();
     double simulationSpeed() const;
     void advanceSimulated(double wall_s);
@@ -86,7 +79,7 @@ private:
     void hearBackground();
     void waitForFiles();
     /// What a next one may have.
-    Kept closeSession(bool isRigKept);
+    KeptRig closeSession(bool isRigKept);
     void tellHeatNotOff();
     void publish();
     void carryOut(const Command& command);
@@ -109,30 +102,24 @@ private:
     void tellUnfinished(const Error& error);
     void watchDisk();
     Result<void> setVision(const VisionSpec& vision);
-    void watch(const WatchCamera& wanted);
     Result<void> choose(const std::string& camera);
     Result<void> type(double sourceTemperature_K);
     Result<void> tryDevice(const RigSpec& rig);
     void endTrial();
     Result<void> accept(DeviceRole role);
     void watchSleep();
-    void rememberDevices();
-    void keepDevices();
-    void setTask();
     void handOnView();
     bool isInUse() const; ///< a run is armed or on
     /// Commands wait: a rig is closed, or Arm or Start are not answered yet.
-    bool isBusy() const { return m_isClosing || m_arming || m_judging; }
+    bool isBusy() const { return m_isClosing || m_recordings.isBeginning() || m_judging; }
 
     SteadyClock m_steady; ///< longer than what is real
     std::unique_ptr<Clock> m_awakeClock;
     SuspendWatch m_suspend;
     SleepInhibitor m_sleep;
     bool m_isSleepTold = false;
-    std::unique_ptr<Session> m_session;
-    std::unique_ptr<SessionRecorder> m_arming; ///< its file is being made; Arm is answered then
-    std::unique_ptr<SessionRecorder> m_writer;
-    std::vector<std::unique_ptr<SessionRecorder>> m_ending; ///< their last rows are being written
+    std::unique_ptr<EngineSession> m_session;
+    Recordings m_recordings; ///< Arm is answered when the begun one is there
     /// Whether the targets of a run that is to be started can be held.
     struct Judging {
         std::stop_source stop;
@@ -142,28 +129,21 @@ private:
     std::string m_guardLog; ///< beside the alarms
     AlarmKeeper m_keeper;
     AlarmLog m_alarms;
-    std::string m_deviceFile;
-    DeviceMemory m_devices;  ///< met on this computer
-    Message m_deviceProblem; ///< the file could not be read: it is written anew with the next device
+    MetDevices m_devices;
     double m_sinceDisk_s = 0.0;
     std::future<std::optional<double>> m_diskFree_MB;
     std::future<std::vector<SerialPort>> m_ports;
     QTimer* m_timer = nullptr;
     QElapsedTimer m_wall;
-    WatchCamera m_watch;
-    bool m_isBoardOut = true; ///< not in a run: its search takes long, and a simulated one hides the source
-    /// Chosen instead of the simulated camera: watched, never followed by, since it does not see the
-    /// simulated rig.
-    struct RealCamera;
-    std::unique_ptr<RealCamera> m_camera;
+    BackgroundThread m_closer; ///< of cameras, and of ports that were tried
+    CameraWatch m_cameras;
     /// A picture that is looked at, and a driver that hangs, take their time: elsewhere.
     template <class Closed> void letGo(std::unique_ptr<Closed> closed) {
         if (closed)
             m_closer.post([last = std::shared_ptr<Closed>(std::move(closed))]() mutable { last.reset(); });
     }
     std::shared_ptr<const VisionView> m_view; ///< handed on last
-    struct Trial;
-    std::unique_ptr<Trial> m_tried; ///< one device alone
+    std::unique_ptr<DeviceTrial> m_tried;
     bool m_isClosing = false, m_isEnding = false;
     bool m_isHeatLeft = false;
     std::deque<Command> m_waiting; ///< that came while isBusy()
@@ -182,7 +162,6 @@ private:
     Underway m_snapshots, m_views;
     std::uint64_t m_sequence = 0;
     BackgroundThread m_system; ///< room on the disk, list of ports
-    BackgroundThread m_closer; ///< of cameras, and of ports that were tried
     BackgroundThread m_judge;
 };
 

@@ -1,0 +1,70 @@
+#include "engine/runtime/camera_watch.h"
+
+#include "engine/devices/video_camera.h"
+#include "engine/runtime/rig_setup.h"
+
+namespace bask {
+
+struct CameraWatch::Chosen {
+    explicit Chosen(const std::string& name) : camera(name, clock), vision(camera, name, clock) {}
+    SteadyClock clock;
+    VideoCamera camera;
+    VisionThread vision;
+};
+
+CameraWatch::CameraWatch(BackgroundThread& closer) : m_closer(closer) {}
+CameraWatch::~CameraWatch() = default;
+
+void CameraWatch::watch(EngineSession& session, const WatchCamera& wanted) {
+    m_wanted = wanted;
+    m_isBoardOut = !session.isInUse();
+    if (session.simulated)
+        session.simulated->simulatedCamera().setBoard(
+            wanted.show && !m_chosen && m_isBoardOut ? wanted.board : std::nullopt);
+    setTask(session);
+}
+
+void CameraWatch::followRun(EngineSession& session) {
+    if (m_wanted.board && m_isBoardOut == session.isInUse())
+        watchOn(session);
+}
+
+void CameraWatch::choose(EngineSession& session, const std::string& name) {
+    close();
+    m_chosen = name.empty() ? nullptr : std::make_unique<Chosen>(name);
+    watchOn(session);
+}
+
+void CameraWatch::setTask(EngineSession& session) {
+    const Experiment& experiment = session.loop.experiment();
+    const VisionSpec& vision = experiment.vision;
+    VisionTask task;
+    task.layout = markerLayout(vision);
+    task.camera = vision.camera;
+    if (vision.cameraPose)
+        task.X_RC = poseFromCoordinates(*vision.cameraPose);
+    task.follow = experiment.source.tracked && vision.followsSource();
+    if (m_isBoardOut)
+        task.board = m_wanted.board;
+    task.show = m_wanted.show && !m_chosen;
+    if (session.vision)
+        session.vision->setTask(task);
+    if (m_chosen) {
+        task.follow = false;
+        task.show = m_wanted.show;
+        m_chosen->vision.setTask(task);
+    }
+}
+
+void CameraWatch::close() {
+    if (m_chosen)
+        m_closer.post([last = std::shared_ptr<Chosen>(std::move(m_chosen))]() mutable { last.reset(); });
+}
+
+std::shared_ptr<const VisionView> CameraWatch::newest(const EngineSession* session) const {
+    if (m_chosen)
+        return m_chosen->vision.newest();
+    return session != nullptr && session->vision ? session->vision->newest() : nullptr;
+}
+
+} // namespace bask

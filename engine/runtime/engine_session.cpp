@@ -1,0 +1,89 @@
+#include "engine/runtime/engine_session.h"
+
+#include "engine/runtime/rig_setup.h"
+
+namespace bask {
+
+Result<PoseReading> EngineSession::Tracker::read() {
+    if (session.vision && session.loop.experiment().vision.followsSource())
+        return session.vision->read();
+    if (session.simulated)
+        return session.simulated->sourceTracker().read();
+    return PoseReading();
+}
+
+EngineSession::EngineSession(const Experiment& experiment, const Clock& wall, KeptRig kept)
+    : steady(wall),
+      simulated(kept.rig ? nullptr : std::make_unique<SimulatedRig>(simulatedRigConfig(experiment))),
+      real(std::move(kept.rig)), vision(std::move(kept.watcher)), tracker(*this),
+      loop(experiment, devices(), clock()), script(experiment.simulation.faults) {
+    Camera* camera = simulated ? &simulated->camera() : real->camera();
+    if (camera != nullptr && !vision)
+        vision = std::make_unique<VisionThread>(*camera, simulated ? "simulated" : experiment.rig->camera,
+                                                clock());
+    if (!real)
+        return;
+    real->setGuard([this](const Vector6d& from, const Vector6d& to) { return loop.mayStep(from, to); });
+    real->limitSpeed(experiment.robot);
+}
+
+RigDevices EngineSession::devices() {
+    if (!simulated)
+        return {real->robot(), real->thermometer(), real->heatSource(), {}, &tracker, true};
+    return {simulated->robot(), simulated->thermometer(), simulated->heatSource(),
+            [this] { return simulated->trueTemperatures_K(); }, &tracker};
+}
+
+bool EngineSession::isInUse() const {
+    return loop.running() || loop.state() == RunState::Armed;
+}
+
+void EngineSession::tell(Snapshot& snapshot) const {
+    snapshot.state = loop.state();
+    snapshot.reasons = loop.reasons();
+    snapshot.remedy = loop.remedy();
+    snapshot.pending = loop.pending();
+    snapshot.canRetreat = loop.keepsFromRetreat().code == MessageCode::None;
+    snapshot.runTime_s = loop.runTime_s();
+    snapshot.clock_s = clock().now_s();
+    snapshot.latest = loop.latest();
+    snapshot.simulated = simulated != nullptr;
+    snapshot.place = loop.placeState();
+    snapshot.placeAge_s = loop.placeAge_s();
+    if (simulated && snapshot.place != PlaceState::Unknown) // it tells nobody then
+        snapshot.latest.coordinates = simulated->simulatedRobot().coordinates();
+    if (real)
+        snapshot.devices = real->devices();
+    snapshot.sampleTime_s = loop.sampleTime_s();
+    snapshot.sampleAge_s = clock().now_s() - loop.sampleTime_s();
+    for (std::size_t i = 0; i < loop.experiment().objects.size(); ++i) {
+        snapshot.sensors.push_back(loop.sensorTrust(i));
+        snapshot.readingAges_s.push_back(loop.readingAge_s(i));
+        snapshot.toldReadings_K.push_back(loop.toldReading_K(i));
+    }
+    snapshot.source_K = loop.source_K();
+    snapshot.sourceAge_s = loop.sourceAge_s();
+    snapshot.heat = loop.heatState();
+    snapshot.heatOn = loop.heatOn();
+    snapshot.isMoving = loop.isMoving();
+    snapshot.tracking = loop.tracking();
+    snapshot.robotAlarm = loop.robotAlarm();
+    snapshot.isPlaceSure = loop.isPlaceSure();
+    snapshot.heatSetPoint_K = loop.heatSetPoint_K();
+    snapshot.isSourceByHand = real && real->heatSource().isByHand();
+    snapshot.zeroing = loop.zeroing();
+    if (const auto zero = loop.findZero(); !zero)
+        snapshot.zeroProblem = zero.error().message;
+    snapshot.controller = loop.experiment().controller;
+    for (const ObjectSpec& object : loop.experiment().objects)
+        snapshot.targets_K.push_back(object.target_K);
+}
+
+bool haveSameSensors(const Experiment& a, const Experiment& b) {
+    if (a.objects.size() != b.objects.size() || a.environment_K != b.environment_K ||
+        a.rig.has_value() != b.rig.has_value())
+        return false;
+    return a.rig ? a.rig->thermometer == b.rig->thermometer : a.simulation == b.simulation;
+}
+
+} // namespace bask
