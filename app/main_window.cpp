@@ -128,7 +128,8 @@ void MainWindow::apply(const Snapshot& snapshot) {
     m_recipe->apply(snapshot);
     if (snapshot.refusal.code != MessageCode::None)
         refuse(snapshot.refusal);
-    if (m_refused && !m_pages->keepWhile(inUnit(whyNot(snapshot, *m_refused), m_settings.temperatureUnit())))
+    if (m_refused &&
+        !m_pages->messages().keepWhile(inUnit(whyNot(snapshot, *m_refused), m_settings.temperatureUnit())))
         m_refused.reset();
     m_undo->setState(snapshot.state);
     emit snapshotApplied(snapshot);
@@ -140,7 +141,7 @@ void MainWindow::showSilence() {
 }
 
 void MainWindow::perform(Verb verb) {
-    m_pages->dropRefusal();
+    m_pages->messages().dropRefusal();
     // Before the order goes out: no reset or load of the recipe's may follow it.
     if (verb == Verb::Hold || verb == Verb::Stop || verb == Verb::EmergencyStop)
         m_recipe->takeOver(verb == Verb::Hold);
@@ -210,14 +211,15 @@ void MainWindow::refuse(const Message& refusal) {
         refusal.code == MessageCode::TargetAboveWarning && !checkTargets(m_document.experiment());
     const bool isTooLate = refusal.code == MessageCode::CommandNotNow && refusal.args[0] == "Set targets";
     if (allowsEdits(m_last.state) || !(isTooHot || isTooLate))
-        return m_pages->showRefusal(sentence(refusal), m_last, refusal);
+        return m_pages->messages().showRefusal(sentence(refusal), m_last, refusal);
     (void)m_document.setTargets(m_last.targets_K);
-    m_pages->showRefusal(tr("Not taken: the targets stay as they were.") + u' ' + sentence(refusal));
+    m_pages->messages().showRefusal(tr("Not taken: the targets stay as they were.") + u' ' +
+                                    sentence(refusal));
 }
 
 void MainWindow::sayWhyNot(Verb verb) {
     m_refused = verb;
-    m_pages->showWhile(inUnit(whyNot(m_last, verb), m_settings.temperatureUnit()));
+    m_pages->messages().showWhile(inUnit(whyNot(m_last, verb), m_settings.temperatureUnit()));
 }
 
 void MainWindow::askInfeasible() {

@@ -8,10 +8,7 @@
 #include "widgets/common/message_bar.h"
 #include "widgets/common/scrolling.h"
 #include "widgets/objects/objects_page.h"
-#include "widgets/review/identified_table.h"
-#include "widgets/review/replay_view.h"
 #include "widgets/review/review_page.h"
-#include "widgets/review/session_list.h"
 #include "widgets/rig/device_words.h"
 #include "widgets/rig/rig_page.h"
 #include "widgets/rig/way_up_question.h"
@@ -36,7 +33,7 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
       m_coach(new MessageBar(this)), m_bar(new MessageBar(this)), m_pages(new QStackedWidget(this)),
       m_rig(new RigPage), m_objects(new ObjectsPage), m_calibrate(new CalibratePage),
       m_targets(new TargetsPage), m_run(new RunPage), m_review(new ReviewPage),
-      m_library(*m_review->sessions()) {
+      m_reviewDesk(*m_review, document, files), m_messages(*m_bar) {
     m_cutOff->setObjectName(QStringLiteral("cutOffBar"));
     m_question->setObjectName(QStringLiteral("questionBar"));
     m_recipe->setObjectName(QStringLiteral("recipeBar"));
@@ -63,7 +60,6 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
     connectDocument();
     connectJudge();
     connectReview();
-    connectCount();
     connect(m_targets, &TargetsPage::targetsEdited, this, [this](const std::vector<double>& targets_K) {
         if (const auto set = m_document.setTargets(targets_K); !set) {
             showProblem(sentence(set.error()));
@@ -79,91 +75,25 @@ PageHost::PageHost(Document& document, SessionActions& files, QWidget* parent)
             [this](const QString& text) { emit commandIssued(AddNote{text.toStdString()}); });
     connect(m_run, &RunPage::simulationSpeedChosen, this,
             [this](double factor) { emit commandIssued(SetSimulationSpeed{factor}); });
-    connect(m_review, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
-    connect(m_review, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
-    connect(m_review, &ReviewPage::useIdentifiedRequested, this, &PageHost::useIdentified);
-    connect(&m_files, &SessionActions::sessionOpened, this, [this](std::shared_ptr<RecordedSession> session) {
-        m_session = std::move(session);
-        m_numbers.reset();
-        m_isDamageTold = false;
-        m_bar->clear();
-        showSession();
-        m_count.start(*m_session);
-        show(Page::Review);
-    });
-    connect(&m_document, &Document::changed, this, [this] {
-        if (m_bar->sentence() == m_ofEdit)
-            m_bar->clear();
-    });
+    connect(&m_document, &Document::changed, this, [this] { m_messages.dropOfEdit(); });
     connect(&m_files, &SessionActions::recipeChosen, m_bar, &MessageBar::clear);
     connect(&m_files, &SessionActions::problem, this, &PageHost::showProblem);
     connect(&m_files, &SessionActions::told, this, &PageHost::showNote);
 }
 
-/// The list of runs; reading them is the library's work.
 void PageHost::connectReview() {
-    SessionList* list = m_review->sessions();
-    connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
-    connect(list, &SessionList::folderRequested, this, [this] {
-        if (const QString folder = m_files.askSessionFolder(); !folder.isEmpty())
-            m_library.setFolder(folder);
+    connect(&m_reviewDesk, &ReviewDesk::opened, this, [this] {
+        m_messages.clear();
+        show(Page::Review);
     });
-    connect(&m_library, &SessionLibrary::problem, this, &PageHost::showProblem);
-    const auto isOpen = [this](const QString& path) {
-        return m_session && QString::fromStdString(m_session->facts().path) == path;
-    };
-    connect(&m_library, &SessionLibrary::closing, this, [this, isOpen](const QString& path) {
-        if (!isOpen(path))
-            return;
-        m_count.stop();
-        m_review->replay()->pause();
-    });
-    connect(&m_library, &SessionLibrary::closed, this, [this, isOpen](const QString& path, bool isDone) {
-        if (isDone)
-            showNote(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
-                         .arg(QFileInfo(path).fileName()));
-        if (!isOpen(path))
-            return;
-        if (isDone)
-            m_files.open(path);
-        else if (!m_numbers)
-            m_count.start(*m_session);
-    });
-    connect(&m_library, &SessionLibrary::overlayRead, this,
-            [this](const std::shared_ptr<RecordedSession>& session) {
-                if (!m_review->replay()->addOverlay(session))
-                    showNote(tr(
-                        "It is shown already, or there are %n runs over the open one: take one away first.",
-                        nullptr, ReplayView::kMaxOverlays));
-            });
-    connect(m_review, &ReviewPage::definitionsRequested, this,
-            [this] { emit manualRequested(QStringLiteral("manual.md#metrics")); });
-}
-
-/// Metrics and heat rates of the open run; damage of its file is told once, whoever finds it.
-void PageHost::connectCount() {
-    const auto tellDamage = [this](const Error& error) {
-        if (!std::exchange(m_isDamageTold, true))
-            showProblem(sentence(error));
-    };
-    connect(&m_count, &SessionCount::progressed, m_review, &ReviewPage::setCounting);
-    connect(&m_count, &SessionCount::failed, this, [this, tellDamage](const Error& error) {
-        m_review->setCountFailed();
-        tellDamage(error);
-    });
-    connect(&m_count, &SessionCount::counted, this,
-            [this](const std::shared_ptr<const SessionNumbers>& numbers) {
-                m_numbers = numbers;
-                m_review->setMetrics(numbers->metrics);
-                m_review->replay()->setWay(numbers->way);
-                showIdentified();
-            });
-    connect(m_review->replay(), &ReplayView::readFailed, this, tellDamage);
+    connect(&m_reviewDesk, &ReviewDesk::problem, this, &PageHost::showProblem);
+    connect(&m_reviewDesk, &ReviewDesk::told, this, &PageHost::showNote);
+    connect(&m_reviewDesk, &ReviewDesk::manualRequested, this, &PageHost::manualRequested);
 }
 
 void PageHost::connectRig() {
     connect(m_rig, &RigPage::commandIssued, this, [this](const Command& command) {
-        dropRefusal();
+        m_messages.dropRefusal();
         emit commandIssued(command);
     });
     connect(m_rig, &RigPage::experimentEdited, this, [this](const Experiment& experiment) {
@@ -199,7 +129,7 @@ void PageHost::connectCalibrate() {
     connect(m_calibrate, &CalibratePage::cameraWanted, this,
             [this](const QString& name) { emit commandIssued(ChooseCamera{name.toStdString()}); });
     connect(m_calibrate, &CalibratePage::moveWanted, this, [this](const Vector6d& goal) {
-        dropRefusal();
+        m_messages.dropRefusal();
         emit commandIssued(MoveTo{goal});
     });
     connect(m_calibrate, &CalibratePage::holdWanted, this, [this] { emit commandIssued(Hold{}); });
@@ -241,7 +171,7 @@ void PageHost::connectCalibrate() {
 
 void PageHost::connectDocument() {
     connect(&m_document, &Document::opened, this, [this] {
-        m_bar->clear();
+        m_messages.clear();
         m_targets->clearKept();
         showDocument();
         emit commandIssued(LoadExperiment{m_document.experiment()});
@@ -335,60 +265,8 @@ void PageHost::showDocument() {
     m_run->setExperiment(m_document.experiment());
 }
 
-void PageHost::showSession() {
-    if (!m_session)
-        return;
-    QStringList sentences;
-    for (const TraceEvent& event : m_session->facts().events)
-        sentences << sentence(event.message);
-    m_review->setSession(m_session, sentences);
-    showIdentified();
-}
-
-void PageHost::showIdentified() {
-    if (!m_numbers)
-        return;
-    const Result<SessionRates>& rates = m_numbers->rates;
-    if (!rates)
-        return m_review->setIdentificationFailed(sentence(rates.error()));
-    const std::vector<ObjectSample>& last = m_numbers->metrics.last.objects;
-    std::vector<IdentifiedRow> rows;
-    for (std::size_t i = 0; i < rates->identified.size(); ++i) {
-        const IdentifiedRates& fit = rates->identified[i];
-        IdentifiedRow row;
-        row.name = QString::fromStdString(m_session->facts().experiment.objects[i].name);
-        row.lambda1 = {fit.lambda1.value, fit.lambda1.standardError};
-        row.lambda2 = {fit.lambda2.value, fit.lambda2.standardError};
-        row.lambda3 = {fit.lambda3.value, fit.lambda3.standardError};
-        row.material = rates->material[i].lambda1;
-        if (i < last.size())
-            row.controller = last[i].lambda1;
-        if (!fit.usable())
-            row.unusable = sentence(fit.reason);
-        rows.push_back(std::move(row));
-    }
-    m_review->setIdentified(rows);
-}
-
-void PageHost::useIdentified() {
-    if (!m_editable)
-        return showProblem(tr("A run is armed or on. Objects can be changed once it has stopped."));
-    if (!m_numbers || !m_numbers->rates)
-        return;
-    const StartValues start =
-        withStartValues(m_document.experiment(), m_session->facts().experiment, *m_numbers->rates);
-    if (start.objects.empty())
-        return showProblem(tr("No object of the open experiment has the name and material of one of this run "
-                              "under the same source and environment."));
-    if (const auto edited = m_document.edit(start.experiment); !edited)
-        return showProblem(sentence(edited.error()));
-    QStringList names;
-    for (const std::string& name : start.objects)
-        names << QString::fromStdString(name);
-    showNote(tr("Start values taken from this run: %1").arg(names.join(QStringLiteral(", "))));
-}
-
 void PageHost::showEditable() {
+    m_reviewDesk.setEditable(m_editable);
     m_objects->setEditable(
         m_editable,
         m_editable ? QString() : tr("A run is armed or on. Objects can be changed once it has stopped."));
@@ -405,7 +283,7 @@ QSize PageHost::minimumSizeHint() const {
 void PageHost::show(Page page) {
     m_pages->setCurrentIndex(static_cast<int>(page));
     if (page == Page::Review)
-        m_library.setFolder(m_files.sessionFolder());
+        m_reviewDesk.showList();
     emit pageChanged(page);
 }
 
@@ -418,16 +296,11 @@ void PageHost::show(const VisionView& view) {
 }
 
 void PageHost::apply(const Snapshot& snapshot) {
-    keepRefusal(snapshot);
+    m_messages.keepRefusal(snapshot);
     m_countdown->setPending(snapshot.pending);
     m_told_K = snapshot.toldReadings_K;
     m_run->apply(snapshot);
-    if (const QString path = QString::fromStdString(snapshot.recordingPath); path != m_recording) {
-        m_recording = path;
-        m_review->sessions()->setRecording(path);
-        if (page() == Page::Review)
-            m_library.refresh();
-    }
+    m_reviewDesk.setRecording(QString::fromStdString(snapshot.recordingPath));
     const bool editable = allowsEdits(snapshot.state);
     m_rig->apply(snapshot, editable);
     m_calibrate->setRobot(snapshot.latest.coordinates, snapshot.isMoving,
@@ -470,8 +343,7 @@ void PageHost::showStep(const EditStep& step, const QString& words) {
         return;
     if (m_editable)
         show(step.edit.page);
-    m_ofEdit = words.arg(editWords(step.edit, *step.before, *step.after));
-    showNote(m_ofEdit);
+    m_messages.showOfEdit(words.arg(editWords(step.edit, *step.before, *step.after)));
 }
 
 /// A sensor is believed again only by a person who has looked.
@@ -498,64 +370,12 @@ void PageHost::takeFile(const QString& path) {
     m_objects->offerFile(path);
 }
 
-void PageHost::showProblem(const QString& text) {
-    m_bar->say(MessageBar::Kind::Problem, text);
-}
-void PageHost::showRefusal(const QString& text) {
-    m_ofEdit = text;
-    showProblem(text);
-}
-void PageHost::showRefusal(const QString& text, const Snapshot& snapshot, const Message& refusal) {
-    m_refusalSaid = text;
-    m_refusal = refusal;
-    m_isOfReason = false;
-    m_refusedIn = snapshot.state;
-    showRefusal(text);
-}
-
-void PageHost::dropRefusal() {
-    for (QString* said : {&m_refusalSaid, &m_ofMoment})
-        if (const QString text = std::exchange(*said, {}); !text.isEmpty() && m_bar->sentence() == text)
-            m_bar->clear();
-}
-
-/// What was refused for a state or a reason is not said any longer than that lasts.
-void PageHost::keepRefusal(const Snapshot& snapshot) {
-    if (m_refusalSaid.isEmpty())
-        return;
-    const bool isReason = std::ranges::find(snapshot.reasons, m_refusal) != snapshot.reasons.end();
-    m_isOfReason = m_isOfReason || isReason;
-    if (snapshot.state != m_refusedIn || (m_isOfReason && !isReason))
-        dropRefusal();
-}
-
-void PageHost::showWhile(const QString& text) {
-    m_ofMoment = text;
-    showProblem(text);
-}
-
-bool PageHost::keepWhile(const QString& text) {
-    if (m_ofMoment.isEmpty() || m_bar->sentence() != m_ofMoment)
-        return false;
-    if (text.isEmpty()) {
-        m_bar->clear();
-        return false;
-    }
-    if (text != m_ofMoment)
-        showWhile(text);
-    return true;
-}
-
-void PageHost::showNote(const QString& text) {
-    m_bar->say(MessageBar::Kind::Note, text);
-}
-
 void PageHost::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
-        m_bar->clear(); // it speaks the old language
+        m_messages.clear(); // it speaks the old language
         showEditable();
-        showSession();
+        m_reviewDesk.retranslate();
     }
 }
 

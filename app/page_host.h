@@ -3,9 +3,8 @@
 
 #include "app/document.h"
 #include "app/page.h"
-#include "app/session_actions.h"
-#include "app/session_count.h"
-#include "app/session_library.h"
+#include "app/page_messages.h"
+#include "app/review_desk.h"
 #include "app/target_judge.h"
 #include "engine/base/units.h"
 #include "engine/runtime/command.h"
@@ -54,17 +53,9 @@ public:
     /// Opens any file that Bask reads, as after a drop, or says why not.
     void takeFile(const QString& path);
 
-    /// A sentence over the pages, until it is closed.
-    void showProblem(const QString& sentence);
-    void showRefusal(const QString& sentence); ///< gone with the next edit
-    /// The engine's: gone with the next edit or command, and with the state or the reason that it is about.
-    void showRefusal(const QString& sentence, const Snapshot& snapshot, const Message& refusal);
-    void dropRefusal(); ///< of the engine or of a verb: something else was asked for
-    /// Gone as soon as `keepWhile` says something else, or nothing.
-    void showWhile(const QString& sentence);
-    /// Changes or clears what `showWhile` has said. False: it is shown no more.
-    bool keepWhile(const QString& sentence);
-    void showNote(const QString& sentence);
+    PageMessages& messages() { return m_messages; }
+    void showProblem(const QString& sentence) { m_messages.showProblem(sentence); }
+    void showNote(const QString& sentence) { m_messages.showNote(sentence); }
 
     /// Over all, for what waits for an answer.
     MessageBar& cutOffBar() { return *m_cutOff; }
@@ -94,10 +85,6 @@ private:
     void connectReview();
     void reportInfeasible();
     void showDocument();
-    void showSession();
-    void connectCount();
-    void showIdentified();
-    void useIdentified();
     void showEditable();
     void askConfirm(std::size_t object);
     void showStep(const EditStep& step, const QString& words);
@@ -114,25 +101,14 @@ private:
     TargetsPage* m_targets;
     RunPage* m_run;
     ReviewPage* m_review;
-    SessionLibrary m_library;
-    void keepRefusal(const Snapshot& snapshot);
+    ReviewDesk m_reviewDesk;
+    PageMessages m_messages;
 
-    QString m_ofEdit;      ///< said last of the newest edit
-    QString m_ofMoment;    ///< said for as long as it is so
-    QString m_refusalSaid; ///< the engine's last one
-    Message m_refusal;
-    bool m_isOfReason = false; ///< it is one of the reasons for the state
-    RunState m_refusedIn = RunState::Idle;
     std::vector<double> m_told_K; ///< newest reading of each sensor, believed or not
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
-    QString m_recording; ///< the file that is being recorded into
-    std::shared_ptr<RecordedSession> m_session;
-    std::shared_ptr<const SessionNumbers> m_numbers; ///< of m_session; null: on their way, or not to be had
-    bool m_isDamageTold = false;                     ///< of m_session
     bool m_editable = true;
     bool m_targetsEditable = true;
     bool m_verdictUntold = false; ///< the engine has targets whose verdict it was not told
-    SessionCount m_count;
 };
 
 } // namespace bask

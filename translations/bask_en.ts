@@ -47,16 +47,6 @@
     </message>
 </context>
 <context>
-    <name>bask::PageHost</name>
-    <message numerus="yes">
-        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
-        <translation>
-            <numerusform>It is shown already, or there is %n run over the open one: take it away first.</numerusform>
-            <numerusform>It is shown already, or there are %n runs over the open one: take one away first.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>bask::RecipeControl</name>
     <message numerus="yes">
         <source>and %n more</source>
@@ -73,6 +63,16 @@
         <translation>
             <numerusform>%n step, at most %1</numerusform>
             <numerusform>%n steps, at most %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReviewDesk</name>
+    <message numerus="yes">
+        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+        <translation>
+            <numerusform>It is shown already, or there is %n run over the open one: take it away first.</numerusform>
+            <numerusform>It is shown already, or there are %n runs over the open one: take one away first.</numerusform>
         </translation>
     </message>
 </context>

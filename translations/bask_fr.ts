@@ -5392,14 +5392,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
         <translation>L’essai s’arrête. Les consignes pourront être modifiées ensuite.</translation>
     </message>
     <message>
-        <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
-        <translation>Aucun objet de l’expérience ouverte n’a le nom et le matériau d’un objet de cet essai, sous la même source et dans le même milieu.</translation>
-    </message>
-    <message>
-        <source>Start values taken from this run: %1</source>
-        <translation>Valeurs de départ reprises de cet essai : %1</translation>
-    </message>
-    <message>
         <source>Runs start at %1 from now on.</source>
         <translation>Les essais partent désormais de %1.</translation>
     </message>
@@ -5422,17 +5414,6 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>Undone: %1</source>
         <translation>Annulé&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>%1 was closed properly: its outcome is &quot;interrupted&quot; now.</source>
-        <translation>%1 a été clôturée : son issue est maintenant « interrompu ».</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
-        <translation>
-            <numerusform>Elle est déjà affichée, ou il y a %n essai superposé à celui qui est ouvert : retirez-en un d’abord.</numerusform>
-            <numerusform>Elle est déjà affichée, ou il y a %n essais superposés à celui qui est ouvert : retirez-en un d’abord.</numerusform>
-        </translation>
     </message>
     <message>
         <source>Confirm a sensor</source>
@@ -6220,6 +6201,32 @@ La page Consignes en dit plus et propose les consignes les plus proches qui peuv
     <message>
         <source>harmonics</source>
         <translation>harmoniques</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReviewDesk</name>
+    <message>
+        <source>%1 was closed properly: its outcome is &quot;interrupted&quot; now.</source>
+        <translation>%1 a été clôturée : son issue est maintenant « interrompu ».</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+        <translation>
+            <numerusform>Elle est déjà affichée, ou il y a %n essai superposé à celui qui est ouvert : retirez-en un d’abord.</numerusform>
+            <numerusform>Elle est déjà affichée, ou il y a %n essais superposés à celui qui est ouvert : retirez-en un d’abord.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A run is armed or on. Objects can be changed once it has stopped.</source>
+        <translation>Un essai est armé ou en cours. Les objets pourront être modifiés après son arrêt.</translation>
+    </message>
+    <message>
+        <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
+        <translation>Aucun objet de l’expérience ouverte n’a le nom et le matériau d’un objet de cet essai, sous la même source et dans le même milieu.</translation>
+    </message>
+    <message>
+        <source>Start values taken from this run: %1</source>
+        <translation>Valeurs de départ reprises de cet essai : %1</translation>
     </message>
 </context>
 <context>

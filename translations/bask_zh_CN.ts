@@ -5387,14 +5387,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>运行正在停止。停止后即可更改目标。</translation>
     </message>
     <message>
-        <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
-        <translation>在相同的热源和环境下，打开的实验中没有与本次运行名称和材料相同的物体。</translation>
-    </message>
-    <message>
-        <source>Start values taken from this run: %1</source>
-        <translation>已采用本次运行的起始值：%1</translation>
-    </message>
-    <message>
         <source>Runs start at %1 from now on.</source>
         <translation>今后的运行从 %1 开始。</translation>
     </message>
@@ -5417,16 +5409,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Undone: %1</source>
         <translation>已撤销：%1</translation>
-    </message>
-    <message>
-        <source>%1 was closed properly: its outcome is &quot;interrupted&quot; now.</source>
-        <translation>%1 已正确关闭：其结果现为“中断”。</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
-        <translation>
-            <numerusform>它已在显示，或已有 %n 次运行叠加在当前运行上：请先移除一次。</numerusform>
-        </translation>
     </message>
     <message>
         <source>Confirm a sensor</source>
@@ -6212,6 +6194,31 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>harmonics</source>
         <translation>谐波数</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReviewDesk</name>
+    <message>
+        <source>%1 was closed properly: its outcome is &quot;interrupted&quot; now.</source>
+        <translation>%1 已正确关闭：其结果现为“中断”。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+        <translation>
+            <numerusform>它已在显示，或已有 %n 次运行叠加在当前运行上：请先移除一次。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A run is armed or on. Objects can be changed once it has stopped.</source>
+        <translation>已待命或正在运行。停止后即可更改物体。</translation>
+    </message>
+    <message>
+        <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
+        <translation>在相同的热源和环境下，打开的实验中没有与本次运行名称和材料相同的物体。</translation>
+    </message>
+    <message>
+        <source>Start values taken from this run: %1</source>
+        <translation>已采用本次运行的起始值：%1</translation>
     </message>
 </context>
 <context>

@@ -5387,14 +5387,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
         <translation>運轉正在停止。停止後即可更改目標。</translation>
     </message>
     <message>
-        <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
-        <translation>在相同的熱源和環境下，開啟的實驗中沒有與本次運轉名稱和材料相同的物體。</translation>
-    </message>
-    <message>
-        <source>Start values taken from this run: %1</source>
-        <translation>已採用本次運轉的起始值：%1</translation>
-    </message>
-    <message>
         <source>Runs start at %1 from now on.</source>
         <translation>今後的運轉從 %1 開始。</translation>
     </message>
@@ -5417,16 +5409,6 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>Undone: %1</source>
         <translation>已復原：%1</translation>
-    </message>
-    <message>
-        <source>%1 was closed properly: its outcome is &quot;interrupted&quot; now.</source>
-        <translation>%1 已正確關閉：其結果現為「中斷」。</translation>
-    </message>
-    <message numerus="yes">
-        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
-        <translation>
-            <numerusform>它已在顯示，或已有 %n 次運轉疊加在目前的運轉上：請先移除一次。</numerusform>
-        </translation>
     </message>
     <message>
         <source>Confirm a sensor</source>
@@ -6212,6 +6194,31 @@ The Targets page says more and offers the nearest targets that can be held.</sou
     <message>
         <source>harmonics</source>
         <translation>諧波數</translation>
+    </message>
+</context>
+<context>
+    <name>bask::ReviewDesk</name>
+    <message>
+        <source>%1 was closed properly: its outcome is &quot;interrupted&quot; now.</source>
+        <translation>%1 已正確關閉：其結果現為「中斷」。</translation>
+    </message>
+    <message numerus="yes">
+        <source>It is shown already, or there are %n runs over the open one: take one away first.</source>
+        <translation>
+            <numerusform>它已在顯示，或已有 %n 次運轉疊加在目前的運轉上：請先移除一次。</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>A run is armed or on. Objects can be changed once it has stopped.</source>
+        <translation>已待命或正在運轉。停止後即可更改物體。</translation>
+    </message>
+    <message>
+        <source>No object of the open experiment has the name and material of one of this run under the same source and environment.</source>
+        <translation>在相同的熱源和環境下，開啟的實驗中沒有與本次運轉名稱和材料相同的物體。</translation>
+    </message>
+    <message>
+        <source>Start values taken from this run: %1</source>
+        <translation>已採用本次運轉的起始值：%1</translation>
     </message>
 </context>
 <context>

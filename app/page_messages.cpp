@@ -1,0 +1,77 @@
+#include "app/page_messages.h"
+
+#include "widgets/common/message_bar.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace bask {
+
+void PageMessages::showProblem(const QString& sentence) {
+    m_bar.say(MessageBar::Kind::Problem, sentence);
+}
+
+void PageMessages::showNote(const QString& sentence) {
+    m_bar.say(MessageBar::Kind::Note, sentence);
+}
+
+void PageMessages::clear() {
+    m_bar.clear();
+}
+
+void PageMessages::showOfEdit(const QString& note) {
+    m_ofEdit = note;
+    showNote(note);
+}
+
+void PageMessages::dropOfEdit() {
+    if (m_bar.sentence() == m_ofEdit)
+        m_bar.clear();
+}
+
+void PageMessages::showRefusal(const QString& sentence) {
+    m_ofEdit = sentence;
+    showProblem(sentence);
+}
+
+void PageMessages::showRefusal(const QString& text, const Snapshot& snapshot, const Message& refusal) {
+    m_refusalSaid = text;
+    m_refusal = refusal;
+    m_isOfReason = false;
+    m_refusedIn = snapshot.state;
+    showRefusal(text);
+}
+
+void PageMessages::dropRefusal() {
+    for (QString* said : {&m_refusalSaid, &m_ofMoment})
+        if (const QString text = std::exchange(*said, {}); !text.isEmpty() && m_bar.sentence() == text)
+            m_bar.clear();
+}
+
+void PageMessages::keepRefusal(const Snapshot& snapshot) {
+    if (m_refusalSaid.isEmpty())
+        return;
+    const bool isReason = std::ranges::find(snapshot.reasons, m_refusal) != snapshot.reasons.end();
+    m_isOfReason = m_isOfReason || isReason;
+    if (snapshot.state != m_refusedIn || (m_isOfReason && !isReason))
+        dropRefusal();
+}
+
+void PageMessages::showWhile(const QString& text) {
+    m_ofMoment = text;
+    showProblem(text);
+}
+
+bool PageMessages::keepWhile(const QString& text) {
+    if (m_ofMoment.isEmpty() || m_bar.sentence() != m_ofMoment)
+        return false;
+    if (text.isEmpty()) {
+        m_bar.clear();
+        return false;
+    }
+    if (text != m_ofMoment)
+        showWhile(text);
+    return true;
+}
+
+} // namespace bask

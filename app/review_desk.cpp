@@ -1,0 +1,167 @@
+#include "app/review_desk.h"
+
+#include "app/error_text.h"
+#include "widgets/review/identified_table.h"
+#include "widgets/review/replay_view.h"
+#include "widgets/review/review_page.h"
+#include "widgets/review/session_list.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace bask {
+
+ReviewDesk::ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent)
+    : QObject(parent), m_page(page), m_document(document), m_files(files), m_library(*page.sessions()) {
+    connectList();
+    connectCount();
+    connect(&m_page, &ReviewPage::openRequested, &m_files, &SessionActions::askAndOpenSession);
+    connect(&m_page, &ReviewPage::exportRequested, &m_files, &SessionActions::exportSession);
+    connect(&m_page, &ReviewPage::useIdentifiedRequested, this, &ReviewDesk::useIdentified);
+    connect(&m_files, &SessionActions::sessionOpened, this, &ReviewDesk::open);
+}
+
+void ReviewDesk::open(std::shared_ptr<RecordedSession> session) {
+    m_session = std::move(session);
+    m_numbers.reset();
+    m_isDamageTold = false;
+    showSession();
+    emit opened();
+    m_count.start(*m_session);
+}
+
+bool ReviewDesk::isOpen(const QString& path) const {
+    return m_session && QString::fromStdString(m_session->facts().path) == path;
+}
+
+void ReviewDesk::showList() {
+    m_library.setFolder(m_files.sessionFolder());
+}
+
+void ReviewDesk::setRecording(const QString& path) {
+    if (path == m_recording)
+        return;
+    m_recording = path;
+    m_page.sessions()->setRecording(path);
+    if (m_page.isVisible())
+        m_library.refresh();
+}
+
+void ReviewDesk::retranslate() {
+    showSession();
+}
+
+/// The list of runs; reading them is the library's work.
+void ReviewDesk::connectList() {
+    SessionList* list = m_page.sessions();
+    connect(list, &SessionList::sessionChosen, &m_files, &SessionActions::open);
+    connect(list, &SessionList::folderRequested, this, [this] {
+        if (const QString folder = m_files.askSessionFolder(); !folder.isEmpty())
+            m_library.setFolder(folder);
+    });
+    connect(&m_library, &SessionLibrary::problem, this, &ReviewDesk::problem);
+    connect(&m_library, &SessionLibrary::closing, this, [this](const QString& path) {
+        if (!isOpen(path))
+            return;
+        m_count.stop();
+        m_page.replay()->pause();
+    });
+    connect(&m_library, &SessionLibrary::closed, this, [this](const QString& path, bool isDone) {
+        if (isDone)
+            emit told(tr("%1 was closed properly: its outcome is \"interrupted\" now.")
+                          .arg(QFileInfo(path).fileName()));
+        if (!isOpen(path))
+            return;
+        if (isDone)
+            m_files.open(path);
+        else if (!m_numbers)
+            m_count.start(*m_session);
+    });
+    connect(&m_library, &SessionLibrary::overlayRead, this,
+            [this](const std::shared_ptr<RecordedSession>& session) {
+                if (!m_page.replay()->addOverlay(session))
+                    emit told(tr(
+                        "It is shown already, or there are %n runs over the open one: take one away first.",
+                        nullptr, ReplayView::kMaxOverlays));
+            });
+    connect(&m_page, &ReviewPage::definitionsRequested, this,
+            [this] { emit manualRequested(QStringLiteral("manual.md#metrics")); });
+}
+
+/// Metrics and heat rates of the open run; damage of its file is told once, whoever finds it.
+void ReviewDesk::connectCount() {
+    const auto tellDamage = [this](const Error& error) {
+        if (!std::exchange(m_isDamageTold, true))
+            emit problem(sentence(error));
+    };
+    connect(&m_count, &SessionCount::progressed, &m_page, &ReviewPage::setCounting);
+    connect(&m_count, &SessionCount::failed, this, [this, tellDamage](const Error& error) {
+        m_page.setCountFailed();
+        tellDamage(error);
+    });
+    connect(&m_count, &SessionCount::counted, this,
+            [this](const std::shared_ptr<const SessionNumbers>& numbers) {
+                m_numbers = numbers;
+                m_page.setMetrics(numbers->metrics);
+                m_page.replay()->setWay(numbers->way);
+                showIdentified();
+            });
+    connect(m_page.replay(), &ReplayView::readFailed, this, tellDamage);
+}
+
+void ReviewDesk::showSession() {
+    if (!m_session)
+        return;
+    QStringList sentences;
+    for (const TraceEvent& event : m_session->facts().events)
+        sentences << sentence(event.message);
+    m_page.setSession(m_session, sentences);
+    showIdentified();
+}
+
+void ReviewDesk::showIdentified() {
+    if (!m_numbers)
+        return;
+    const Result<SessionRates>& rates = m_numbers->rates;
+    if (!rates)
+        return m_page.setIdentificationFailed(sentence(rates.error()));
+    const std::vector<ObjectSample>& last = m_numbers->metrics.last.objects;
+    std::vector<IdentifiedRow> rows;
+    for (std::size_t i = 0; i < rates->identified.size(); ++i) {
+        const IdentifiedRates& fit = rates->identified[i];
+        IdentifiedRow row;
+        row.name = QString::fromStdString(m_session->facts().experiment.objects[i].name);
+        row.lambda1 = {fit.lambda1.value, fit.lambda1.standardError};
+        row.lambda2 = {fit.lambda2.value, fit.lambda2.standardError};
+        row.lambda3 = {fit.lambda3.value, fit.lambda3.standardError};
+        row.material = rates->material[i].lambda1;
+        if (i < last.size())
+            row.controller = last[i].lambda1;
+        if (!fit.usable())
+            row.unusable = sentence(fit.reason);
+        rows.push_back(std::move(row));
+    }
+    m_page.setIdentified(rows);
+}
+
+void ReviewDesk::useIdentified() {
+    if (!m_editable)
+        return emit problem(tr("A run is armed or on. Objects can be changed once it has stopped."));
+    if (!m_numbers || !m_numbers->rates)
+        return;
+    const StartValues start =
+        withStartValues(m_document.experiment(), m_session->facts().experiment, *m_numbers->rates);
+    if (start.objects.empty())
+        return emit problem(
+            tr("No object of the open experiment has the name and material of one of this run "
+               "under the same source and environment."));
+    if (const auto edited = m_document.edit(start.experiment); !edited)
+        return emit problem(sentence(edited.error()));
+    QStringList names;
+    for (const std::string& name : start.objects)
+        names << QString::fromStdString(name);
+    emit told(tr("Start values taken from this run: %1").arg(names.join(QStringLiteral(", "))));
+}
+
+} // namespace bask

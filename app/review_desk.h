@@ -1,0 +1,56 @@
+#pragma once
+// The Review page with the run that is open, its numbers and the list of runs.
+
+#include "app/document.h"
+#include "app/session_actions.h"
+#include "app/session_count.h"
+#include "app/session_library.h"
+
+#include <QObject>
+
+#include <memory>
+
+namespace bask {
+
+class ReviewPage;
+
+class ReviewDesk : public QObject {
+    Q_OBJECT
+
+public:
+    ReviewDesk(ReviewPage& page, Document& document, SessionActions& files, QObject* parent = nullptr);
+
+    void showList();                        ///< of the folder of sessions
+    void setRecording(const QString& path); ///< the file that is being recorded into; empty: none
+    void setEditable(bool editable) { m_editable = editable; } ///< of the open experiment
+    void retranslate();
+
+signals:
+    void opened(); ///< a session, which is shown
+    void problem(const QString& sentence);
+    void told(const QString& sentence);
+    /// "manual.md#review"
+    void manualRequested(const QString& page);
+
+private:
+    void connectList();
+    void connectCount();
+    void open(std::shared_ptr<RecordedSession> session);
+    bool isOpen(const QString& path) const;
+    void showSession();
+    void showIdentified();
+    void useIdentified();
+
+    ReviewPage& m_page;
+    Document& m_document;
+    SessionActions& m_files;
+    SessionLibrary m_library;
+    SessionCount m_count;
+    QString m_recording;
+    std::shared_ptr<RecordedSession> m_session;
+    std::shared_ptr<const SessionNumbers> m_numbers; ///< of m_session; null: on their way, or not to be had
+    bool m_isDamageTold = false;                     ///< of m_session
+    bool m_editable = true;
+};
+
+} // namespace bask
