@@ -1,5 +1,7 @@
 #include "app/about.h"
 
+#include "engine/base/version.h"
+
 #include <QCoreApplication>
 #include <QMessageBox>
 #include <QSysInfo>

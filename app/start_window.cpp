@@ -3,6 +3,7 @@
 #include "app/end_signals.h"
 #include "app/main_window.h"
 #include "app/settings_store.h"
+#include "engine/base/version.h"
 #include "widgets/common/theme.h"
 
 #include <QApplication>

@@ -1,6 +1,7 @@
 #include "app/commands/reproduction_report.h"
 
 #include "engine/base/units.h"
+#include "engine/base/version.h"
 
 #include <cmath>
 

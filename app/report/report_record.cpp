@@ -3,6 +3,7 @@
 #include "app/report/html_text.h"
 #include "app/report/report_figures.h"
 #include "engine/base/message_code.h"
+#include "engine/base/version.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/exchange/vtk_version.h"
 #include "engine/session/session_header.h"

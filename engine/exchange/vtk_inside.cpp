@@ -1,6 +1,7 @@
 #include "engine/exchange/vtk_inside.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/version.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkDataSet.h>

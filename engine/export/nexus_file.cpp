@@ -1,6 +1,7 @@
 #include "engine/export/nexus_file.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/version.h"
 #include "engine/control/controller_catalogue.h"
 #include "engine/export/hdf5_file.h"
 #include "engine/export/staged_files.h"

@@ -1,5 +1,6 @@
 #include "engine/base/message_code.h"
 #include "engine/base/replaced_files.h"
+#include "engine/base/version.h"
 #include "engine/session/session_file.h"
 #include "engine/session/session_store.h"
 #include "engine/session/session_tables.h"

@@ -1,3 +1,5 @@
+
+#include "engine/base/version.h"
 // The program as a script sees it: exit codes, help and refusals, with no display and no QT_QPA_PLATFORM.
 
 #include <QFile>

@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/base/version.h"
 #include "engine/exchange/field_file.h"
 
 #include "tests/engine/exchange/read_image.h"

@@ -1,6 +1,7 @@
 // Surfaces as .vtp, read back as ParaView does.
 
 #include "engine/base/message_code.h"
+#include "engine/base/version.h"
 #include "engine/exchange/field_file.h"
 
 #include "tests/engine/exchange/read_image.h"

@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/base/version.h"
 #include "engine/session/session_file.h"
 #include "engine/session/session_store.h"
 #include "tests/engine/session/recording.h"

@@ -1,4 +1,5 @@
 #include "engine/base/message_code.h"
+#include "engine/base/version.h"
 #include "widgets/review/review_page.h"
 
 #include "engine/session/session_store.h"
@@ -161,7 +162,7 @@ TEST_F(ReviewPageTest, HeaderTellsTheFacts) {
     EXPECT_EQ(text("factDuration"), "3:20");
     EXPECT_EQ(text("factController"), "Level servo");
     EXPECT_EQ(text("factOutcome"), "Not all objects settled");
-    EXPECT_EQ(text("factSoftware"), "Bask 0.1.0");
+    EXPECT_EQ(text("factSoftware"), "Bask " BASK_VERSION);
     EXPECT_TRUE(text("factCreated").contains(':'));
 
     SessionRecord broken = record();
