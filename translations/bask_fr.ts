@@ -1744,6 +1744,22 @@
         <source>dv/dt = −D v − K Δτ</source>
         <translation>dv/dt = −D v − K Δτ</translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>The device&apos;s Modbus address</source>
+        <translation>L’adresse Modbus de l’appareil</translation>
+    </message>
+    <message>
+        <source>Watchdog</source>
+        <translation>Chien de garde</translation>
+    </message>
+    <message>
+        <source>The device switches its heat off when it has heard nothing for so long</source>
+        <translation>L’appareil coupe son chauffage s’il n’entend rien pendant ce temps</translation>
+    </message>
 </context>
 <context>
     <name>Verb</name>
@@ -3240,10 +3256,6 @@
         <translation>Choisissez-en un, ou tapez son chemin</translation>
     </message>
     <message>
-        <source>Host name or IP address of the robot</source>
-        <translation>Nom d’hôte ou adresse IP du robot</translation>
-    </message>
-    <message>
         <source>Set up: %1</source>
         <translation>Réglage : %1</translation>
     </message>
@@ -3280,28 +3292,12 @@
         <translation>Prendre dans un fichier le sens des registres de l’appareil</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>Unité</translation>
-    </message>
-    <message>
-        <source>The device&apos;s Modbus address</source>
-        <translation>L’adresse Modbus de l’appareil</translation>
-    </message>
-    <message>
         <source>Channels</source>
         <translation>Voies</translation>
     </message>
     <message>
         <source>The channel of each object&apos;s sensor, counted from 0</source>
         <translation>La voie du capteur de chaque objet, comptée à partir de 0</translation>
-    </message>
-    <message>
-        <source>Watchdog</source>
-        <translation>Chien de garde</translation>
-    </message>
-    <message>
-        <source>The device switches its heat off when it has heard nothing for so long</source>
-        <translation>L’appareil coupe son chauffage s’il n’entend rien pendant ce temps</translation>
     </message>
     <message>
         <source>Its external probe measures the surface</source>
@@ -3378,6 +3374,10 @@
     <message>
         <source>Once it is homed or confirmed</source>
         <translation>Après prise d’origine ou confirmation</translation>
+    </message>
+    <message>
+        <source>Host name or IP address of the device</source>
+        <translation>Nom d’hôte ou adresse IP de l’appareil</translation>
     </message>
 </context>
 <context>

@@ -1744,6 +1744,22 @@
         <source>dv/dt = −D v − K Δτ</source>
         <translation>dv/dt = −D v − K Δτ</translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>The device&apos;s Modbus address</source>
+        <translation>设备的 Modbus 地址</translation>
+    </message>
+    <message>
+        <source>Watchdog</source>
+        <translation>看门狗</translation>
+    </message>
+    <message>
+        <source>The device switches its heat off when it has heard nothing for so long</source>
+        <translation>设备若在这段时间内没有收到任何信息，就自行关闭加热</translation>
+    </message>
 </context>
 <context>
     <name>Verb</name>
@@ -3235,10 +3251,6 @@
         <translation>请选择一个，或输入其路径</translation>
     </message>
     <message>
-        <source>Host name or IP address of the robot</source>
-        <translation>机器人的主机名或 IP 地址</translation>
-    </message>
-    <message>
         <source>Set up: %1</source>
         <translation>设置：%1</translation>
     </message>
@@ -3275,28 +3287,12 @@
         <translation>从文件读取设备各寄存器的含义</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>单元</translation>
-    </message>
-    <message>
-        <source>The device&apos;s Modbus address</source>
-        <translation>设备的 Modbus 地址</translation>
-    </message>
-    <message>
         <source>Channels</source>
         <translation>通道</translation>
     </message>
     <message>
         <source>The channel of each object&apos;s sensor, counted from 0</source>
         <translation>每个物体的传感器通道，从 0 开始计数</translation>
-    </message>
-    <message>
-        <source>Watchdog</source>
-        <translation>看门狗</translation>
-    </message>
-    <message>
-        <source>The device switches its heat off when it has heard nothing for so long</source>
-        <translation>设备若在这段时间内没有收到任何信息，就自行关闭加热</translation>
     </message>
     <message>
         <source>Its external probe measures the surface</source>
@@ -3373,6 +3369,10 @@
     <message>
         <source>Once it is homed or confirmed</source>
         <translation>回零或确认之后</translation>
+    </message>
+    <message>
+        <source>Host name or IP address of the device</source>
+        <translation>设备的主机名或 IP 地址</translation>
     </message>
 </context>
 <context>

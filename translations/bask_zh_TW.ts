@@ -1744,6 +1744,22 @@
         <source>dv/dt = −D v − K Δτ</source>
         <translation>dv/dt = −D v − K Δτ</translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation>單元</translation>
+    </message>
+    <message>
+        <source>The device&apos;s Modbus address</source>
+        <translation>裝置的 Modbus 位址</translation>
+    </message>
+    <message>
+        <source>Watchdog</source>
+        <translation>看門狗</translation>
+    </message>
+    <message>
+        <source>The device switches its heat off when it has heard nothing for so long</source>
+        <translation>裝置若在這段時間內沒有收到任何資訊，就自行關閉加熱</translation>
+    </message>
 </context>
 <context>
     <name>Verb</name>
@@ -3235,10 +3251,6 @@
         <translation>請選擇一個，或輸入其路徑</translation>
     </message>
     <message>
-        <source>Host name or IP address of the robot</source>
-        <translation>機器人的主機名稱或 IP 位址</translation>
-    </message>
-    <message>
         <source>Set up: %1</source>
         <translation>設定：%1</translation>
     </message>
@@ -3275,28 +3287,12 @@
         <translation>從檔案讀取裝置各暫存器的含義</translation>
     </message>
     <message>
-        <source>Unit</source>
-        <translation>單元</translation>
-    </message>
-    <message>
-        <source>The device&apos;s Modbus address</source>
-        <translation>裝置的 Modbus 位址</translation>
-    </message>
-    <message>
         <source>Channels</source>
         <translation>通道</translation>
     </message>
     <message>
         <source>The channel of each object&apos;s sensor, counted from 0</source>
         <translation>每個物體的感測器通道，從 0 開始計數</translation>
-    </message>
-    <message>
-        <source>Watchdog</source>
-        <translation>看門狗</translation>
-    </message>
-    <message>
-        <source>The device switches its heat off when it has heard nothing for so long</source>
-        <translation>裝置若在這段時間內沒有收到任何資訊，就自行關閉加熱</translation>
     </message>
     <message>
         <source>Its external probe measures the surface</source>
@@ -3373,6 +3369,10 @@
     <message>
         <source>Once it is homed or confirmed</source>
         <translation>回原點或確認之後</translation>
+    </message>
+    <message>
+        <source>Host name or IP address of the device</source>
+        <translation>裝置的主機名稱或 IP 位址</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include "engine/base/units.h"
 #include "engine/device_simulators/bench.h"
 #include "engine/device_simulators/device_server.h"
+#include "engine/drivers/driver_catalogue.h"
 #include "engine/runtime/rig_setup.h"
 
 #include <QCommandLineParser>
@@ -36,7 +37,7 @@ Result<BenchDevices> benchDevices(const Experiment& experiment) {
     if (!experiment.rig)
         return Error(MessageCode::RigMissing, {});
     const RigSpec& rig = *experiment.rig;
-    if (!rig.robot || rig.robot->driver != RobotDriver::Grbl)
+    if (!rig.robot || rig.robot->driver != "grbl")
         return missing("robot under Grbl");
     if (!rig.thermometer)
         return missing("thermometer");
@@ -44,13 +45,17 @@ Result<BenchDevices> benchDevices(const Experiment& experiment) {
     devices.axes = rig.robot->axes;
     devices.channels = rig.thermometer->channels;
     devices.thermometerUnit = rig.thermometer->unit;
-    if (rig.thermometer->driver == ThermometerDriver::Modbus)
+    if (driverOf(*rig.thermometer).isModbus)
         devices.thermometer = rig.thermometer->profile;
-    if (!rig.source || rig.source->driver == HeatSourceDriver::ByHand)
+    else if (rig.thermometer->driver != "stream")
+        return missing("thermometer that can be simulated");
+    if (!rig.source || isKeptByHand(*rig.source))
         return missing("heat source with a port");
     devices.heaterUnit = rig.source->unit;
-    if (rig.source->driver == HeatSourceDriver::Modbus)
+    if (driverOf(*rig.source).isModbus)
         devices.heater = rig.source->profile;
+    else if (rig.source->driver != "namur")
+        return missing("heat source that can be simulated");
     if (rig.source->port == rig.thermometer->port)
         return missing("port of its own for the heat source");
     return devices;

@@ -2,6 +2,7 @@
 // The hot surface: its measured temperature, its set point, and heat that is off unless something keeps
 // saying on.
 
+#include "engine/base/message_code.h"
 #include "engine/devices/device.h"
 #include "engine/devices/thermometer.h"
 
@@ -26,6 +27,12 @@ public:
     virtual std::optional<double> setPoint_K() const { return std::nullopt; }
     /// A person keeps it hot: it cannot be switched from here.
     virtual bool isByHand() const { return false; }
+    /// What a person reads at a source that a person keeps hot, K. Errors: ValueOutOfRange; RigIncomplete of
+    /// any other source.
+    virtual Result<void> setTemperature(double temperature_K) {
+        (void)temperature_K;
+        return Error(MessageCode::RigIncomplete, {}, {"heat source kept by hand"});
+    }
     /// Why there is no heat whatever is asked, None: there can be. Told before a run is armed.
     virtual Message cannotHeat() const { return {}; }
     /// The guard process that switches it off when Bask dies has done so, or is gone; None: neither.

@@ -27,6 +27,8 @@ public:
     virtual Result<void> setTwist(const Vector6d& twist, double validFor_s) = 0;
     /// While it takes the objects away from the heat a place that is not sure does not keep it from moving.
     virtual void setRetreating(bool isRetreating) { (void)isRetreating; }
+    /// The quickest that it may move and turn, whatever it is asked, where its controller can be told so.
+    virtual void limitSpeed(double max_m_s, double max_rad_s) { (void)max_m_s, (void)max_rad_s; }
     /// Zero velocity now.
     virtual Result<void> halt() = 0;
     /// Finds its place anew by its switches; moves. Refused where it cannot.

@@ -1,7 +1,10 @@
 #include "engine/drivers/dobot_robot.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/base/units.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
 
 #include <algorithm>
 #include <cmath>
@@ -56,12 +59,12 @@ DobotRobot::DobotRobot(ByteLink& dashboard, ByteLink& motion, ByteLink& feedback
     : m_dashboard(dashboard), m_motion(motion), m_feedback(feedback), m_clock(clock),
       m_planner(std::move(map), std::move(guard)), m_fullSpeed_mm_s(fullSpeed_mm_s) {}
 
-void DobotRobot::limitSpeed(double largest_m_s, double largest_rad_s) {
-    const double largest_mm_s = 1000.0 * largest_m_s, largest_deg_s = degFromRad(largest_rad_s);
-    if (largest_mm_s == m_largest_mm_s && largest_deg_s == m_largest_deg_s)
+void DobotRobot::limitSpeed(double max_m_s, double max_rad_s) {
+    const double max_mm_s = 1000.0 * max_m_s, max_deg_s = degFromRad(max_rad_s);
+    if (max_mm_s == m_largest_mm_s && max_deg_s == m_largest_deg_s)
         return;
-    m_largest_mm_s = largest_mm_s;
-    m_largest_deg_s = largest_deg_s;
+    m_largest_mm_s = max_mm_s;
+    m_largest_deg_s = max_deg_s;
     m_isSetUp = false; // the factor is set anew, before the next move
 }
 
@@ -615,6 +618,26 @@ Result<void> DobotRobot::clearAlarm() {
         break;
     }
     return {};
+}
+
+RobotDriver dobotDriver() {
+    static constexpr int kDashboard = 29999, kMotion = 30003, kFeedback = 30004;
+    RobotDriver driver;
+    driver.key = "dobot";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Dobot MG400 or M1 Pro (network)");
+    driver.link = DriverLink::Network;
+    driver.serial = {115200, 8, 'N', 1}; // not used, but files have it
+    driver.usualAxes = {
+        {'X', kX, false, 0.0}, {'Y', kY, false, 0.0}, {'Z', kZ, false, 0.0}, {'R', kThetaZ, false, 0.0}};
+    driver.make = [](DriverLinks& links, const RobotDeviceSpec&, const AxisMap& axes,
+                     MotionGuard mayGo) -> MadeDevice<Robot> {
+        ByteLink& dashboard = links.tcp(kDashboard);
+        ByteLink& motion = links.tcp(kMotion);
+        ByteLink& feedback = links.tcp(kFeedback);
+        return std::make_unique<DobotRobot>(dashboard, motion, feedback, links.clock(), axes,
+                                            std::move(mayGo));
+    };
+    return driver;
 }
 
 } // namespace bask

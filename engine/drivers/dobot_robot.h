@@ -20,6 +20,8 @@
 
 namespace bask {
 
+struct RobotDriver;
+
 class DobotRobot final : public Robot, public Device {
 public:
     static constexpr double kElsewhere = 0.5; ///< mm, degrees; as GrblRobot's
@@ -33,7 +35,7 @@ public:
                MotionGuard guard, double fullSpeed_mm_s = kFullSpeed_mm_s);
 
     /// The quickest that it may move and turn, as MovL counts: no quicker whatever it is asked.
-    void limitSpeed(double largest_m_s, double largest_rad_s);
+    void limitSpeed(double max_m_s, double max_rad_s) override;
 
     void work() override;
     DeviceStatus status() const override;
@@ -143,5 +145,8 @@ private:
     std::string m_held;
     bool m_isDisabled = false, m_isSlow = false;
 };
+
+/// Its entry in the catalogue of drivers.
+RobotDriver dobotDriver();
 
 } // namespace bask

@@ -1,6 +1,9 @@
 #include "engine/drivers/grbl_robot.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
 
 #include <algorithm>
 #include <cmath>
@@ -504,6 +507,21 @@ Result<void> GrblRobot::clearDoubt() {
     if (isHomingDue())
         return Error(MessageCode::RobotPlaceUnsure, m_link.name());
     return {};
+}
+
+RobotDriver grblDriver() {
+    RobotDriver driver;
+    driver.key = "grbl";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Grbl or grblHAL (G-code)");
+    driver.serial = {115200, 8, 'N', 1};
+    driver.usualAxes = RobotDeviceSpec().axes;
+    driver.canHome = true;
+    driver.make = [](DriverLinks& links, const RobotDeviceSpec& spec, const AxisMap& axes,
+                     MotionGuard mayGo) -> MadeDevice<Robot> {
+        return std::make_unique<GrblRobot>(links.serial(), links.clock(), axes, std::move(mayGo),
+                                           spec.mustHome);
+    };
+    return driver;
 }
 
 } // namespace bask

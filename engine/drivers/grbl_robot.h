@@ -16,6 +16,8 @@
 
 namespace bask {
 
+struct RobotDriver;
+
 class GrblRobot final : public Robot, public Device {
 public:
     /// A robot that ends a step, or is found again, farther from its place than this may have lost it; mm,
@@ -174,5 +176,8 @@ private:
     bool m_isRetreating = false;
     bool m_hasRestarted = false, m_isSlow = false, m_isPlaceInDoubt = false;
 };
+
+/// Its entry in the catalogue of drivers.
+RobotDriver grblDriver();
 
 } // namespace bask

@@ -1,7 +1,10 @@
 #include "engine/drivers/hand_heater.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/base/units.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
 
 namespace bask {
 namespace {
@@ -45,6 +48,17 @@ Result<void> HandHeater::keepHeating(double, double) {
     if (!m_typed.valid)
         return notTyped();
     return {};
+}
+
+HeatSourceDriver handHeaterDriver() {
+    HeatSourceDriver driver;
+    driver.key = "by_hand";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Kept hot by a person");
+    driver.link = DriverLink::None;
+    driver.make = [](DriverLinks& links, const HeatSourceDeviceSpec&) -> MadeDevice<HeatSource> {
+        return std::make_unique<HandHeater>(links.clock());
+    };
+    return driver;
 }
 
 } // namespace bask

@@ -7,15 +7,14 @@
 
 namespace bask {
 
+struct HeatSourceDriver;
+
 /// The reading's time is that of the typing, so that its age is told.
 class HandHeater final : public HeatSource, public Device {
 public:
     static constexpr double kLowest_K = 223.15, kHighest_K = 1773.15;
 
     explicit HandHeater(const Clock& clock) : m_clock(clock) {}
-
-    /// What the person reads at the source, K. Errors: ValueOutOfRange.
-    Result<void> setTemperature(double temperature_K);
 
     void work() override {}
     DeviceStatus status() const override;
@@ -28,11 +27,15 @@ public:
     bool heating() const override { return m_typed.valid; }
     HeatState heatState() const override { return m_typed.valid ? HeatState::On : HeatState::Unknown; }
     bool isByHand() const override { return true; }
+    Result<void> setTemperature(double temperature_K) override;
     bool hasWatchdog() const override { return false; }
 
 private:
     const Clock& m_clock;
     Reading m_typed;
 };
+
+/// Its entry in the catalogue of drivers.
+HeatSourceDriver handHeaterDriver();
 
 } // namespace bask

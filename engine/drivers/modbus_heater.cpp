@@ -1,7 +1,10 @@
 #include "engine/drivers/modbus_heater.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/base/units.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
 #include "engine/drivers/off_program.h"
 #include "engine/drivers/sensor_fault.h"
 #include "engine/protocols/modbus_frame.h"
@@ -440,6 +443,27 @@ std::optional<double> ModbusHeater::setPoint_K() const {
         return std::nullopt;
     const double setPoint_K = readBack_K(*m_settings.profile.setPoint);
     return std::isnan(setPoint_K) ? std::nullopt : std::optional(setPoint_K);
+}
+
+HeatSourceDriver modbusHeaterDriver() {
+    HeatSourceDriver driver;
+    driver.key = "modbus";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Modbus RTU controller");
+    driver.serial = {19200, 8, 'E', 1};
+    driver.isModbus = true;
+    driver.parameters = {deviceParameter(heatSourceParameters(), "unit", SetupStep::Connection),
+                         deviceParameter(heatSourceParameters(), "watchdog", SetupStep::Use)};
+    driver.parameters.back().applies = [](const HeatSourceDeviceSpec& spec) {
+        return spec.profile.watchdog.has_value(); // or it would seem to have one
+    };
+    driver.make = [](DriverLinks& links, const HeatSourceDeviceSpec& spec) -> MadeDevice<HeatSource> {
+        ModbusHeaterSettings settings{spec.unit, spec.profile};
+        settings.watchdog_s = spec.watchdog_s;
+        auto heater = made(ModbusHeater::create(links.modbus(), links.clock(), settings));
+        const ModbusHeater* known = heater.get();
+        return {std::move(heater), [known, line = spec.serial] { return known->offProgram(line); }};
+    };
+    return driver;
 }
 
 } // namespace bask

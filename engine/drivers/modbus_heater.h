@@ -15,6 +15,8 @@
 
 namespace bask {
 
+struct HeatSourceDriver;
+
 struct ModbusHeaterSettings {
     int unit = 1;
     ModbusProfile profile{};
@@ -112,5 +114,8 @@ private:
     double m_off_s = -1e300;   ///< when it was to go off
     Message m_writeProblem;    ///< of it
 };
+
+/// Its entry in the catalogue of drivers.
+HeatSourceDriver modbusHeaterDriver();
 
 } // namespace bask

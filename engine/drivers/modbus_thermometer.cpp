@@ -1,10 +1,14 @@
 #include "engine/drivers/modbus_thermometer.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
 #include "engine/drivers/sensor_fault.h"
 #include "engine/protocols/register_values.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace bask {
 namespace {
@@ -114,6 +118,27 @@ Result<std::vector<Reading>> ModbusThermometer::read() {
         return Error(other.code, "", other.args);
     }
     return m_readings;
+}
+
+ThermometerDriver modbusThermometerDriver() {
+    ThermometerDriver driver;
+    driver.key = "modbus";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Modbus RTU module");
+    driver.serial = {19200, 8, 'E', 1};
+    driver.isModbus = true;
+    driver.isPolled = true;
+    driver.parameters = {deviceParameter(thermometerParameters(), "unit", SetupStep::Connection)};
+    driver.make = [](DriverLinks& links, const ThermometerDeviceSpec& spec,
+                     double period_s) -> MadeDevice<Thermometer> {
+        std::vector<int> channels = spec.channels;
+        if (channels.empty()) {
+            channels.resize(static_cast<std::size_t>(spec.profile.channels));
+            std::iota(channels.begin(), channels.end(), 0);
+        }
+        return made(ModbusThermometer::create(links.modbus(), links.clock(),
+                                              {spec.unit, spec.profile, channels, period_s}));
+    };
+    return driver;
 }
 
 } // namespace bask

@@ -11,6 +11,8 @@
 
 namespace bask {
 
+struct ThermometerDriver;
+
 struct ModbusThermometerSettings {
     int unit = 1;
     ModbusProfile profile{};
@@ -53,5 +55,8 @@ private:
     double m_measured_s = 0.0; ///< when m_values were asked for
     std::vector<Reading> m_readings;
 };
+
+/// Its entry in the catalogue of drivers.
+ThermometerDriver modbusThermometerDriver();
 
 } // namespace bask

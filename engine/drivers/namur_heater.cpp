@@ -1,7 +1,10 @@
 #include "engine/drivers/namur_heater.h"
 
 #include "engine/base/message_code.h"
+#include "engine/base/translated.h"
 #include "engine/base/units.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
 #include "engine/drivers/off_program.h"
 #include "engine/protocols/namur_lines.h"
 
@@ -367,6 +370,22 @@ guard::OffProgram NamurHeater::offProgram() {
 
 bool NamurHeater::hasWatchdog() const {
     return m_unechoed < kUnechoedTold;
+}
+
+HeatSourceDriver namurHeaterDriver() {
+    HeatSourceDriver driver;
+    driver.key = "namur";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Hotplate (NAMUR, IKA)");
+    driver.serial = {9600, 7, 'E', 1};
+    driver.parameters = {deviceParameter(heatSourceParameters(), "watchdog", SetupStep::Use)};
+    driver.hasProbe = true;
+    driver.make = [](DriverLinks& links, const HeatSourceDeviceSpec& spec) -> MadeDevice<HeatSource> {
+        return {std::make_unique<NamurHeater>(
+                    links.serial(), links.clock(),
+                    NamurHeaterConfig{spec.isProbeUsed, spec.watchdog_s, spec.mayHeatUnattended}),
+                &NamurHeater::offProgram};
+    };
+    return driver;
 }
 
 } // namespace bask

@@ -8,6 +8,8 @@
 
 namespace bask {
 
+struct HeatSourceDriver;
+
 struct NamurHeaterConfig {
     bool isProbeUsed = false;       ///< the external probe is at the hot surface, not the plate's own sensor
     double watchdog_s = 30.0;       ///< of the plate: 20 to 1500
@@ -110,5 +112,8 @@ private:
     std::optional<double> m_readBack_K;
     int m_others = 0; ///< set points read back in a row that are not the one set
 };
+
+/// Its entry in the catalogue of drivers.
+HeatSourceDriver namurHeaterDriver();
 
 } // namespace bask

@@ -1,6 +1,10 @@
 #include "engine/drivers/stream_thermometer.h"
 
+#include "engine/base/translated.h"
 #include "engine/base/units.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
+#include "engine/drivers/picked_channels.h"
 
 #include <algorithm>
 
@@ -68,6 +72,25 @@ Result<std::vector<Reading>> StreamThermometer::read() {
     if (!m_watch.isLive())
         return m_watch.error();
     return m_readings;
+}
+
+ThermometerDriver streamThermometerDriver() {
+    static constexpr int kTriedChannels = 16; // before it is known how many there are
+    ThermometerDriver driver;
+    driver.key = "stream";
+    driver.name = QT_TRANSLATE_NOOP("bask::Device", "Lines of text (MAX31865)");
+    driver.serial = {115200, 8, 'N', 1};
+    driver.make = [](DriverLinks& links, const ThermometerDeviceSpec& spec,
+                     double) -> MadeDevice<Thermometer> {
+        const int channels =
+            spec.channels.empty() ? kTriedChannels : 1 + *std::ranges::max_element(spec.channels);
+        auto all = std::make_unique<StreamThermometer>(links.serial(), links.clock(), channels);
+        if (spec.channels.empty())
+            return all;
+        Device& device = *all;
+        return {device, std::make_unique<PickedChannels>(std::move(all), spec.channels)};
+    };
+    return driver;
 }
 
 } // namespace bask

@@ -7,6 +7,8 @@
 
 namespace bask {
 
+struct ThermometerDriver;
+
 /// Readings carry the last moment at which the line was seen empty before they came: never newer than they
 /// are, however late the engine looks, or the link.
 class StreamThermometer final : public Thermometer, public Device {
@@ -37,5 +39,8 @@ private:
     std::vector<Reading> m_readings;
     double m_lookedAt_s = 0.0, m_cameAt_s = 0.0;
 };
+
+/// Its entry in the catalogue of drivers.
+ThermometerDriver streamThermometerDriver();
 
 } // namespace bask

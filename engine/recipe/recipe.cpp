@@ -152,7 +152,7 @@ Result<RecipeExperiments> readExperiments(const Recipe& recipe, const ExampleRea
 }
 
 bool isKeptHotByHand(const std::optional<RigSpec>& rig) {
-    return rig && rig->source && rig->source->driver == HeatSourceDriver::ByHand;
+    return rig && rig->source && isKeptByHand(*rig->source);
 }
 
 } // namespace bask

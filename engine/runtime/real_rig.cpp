@@ -2,19 +2,14 @@
 
 #include "engine/devices/video_camera.h"
 #include "engine/drivers/byte_link_on_thread.h"
-#include "engine/drivers/dobot_robot.h"
-#include "engine/drivers/grbl_robot.h"
+#include "engine/drivers/driver_catalogue.h"
+#include "engine/drivers/driver_make.h"
 #include "engine/drivers/guarded_heater.h"
 #include "engine/drivers/guarded_link.h"
-#include "engine/drivers/hand_heater.h"
-#include "engine/drivers/modbus_heater.h"
 #include "engine/drivers/modbus_link_on_thread.h"
-#include "engine/drivers/modbus_thermometer.h"
-#include "engine/drivers/namur_heater.h"
 #include "engine/drivers/qt_modbus_link.h"
 #include "engine/drivers/rtu_link.h"
 #include "engine/drivers/serial_link.h"
-#include "engine/drivers/stream_thermometer.h"
 #include "engine/drivers/tcp_link.h"
 #include "engine/runtime/missing_devices.h"
 
@@ -23,7 +18,6 @@
 #include <algorithm>
 #include <chrono>
 #include <map>
-#include <numeric>
 #include <thread>
 
 namespace bask {
@@ -33,29 +27,6 @@ constexpr double kFastestPoll_s = 0.1;
 constexpr double kFarewell_s = 0.3;        ///< for the last words: stand still, heat off
 constexpr double kLongestFarewell_s = 2.0; ///< for a heat source that is not seen off
 constexpr double kHandOver_s = 0.5;        ///< until the heater's guard says that it has taken over
-constexpr int kDobotDashboard = 29999, kDobotMotion = 30003, kDobotFeedback = 30004;
-constexpr int kStreamChannels = 16; ///< tried, before it is known how many there are
-
-/// A device's channels in the objects' order.
-class PickedChannels final : public Thermometer {
-public:
-    PickedChannels(Thermometer& all, std::vector<int> picked) : m_all(all), m_picked(std::move(picked)) {}
-
-    int channels() const override { return static_cast<int>(m_picked.size()); }
-    Result<std::vector<Reading>> read() override {
-        const auto all = m_all.read();
-        if (!all)
-            return all.error();
-        std::vector<Reading> out;
-        for (const int channel : m_picked)
-            out.push_back(all->at(static_cast<std::size_t>(channel)));
-        return out;
-    }
-
-private:
-    Thermometer& m_all;
-    std::vector<int> m_picked;
-};
 
 /// What the devices are made from: those are the same for which it is.
 struct Plan {
@@ -65,7 +36,7 @@ struct Plan {
             for (int k = 0; k < 6; ++k)
                 if (std::ranges::find(rig.robot->axes, k, &AxisSpec::coordinate) == rig.robot->axes.end())
                     fixed[k] = start[k];
-        if (rig.thermometer && rig.thermometer->driver == ThermometerDriver::Modbus)
+        if (rig.thermometer && driverOf(*rig.thermometer).isPolled)
             poll_s = std::max(kFastestPoll_s, period_s);
     }
     explicit Plan(const Experiment& experiment)
@@ -80,7 +51,7 @@ struct Plan {
 
     RigSpec rig;
     Vector6d fixed = Vector6d::Zero(); ///< coordinates without an axis
-    double poll_s = 0.0;               ///< of a Modbus thermometer
+    double poll_s = 0.0;               ///< of a thermometer that is asked
 };
 
 } // namespace
@@ -88,12 +59,54 @@ struct Plan {
 struct RealRig::Parts {
     struct Entry {
         DeviceRole role;
+        DriverLink link;
         std::string port, memoryKey;
         Device* device;
         std::function<std::string()> portId;
     };
 
     Parts(const Clock& now, std::optional<std::string> log) : clock(now), guardLog(std::move(log)) {}
+
+    /// Of one device.
+    class Links final : public DriverLinks {
+    public:
+        Links(Parts& parts, DeviceRole role, const DeviceSpec& spec, std::string portId)
+            : m_parts(parts), m_role(role), m_spec(spec), m_portId(std::move(portId)) {}
+
+        const Clock& clock() const override { return m_parts.clock; }
+        ByteLink& serial() override {
+            if (m_parts.isGuarded(m_spec.port))
+                return add(m_parts.guarded(m_spec.serial));
+            return add(std::make_unique<ByteLinkOnThread>(
+                m_spec.port, [port = m_spec.port, settings = m_spec.serial, portId = m_portId] {
+                    return std::make_unique<SerialLink>(port, settings, PortCheck(portId));
+                }));
+        }
+        ModbusLink& modbus() override {
+            auto& link = m_parts.modbusLinks[m_spec.port];
+            if (!link && m_parts.isGuarded(m_spec.port))
+                link = std::make_unique<RtuLink>(m_parts.guarded(m_spec.serial), m_spec.serial, clock());
+            if (!link)
+                link = std::make_unique<ModbusLinkOnThread>(
+                    m_spec.port,
+                    [&now = clock(), port = m_spec.port, settings = m_spec.serial, portId = m_portId] {
+                        return std::make_unique<QtModbusLink>(port, settings, now, QtModbusLink::kReply_s,
+                                                              PortCheck(portId));
+                    });
+            return *link;
+        }
+        ByteLink& tcp(int port) override { return add(std::make_unique<TcpLink>(m_spec.port, port)); }
+
+    private:
+        ByteLink& add(std::unique_ptr<ByteLink> link) {
+            return *m_parts.byteLinks[m_role].emplace_back(std::move(link));
+        }
+
+        Parts& m_parts;
+        DeviceRole m_role;
+        const DeviceSpec& m_spec;
+        std::string m_portId;
+    };
 
     KnownDevice known(const std::string& memoryKey) const {
         const auto it = memory.find(memoryKey);
@@ -109,114 +122,46 @@ struct RealRig::Parts {
         };
         return std::make_unique<GuardedLink>(*heaterGuard, direct, clock);
     }
-    template <class Spec> ModbusLink& modbus(const Spec& spec) {
-        auto& link = modbusLinks[spec.port];
-        if (!link && isGuarded(spec.port))
-            link = std::make_unique<RtuLink>(guarded(spec.serial), spec.serial, clock);
-        if (!link)
-            link = std::make_unique<ModbusLinkOnThread>(
-                spec.port,
-                [this, port = spec.port, settings = spec.serial, portId = known(memoryKey(spec)).portId] {
-                    return std::make_unique<QtModbusLink>(port, settings, clock, QtModbusLink::kReply_s,
-                                                          PortCheck(portId));
-                });
-        return *link;
-    }
-    template <class Spec> ByteLink& serial(DeviceRole role, const Spec& spec) {
-        if (isGuarded(spec.port))
-            return *byteLinks[role].emplace_back(guarded(spec.serial));
-        return *byteLinks[role].emplace_back(std::make_unique<ByteLinkOnThread>(
-            spec.port, [port = spec.port, settings = spec.serial, portId = known(memoryKey(spec)).portId] {
-                return std::make_unique<SerialLink>(port, settings, PortCheck(portId));
-            }));
-    }
-    ByteLink& tcp(const std::string& host, int port) {
-        return *byteLinks[DeviceRole::Robot].emplace_back(std::make_unique<TcpLink>(host, port));
-    }
     /// As the device that plays this role, and as one that is given time to work.
-    template <class Spec, class Driver, class Role>
-    void put(DeviceRole role, const Spec& spec, std::unique_ptr<Driver> driver,
-             std::unique_ptr<Role>& place) {
-        Entry entry{role, spec.port, memoryKey(spec), driver.get(), {}};
-        if (const std::string signature = known(entry.memoryKey).signature; !signature.empty())
-            driver->expect(signature);
+    template <class Spec, class Role, class Make>
+    std::function<guard::OffProgram()> add(DeviceRole role, const Spec& spec, std::unique_ptr<Role>& place,
+                                           Make make) {
+        const KnownDevice before = known(memoryKey(spec));
+        Links own(*this, role, spec, before.portId);
+        MadeDevice<Role> made = make(own);
+        Entry entry{role, driverOf(spec).link, spec.port, memoryKey(spec), made.device, {}};
+        if (!before.signature.empty())
+            made.device->expect(before.signature);
         if (const auto links = byteLinks.find(role); links != byteLinks.end())
             entry.portId = [link = links->second.front().get()] { return link->portId(); };
         else if (const auto link = modbusLinks.find(spec.port); link != modbusLinks.end())
             entry.portId = [line = link->second.get()] { return line->portId(); };
         entries.push_back(std::move(entry));
-        place = std::move(driver);
-    }
-    template <class Spec, class Driver, class Role>
-    void put(DeviceRole role, const Spec& spec, Result<std::unique_ptr<Driver>> made,
-             std::unique_ptr<Role>& place) {
-        if (!made) // what checkRig lets pass can be made
-            throw std::invalid_argument(describe(made.error()));
-        put(role, spec, std::move(*made), place);
+        place = std::move(made.role);
+        return std::move(made.offProgram);
     }
 
     void addRobot(const RobotDeviceSpec& spec, const Vector6d& fixed) {
-        auto robotGuard = [this](const Vector6d& target) {
-            const auto state = robot->state();
-            return guard && state && guard(state->coordinates, target);
-        };
-        if (spec.driver == RobotDriver::Dobot) {
-            auto made = std::make_unique<DobotRobot>(
-                tcp(spec.port, kDobotDashboard), tcp(spec.port, kDobotMotion), tcp(spec.port, kDobotFeedback),
-                clock, AxisMap(spec.axes, fixed), robotGuard);
-            arm = made.get();
-            return put(DeviceRole::Robot, spec, std::move(made), robot);
-        }
-        put(DeviceRole::Robot, spec,
-            std::make_unique<GrblRobot>(serial(DeviceRole::Robot, spec), clock, AxisMap(spec.axes, fixed),
-                                        robotGuard, spec.mustHome),
-            robot);
+        add(DeviceRole::Robot, spec, robot, [&](DriverLinks& links) {
+            return driverOf(spec).make(links, spec, AxisMap(spec.axes, fixed),
+                                       [this](const Vector6d& target) {
+                                           const auto state = robot->state();
+                                           return guard && state && guard(state->coordinates, target);
+                                       });
+        });
     }
     void addThermometer(const ThermometerDeviceSpec& spec, double poll_s) {
-        if (spec.driver == ThermometerDriver::Modbus) {
-            std::vector<int> all(static_cast<std::size_t>(spec.profile.channels));
-            std::iota(all.begin(), all.end(), 0);
-            put(DeviceRole::Thermometer, spec,
-                ModbusThermometer::create(
-                    modbus(spec), clock,
-                    {spec.unit, spec.profile, spec.channels.empty() ? all : spec.channels, poll_s}),
-                thermometer);
-            return;
-        }
-        const int channels =
-            spec.channels.empty() ? kStreamChannels : 1 + *std::ranges::max_element(spec.channels);
-        put(DeviceRole::Thermometer, spec,
-            std::make_unique<StreamThermometer>(serial(DeviceRole::Thermometer, spec), clock, channels),
-            thermometer);
-        if (!spec.channels.empty())
-            picked = std::make_unique<PickedChannels>(*thermometer, spec.channels);
+        add(DeviceRole::Thermometer, spec, thermometer,
+            [&](DriverLinks& links) { return driverOf(spec).make(links, spec, poll_s); });
     }
     void addSource(const HeatSourceDeviceSpec& spec) {
-        switch (spec.driver) {
-        case HeatSourceDriver::ByHand: {
-            auto made = std::make_unique<HandHeater>(clock);
-            byHand = made.get();
-            return put(DeviceRole::HeatSource, spec, std::move(made), source);
-        }
-        case HeatSourceDriver::Namur:
-            put(DeviceRole::HeatSource, spec,
-                std::make_unique<NamurHeater>(
-                    serial(DeviceRole::HeatSource, spec), clock,
-                    NamurHeaterConfig{spec.isProbeUsed, spec.watchdog_s, spec.mayHeatUnattended}),
-                source);
-            return guardSource(&NamurHeater::offProgram);
-        case HeatSourceDriver::Modbus:
-            ModbusHeaterSettings settings{spec.unit, spec.profile};
-            settings.watchdog_s = spec.watchdog_s;
-            auto made = ModbusHeater::create(modbus(spec), clock, settings);
-            const ModbusHeater* heater = made ? made->get() : nullptr;
-            put(DeviceRole::HeatSource, spec, std::move(made), source);
-            return guardSource([heater, line = spec.serial] { return heater->offProgram(line); });
-        }
-    }
-    void guardSource(std::function<guard::OffProgram()> off) {
+        auto off = add(DeviceRole::HeatSource, spec, source,
+                       [&](DriverLinks& links) { return driverOf(spec).make(links, spec); });
         if (!heaterGuard)
             return;
+        if (!off)
+            throw std::invalid_argument("a heater's driver does not tell how it is switched off: " +
+                                        spec.driver);
         auto made = std::make_unique<GuardedHeater>(std::move(source), *heaterGuard, guardProgram(),
                                                     std::move(off), clock);
         guardedHeater = made.get();
@@ -224,16 +169,11 @@ struct RealRig::Parts {
     }
     void drop(DeviceRole role) {
         std::erase_if(entries, [role](const Entry& entry) { return entry.role == role; });
-        if (role == DeviceRole::Robot) {
-            arm = nullptr;
+        if (role == DeviceRole::Robot)
             robot.reset();
-        }
-        if (role == DeviceRole::Thermometer) {
-            picked.reset();
+        if (role == DeviceRole::Thermometer)
             thermometer.reset();
-        }
         if (role == DeviceRole::HeatSource) {
-            byHand = nullptr;
             guardedHeater = nullptr;
             source.reset();
         }
@@ -258,7 +198,7 @@ struct RealRig::Parts {
         const RigSpec& rig = plan.rig;
         if (isSourceOther)
             heaterGuard.reset();
-        if (isSourceOther && guardLog && rig.source && rig.source->driver != HeatSourceDriver::ByHand)
+        if (isSourceOther && guardLog && rig.source && driverOf(*rig.source).link == DriverLink::Serial)
             heaterGuard.emplace(rig.source->port, rig.source->serial, *guardLog, clock,
                                 known(memoryKey(*rig.source)).portId);
         if (rig.robot && !robot)
@@ -282,11 +222,8 @@ struct RealRig::Parts {
     std::map<std::string, std::unique_ptr<ModbusLink>> modbusLinks;
     std::unique_ptr<Robot> robot;
     std::unique_ptr<Thermometer> thermometer;
-    std::unique_ptr<PickedChannels> picked;
     std::unique_ptr<HeatSource> source;
-    DobotRobot* arm = nullptr;              ///< robot, where it is one
-    HandHeater* byHand = nullptr;           ///< source, where it is one
-    GuardedHeater* guardedHeater = nullptr; ///< the same
+    GuardedHeater* guardedHeater = nullptr; ///< source, where it is one
     std::unique_ptr<VideoCamera> camera;
     std::vector<Entry> entries;
     MissingRobot noRobot;
@@ -346,7 +283,7 @@ DeviceMemory RealRig::met() const {
 bool RealRig::sayLastWords() {
     const SteadyClock wall;
     const double begun_s = wall.now_s();
-    const auto isOff = [&] { return m_parts->byHand != nullptr || !heatSource().heating(); };
+    const auto isOff = [&] { return heatSource().isByHand() || !heatSource().heating(); };
     const auto spent_s = [&] { return wall.now_s() - begun_s; };
     while (!m_parts->entries.empty() && spent_s() < (isOff() ? kFarewell_s : kLongestFarewell_s)) {
         work();
@@ -372,8 +309,6 @@ Robot& RealRig::robot() {
 }
 
 Thermometer& RealRig::thermometer() {
-    if (m_parts->picked)
-        return *m_parts->picked;
     return m_parts->thermometer ? *m_parts->thermometer : m_parts->noThermometer;
 }
 
@@ -390,7 +325,8 @@ std::unique_ptr<Camera> RealRig::takeCamera() {
 }
 
 bool RealRig::mayEndElsewhere() const {
-    return m_parts->arm == nullptr && !m_parts->heaterGuard;
+    const auto isOnNetwork = [](const Parts::Entry& entry) { return entry.link == DriverLink::Network; };
+    return std::ranges::none_of(m_parts->entries, isOnNetwork) && !m_parts->heaterGuard;
 }
 
 void RealRig::setGuard(StepGuard guard) {
@@ -398,14 +334,11 @@ void RealRig::setGuard(StepGuard guard) {
 }
 
 void RealRig::limitSpeed(const RobotLimits& limits) {
-    if (m_parts->arm != nullptr)
-        m_parts->arm->limitSpeed(limits.maxSpeed_m_s, limits.maxRotation_rad_s);
+    robot().limitSpeed(limits.maxSpeed_m_s, limits.maxRotation_rad_s);
 }
 
 Result<void> RealRig::typeSourceTemperature(double temperature_K) {
-    if (m_parts->byHand == nullptr)
-        return Error(MessageCode::RigIncomplete, {}, {"heat source kept by hand"});
-    return m_parts->byHand->setTemperature(temperature_K);
+    return heatSource().setTemperature(temperature_K);
 }
 
 std::vector<RigDeviceState> RealRig::devices() const {

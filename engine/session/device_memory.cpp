@@ -1,5 +1,6 @@
 #include "engine/session/device_memory.h"
 
+#include "engine/drivers/driver_catalogue.h"
 #include "engine/session/json_fields.h"
 
 #include <QFile>
@@ -15,8 +16,10 @@ using nlohmann::json;
 constexpr int kMemoryVersion = 1;
 constexpr std::uintmax_t kMaxMemoryBytes = 1U << 20;
 
-std::string atUnit(const std::string& key, bool isModbus, int unit) {
-    return isModbus ? key + " unit " + std::to_string(unit) : key;
+/// "thermometer modbus /dev/ttyUSB0 unit 17"
+template <class Spec> std::string keyOfUnit(const char* role, const Spec& spec) {
+    const std::string key = std::string(role) + ' ' + spec.driver + ' ' + spec.port;
+    return driverOf(spec).isModbus ? key + " unit " + std::to_string(spec.unit) : key;
 }
 
 void readDevice(const json& j, const std::string& path, Failure& failure, DeviceMemory& out) {
@@ -52,18 +55,15 @@ DeviceMemory readRoot(const json& j, Failure& failure) {
 } // namespace
 
 std::string memoryKey(const RobotDeviceSpec& robot) {
-    return (robot.driver == RobotDriver::Grbl ? "robot grbl " : "robot dobot ") + robot.port;
+    return "robot " + robot.driver + ' ' + robot.port;
 }
 
 std::string memoryKey(const ThermometerDeviceSpec& thermometer) {
-    const bool isModbus = thermometer.driver == ThermometerDriver::Modbus;
-    return atUnit((isModbus ? "thermometer modbus " : "thermometer stream ") + thermometer.port, isModbus,
-                  thermometer.unit);
+    return keyOfUnit("thermometer", thermometer);
 }
 
 std::string memoryKey(const HeatSourceDeviceSpec& source) {
-    const bool isModbus = source.driver == HeatSourceDriver::Modbus;
-    return atUnit((isModbus ? "source modbus " : "source namur ") + source.port, isModbus, source.unit);
+    return keyOfUnit("source", source);
 }
 
 Result<DeviceMemory> readDeviceMemory(const std::string& path) {

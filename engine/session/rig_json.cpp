@@ -1,6 +1,8 @@
 #include "engine/session/rig_json.h"
 
+#include "engine/drivers/driver_catalogue.h"
 #include "engine/session/json_quantities.h"
+#include "engine/session/parameter_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -12,18 +14,11 @@ namespace {
 using nlohmann::json;
 using Json = nlohmann::ordered_json;
 
-const std::map<std::string, RobotDriver> kRobotDrivers{{"grbl", RobotDriver::Grbl},
-                                                       {"dobot", RobotDriver::Dobot}};
-const std::map<std::string, ThermometerDriver> kThermometerDrivers{{"modbus", ThermometerDriver::Modbus},
-                                                                   {"stream", ThermometerDriver::Stream}};
-const std::map<std::string, HeatSourceDriver> kHeatSourceDrivers{{"by_hand", HeatSourceDriver::ByHand},
-                                                                 {"namur", HeatSourceDriver::Namur},
-                                                                 {"modbus", HeatSourceDriver::Modbus}};
 const std::map<std::string, char> kParities{{"none", 'N'}, {"even", 'E'}, {"odd", 'O'}};
 
-template <class T> std::string wordOf(const std::map<std::string, T>& table, T value) {
-    const auto it = std::ranges::find_if(table, [&](const auto& entry) { return entry.second == value; });
-    return it == table.end() ? std::string() : it->first;
+std::string parityWord(char parity) {
+    const auto it = std::ranges::find(kParities, parity, [](const auto& entry) { return entry.second; });
+    return it == kParities.end() ? std::string() : it->first;
 }
 
 std::map<std::string, int> coordinates() {
@@ -38,10 +33,8 @@ void readSerial(Fields& device, const SerialSettings& usual, SerialSettings& out
     out = usual;
     readPart(device, "serial", false, [&](const json& j, const std::string& path) {
         Fields fields(j, path, device.failure());
-        fields.read("baud", out.baud);
-        fields.read("data_bits", out.dataBits);
+        readParameters(fields, serialParameters(), out);
         fields.readWord("parity", kParities, out.parity);
-        fields.read("stop_bits", out.stopBits);
         fields.close();
     });
 }
@@ -102,25 +95,45 @@ void readAxes(Fields& robot, std::vector<AxisSpec>& out) {
         readAxis((*j)[i], path + '[' + std::to_string(i) + ']', robot.failure(), out.emplace_back());
 }
 
+/// What every device has.
+void readDevice(Fields& fields, DeviceRole role, bool isPortRequired, DeviceSpec& out) {
+    std::map<std::string, const DriverFacts*> known;
+    for (const DriverFacts* driver : driversOf(role))
+        known[driver->key] = driver;
+    const DriverFacts* driver = known.at(out.driver);
+    fields.readWord("driver", known, driver, true);
+    out.driver = driver->key;
+    fields.read("port", out.port, isPortRequired);
+    readSerial(fields, driver->serial, out.serial);
+}
+
+/// `ofRole`: those that some driver of the role has; of another driver they are not looked at.
+template <class Spec> void readDeviceParameters(Fields& fields, ParameterTable<Spec> ofRole, Spec& out) {
+    const auto& parameters = driverOf(out).parameters;
+    for (const DeviceParameter<Spec>& parameter : parameters)
+        if (parameter.applies(out))
+            parameter.set(
+                out, readParameter(fields, *parameter.facts, parameter.isWhole).value_or(parameter.get(out)));
+    for (const Parameter<Spec>& other : ofRole)
+        if (std::ranges::find(parameters, &other, &DeviceParameter<Spec>::facts) == parameters.end())
+            fields.find(keyOf(other));
+}
+
 void readRobotDevice(const json& j, const std::string& path, Failure& failure, RobotDeviceSpec& out) {
     Fields fields(j, path, failure);
-    fields.readWord("driver", kRobotDrivers, out.driver, true);
-    fields.read("port", out.port, true);
-    readSerial(fields, usualSerial(out.driver), out.serial);
+    readDevice(fields, DeviceRole::Robot, true, out);
     readAxes(fields, out.axes);
     if (fields.find("must_home") != nullptr)
         fields.read("must_home", out.mustHome.emplace());
+    readDeviceParameters(fields, {}, out);
     fields.close();
 }
 
 void readThermometerDevice(const json& j, const std::string& path, Failure& failure,
                            ThermometerDeviceSpec& out) {
     Fields fields(j, path, failure);
-    fields.readWord("driver", kThermometerDrivers, out.driver, true);
-    fields.read("port", out.port, true);
-    readSerial(fields, usualSerial(out.driver), out.serial);
-    fields.read("unit", out.unit);
-    readProfile(fields, out.driver == ThermometerDriver::Modbus, out.profile);
+    readDevice(fields, DeviceRole::Thermometer, true, out);
+    readProfile(fields, driverOf(out).isModbus, out.profile);
     std::vector<double> channels;
     fields.read("channels", channels);
     for (const double channel : channels) {
@@ -129,32 +142,44 @@ void readThermometerDevice(const json& j, const std::string& path, Failure& fail
             fields.fail(MessageCode::JsonWrongType, fields.pathOf("channels"),
                         {"whole numbers", formatNumber(channel)});
     }
+    readDeviceParameters(fields, thermometerParameters(), out);
     fields.close();
-}
-
-bool hasWatchdog(const HeatSourceDeviceSpec& source) {
-    return source.driver != HeatSourceDriver::Modbus || source.profile.watchdog;
 }
 
 void readSourceDevice(const json& j, const std::string& path, Failure& failure, HeatSourceDeviceSpec& out) {
     Fields fields(j, path, failure);
-    fields.readWord("driver", kHeatSourceDrivers, out.driver, true);
-    fields.read("port", out.port);
-    readSerial(fields, usualSerial(out.driver), out.serial);
-    fields.read("unit", out.unit);
-    readProfile(fields, out.driver == HeatSourceDriver::Modbus, out.profile);
-    if (hasWatchdog(out)) // or it would seem to have one
-        fields.read("watchdog_s", out.watchdog_s);
+    readDevice(fields, DeviceRole::HeatSource, false, out);
+    readProfile(fields, driverOf(out).isModbus, out.profile);
+    readDeviceParameters(fields, heatSourceParameters(), out);
     fields.read("unattended_heat", out.mayHeatUnattended);
     fields.read("probe", out.isProbeUsed);
     fields.close();
 }
 
 Json serialJson(const SerialSettings& serial) {
-    return {{"baud", serial.baud},
-            {"data_bits", serial.dataBits},
-            {"parity", wordOf(kParities, serial.parity)},
-            {"stop_bits", serial.stopBits}};
+    Json j;
+    for (const Parameter<SerialSettings>& parameter : serialParameters()) {
+        putParameter(j, parameter, *parameter.get(serial), parameter.isWhole());
+        if (parameter.name == std::string("data_bits")) // where files have it
+            j["parity"] = parityWord(serial.parity);
+    }
+    return j;
+}
+
+/// Of a robot on a network, too: files have it.
+Json deviceJson(const DeviceSpec& device, bool hasLine) {
+    Json j;
+    j["driver"] = device.driver;
+    j["port"] = device.port;
+    if (hasLine)
+        j["serial"] = serialJson(device.serial);
+    return j;
+}
+
+template <class Spec> void putDeviceParameters(Json& j, SetupStep step, const Spec& spec) {
+    for (const DeviceParameter<Spec>& parameter : driverOf(spec).parameters)
+        if (parameter.step == step && parameter.applies(spec))
+            putParameter(j, *parameter.facts, parameter.get(spec), parameter.isWhole);
 }
 
 Json profileJson(const ModbusProfile& profile) {
@@ -165,10 +190,8 @@ Json profileJson(const ModbusProfile& profile) {
 }
 
 Json robotJson(const RobotDeviceSpec& robot) {
-    Json j;
-    j["driver"] = wordOf(kRobotDrivers, robot.driver);
-    j["port"] = robot.port;
-    j["serial"] = serialJson(robot.serial);
+    Json j = deviceJson(robot, true);
+    putDeviceParameters(j, SetupStep::Connection, robot);
     j["axes"] = Json::array();
     for (const AxisSpec& axis : robot.axes) {
         Json a;
@@ -180,37 +203,32 @@ Json robotJson(const RobotDeviceSpec& robot) {
     }
     if (robot.mustHome)
         j["must_home"] = *robot.mustHome;
+    putDeviceParameters(j, SetupStep::Use, robot);
     return j;
 }
 
 Json thermometerJson(const ThermometerDeviceSpec& thermometer) {
-    Json j;
-    j["driver"] = wordOf(kThermometerDrivers, thermometer.driver);
-    j["port"] = thermometer.port;
-    j["serial"] = serialJson(thermometer.serial);
-    if (thermometer.driver == ThermometerDriver::Modbus) {
-        j["unit"] = thermometer.unit;
+    const ThermometerDriver& driver = driverOf(thermometer);
+    Json j = deviceJson(thermometer, driver.link == DriverLink::Serial);
+    putDeviceParameters(j, SetupStep::Connection, thermometer);
+    if (driver.isModbus)
         j["profile"] = profileJson(thermometer.profile);
-    }
     j["channels"] = thermometer.channels;
+    putDeviceParameters(j, SetupStep::Use, thermometer);
     return j;
 }
 
 Json sourceJson(const HeatSourceDeviceSpec& source) {
-    Json j;
-    j["driver"] = wordOf(kHeatSourceDrivers, source.driver);
-    if (source.driver == HeatSourceDriver::ByHand)
-        return j;
-    j["port"] = source.port;
-    j["serial"] = serialJson(source.serial);
-    if (source.driver == HeatSourceDriver::Modbus) {
-        j["unit"] = source.unit;
+    const HeatSourceDriver& driver = driverOf(source);
+    if (driver.link == DriverLink::None)
+        return {{"driver", source.driver}};
+    Json j = deviceJson(source, driver.link == DriverLink::Serial);
+    putDeviceParameters(j, SetupStep::Connection, source);
+    if (driver.isModbus)
         j["profile"] = profileJson(source.profile);
-    } else {
+    if (driver.hasProbe)
         j["probe"] = source.isProbeUsed;
-    }
-    if (hasWatchdog(source))
-        j["watchdog_s"] = source.watchdog_s;
+    putDeviceParameters(j, SetupStep::Use, source);
     j["unattended_heat"] = source.mayHeatUnattended;
     return j;
 }

@@ -2,9 +2,13 @@
 
 #include "engine/base/message_code.h"
 #include "engine/base/pose.h"
+#include "engine/drivers/driver_catalogue.h"
 #include "engine/protocols/register_values.h"
+#include "engine/session/checker.h"
+#include "engine/session/json_text.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 namespace bask {
 namespace {
@@ -35,18 +39,42 @@ Result<void> checkPort(const std::string& where, const std::string& port) {
     return {};
 }
 
-Result<void> checkSerial(const std::string& where, const SerialSettings& serial) {
-    if (const auto fit = checkRange(where + ".baud", serial.baud, 300.0, 4e6, "baud"); !fit)
+Result<void> checkDriver(DeviceRole role, const std::string& where, const std::string& key) {
+    std::string known;
+    for (const DriverFacts* driver : driversOf(role)) {
+        if (driver->key == key)
+            return {};
+        known += (known.empty() ? "" : ", ") + std::string(driver->key);
+    }
+    return Error(MessageCode::ValueUnknown, where, {plainWords(key), known});
+}
+
+/// What every device has, and its driver's parameters; `path` ends with a dot.
+template <class Spec> Result<void> checkDevice(DeviceRole role, const std::string& path, const Spec& spec) {
+    if (const auto fit = checkDriver(role, path + "driver", spec.driver); !fit)
         return fit;
-    if (const auto fit = checkRange(where + ".data_bits", serial.dataBits, 7.0, 8.0); !fit)
+    const auto& driver = driverOf(spec);
+    if (driver.link == DriverLink::None)
+        return {};
+    if (const auto fit = checkPort(path + "port", spec.port); !fit)
         return fit;
-    return checkRange(where + ".stop_bits", serial.stopBits, 1.0, 2.0);
+    Checker check;
+    check.parameters(path + "serial.", serialParameters(), spec.serial);
+    std::size_t own = 0;
+    for (const auto& parameter : driver.parameters) {
+        own += spec.own.count(keyOf(*parameter.facts));
+        if (parameter.applies(spec))
+            check.parameter(path, *parameter.facts, parameter.get(spec));
+    }
+    if (own != spec.own.size())
+        throw std::invalid_argument("a device with values that its driver does not know: " + spec.driver);
+    if (check.failed())
+        return *check.error();
+    return {};
 }
 
 Result<void> checkRobot(const RobotDeviceSpec& robot, const std::array<bool, 6>& freeCoordinates) {
-    if (const auto fit = checkPort("robot.port", robot.port); !fit)
-        return fit;
-    if (const auto fit = checkSerial("robot.serial", robot.serial); !fit)
+    if (const auto fit = checkDevice(DeviceRole::Robot, "robot.", robot); !fit)
         return fit;
     if (auto fit = checkAxes(robot.axes); !fit) {
         Error error = fit.error();
@@ -68,18 +96,14 @@ Result<void> checkRobot(const RobotDeviceSpec& robot, const std::array<bool, 6>&
 }
 
 Result<void> checkThermometer(const ThermometerDeviceSpec& thermometer, std::size_t objects) {
-    if (const auto fit = checkPort("thermometer.port", thermometer.port); !fit)
-        return fit;
-    if (const auto fit = checkSerial("thermometer.serial", thermometer.serial); !fit)
-        return fit;
-    if (const auto fit = checkRange("thermometer.unit", thermometer.unit, 1.0, 247.0); !fit)
+    if (const auto fit = checkDevice(DeviceRole::Thermometer, "thermometer.", thermometer); !fit)
         return fit;
     const std::vector<int>& channels = thermometer.channels;
     if (channels.size() != objects)
         return Error(MessageCode::ChannelCountWrong, "thermometer.channels",
                      {std::to_string(channels.size()), std::to_string(objects)});
-    const bool isModbus = thermometer.driver == ThermometerDriver::Modbus;
-    const int last = isModbus ? thermometer.profile.channels - 1 : 63;
+    const ThermometerDriver& driver = driverOf(thermometer);
+    const int last = (driver.isModbus ? thermometer.profile.channels : driver.maxChannels) - 1;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const std::string where = "thermometer.channels[" + std::to_string(i) + "]";
         if (const auto fit = checkRange(where, channels[i], 0.0, last); !fit)
@@ -87,23 +111,15 @@ Result<void> checkThermometer(const ThermometerDeviceSpec& thermometer, std::siz
         if (std::ranges::count(channels, channels[i]) > 1)
             return Error(MessageCode::ChannelTwice, where, {std::to_string(channels[i])});
     }
-    if (isModbus && !thermometer.profile.channel)
+    if (driver.isModbus && !thermometer.profile.channel)
         return Error(MessageCode::ProfileOther, "thermometer.profile", {thermometer.profile.name});
     return {};
 }
 
 Result<void> checkSource(const HeatSourceDeviceSpec& source) {
-    if (source.driver == HeatSourceDriver::ByHand)
-        return {};
-    if (const auto fit = checkPort("source.port", source.port); !fit)
+    if (const auto fit = checkDevice(DeviceRole::HeatSource, "source.", source); !fit)
         return fit;
-    if (const auto fit = checkSerial("source.serial", source.serial); !fit)
-        return fit;
-    if (const auto fit = checkRange("source.unit", source.unit, 1.0, 247.0); !fit)
-        return fit;
-    if (const auto fit = checkRange("source.watchdog_s", source.watchdog_s, 20.0, 1500.0, "s"); !fit)
-        return fit;
-    if (source.driver != HeatSourceDriver::Modbus)
+    if (!driverOf(source).isModbus)
         return {};
     const ModbusProfile& profile = source.profile;
     if (!profile.processValue || !profile.setPoint)
@@ -118,15 +134,14 @@ Result<void> checkSource(const HeatSourceDeviceSpec& source) {
 
 /// Two Modbus devices may hang on one line, if they speak alike.
 Result<void> checkPorts(const RigSpec& rig) {
-    const bool hasSource = rig.source && rig.source->driver != HeatSourceDriver::ByHand;
+    const bool hasSource = rig.source && driverOf(*rig.source).link != DriverLink::None;
     if (rig.robot && rig.thermometer && rig.robot->port == rig.thermometer->port)
         return Error(MessageCode::PortTwice, "thermometer.port", {rig.robot->port});
     if (rig.robot && hasSource && rig.robot->port == rig.source->port)
         return Error(MessageCode::PortTwice, "source.port", {rig.robot->port});
     if (!rig.thermometer || !hasSource || rig.thermometer->port != rig.source->port)
         return {};
-    const bool isOneLine = rig.thermometer->driver == ThermometerDriver::Modbus &&
-                           rig.source->driver == HeatSourceDriver::Modbus &&
+    const bool isOneLine = driverOf(*rig.thermometer).isModbus && driverOf(*rig.source).isModbus &&
                            rig.thermometer->serial == rig.source->serial &&
                            rig.thermometer->unit != rig.source->unit;
     if (!isOneLine)
@@ -136,25 +151,8 @@ Result<void> checkPorts(const RigSpec& rig) {
 
 } // namespace
 
-SerialSettings usualSerial(RobotDriver) {
-    return {115200, 8, 'N', 1};
-}
-
-SerialSettings usualSerial(ThermometerDriver driver) {
-    return driver == ThermometerDriver::Modbus ? SerialSettings{19200, 8, 'E', 1}
-                                               : SerialSettings{115200, 8, 'N', 1};
-}
-
-SerialSettings usualSerial(HeatSourceDriver driver) {
-    switch (driver) {
-    case HeatSourceDriver::Namur:
-        return {9600, 7, 'E', 1};
-    case HeatSourceDriver::Modbus:
-        return {19200, 8, 'E', 1};
-    case HeatSourceDriver::ByHand:
-        break;
-    }
-    return {}; // no line
+bool isKeptByHand(const HeatSourceDeviceSpec& source) {
+    return driverOf(source).link == DriverLink::None;
 }
 
 bool hasOneLine(const RigSpec& rig) {

@@ -7,6 +7,7 @@
 #include "engine/device_simulators/namur_simulator.h"
 #include "engine/device_simulators/pty_server.h"
 #include "engine/device_simulators/stream_simulator.h"
+#include "engine/drivers/driver_catalogue.h"
 #include "tests/app/window_fixture.h"
 #include "tests/support/guard_processes.h"
 
@@ -58,15 +59,15 @@ public:
         rig.robot.emplace().port = port(0);
         for (AxisSpec& axis : rig.robot->axes)
             axis.origin = start[axis.coordinate];
-        rig.robot->serial = usualSerial(RobotDriver::Grbl);
+        rig.robot->serial = driverOf(*rig.robot).serial;
         rig.robot->mustHome = false;
-        rig.thermometer.emplace().driver = ThermometerDriver::Stream;
+        rig.thermometer.emplace().driver = "stream";
         rig.thermometer->port = port(1);
-        rig.thermometer->serial = usualSerial(ThermometerDriver::Stream);
+        rig.thermometer->serial = driverOf(*rig.thermometer).serial;
         rig.thermometer->channels = {0, 1, 2};
-        rig.source.emplace().driver = HeatSourceDriver::Namur;
+        rig.source.emplace().driver = "namur";
         rig.source->port = port(2);
-        rig.source->serial = usualSerial(HeatSourceDriver::Namur);
+        rig.source->serial = driverOf(*rig.source).serial;
         return rig;
     }
 

@@ -1,5 +1,6 @@
 // Which files the engine's thread touches, by the kernel's own account: none in any state of a rig.
 
+#include "engine/drivers/driver_catalogue.h"
 #include "tests/app/live_faults.h"
 #include "tests/support/file_call_watch.h"
 #include "tests/support/joined_line.h"
@@ -36,7 +37,7 @@ protected:
         TryDevice trial;
         ThermometerDeviceSpec& module = trial.rig.thermometer.emplace();
         module.port = portOf("spare").toStdString();
-        module.serial = usualSerial(ThermometerDriver::Modbus);
+        module.serial = driverOf(module).serial;
         module.profile = *std::ranges::find(shippedProfiles(), "modmux-pm6rtd", &ModbusProfile::name);
         live.send(trial);
         ASSERT_EQ(live.refusal.code, MessageCode::None) << describe(live.refusal);

@@ -504,7 +504,7 @@ TEST_F(MainWindowTest, TheRigPageMovesTheRobotAndSetsLimits) {
 TEST_F(MainWindowTest, ChannelsFollowTheObjects) {
     openWindow();
     Experiment experiment = window->document().experiment();
-    experiment.rig.emplace().thermometer.emplace().driver = ThermometerDriver::Stream;
+    experiment.rig.emplace().thermometer.emplace().driver = "stream";
     experiment.rig->thermometer->port = "/dev/none";
     experiment.rig->thermometer->channels = {4, 2, 0};
     experiment.objects.back().target_K = experiment.objects.front().target_K;

@@ -35,10 +35,15 @@ QString parameterObjectName(const ParameterFacts& facts) {
     return out;
 }
 
-ParameterForm::ParameterForm(const QString& prefix, QWidget* parent) : QWidget(parent), m_prefix(prefix) {
-    auto* form = new QFormLayout(this);
-    form->setContentsMargins(0, 0, 0, 0);
-    form->setRowWrapPolicy(QFormLayout::WrapLongRows);
+ParameterForm::ParameterForm(const QString& prefix, QWidget* parent)
+    : QWidget(parent), m_prefix(prefix), m_layout(new QFormLayout(this)) {
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
+}
+
+ParameterForm::ParameterForm(const QString& prefix, QFormLayout& rows, QWidget* parent)
+    : QWidget(parent), m_prefix(prefix), m_layout(&rows) {
+    hide();
 }
 
 void ParameterForm::addRow(const ParameterFacts& facts, bool mayBeAutomatic) {
@@ -63,8 +68,8 @@ void ParameterForm::addRow(const ParameterFacts& facts, bool mayBeAutomatic) {
                 tell(facts, row.takenOver, {});
         });
     }
-    static_cast<QFormLayout*>(layout())->addRow(label, part);
-    m_rows.push_back({&facts, label, field, automatic});
+    m_layout->addRow(label, part);
+    m_rows.push_back({&facts, label, field, automatic, part});
     retranslate();
 }
 
@@ -124,6 +129,13 @@ void ParameterForm::setAutomatic(const ParameterFacts& facts, std::optional<doub
         row->automaticValue = si;
         row->takenOver = takenOver;
         show(*row);
+    }
+}
+
+void ParameterForm::setShown(const ParameterFacts& facts, bool isShown) {
+    if (Row* row = rowOf(facts)) {
+        row->label->setVisible(isShown);
+        row->part->setVisible(isShown);
     }
 }
 

@@ -12,6 +12,7 @@
 
 class QCheckBox;
 class QDoubleSpinBox;
+class QFormLayout;
 class QLabel;
 
 namespace bask {
@@ -30,6 +31,8 @@ class ParameterForm : public QWidget {
 
 public:
     explicit ParameterForm(const QString& prefix, QWidget* parent = nullptr);
+    /// Its rows are those of `rows`, among others; itself it is not seen.
+    ParameterForm(const QString& prefix, QFormLayout& rows, QWidget* parent);
 
     void addRow(const ParameterFacts& facts, bool mayBeAutomatic);
 
@@ -38,6 +41,8 @@ public:
     /// What an automatic value amounts to (empty: it depends, a dash is shown), and what it becomes when a
     /// person takes it over.
     void setAutomatic(const ParameterFacts& facts, std::optional<double> si, double takenOver);
+    /// Hides or shows its row.
+    void setShown(const ParameterFacts& facts, bool isShown);
     void setEditable(bool editable);
     void setTemperatureUnit(TemperatureUnit unit);
 
@@ -54,6 +59,7 @@ private:
         QLabel* label;
         QDoubleSpinBox* field;
         QCheckBox* automatic; ///< null: there must be a value
+        QWidget* part;        ///< the field, with its box
         std::optional<double> value{}, automaticValue{};
         double takenOver = 0.0;
     };
@@ -64,6 +70,7 @@ private:
     void retranslate();
 
     QString m_prefix;
+    QFormLayout* m_layout;
     std::vector<Row> m_rows;
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
     bool m_isEditable = true;

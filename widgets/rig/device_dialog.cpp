@@ -4,13 +4,13 @@
 #include "widgets/common/display.h"
 #include "widgets/common/labels.h"
 #include "widgets/common/message_bar.h"
+#include "widgets/common/parameter_form.h"
 #include "widgets/rig/axis_table.h"
 #include "widgets/rig/coordinate_words.h"
 #include "widgets/rig/serial_form.h"
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFile>
 #include <QFileDialog>
@@ -26,24 +26,42 @@
 namespace bask {
 namespace {
 
-constexpr int kMaxChannel = 63; ///< of a stream
 constexpr qint64 kMaxProfile = 1 << 20;
 
-std::vector<AxisSpec> usualAxes(RobotDriver driver) {
-    if (driver == RobotDriver::Grbl)
-        return RobotDeviceSpec().axes;
-    return {{'X', kX, false, 0.0}, {'Y', kY, false, 0.0}, {'Z', kZ, false, 0.0}, {'R', kThetaZ, false, 0.0}};
+/// The values of all drivers' parameters, as the device that is set up has them.
+template <class Driver, class Spec>
+void takeValues(const std::vector<Driver>& drivers, const Spec& spec,
+                std::map<const ParameterFacts*, double>& out) {
+    for (const Driver& driver : drivers)
+        for (const DeviceParameter<Spec>& parameter : driver.parameters)
+            out[parameter.facts] = parameter.get(spec);
 }
 
-QString driverName(DeviceRole role, int driver) {
-    switch (role) {
-    case DeviceRole::Robot:
-        return driverWord(static_cast<RobotDriver>(driver));
-    case DeviceRole::Thermometer:
-        return driverWord(static_cast<ThermometerDriver>(driver));
-    default:
-        return driverWord(static_cast<HeatSourceDriver>(driver));
-    }
+template <class Spec> void giveValues(const std::map<const ParameterFacts*, double>& values, Spec& out) {
+    for (const DeviceParameter<Spec>& parameter : driverOf(out).parameters)
+        parameter.set(out, values.at(parameter.facts));
+}
+
+template <class Driver>
+void addFacts(const std::vector<Driver>& drivers, SetupStep step, std::vector<const ParameterFacts*>& out) {
+    for (const Driver& driver : drivers)
+        for (const auto& parameter : driver.parameters)
+            if (parameter.step == step && std::ranges::find(out, parameter.facts) == out.end())
+                out.push_back(parameter.facts);
+}
+
+template <class Spec> std::vector<const ParameterFacts*> appliedFacts(const std::optional<Spec>& spec) {
+    std::vector<const ParameterFacts*> out;
+    if (spec)
+        for (const auto& parameter : driverOf(*spec).parameters)
+            if (parameter.applies(*spec))
+                out.push_back(parameter.facts);
+    return out;
+}
+
+/// Another driver's, which nobody has touched.
+bool areUsualAxes(const std::vector<AxisSpec>& axes) {
+    return std::ranges::find(robotDrivers(), axes, &RobotDriver::usualAxes) != robotDrivers().end();
 }
 
 } // namespace
@@ -54,14 +72,12 @@ DeviceDialog::DeviceDialog(DeviceRole role, const RigSpec& rig, const std::vecto
       m_port(new QComboBox(this)), m_profile(new QComboBox(this)), m_homing(new QComboBox(this)),
       m_homingLabel(new QLabel(this)), m_driverLabel(new QLabel(this)), m_portLabel(new QLabel(this)),
       m_portDescription(new QLabel(this)), m_lineLabel(new QLabel(this)), m_axesLabel(new QLabel(this)),
-      m_profileLabel(new QLabel(this)), m_unitLabel(new QLabel(this)), m_channelsLabel(new QLabel(this)),
-      m_watchdogLabel(new QLabel(this)), m_result(new QLabel(this)), m_refresh(new QPushButton(this)),
-      m_profileFile(new QPushButton(this)), m_try(new QPushButton(this)), m_use(new QPushButton(this)),
-      m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)), m_profilePart(new QWidget(this)),
-      m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)), m_line(new SerialForm(this)),
-      m_axes(new AxisTable(this)), m_probe(new QCheckBox(this)), m_unattended(new QCheckBox(this)),
-      m_unitNumber(new QSpinBox(this)), m_watchdog(new QDoubleSpinBox(this)),
-      m_message(new MessageBar(this)) {
+      m_profileLabel(new QLabel(this)), m_channelsLabel(new QLabel(this)), m_result(new QLabel(this)),
+      m_refresh(new QPushButton(this)), m_profileFile(new QPushButton(this)), m_try(new QPushButton(this)),
+      m_use(new QPushButton(this)), m_cancel(new QPushButton(this)), m_portPart(new QWidget(this)),
+      m_profilePart(new QWidget(this)), m_channelsPart(new QWidget(this)), m_trialPart(new QWidget(this)),
+      m_line(new SerialForm(this)), m_axes(new AxisTable(this)), m_probe(new QCheckBox(this)),
+      m_unattended(new QCheckBox(this)), m_message(new MessageBar(this)) {
     setObjectName("deviceDialog");
     setModal(false);
     build();
@@ -90,6 +106,12 @@ void DeviceDialog::build() {
         button->setAutoDefault(false);
 
     m_form = new QFormLayout;
+    m_parameters = new ParameterForm({}, *m_form, this);
+    connect(m_parameters, &ParameterForm::edited, this,
+            [this](const ParameterFacts* facts, std::optional<double> si) {
+                m_values[facts] = si.value();
+                m_parameters->setValue(*facts, si);
+            });
     buildDevice();
     buildConnection();
     buildTrial();
@@ -139,8 +161,6 @@ void DeviceDialog::buildDevice() {
 }
 
 void DeviceDialog::buildConnection() {
-    m_unitNumber->setObjectName("unit");
-    m_unitNumber->setRange(1, 247);
     m_portDescription->setWordWrap(true);
     auto* port = new QGridLayout(m_portPart);
     port->setContentsMargins(0, 0, 0, 0);
@@ -151,7 +171,20 @@ void DeviceDialog::buildConnection() {
     m_connectionStep = addStep();
     m_form->addRow(m_portLabel, m_portPart);
     m_form->addRow(m_lineLabel, m_line);
-    m_form->addRow(m_unitLabel, m_unitNumber);
+    addParameters(SetupStep::Connection);
+}
+
+/// A row for each that some driver of the role has.
+void DeviceDialog::addParameters(SetupStep step) {
+    std::vector<const ParameterFacts*> facts;
+    if (m_role == DeviceRole::Robot)
+        addFacts(robotDrivers(), step, facts);
+    else if (m_role == DeviceRole::Thermometer)
+        addFacts(thermometerDrivers(), step, facts);
+    else if (m_role == DeviceRole::HeatSource)
+        addFacts(heatSourceDrivers(), step, facts);
+    for (const ParameterFacts* each : facts)
+        m_parameters->addRow(*each, false);
 }
 
 void DeviceDialog::buildTrial() {
@@ -167,9 +200,6 @@ void DeviceDialog::buildUse() {
     m_homing->setObjectName("homing");
     for (int i = 0; i < 3; ++i)
         m_homing->addItem(QString());
-    m_watchdog->setObjectName("watchdog");
-    m_watchdog->setRange(20.0, 1500.0);
-    m_watchdog->setDecimals(0);
     m_probe->setObjectName("probe");
     auto* channels = new QGridLayout(m_channelsPart);
     channels->setContentsMargins(0, 0, 0, 0);
@@ -177,7 +207,6 @@ void DeviceDialog::buildUse() {
     for (std::size_t i = 0; i < m_objects.size(); ++i) {
         auto* field = new QSpinBox(m_channelsPart);
         field->setObjectName(QStringLiteral("channel.%1").arg(i));
-        field->setRange(0, kMaxChannel);
         field->setAccessibleName(QString::fromStdString(m_objects[i]));
         channels->addWidget(new QLabel(QString::fromStdString(m_objects[i]), m_channelsPart),
                             static_cast<int>(i), 0);
@@ -188,49 +217,49 @@ void DeviceDialog::buildUse() {
     m_form->addRow(m_axesLabel, m_axes);
     m_form->addRow(m_homingLabel, m_homing);
     m_form->addRow(m_channelsLabel, m_channelsPart);
-    m_form->addRow(m_watchdogLabel, m_watchdog);
+    addParameters(SetupStep::Use);
     m_form->addRow(QString(), m_probe);
     m_unattended->setObjectName("unattended");
     m_form->addRow(QString(), m_unattended);
 }
 
 void DeviceDialog::fill(const RigSpec& rig) {
-    const auto addDrivers = [this](auto... drivers) {
-        (m_driver->addItem(QString(), static_cast<int>(drivers)), ...);
+    for (const DriverFacts* driver : driversOf(m_role))
+        m_driver->addItem(QString(), QString::fromLatin1(driver->key));
+    const auto choose = [this](const std::string& key) {
+        m_driver->setCurrentIndex(m_driver->findData(QString::fromStdString(key)));
     };
-    const auto choose = [this](int driver) { m_driver->setCurrentIndex(m_driver->findData(driver)); };
     if (m_role == DeviceRole::Robot) {
-        addDrivers(RobotDriver::Grbl, RobotDriver::Dobot);
         const RobotDeviceSpec robot = rig.robot.value_or(RobotDeviceSpec());
-        choose(static_cast<int>(robot.driver));
-        m_line->setLine(rig.robot ? robot.serial : usual());
+        choose(robot.driver);
+        takeValues(robotDrivers(), robot, m_values);
+        m_line->setLine(rig.robot ? robot.serial : driver().serial);
         m_axes->setAxes(robot.axes);
         m_homing->setCurrentIndex(robot.mustHome ? (*robot.mustHome ? 1 : 2) : 0);
     } else if (m_role == DeviceRole::Thermometer) {
-        addDrivers(ThermometerDriver::Modbus, ThermometerDriver::Stream);
         const ThermometerDeviceSpec thermometer = rig.thermometer.value_or(ThermometerDeviceSpec());
-        choose(static_cast<int>(thermometer.driver));
-        m_line->setLine(rig.thermometer ? thermometer.serial : usual());
+        choose(thermometer.driver);
+        takeValues(thermometerDrivers(), thermometer, m_values);
+        m_line->setLine(rig.thermometer ? thermometer.serial : driver().serial);
         offerProfiles();
         if (rig.thermometer && isModbus())
             addProfile(thermometer.profile);
-        m_unitNumber->setValue(thermometer.unit);
         const std::vector<int> channels = channelsFor(thermometer.channels, m_objects.size());
         for (std::size_t i = 0; i < m_channels.size(); ++i)
             m_channels[i]->setValue(channels[i]);
     } else if (m_role == DeviceRole::HeatSource) {
-        addDrivers(HeatSourceDriver::ByHand, HeatSourceDriver::Namur, HeatSourceDriver::Modbus);
         const HeatSourceDeviceSpec source = rig.source.value_or(HeatSourceDeviceSpec());
-        choose(static_cast<int>(source.driver));
-        m_line->setLine(rig.source && hasPort() ? source.serial : usual());
+        choose(source.driver);
+        takeValues(heatSourceDrivers(), source, m_values);
+        m_line->setLine(rig.source && hasPort() ? source.serial : driver().serial);
         offerProfiles();
         if (rig.source && isModbus())
             addProfile(source.profile);
-        m_unitNumber->setValue(source.unit);
-        m_watchdog->setValue(source.watchdog_s);
         m_probe->setChecked(source.isProbeUsed);
         m_unattended->setChecked(source.mayHeatUnattended);
     }
+    for (const auto& [facts, si] : m_values)
+        m_parameters->setValue(*facts, si);
     m_port->setEditText(portText(rig, m_role));
 }
 
@@ -281,79 +310,69 @@ void DeviceDialog::useProfileFile(const QString& path) {
     addProfile(*profile);
 }
 
-SerialSettings DeviceDialog::usual() const {
-    const int driver = m_driver->currentData().toInt();
-    switch (m_role) {
-    case DeviceRole::Robot:
-        return usualSerial(static_cast<RobotDriver>(driver));
-    case DeviceRole::Thermometer:
-        return usualSerial(static_cast<ThermometerDriver>(driver));
-    default:
-        return usualSerial(static_cast<HeatSourceDriver>(driver));
-    }
-}
-
 void DeviceDialog::takeDriver() {
-    m_line->setLine(usual());
-    if (m_role == DeviceRole::Robot) {
-        // Axes that nobody touched become those of the new driver.
-        const auto driver = static_cast<RobotDriver>(m_driver->currentData().toInt());
-        const auto other = driver == RobotDriver::Grbl ? RobotDriver::Dobot : RobotDriver::Grbl;
-        if (m_axes->axes() == usualAxes(other))
-            m_axes->setAxes(usualAxes(driver));
-    }
+    m_line->setLine(driver().serial);
+    if (m_role == DeviceRole::Robot && areUsualAxes(m_axes->axes()))
+        m_axes->setAxes(driverOf(*device().robot).usualAxes);
     m_isTried = false;
     showParts();
 }
 
-bool DeviceDialog::isModbus() const {
-    const int driver = m_driver->currentData().toInt();
-    return (m_role == DeviceRole::Thermometer && driver == static_cast<int>(ThermometerDriver::Modbus)) ||
-           (m_role == DeviceRole::HeatSource && driver == static_cast<int>(HeatSourceDriver::Modbus));
+const DriverFacts& DeviceDialog::driver() const {
+    static constexpr DriverFacts kCamera{"", "", DriverLink::None};
+    const auto drivers = driversOf(m_role);
+    return drivers.empty() ? kCamera : *drivers.at(static_cast<std::size_t>(m_driver->currentIndex()));
 }
 
 bool DeviceDialog::hasPort() const {
-    return m_role != DeviceRole::HeatSource ||
-           m_driver->currentData().toInt() != static_cast<int>(HeatSourceDriver::ByHand);
+    return m_role == DeviceRole::Camera || driver().link != DriverLink::None;
 }
 
 bool DeviceDialog::hasLine() const {
-    const bool isNetwork = m_role == DeviceRole::Robot &&
-                           m_driver->currentData().toInt() == static_cast<int>(RobotDriver::Dobot);
-    return hasPort() && !isNetwork && m_role != DeviceRole::Camera;
+    return driver().link == DriverLink::Serial;
 }
 
 RigSpec DeviceDialog::device() const {
     RigSpec rig;
     const std::string port = m_port->currentText().trimmed().toStdString();
-    const int driver = m_driver->currentData().toInt();
     const ModbusProfile profile = isModbus() && m_profile->currentIndex() >= 0
                                       ? m_profiles[static_cast<std::size_t>(m_profile->currentIndex())]
                                       : ModbusProfile();
+    const auto give = [&](auto& spec) {
+        spec.driver = driver().key;
+        if (hasPort()) {
+            spec.port = port;
+            spec.serial = m_line->line();
+        }
+        giveValues(m_values, spec);
+    };
     switch (m_role) {
-    case DeviceRole::Robot:
-        rig.robot = {static_cast<RobotDriver>(driver), port, m_line->line(), m_axes->axes(), std::nullopt};
+    case DeviceRole::Robot: {
+        RobotDeviceSpec& robot = rig.robot.emplace();
+        give(robot);
+        robot.axes = m_axes->axes();
         if (m_homing->currentIndex() > 0)
-            rig.robot->mustHome = m_homing->currentIndex() == 1;
+            robot.mustHome = m_homing->currentIndex() == 1;
         break;
-    case DeviceRole::Thermometer:
-        rig.thermometer = {
-            static_cast<ThermometerDriver>(driver), port, m_line->line(), m_unitNumber->value(), profile, {}};
+    }
+    case DeviceRole::Thermometer: {
+        ThermometerDeviceSpec& thermometer = rig.thermometer.emplace();
+        give(thermometer);
+        thermometer.profile = profile;
         for (const QSpinBox* channel : m_channels)
-            rig.thermometer->channels.push_back(channel->value());
+            thermometer.channels.push_back(channel->value());
         break;
-    case DeviceRole::HeatSource:
-        rig.source.emplace().driver = static_cast<HeatSourceDriver>(driver);
+    }
+    case DeviceRole::HeatSource: {
+        HeatSourceDeviceSpec& source = rig.source.emplace();
+        give(source);
         if (!hasPort())
             break;
-        rig.source->port = port;
-        rig.source->serial = m_line->line();
-        rig.source->unit = m_unitNumber->value();
-        rig.source->profile = profile;
-        rig.source->watchdog_s = m_watchdog->value();
-        rig.source->isProbeUsed = !isModbus() && m_probe->isChecked();
-        rig.source->mayHeatUnattended = m_unattended->isVisibleTo(this) && m_unattended->isChecked();
+        source.profile = profile;
+        source.isProbeUsed = driverOf(source).hasProbe && m_probe->isChecked();
+        source.mayHeatUnattended = m_unattended->isVisibleTo(this) && m_unattended->isChecked();
         break;
+    }
     case DeviceRole::Camera:
         rig.camera = port;
         break;
@@ -440,7 +459,12 @@ void DeviceDialog::showParts() {
         if (QWidget* label = m_form->labelForField(field))
             label->setVisible(show);
     };
-    const bool isNamur = m_role == DeviceRole::HeatSource && hasPort() && !isModbus();
+    const RigSpec rig = device();
+    const auto applied = m_role == DeviceRole::Robot         ? appliedFacts(rig.robot)
+                         : m_role == DeviceRole::Thermometer ? appliedFacts(rig.thermometer)
+                                                             : appliedFacts(rig.source);
+    for (const auto& [facts, si] : m_values)
+        m_parameters->setShown(*facts, std::ranges::find(applied, facts) != applied.end());
     const int profile = m_profile->currentIndex();
     const bool isWatched = isModbus() && m_role == DeviceRole::HeatSource && profile >= 0 &&
                            m_profiles[static_cast<std::size_t>(profile)].watchdog;
@@ -449,12 +473,10 @@ void DeviceDialog::showParts() {
     m_refresh->setVisible(hasLine());
     showRow(m_line, hasLine());
     showRow(m_axes, m_role == DeviceRole::Robot);
-    showRow(m_homing, m_role == DeviceRole::Robot && hasLine());
+    showRow(m_homing, rig.robot && driverOf(*rig.robot).canHome);
     showRow(m_profilePart, isModbus());
-    showRow(m_unitNumber, isModbus());
     showRow(m_channelsPart, m_role == DeviceRole::Thermometer);
-    showRow(m_watchdog, isNamur || isWatched);
-    showRow(m_probe, isNamur);
+    showRow(m_probe, rig.source && driverOf(*rig.source).hasProbe);
     showRow(m_unattended, m_role == DeviceRole::HeatSource && hasPort() && !isWatched);
     const bool mayTry = hasPort() && m_role != DeviceRole::Camera;
     m_deviceStep->setVisible(mayTry); // the others have one step
@@ -463,11 +485,13 @@ void DeviceDialog::showParts() {
     showRow(m_trialPart, mayTry);
     m_useStep->setVisible(mayTry && (m_role != DeviceRole::HeatSource || hasPort()));
     sayNotTried();
-    const int last = isModbus() && profile >= 0
-                         ? std::max(0, m_profiles[static_cast<std::size_t>(profile)].channels - 1)
-                         : kMaxChannel;
-    for (QSpinBox* channel : m_channels)
-        channel->setMaximum(last);
+    if (rig.thermometer) {
+        const int channels = !isModbus()    ? driverOf(*rig.thermometer).maxChannels
+                             : profile >= 0 ? m_profiles[static_cast<std::size_t>(profile)].channels
+                                            : ThermometerDriver().maxChannels;
+        for (QSpinBox* channel : m_channels)
+            channel->setMaximum(std::max(1, channels) - 1);
+    }
     retranslateParts();
     showPort();
     adjustSize();
@@ -482,7 +506,7 @@ void DeviceDialog::retranslateParts() {
     } else {
         m_portLabel->setText(hasLine() ? tr("Port") : tr("Address"));
         m_port->setToolTip(hasLine() ? tr("Choose one, or type its path")
-                                     : tr("Host name or IP address of the robot"));
+                                     : tr("Host name or IP address of the device"));
     }
     m_port->setAccessibleName(m_portLabel->text());
     m_port->lineEdit()->setPlaceholderText(m_port->toolTip());
@@ -499,7 +523,7 @@ void DeviceDialog::retranslate() {
     m_driverLabel->setText(tr("Driver"));
     m_driver->setAccessibleName(tr("Driver"));
     for (int i = 0; i < m_driver->count(); ++i)
-        m_driver->setItemText(i, driverName(m_role, m_driver->itemData(i).toInt()));
+        m_driver->setItemText(i, driverWord(*driversOf(m_role).at(static_cast<std::size_t>(i))));
     m_refresh->setText(tr("Refresh"));
     m_refresh->setToolTip(tr("Look for ports anew"));
     m_lineLabel->setText(tr("Line"));
@@ -513,15 +537,8 @@ void DeviceDialog::retranslate() {
     m_profile->setAccessibleName(tr("Device"));
     m_profileFile->setText(tr("From file…"));
     m_profileFile->setToolTip(tr("Take what the device's registers mean from a file"));
-    m_unitLabel->setText(tr("Unit"));
-    m_unitNumber->setToolTip(tr("The device's Modbus address"));
-    m_unitNumber->setAccessibleName(tr("Unit"));
     m_channelsLabel->setText(tr("Channels"));
     m_channelsPart->setToolTip(tr("The channel of each object's sensor, counted from 0"));
-    m_watchdogLabel->setText(tr("Watchdog"));
-    m_watchdog->setSuffix(QStringLiteral("\u00a0s"));
-    m_watchdog->setToolTip(tr("The device switches its heat off when it has heard nothing for so long"));
-    m_watchdog->setAccessibleName(tr("Watchdog"));
     m_probe->setText(tr("Its external probe measures the surface"));
     m_unattended->setText(tr("May heat without a watchdog"));
     m_unattended->setToolTip(

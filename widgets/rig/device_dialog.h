@@ -6,12 +6,12 @@
 
 #include <QDialog>
 
+#include <map>
 #include <string>
 #include <vector>
 
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 class QGridLayout;
 class QLabel;
@@ -22,11 +22,12 @@ namespace bask {
 
 class AxisTable;
 class MessageBar;
+class ParameterForm;
 class SerialForm;
 
 /// Not modal. Object names: "driver", "port", "portDescription", "refreshPorts", those of SerialForm and
-/// AxisTable, "homing", "profile", "profileFile", "unit", "channel.0" ..., "watchdog", "probe",
-/// "tryDevice", "tryResult", "useDevice", "cancelDevice", "deviceMessage".
+/// AxisTable, "homing", "profile", "profileFile", "channel.0" ..., "probe", "tryDevice", "tryResult",
+/// "useDevice", "cancelDevice", "deviceMessage"; and those of the drivers' parameters: "unit", "watchdog" ...
 class DeviceDialog : public QDialog {
     Q_OBJECT
 
@@ -62,16 +63,18 @@ private:
     void buildTrial();
     void buildUse();
     QLabel* addStep();
+    void addParameters(SetupStep step);
     void fill(const RigSpec& rig);
     void offerProfiles();
     void addProfile(const ModbusProfile& profile);
     void chooseProfileFile();
     void takeDriver();
     void tryDevice();
-    bool isModbus() const;
+    /// The chosen one; a camera has one without a link.
+    const DriverFacts& driver() const;
+    bool isModbus() const { return driver().isModbus; }
     bool hasLine() const; ///< it is on a serial line
     bool hasPort() const;
-    SerialSettings usual() const;
     void showParts();
     void showPort();
     void sayNotTried();
@@ -84,21 +87,21 @@ private:
     std::vector<ModbusProfile> m_profiles; ///< as listed
     std::vector<SerialPort> m_ports;
     bool m_arePortsKnown = false;
-    bool m_isTried = false; ///< its answer is shown
+    bool m_isTried = false;                           ///< its answer is shown
+    std::map<const ParameterFacts*, double> m_values; ///< of all drivers' parameters, SI
     TemperatureUnit m_unit = TemperatureUnit::Celsius;
 
     QFormLayout* m_form = nullptr;
     QLabel *m_deviceStep = nullptr, *m_connectionStep = nullptr, *m_trialStep = nullptr, *m_useStep = nullptr;
     QComboBox *m_driver, *m_port, *m_profile, *m_homing;
     QLabel *m_homingLabel, *m_driverLabel, *m_portLabel, *m_portDescription, *m_lineLabel, *m_axesLabel,
-        *m_profileLabel, *m_unitLabel, *m_channelsLabel, *m_watchdogLabel, *m_result;
+        *m_profileLabel, *m_channelsLabel, *m_result;
     QPushButton *m_refresh, *m_profileFile, *m_try, *m_use, *m_cancel;
     QWidget *m_portPart, *m_profilePart, *m_channelsPart, *m_trialPart;
     SerialForm* m_line;
     AxisTable* m_axes;
     QCheckBox *m_probe, *m_unattended;
-    QSpinBox* m_unitNumber;
-    QDoubleSpinBox* m_watchdog;
+    ParameterForm* m_parameters = nullptr;
     std::vector<QSpinBox*> m_channels;
     MessageBar* m_message;
 };

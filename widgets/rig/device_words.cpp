@@ -53,26 +53,8 @@ QString linkWord(LinkState state) {
     return {};
 }
 
-QString driverWord(RobotDriver driver) {
-    return driver == RobotDriver::Grbl ? Words::tr("Grbl or grblHAL (G-code)")
-                                       : Words::tr("Dobot MG400 or M1 Pro (network)");
-}
-
-QString driverWord(ThermometerDriver driver) {
-    return driver == ThermometerDriver::Modbus ? Words::tr("Modbus RTU module")
-                                               : Words::tr("Lines of text (MAX31865)");
-}
-
-QString driverWord(HeatSourceDriver driver) {
-    switch (driver) {
-    case HeatSourceDriver::ByHand:
-        return Words::tr("Kept hot by a person");
-    case HeatSourceDriver::Namur:
-        return Words::tr("Hotplate (NAMUR, IKA)");
-    case HeatSourceDriver::Modbus:
-        return Words::tr("Modbus RTU controller");
-    }
-    return {};
+QString driverWord(const DriverFacts& driver) {
+    return QCoreApplication::translate("bask::Device", driver.name);
 }
 
 bool hasDevice(const RigSpec& rig, DeviceRole role) {
@@ -92,20 +74,18 @@ bool hasDevice(const RigSpec& rig, DeviceRole role) {
 QString driverText(const RigSpec& rig, DeviceRole role) {
     if (!hasDevice(rig, role))
         return {};
-    const auto withTitle = [](const QString& word, const ModbusProfile& profile) {
-        return profile.title.empty() ? word : QString::fromStdString(profile.title);
+    const auto withTitle = [](const auto& spec) {
+        const DriverFacts& driver = driverOf(spec);
+        return driver.isModbus && !spec.profile.title.empty() ? QString::fromStdString(spec.profile.title)
+                                                              : driverWord(driver);
     };
     switch (role) {
     case DeviceRole::Robot:
-        return driverWord(rig.robot->driver);
+        return driverWord(driverOf(*rig.robot));
     case DeviceRole::Thermometer:
-        return rig.thermometer->driver == ThermometerDriver::Modbus
-                   ? withTitle(driverWord(rig.thermometer->driver), rig.thermometer->profile)
-                   : driverWord(rig.thermometer->driver);
+        return withTitle(*rig.thermometer);
     case DeviceRole::HeatSource:
-        return rig.source->driver == HeatSourceDriver::Modbus
-                   ? withTitle(driverWord(rig.source->driver), rig.source->profile)
-                   : driverWord(rig.source->driver);
+        return withTitle(*rig.source);
     case DeviceRole::Camera:
         return Words::tr("Pictures");
     }
@@ -121,8 +101,7 @@ QString portText(const RigSpec& rig, DeviceRole role) {
     case DeviceRole::Thermometer:
         return QString::fromStdString(rig.thermometer->port);
     case DeviceRole::HeatSource:
-        return rig.source->driver == HeatSourceDriver::ByHand ? QString()
-                                                              : QString::fromStdString(rig.source->port);
+        return isKeptByHand(*rig.source) ? QString() : QString::fromStdString(rig.source->port);
     case DeviceRole::Camera:
         return QString::fromStdString(rig.camera);
     }

@@ -1,6 +1,7 @@
 #pragma once
 // A rig's devices by role: words for them, and the parts of a RigSpec that belong to one.
 
+#include "engine/drivers/driver_catalogue.h"
 #include "engine/runtime/snapshot.h"
 #include "engine/session/experiment.h"
 
@@ -24,9 +25,7 @@ const char* roleName(DeviceRole role); ///< "robot", for object names
 QString roleWord(DeviceRole role);     ///< "Robot"
 QString linkWord(LinkState state);     ///< "Live"
 
-QString driverWord(RobotDriver driver);
-QString driverWord(ThermometerDriver driver);
-QString driverWord(HeatSourceDriver driver);
+QString driverWord(const DriverFacts& driver); ///< "Grbl or grblHAL (G-code)"
 
 bool hasDevice(const RigSpec& rig, DeviceRole role);
 QString driverText(const RigSpec& rig, DeviceRole role); ///< "Grbl or grblHAL"; empty without the device

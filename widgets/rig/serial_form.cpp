@@ -22,7 +22,8 @@ SerialForm::SerialForm(QWidget* parent)
     m_stopBits->setObjectName("stopBits");
     m_baud->setEditable(true);
     m_baud->setInsertPolicy(QComboBox::NoInsert);
-    m_baud->setValidator(new QIntValidator(300, 4000000, this));
+    const ValidRange& speeds = serialParameters().front().range;
+    m_baud->setValidator(new QIntValidator(static_cast<int>(speeds.min), static_cast<int>(speeds.max), this));
     for (const int speed : kSpeeds)
         m_baud->addItem(QString::number(speed));
     for (const int bits : {7, 8})

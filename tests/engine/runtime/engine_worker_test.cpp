@@ -482,7 +482,7 @@ TEST(EngineWorker, OfExperimentsThatComeWhileARigIsClosedTheNewestCounts) {
     Experiment real = oneDisk();
     real.rig = RigSpec();
     real.rig->source = HeatSourceDeviceSpec();
-    real.rig->source->driver = HeatSourceDriver::Namur;
+    real.rig->source->driver = "namur";
     real.rig->source->port = "/nowhere/plate";
     Rig rig;
     rig.send(LoadExperiment{real});

@@ -6,6 +6,7 @@
 #include "engine/device_simulators/namur_simulator.h"
 #include "engine/device_simulators/pty_server.h"
 #include "engine/device_simulators/stream_simulator.h"
+#include "engine/drivers/driver_catalogue.h"
 #include "tests/engine/runtime/engine_thread.h"
 
 #include <QTemporaryDir>
@@ -92,14 +93,14 @@ struct RigOnPorts : testing::Test {
         // Where the axes read zero, the object is well above the source.
         for (AxisSpec& axis : rig.robot->axes)
             axis.origin = experiment.start[axis.coordinate];
-        rig.robot->serial = usualSerial(RobotDriver::Grbl);
-        rig.thermometer.emplace().driver = ThermometerDriver::Stream;
+        rig.robot->serial = driverOf(*rig.robot).serial;
+        rig.thermometer.emplace().driver = "stream";
         rig.thermometer->port = port(1);
-        rig.thermometer->serial = usualSerial(ThermometerDriver::Stream);
+        rig.thermometer->serial = driverOf(*rig.thermometer).serial;
         rig.thermometer->channels = {0};
-        rig.source.emplace().driver = HeatSourceDriver::Namur;
+        rig.source.emplace().driver = "namur";
         rig.source->port = port(2);
-        rig.source->serial = usualSerial(HeatSourceDriver::Namur);
+        rig.source->serial = driverOf(*rig.source).serial;
     }
     /// Another engine, on this computer as it is now.
     void start() {

@@ -5,6 +5,7 @@
 #include "engine/device_simulators/modbus_simulator.h"
 #include "engine/device_simulators/namur_simulator.h"
 #include "engine/device_simulators/pty_server.h"
+#include "engine/drivers/driver_catalogue.h"
 #include "tests/engine/runtime/engine_thread.h"
 
 #include <QTemporaryDir>
@@ -63,7 +64,7 @@ struct TryDeviceTest : testing::Test {
     RigSpec thermometer() const {
         RigSpec rig;
         rig.thermometer.emplace().port = port;
-        rig.thermometer->serial = usualSerial(ThermometerDriver::Modbus);
+        rig.thermometer->serial = driverOf(*rig.thermometer).serial;
         rig.thermometer->unit = 5;
         rig.thermometer->profile = profile("waveshare-8ch-4-20ma");
         return rig;
@@ -122,9 +123,9 @@ TEST_F(TryDeviceTest, ANamurPlateTellsItsTemperature) {
     NamurSimulator plate(config);
     serve(plate);
     RigSpec rig;
-    rig.source.emplace().driver = HeatSourceDriver::Namur;
+    rig.source.emplace().driver = "namur";
     rig.source->port = port;
-    rig.source->serial = usualSerial(HeatSourceDriver::Namur);
+    rig.source->serial = driverOf(*rig.source).serial;
     engine.send(TryDevice{rig});
     ASSERT_TRUE(sees([&] { return isLive() && engine.last.tried->temperatures_K.size() == 1; }));
     EXPECT_NEAR(engine.last.tried->temperatures_K[0], kelvinFromCelsius(23.0), 0.1);

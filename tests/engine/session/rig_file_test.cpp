@@ -21,10 +21,10 @@ RigSpec wholeRig() {
     rig.robot->serial = {250000, 8, 'O', 2};
     rig.robot->axes = {{'X', 1, true, 0.123456789}, {'A', 3, false, -0.7}};
     rig.robot->mustHome = true;
-    rig.thermometer.emplace().driver = ThermometerDriver::Stream;
+    rig.thermometer.emplace().driver = "stream";
     rig.thermometer->port = "/dev/ttyTEMP";
     rig.thermometer->channels = {4, 0};
-    rig.source.emplace().driver = HeatSourceDriver::Namur;
+    rig.source.emplace().driver = "namur";
     rig.source->port = "/dev/ttyPLATE";
     rig.source->serial = {9600, 7, 'E', 1};
     rig.source->watchdog_s = 40.0;

@@ -1,8 +1,9 @@
-// What a rig may not be: heat that nothing switches off.
+// What a rig may not be: heat that nothing switches off, a device without a driver, values out of range.
 
 #include "engine/session/rig_spec.h"
 
 #include "engine/base/message_code.h"
+#include "engine/drivers/driver_catalogue.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ const ModbusProfile& profileOf(const std::string& name) {
 
 RigSpec rigWith(const ModbusProfile& profile) {
     RigSpec rig;
-    rig.source.emplace().driver = HeatSourceDriver::Modbus;
+    rig.source.emplace().driver = "modbus";
     rig.source->port = "/dev/ttyPLATE";
     rig.source->profile = profile;
     return rig;
@@ -28,7 +29,66 @@ Error refusal(const RigSpec& rig) {
     return fit ? Error(MessageCode::None, "") : fit.error();
 }
 
+/// A device of each driver that is valid, each with its range's limits.
+template <class Spec> void expectRanges(std::optional<Spec> RigSpec::*place, const char* path, RigSpec rig) {
+    const auto name = [&](const ParameterFacts& facts) { return std::string(path) + '.' + keyOf(facts); };
+    const RigSpec valid = rig;
+    ASSERT_EQ(refusal(valid).code(), MessageCode::None) << path << ": " << describe(refusal(valid));
+    for (const auto& parameter : driverOf(*(rig.*place)).parameters) {
+        if (!parameter.applies(*(rig.*place)))
+            continue;
+        for (const double outside : {parameter.facts->range.min - 1.0, parameter.facts->range.max + 1.0}) {
+            rig = valid;
+            parameter.set(*(rig.*place), fromWritten(*parameter.facts, outside));
+            EXPECT_EQ(refusal(rig).where, name(*parameter.facts)) << outside;
+        }
+    }
+    for (const Parameter<SerialSettings>& parameter : serialParameters())
+        for (const double outside : {parameter.range.min - 1.0, parameter.range.max + 1.0}) {
+            rig = valid;
+            parameter.set((rig.*place)->serial, outside);
+            EXPECT_EQ(refusal(rig).where, std::string(path) + ".serial." + keyOf(parameter)) << outside;
+        }
+}
+
+template <class Spec> RigSpec rigWithDevice(std::optional<Spec> RigSpec::*place, const char* driver) {
+    RigSpec rig;
+    Spec& spec = (rig.*place).emplace();
+    spec.driver = driver;
+    spec.port = "/dev/ttyX";
+    return rig;
+}
+
 } // namespace
+
+// Catches a parameter of a driver, or a setting of its line, that nobody checks.
+TEST(RigSpec, EveryParameterIsRefusedOutsideItsRange) {
+    for (const RobotDriver& driver : robotDrivers())
+        expectRanges(&RigSpec::robot, "robot", rigWithDevice(&RigSpec::robot, driver.key));
+    for (const ThermometerDriver& driver : thermometerDrivers()) {
+        RigSpec rig = rigWithDevice(&RigSpec::thermometer, driver.key);
+        if (driver.isModbus)
+            rig.thermometer->profile = profileOf("modmux-pm6rtd");
+        expectRanges(&RigSpec::thermometer, "thermometer", rig);
+    }
+    for (const HeatSourceDriver& driver : heatSourceDrivers()) {
+        RigSpec rig = rigWithDevice(&RigSpec::source, driver.key);
+        if (driver.isModbus)
+            rig.source->profile = profileOf("pixsys-drr245");
+        if (driver.link != DriverLink::None)
+            expectRanges(&RigSpec::source, "source", rig);
+    }
+}
+
+// Catches a driver that is not there and silently becomes another.
+TEST(RigSpec, AnUnknownDriverIsRefusedWithTheKnownOnes) {
+    RigSpec robot = rigWithDevice(&RigSpec::robot, "scara");
+    EXPECT_EQ(refusal(robot).code(), MessageCode::ValueUnknown);
+    EXPECT_EQ(refusal(robot).where, "robot.driver");
+    EXPECT_EQ(refusal(robot).message.args, (std::vector<std::string>{"scara", "grbl, dobot"}));
+    EXPECT_EQ(refusal(rigWithDevice(&RigSpec::thermometer, "")).where, "thermometer.driver");
+    EXPECT_EQ(refusal(rigWithDevice(&RigSpec::source, "grbl")).where, "source.driver");
+}
 
 // Promise: an engine that dies leaves no heat on, unless somebody has said that it may.
 TEST(RigSpec, ASourceWithoutWatchdogMustBeAllowed) {

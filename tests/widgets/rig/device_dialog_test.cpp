@@ -61,7 +61,7 @@ TEST_F(DeviceDialogTest, WhatIsSetUpComesBackUnchanged) {
     rig.robot->mustHome = true;
     rig.robot->serial = {250000, 8, 'O', 2};
     rig.robot->axes = {{'X', kY, true, 0.123456789}, {'Y', kX, false, -0.05}, {'A', kThetaZ, true, 0.3}};
-    rig.thermometer->driver = ThermometerDriver::Modbus;
+    rig.thermometer->driver = "modbus";
     rig.thermometer->unit = 17;
     rig.thermometer->profile = shippedProfiles().front();
     rig.thermometer->channels = {1, 0};
@@ -79,13 +79,13 @@ TEST_F(DeviceDialogTest, ADriverBringsItsUsualLine) {
     open(DeviceRole::HeatSource);
     EXPECT_FALSE(child<QComboBox>("port")->isVisible()); // by hand
     choose("driver", 1);
-    EXPECT_EQ(dialog->device().source->driver, HeatSourceDriver::Namur);
+    EXPECT_EQ(dialog->device().source->driver, "namur");
     EXPECT_EQ(dialog->device().source->serial, (SerialSettings{9600, 7, 'E', 1}));
     EXPECT_TRUE(child<QCheckBox>("probe")->isVisible());
-    EXPECT_FALSE(child<QSpinBox>("unit")->isVisible());
+    EXPECT_FALSE(child<QDoubleSpinBox>("unit")->isVisible());
     choose("driver", 2);
     EXPECT_EQ(dialog->device().source->serial, (SerialSettings{19200, 8, 'E', 1}));
-    EXPECT_TRUE(child<QSpinBox>("unit")->isVisible());
+    EXPECT_TRUE(child<QDoubleSpinBox>("unit")->isVisible());
     open(DeviceRole::Robot);
     EXPECT_EQ(dialog->device().robot->serial, (SerialSettings{115200, 8, 'N', 1}));
     choose("driver", 1); // a Dobot has R for A, and no line

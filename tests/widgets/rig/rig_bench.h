@@ -23,9 +23,9 @@ inline RigSpec realRig() {
     rig.name = "bench 2";
     rig.robot.emplace().port = "/dev/ttyROBOT";
     rig.thermometer.emplace().port = "/dev/ttyTEMP";
-    rig.thermometer->driver = ThermometerDriver::Stream;
+    rig.thermometer->driver = "stream";
     rig.thermometer->channels = {0, 1};
-    rig.source.emplace().driver = HeatSourceDriver::Namur;
+    rig.source.emplace().driver = "namur";
     rig.source->port = "/dev/ttyPLATE";
     rig.source->serial = {9600, 7, 'E', 1};
     return rig;

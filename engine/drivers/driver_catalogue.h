@@ -1,0 +1,112 @@
+#pragma once
+// All drivers of real devices: their keys in files, names, links and parameters, and how each is made. Files,
+// checks, forms and the rig walk this.
+
+#include "engine/devices/device.h"
+#include "engine/drivers/device_spec.h"
+
+#include <functional>
+#include <stdexcept>
+#include <vector>
+
+namespace bask {
+
+class AxisMap;
+class DriverLinks;
+class HeatSource;
+class Robot;
+class Thermometer;
+template <class Role> struct MadeDevice;
+
+enum class DriverLink {
+    None,   ///< nothing is connected: a person does it
+    Serial, ///< its port is a path, with the settings of the line
+    Network ///< its port is a host's name or address
+};
+
+/// Where a form asks for a parameter.
+enum class SetupStep { Connection, Use };
+
+/// A parameter of a driver's devices, wherever their spec keeps it.
+template <class Spec> struct DeviceParameter {
+    const ParameterFacts* facts;
+    SetupStep step;
+    bool isWhole;
+    std::function<double(const Spec&)> get;
+    std::function<void(Spec&, double)> set;
+    std::function<bool(const Spec&)> applies = [](const Spec&) { return true; };
+};
+
+/// What is known of a driver without its device.
+struct DriverFacts {
+    const char* key = "";  ///< in files: "stream"
+    const char* name = ""; ///< English, context "bask::Device"
+    DriverLink link = DriverLink::Serial;
+    SerialSettings serial{}; ///< as its devices leave the factory, mostly
+    /// Its devices have a unit and a profile, and share a line with others of the kind.
+    bool isModbus = false;
+};
+
+struct RobotDriver : DriverFacts {
+    std::vector<DeviceParameter<RobotDeviceSpec>> parameters;
+    std::vector<AxisSpec> usualAxes;
+    bool canHome = false; ///< so it can be set whether it must
+    /// `mayGo` approves each place before the robot is sent there.
+    MadeDevice<Robot> (*make)(DriverLinks& links, const RobotDeviceSpec& spec, const AxisMap& axes,
+                              std::function<bool(const Vector6d&)> mayGo) = nullptr;
+};
+
+struct ThermometerDriver : DriverFacts {
+    std::vector<DeviceParameter<ThermometerDeviceSpec>> parameters;
+    int maxChannels = 64;  ///< where no profile tells
+    bool isPolled = false; ///< its device is asked once a period, so another period makes it anew
+    /// One channel an object; all of the device where the spec has none. `period_s` is that of the samples,
+    /// 0.1 s at least.
+    MadeDevice<Thermometer> (*make)(DriverLinks& links, const ThermometerDeviceSpec& spec,
+                                    double period_s) = nullptr;
+};
+
+struct HeatSourceDriver : DriverFacts {
+    std::vector<DeviceParameter<HeatSourceDeviceSpec>> parameters;
+    bool hasProbe = false; ///< an external one, which may be at the surface
+    /// Of one on a serial line it tells besides how to switch it off.
+    MadeDevice<HeatSource> (*make)(DriverLinks& links, const HeatSourceDeviceSpec& spec) = nullptr;
+};
+
+/// In the order in which they are offered.
+const std::vector<RobotDriver>& robotDrivers();
+const std::vector<ThermometerDriver>& thermometerDrivers();
+const std::vector<HeatSourceDriver>& heatSourceDrivers();
+/// Of a role; a camera has none.
+std::vector<const DriverFacts*> driversOf(DeviceRole role);
+
+/// Throw std::invalid_argument for a key that is not in the catalogue.
+const RobotDriver& driverOf(const RobotDeviceSpec& spec);
+const ThermometerDriver& driverOf(const ThermometerDeviceSpec& spec);
+const HeatSourceDriver& driverOf(const HeatSourceDeviceSpec& spec);
+
+/// The line of that name in a table of values that the spec has.
+template <class Spec>
+DeviceParameter<Spec> deviceParameter(ParameterTable<Spec> table, const std::string& name, SetupStep step) {
+    for (const Parameter<Spec>& p : table)
+        if (p.name == name)
+            return {&p, step, p.isWhole(), [&p](const Spec& spec) { return p.get(spec).value(); },
+                    [&p](Spec& spec, double si) { p.set(spec, si); }};
+    throw std::invalid_argument("a parameter that is not in the table: " + name);
+}
+
+/// The lines of a driver's own table; `settingsFrom` makes its struct of the spec's `own` again.
+template <class Spec, class Settings>
+std::vector<DeviceParameter<Spec>> ownParameters(ParameterTable<Settings> table, SetupStep step) {
+    std::vector<DeviceParameter<Spec>> out;
+    for (const Parameter<Settings>& p : table)
+        out.push_back({&p, step, p.isWhole(),
+                       [&p](const Spec& spec) {
+                           const auto it = spec.own.find(keyOf(p));
+                           return it == spec.own.end() ? p.get(Settings()).value() : it->second;
+                       },
+                       [&p](Spec& spec, double si) { spec.own[keyOf(p)] = si; }});
+    return out;
+}
+
+} // namespace bask
