@@ -783,10 +783,6 @@
         <translation>le contour se recoupe tant qu’il ne fait pas exactement une fois le tour de %1 % de sa surface ; 1 % au plus est admis, choisissez d’autres harmoniques</translation>
     </message>
     <message>
-        <source>the outline crosses itself near (%1, %2) mm</source>
-        <translation>le contour se recoupe près de (%1, %2) mm</translation>
-    </message>
-    <message>
         <source>%1 samples, more than the %2 that there may be; take larger steps or a smaller range</source>
         <translation>%1 échantillons, plus que les %2 permis ; prenez des pas plus grands ou une plage plus petite</translation>
     </message>

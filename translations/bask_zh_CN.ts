@@ -783,10 +783,6 @@
         <translation>轮廓自相交过多，有 %1 % 的面积不是恰好被环绕一次；最多接受 1 %，请改用其他谐波数</translation>
     </message>
     <message>
-        <source>the outline crosses itself near (%1, %2) mm</source>
-        <translation>轮廓在 (%1, %2) mm 附近自相交</translation>
-    </message>
-    <message>
         <source>%1 samples, more than the %2 that there may be; take larger steps or a smaller range</source>
         <translation>有 %1 个采样，超过允许的 %2 个；请增大步长或缩小范围</translation>
     </message>

@@ -783,10 +783,6 @@
         <translation>輪廓自相交過多，有 %1 % 的面積不是恰好被環繞一次；最多接受 1 %，請改用其他諧波數</translation>
     </message>
     <message>
-        <source>the outline crosses itself near (%1, %2) mm</source>
-        <translation>輪廓在 (%1, %2) mm 附近自相交</translation>
-    </message>
-    <message>
         <source>%1 samples, more than the %2 that there may be; take larger steps or a smaller range</source>
         <translation>有 %1 個取樣，超過允許的 %2 個；請增大步長或縮小範圍</translation>
     </message>

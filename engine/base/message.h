@@ -1,6 +1,6 @@
 #pragma once
-// Everything Bask says in words, as a code and its arguments: one English sentence a code in message.cpp,
-// translated in app/.
+// Everything Bask says in words, as a code and its arguments. The sentences are in message_table.inc and
+// alarm_table.inc, in English; whoever shows one translates it.
 
 #include <optional>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace bask {
 
-/// Names of sentences, listed in message_code.h: only files that say one need be built again for a new one.
+/// Names of sentences, see message_code.h: only files that say one need be built again for a new one.
 enum class MessageCode : int;
 
 /// A sentence to be: code and ordered arguments (already formatted numbers or names).

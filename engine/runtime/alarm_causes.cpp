@@ -71,36 +71,14 @@ const SafetyFinding* nearestCause(const SafetyFinding& finding, const std::vecto
 } // namespace
 
 std::string alarmKey(const SafetyFinding& finding, const Experiment& experiment) {
-    const auto ofObject = [&](const char* name) {
-        return std::string(name) + ':' + experiment.objects[finding.object].name;
-    };
-    const char* const name = messageName(finding.message.code);
-    switch (finding.condition) {
-    case Condition::RobotLost: // a link says one thing after another while it is lost
-        return "RobotLost";
-    case Condition::RobotAlarm: // another number is another alarm
-        return finding.message.code == MessageCode::RobotAlarm ? "RobotAlarm:" + finding.message.args.at(0)
-                                                               : "RobotAlarm";
-    case Condition::ThermometerLost:
-        return "ThermometerLost";
-    case Condition::SourceLost:
-        return "SourceLost";
-    case Condition::SensorOpen:
-    case Condition::SensorShort:
-    case Condition::SensorInvalid:
-    case Condition::SensorStale:
-    case Condition::SensorJump:
-        return ofObject("SensorLost");
-    case Condition::SensorFrozen:
-    case Condition::SensorQuiet:
-    case Condition::ObjectHot:
-    case Condition::ObjectWarm:
-        return ofObject(name);
-    case Condition::NotWarming: // in whatever words
-        return ofObject(messageName(MessageCode::SafetyNotWarming));
-    default:
-        return name;
-    }
+    const AlarmRow& row = alarmRow(finding.condition);
+    std::string key = *row.key != '\0' ? row.key : messageName(finding.message.code);
+    if (row.isOfObject)
+        key += ':' + experiment.objects[finding.object].name;
+    else if (finding.condition == Condition::RobotAlarm &&
+             finding.message.code == MessageCode::RobotAlarm) // another number is another alarm
+        key += ':' + finding.message.args.at(0);
+    return key;
 }
 
 const SafetyFinding* causeOf(const SafetyFinding& finding, const std::vector<SafetyFinding>& present,

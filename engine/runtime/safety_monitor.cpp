@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <string_view>
 
 namespace bask {
 namespace {
@@ -24,54 +25,37 @@ constexpr double kLate_s = 1.0;           ///< of the loop
 constexpr double kCoolingTimes = 5.0;     ///< time constants until an object is as cold as the room
 constexpr double kDiskHysteresis = 1.1;
 
-// Delays: a limit of temperature takes two readings of the source, whose readings nobody has checked for
-// jumps; the objects' have been. A set point is read back late. A
-// sensor that lags behind its object follows a turn late, and no matter of safety hurries there. A loop that
-// was late is told for a minute, so that a stutter is one alarm.
+enum Trait : unsigned { Plain = 0, OfObject = 1, Loss = 2, SeenOver = 4 };
+
+constexpr AlarmRow row(Condition condition, const char* key, int priority, Reaction reaction, unsigned traits,
+                       double on_s, double off_s) {
+    return {condition,
+            key,
+            priority,
+            reaction,
+            (traits & OfObject) != 0,
+            (traits & Loss) != 0,
+            (traits & SeenOver) != 0,
+            on_s,
+            off_s};
+}
+
 // clang-format off
-constexpr std::array kLadder{
-    SafetyRow{Condition::RobotLost,          1, Reaction::Halt,    false, 0.0, 0.0},
-    SafetyRow{Condition::RobotAlarm,         2, Reaction::Halt,    false, 0.0, 0.0},
-    SafetyRow{Condition::RobotPlaceUnsure,   2, Reaction::Halt,    false, 0.0, 0.0},
-    SafetyRow{Condition::RobotSlow,          2, Reaction::Halt,    false, 0.0, 0.0},
-    SafetyRow{Condition::ObjectHot,          1, Reaction::Retreat, false, 0.0, 1.0},
-    SafetyRow{Condition::SourceHot,          1, Reaction::Retreat, false, 0.5, 1.0},
-    SafetyRow{Condition::SourceLost,         1, Reaction::Stop,    false, 0.0, 0.0},
-    SafetyRow{Condition::SourceSilent,       2, Reaction::Stop,    false, 0.0, 0.0},
-    SafetyRow{Condition::SourceNotHeating,   3, Reaction::Stop,    false, 0.0, 0.0},
-    SafetyRow{Condition::SourceHeatsUnasked, 1, Reaction::Stop,    false, 0.5, 0.0},
-    SafetyRow{Condition::SourceNotCooling,   1, Reaction::Stop,    false, 0.0, 0.0},
-    SafetyRow{Condition::HeaterGuardGone,    1, Reaction::Stop,    false, 0.0, 0.0},
-    SafetyRow{Condition::SourceCold,         2, Reaction::Stop,    false, 0.5, 0.0},
-    SafetyRow{Condition::SourceUnit,         2, Reaction::Stop,    false, 0.5, 0.0},
-    SafetyRow{Condition::SetPointOther,      3, Reaction::Stop,    false, 10.0, 0.0},
-    SafetyRow{Condition::NotWarming,         3, Reaction::Stop,    false, 30.0, 0.0},
-    SafetyRow{Condition::SensorOpen,         3, Reaction::Hold,    true,  0.0, 0.0},
-    SafetyRow{Condition::SensorShort,        3, Reaction::Hold,    true,  0.0, 0.0},
-    SafetyRow{Condition::SensorInvalid,      3, Reaction::Hold,    true,  0.0, 0.0},
-    SafetyRow{Condition::SensorStale,        3, Reaction::Hold,    true,  0.0, 0.0},
-    SafetyRow{Condition::SensorJump,         3, Reaction::Hold,    true,  0.0, 0.0},
-    SafetyRow{Condition::SensorFrozen,       3, Reaction::Hold,    true,  0.0, 0.0},
-    SafetyRow{Condition::SourcePoseLost,     3, Reaction::Hold,    true,  0.0, 0.0},
-    SafetyRow{Condition::ObjectWarm,         2, Reaction::Hold,    false, 0.0, 1.0},
-    SafetyRow{Condition::ThermometerLost,    1, Reaction::Note,    false, 0.0, 0.0},
-    SafetyRow{Condition::HeatNotOff,         1, Reaction::Note,    false, 0.0, 0.0},
-    SafetyRow{Condition::HeatByHand,         1, Reaction::Note,    false, 0.0, 0.0},
-    SafetyRow{Condition::NoWatchdog,         3, Reaction::Note,    false, 0.0, 0.0},
-    SafetyRow{Condition::SensorsApart,       3, Reaction::Note,    false, 10.0, 10.0},
-    SafetyRow{Condition::DiskLow,            2, Reaction::Note,    false, 0.0, 0.0},
-    SafetyRow{Condition::LoopLate,           3, Reaction::Note,    false, 0.0, 60.0},
-    SafetyRow{Condition::SensorQuiet,        3, Reaction::Note,    false, 0.0, 0.0},
+constexpr std::array kAlarmTable{
+#define ALARM(condition, name, priority, reaction, traits, on_s, off_s, key, ...)                            \
+    row(Condition::condition, *key != '\0' ? key : #name, priority, Reaction::reaction, traits, on_s, off_s),
+#define DEVICE_ALARM(condition, priority, reaction, traits, on_s, off_s, key)                                \
+    row(Condition::condition, key, priority, Reaction::reaction, traits, on_s, off_s),
+#include "engine/base/alarm_table.inc"
+#undef ALARM
+#undef DEVICE_ALARM
 };
 // clang-format on
 
 /// What is wrong with one sensor has one name, the one that it had first.
-bool isOfSensor(Condition condition) {
-    return condition >= Condition::SensorOpen && condition <= Condition::SensorJump;
-}
-
 bool isSame(Condition a, std::size_t ofA, Condition b, std::size_t ofB) {
-    return ofA == ofB && (a == b || (isOfSensor(a) && isOfSensor(b)));
+    const std::string_view key = alarmRow(a).key;
+    return ofA == ofB && (a == b || (!key.empty() && key == alarmRow(b).key));
 }
 
 std::string celsius(double t_K) {
@@ -84,17 +68,14 @@ std::string oneDigit(double value) {
 
 void sortByGravity(std::vector<SafetyFinding>& findings) {
     std::ranges::stable_sort(findings, [](const SafetyFinding& a, const SafetyFinding& b) {
-        return safetyRow(a.condition).reaction > safetyRow(b.condition).reaction;
+        return alarmRow(a.condition).reaction > alarmRow(b.condition).reaction;
     });
 }
 
 } // namespace
 
-const SafetyRow& safetyRow(SafetyCondition condition) {
-    const auto row = std::ranges::find(kLadder, condition, &SafetyRow::condition);
-    if (row == kLadder.end())
-        throw std::logic_error("safetyRow: no such row");
-    return *row;
+const AlarmRow& alarmRow(SafetyCondition condition) {
+    return kAlarmTable.at(static_cast<std::size_t>(condition)); // both are made from the same lines
 }
 
 SensorLimits sensorLimits(const Experiment& experiment) {
@@ -422,7 +403,7 @@ void SafetyMonitor::raise(const SafetyObservation& seen, SafetyChanges& changes)
         }
         const auto before = std::ranges::find_if(m_rising, isIt);
         const double since_s = before != m_rising.end() ? before->since_s : seen.now_s;
-        if (seen.now_s - since_s >= safetyRow(finding.condition).on_s - 1e-9) {
+        if (seen.now_s - since_s >= alarmRow(finding.condition).on_s - 1e-9) {
             m_active.push_back(finding);
             changes.raised.push_back(finding);
         } else {
@@ -445,7 +426,7 @@ void SafetyMonitor::end(const SafetyObservation& seen, SafetyChanges& changes) {
         }
         const auto before = std::ranges::find_if(m_ending, isIt);
         const double since_s = before != m_ending.end() ? before->since_s : seen.now_s;
-        if (seen.now_s - since_s >= safetyRow(finding.condition).off_s - 1e-9) {
+        if (seen.now_s - since_s >= alarmRow(finding.condition).off_s - 1e-9) {
             changes.ended.push_back(std::move(finding));
         } else {
             ending.push_back({finding.condition, finding.object, since_s});
@@ -458,20 +439,20 @@ void SafetyMonitor::end(const SafetyObservation& seen, SafetyChanges& changes) {
 
 const SafetyFinding* SafetyMonitor::forbidsReset() const {
     const bool isGrave =
-        !m_active.empty() && safetyRow(m_active.front().condition).reaction >= SafetyReaction::Stop;
+        !m_active.empty() && alarmRow(m_active.front().condition).reaction >= SafetyReaction::Stop;
     return isGrave ? &m_active.front() : nullptr;
 }
 
 const SafetyFinding* SafetyMonitor::forbidsResume() const {
     const bool isGrave =
-        !m_active.empty() && safetyRow(m_active.front().condition).reaction >= SafetyReaction::Hold;
+        !m_active.empty() && alarmRow(m_active.front().condition).reaction >= SafetyReaction::Hold;
     return isGrave ? &m_active.front() : nullptr;
 }
 
 std::vector<SafetyMonitor::Delayed> SafetyMonitor::delayed() const {
     std::vector<Delayed> out;
     for (const Pending& rising : m_rising) {
-        const double delay_s = safetyRow(rising.condition).on_s;
+        const double delay_s = alarmRow(rising.condition).on_s;
         const double in_s = rising.since_s + delay_s - m_now_s;
         const auto finding = std::ranges::find_if(m_present, [&](const SafetyFinding& present) {
             return present.condition == rising.condition && present.object == rising.object;
@@ -484,7 +465,7 @@ std::vector<SafetyMonitor::Delayed> SafetyMonitor::delayed() const {
 
 const SafetyFinding* SafetyMonitor::lost() const {
     const auto found = std::ranges::find_if(
-        m_active, [](const SafetyFinding& finding) { return safetyRow(finding.condition).isEnding; });
+        m_active, [](const SafetyFinding& finding) { return alarmRow(finding.condition).isLoss; });
     return found == m_active.end() ? nullptr : &*found;
 }
 
@@ -498,7 +479,8 @@ double SafetyMonitor::lostTooLongIn_s() const {
 
 const SafetyFinding* SafetyMonitor::lostSensor() const {
     const auto found = std::ranges::find_if(m_active, [](const SafetyFinding& finding) {
-        return isOfSensor(finding.condition) || finding.condition == Condition::SensorFrozen;
+        const AlarmRow& lost = alarmRow(finding.condition);
+        return lost.isLoss && lost.isOfObject;
     });
     return found == m_active.end() ? nullptr : &*found;
 }

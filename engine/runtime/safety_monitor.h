@@ -1,5 +1,5 @@
 #pragma once
-// The failsafe ladder: what the engine watches in every state, how grave it is, and what is done about it.
+// What the engine watches in every state: the alarm table, and the monitor that finds its conditions.
 
 #include "engine/base/message.h"
 #include "engine/devices/thermometer.h"
@@ -25,51 +25,28 @@ enum class SafetyReaction {
     Halt     ///< heat off, zero velocity: the robot cannot be trusted
 };
 
+/// What can be wrong: the lines of the alarm table.
 enum class SafetyCondition {
-    RobotLost,
-    RobotAlarm,
-    RobotPlaceUnsure,
-    RobotSlow,
-    ObjectHot,
-    SourceHot,
-    SourceLost,
-    SourceSilent,
-    SourceNotHeating,
-    SourceHeatsUnasked,
-    SourceNotCooling,
-    HeaterGuardGone,
-    SourceCold,
-    SourceUnit,
-    SetPointOther,
-    NotWarming,
-    SensorOpen,
-    SensorShort,
-    SensorInvalid,
-    SensorStale,
-    SensorJump,
-    SensorFrozen,
-    SourcePoseLost,
-    ObjectWarm,
-    ThermometerLost,
-    HeatNotOff,
-    HeatByHand,
-    NoWatchdog,
-    SensorsApart,
-    DiskLow,
-    LoopLate,
-    SensorQuiet
+#define ALARM(condition, ...) condition,
+#define DEVICE_ALARM(condition, ...) condition,
+#include "engine/base/alarm_table.inc"
+#undef ALARM
+#undef DEVICE_ALARM
 };
 
-/// A row of the ladder.
-struct SafetyRow {
+/// A row of the alarm table, whose columns are explained in engine/base/alarm_table.inc.
+struct AlarmRow {
     SafetyCondition condition;
-    int priority; ///< as an alarm, 1 the highest
+    const char* key; ///< several conditions of one key are one alarm
+    int priority;    ///< as an alarm, 1 the highest
     SafetyReaction reaction;
-    bool isEnding; ///< one that holds: after the held limit the run ends with a retreat
-    double on_s;   ///< it must have been so for so long; ages and counts are in the condition itself
-    double off_s;  ///< and must be gone for so long
+    bool isOfObject;
+    bool isLoss;     ///< of a measured value
+    bool isSeenOver; ///< its end can be seen
+    double on_s;     ///< it must have been so for this time
+    double off_s;    ///< and must be gone for this time
 };
-const SafetyRow& safetyRow(SafetyCondition condition);
+const AlarmRow& alarmRow(SafetyCondition condition);
 
 /// Of an experiment's sensors.
 SensorLimits sensorLimits(const Experiment& experiment);

@@ -542,32 +542,12 @@ Message ServoLoop::newest(const Latched& fault) const {
     return fault.message;
 }
 
-/// Its condition can be seen to be over, and is: the fault stays latched.
+/// Returns whether its condition can be seen to be over, and is: the fault stays latched.
 bool ServoLoop::isSeenOver(const Latched& fault) const {
-    using Condition = SafetyCondition;
-    if (!fault.finding)
-        return false;
-    switch (fault.finding->condition) {
-    case Condition::RobotLost:
-    case Condition::RobotAlarm:
-    case Condition::RobotPlaceUnsure:
-    case Condition::RobotSlow:
-    case Condition::ObjectHot:
-    case Condition::SourceHot:
-    case Condition::SourceLost:
-    case Condition::SourceSilent:
-    case Condition::SensorOpen:
-    case Condition::SensorShort:
-    case Condition::SensorInvalid:
-    case Condition::SensorStale:
-    case Condition::SensorJump:
-    case Condition::SourcePoseLost:
-        return std::ranges::none_of(m_safety.active(), [&](const SafetyFinding& finding) {
-            return alarmKey(finding, m_experiment) == fault.key;
-        });
-    default: // what is only watched with the heat on, or until it has acted
-        return false;
-    }
+    return fault.finding && alarmRow(fault.finding->condition).isSeenOver &&
+           std::ranges::none_of(m_safety.active(), [&](const SafetyFinding& finding) {
+               return alarmKey(finding, m_experiment) == fault.key;
+           });
 }
 
 std::vector<SafetyFinding> ServoLoop::foundOrLatched() const {
@@ -584,7 +564,7 @@ std::vector<Message> ServoLoop::reasons() const {
         if (!fault.finding || causeOf(*fault.finding, m_safety.active(), m_experiment) == nullptr)
             out.push_back(newest(fault));
     for (const SafetyFinding& finding : m_safety.active()) {
-        const SafetyRow& row = safetyRow(finding.condition);
+        const AlarmRow& row = alarmRow(finding.condition);
         const bool isSaid =
             std::ranges::find(m_faults, alarmKey(finding, m_experiment), &Latched::key) != m_faults.end();
         if ((row.reaction >= SafetyReaction::Hold || row.priority == 1) && !isSaid &&
@@ -615,7 +595,7 @@ std::vector<Message> ServoLoop::reasons() const {
 /// Of its words, which may be about less than its condition is at worst.
 int ServoLoop::priorityOf(const Latched& fault) {
     const int ofWords = alarmPriority(fault.message.code);
-    return ofWords > 0 ? ofWords : fault.finding ? safetyRow(fault.finding->condition).priority : 1;
+    return ofWords > 0 ? ofWords : fault.finding ? alarmRow(fault.finding->condition).priority : 1;
 }
 
 namespace {
@@ -642,7 +622,7 @@ std::vector<AlarmCondition> ServoLoop::alarmConditions() const {
         if (!isSeenOver(fault))
             add(fault.key, newest(fault), priorityOf(fault), fault.finding);
     for (const SafetyFinding& finding : m_safety.active())
-        add(alarmKey(finding, m_experiment), finding.message, safetyRow(finding.condition).priority, finding);
+        add(alarmKey(finding, m_experiment), finding.message, alarmRow(finding.condition).priority, finding);
     if (!m_compromise.empty() && running())
         add(messageName(MessageCode::EventCompromise), {MessageCode::EventCompromise, {m_compromise}}, 3);
     return out;

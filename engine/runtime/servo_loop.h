@@ -201,7 +201,7 @@ private:
     void readRobotAndSource();
     void readViewFactors();
     SafetyObservation observe() const;
-    void watch(); ///< the failsafe ladder
+    void watch(); ///< finds what is wrong, by the alarm table, and reacts
     void react(const SafetyFinding& finding);
     void noteRefusedRetreat(const Message& problem);
     void tellEnd(const SafetyFinding& finding);

@@ -220,7 +220,7 @@ void ServoLoop::watch() {
     } else if (m_safety.isLostTooLong() && m_state == RunState::Holding) {
         const SafetyFinding& lost = *m_safety.lost();
         std::vector<std::string> args{formatNumber(m_experiment.safety.heldLimit_s)};
-        const bool isSensor = lost.condition != SafetyCondition::SourcePoseLost;
+        const bool isSensor = alarmRow(lost.condition).isOfObject;
         if (isSensor)
             args.push_back(m_experiment.objects[lost.object].name);
         event(isSensor ? MessageCode::EventSensorLostTooLong : MessageCode::EventSourceLostTooLong,
@@ -234,7 +234,7 @@ void ServoLoop::watch() {
 
 void ServoLoop::react(const SafetyFinding& finding) {
     const Message& message = finding.message;
-    switch (safetyRow(finding.condition).reaction) {
+    switch (alarmRow(finding.condition).reaction) {
     case SafetyReaction::Note:
         return event(message.code, message.args);
     case SafetyReaction::Hold:
@@ -257,10 +257,10 @@ void ServoLoop::noteRefusedRetreat(const Message& problem) {
 }
 
 void ServoLoop::tellEnd(const SafetyFinding& finding) {
-    const SafetyCondition condition = finding.condition;
-    if (condition >= SafetyCondition::SensorOpen && condition <= SafetyCondition::SensorFrozen)
+    const AlarmRow& row = alarmRow(finding.condition);
+    if (row.isLoss && row.isOfObject)
         event(MessageCode::EventSensorBack, {m_experiment.objects[finding.object].name});
-    else if (condition == SafetyCondition::SourcePoseLost)
+    else if (row.isLoss)
         event(MessageCode::EventSourcePoseBack);
     else {
         std::vector<std::string> args{messageName(finding.message.code)};

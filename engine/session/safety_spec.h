@@ -38,7 +38,7 @@ struct SafetySpec {
     bool operator==(const SafetySpec&) const = default;
 };
 
-/// What the simulated rig can be made to do: the rows of the failsafe ladder.
+/// What the simulated rig can be made to do: what the alarm table is about.
 enum class SimulatedFault {
     None,
     // Of one object

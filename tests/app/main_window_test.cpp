@@ -700,7 +700,7 @@ TEST_F(MainWindowTest, AChangedExperimentIsSavedAndRemembered) {
     EXPECT_EQ(SettingsStore().recentFiles().value(0), folder.filePath(QStringLiteral("mine.json")));
 }
 
-// Catches a row of the failsafe ladder that nobody can raise from the menu, or that has no name there; and
+// Catches a row of the alarm table that nobody can raise from the menu, or that has no name there; and
 // one that does not reach the engine.
 TEST_F(MainWindowTest, EveryFaultCanBeSimulated) {
     openWindow();

@@ -1,4 +1,4 @@
-// Every row of the failsafe ladder, raised on the simulated rig at 10 Hz: what is done, how soon, what is
+// Every row of the alarm table, raised on the simulated rig at 10 Hz: what is done, how soon, what is
 // said and recorded; in a run, in a manual move and in idle.
 
 #include "engine/base/message_code.h"

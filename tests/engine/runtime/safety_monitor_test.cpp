@@ -1,4 +1,4 @@
-// The ladder's table and its delays, with observations made by hand.
+// The alarm table and its delays, with observations made by hand.
 
 #include "engine/base/message_code.h"
 #include "engine/base/units.h"
@@ -72,7 +72,7 @@ TEST(SafetyMonitor, ItsPrioritiesAreThoseOfTheSentences) {
           std::pair(SafetyCondition::DiskLow, MessageCode::SafetyDiskLow),
           std::pair(SafetyCondition::SensorQuiet, MessageCode::SafetySensorQuiet),
           std::pair(SafetyCondition::LoopLate, MessageCode::SafetyLoopLate)})
-        EXPECT_EQ(safetyRow(condition).priority, alarmPriority(code)) << messageName(code);
+        EXPECT_EQ(alarmRow(condition).priority, alarmPriority(code)) << messageName(code);
 }
 
 // Catches a controller in degC that is read as degF: a room of 25 degC is -3.9 degC then, and 200 degC 392.

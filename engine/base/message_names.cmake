@@ -1,0 +1,17 @@
+# cmake -DTABLES=a.inc;b.inc -DOUT=names.inc -P message_names.cmake: the names of the sentences, in the order of the tables.
+set(names "")
+foreach(table ${TABLES})
+  file(READ ${table} text)
+  string(REGEX MATCHALL "\n(MESSAGE\\(|ALARM\\([A-Za-z]+, )[A-Za-z0-9]+" lines "${text}")
+  foreach(line ${lines})
+    string(REGEX REPLACE ".*[ (]" "" name "${line}")
+    string(APPEND names "${name},\n")
+  endforeach()
+endforeach()
+set(known "")
+if(EXISTS ${OUT})
+  file(READ ${OUT} known)
+endif()
+if(NOT names STREQUAL known) # or whoever says a sentence is built again for another one's words
+  file(WRITE ${OUT} "${names}")
+endif()
